@@ -12,6 +12,7 @@ import { NO_CONNECTION } from "./station/socket.js";
 /** For how long the laser is armed unless the policy says less. */
 const ARM_S = 300;
 const STOP_ANSWER_MS = 300;
+const PEN_SCENE = "[pen]\n";
 /** For so many states a command waits until the arm has run down. */
 const RUN_DOWN_STATES = 12;
 
@@ -135,6 +136,38 @@ export function createActions({ store, socket, http, setUp }) {
       if (!station?.arm) return;
       const { base_deg, rear_deg, fore_deg, servo_deg, suction } = station.arm;
       void command({ type: "move_joints", base_deg, rear_deg, fore_deg, servo_deg, suction, gripper_deg, mode: "movj", pause_s: 0 });
+    },
+
+    /** A file to be drawn, or a timeline to be looked at. @param {File} file */
+    takeFile(file) {
+      send({ type: "tab", tab: "draw" });
+      if (!/\.json$/i.test(file.name)) return send({ type: "draw_file", file });
+      // A large timeline takes a second, and STOP cannot wait for it.
+      const reader = new Worker(new URL("preview/reader.js", import.meta.url), { type: "module" });
+      /** @param {import("./preview/timeline.js").Timeline | undefined} timeline */
+      const read = (timeline) => {
+        reader.terminate();
+        send(timeline ? { type: "draw_timeline", timeline } : { type: "draw_file", file });
+      };
+      reader.onmessage = ({ data }) => read(data.timeline);
+      reader.onerror = () => read(undefined);
+      reader.postMessage(file);
+    },
+
+    /** Makes a job of the drawing, or of the way around it, and starts it. @param {Schemas["DrawingPart"]} part */
+    async draw(part) {
+      takeIfFree();
+      const { value, problem } = await http.ask("POST", `api/v1/drawings/${store.page.draw.drawing}/jobs`, { part });
+      if (problem) return send({ type: "problem", problem });
+      const { job } = /** @type {{ job: { job: number } }} */ (value).job;
+      // What cannot be started does not stay behind.
+      if (!(await ask({ type: "start_job", job }))) await socket.ask({ type: "cancel_job", job });
+    },
+
+    /** Gives the virtual arm a pen, and paper. */
+    async givePen() {
+      const { problem } = await http.ask("PUT", "api/v1/world", { scene: PEN_SCENE });
+      if (problem) send({ type: "problem", problem });
     },
 
     /** @param {number} by_mm */

@@ -602,6 +602,75 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/drawings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Begins to plan a file or a text as a drawing; the 16 latest are kept */
+        post: operations["post_drawings"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/drawings/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** A drawing, as soon as it is planned, or after a second as far as it is */
+        get: operations["get_drawings_id"];
+        put?: never;
+        post?: never;
+        /** Forgets a drawing; a plan under way is given up */
+        delete: operations["delete_drawings_id"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/drawings/{id}/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Queues a planned drawing as a job, or the way around it with the laser off */
+        post: operations["post_drawings_id_jobs"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/materials": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The pens and materials that a drawing can name */
+        get: operations["get_materials"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/tokens": {
         parameters: {
             query?: never;
@@ -2614,6 +2683,544 @@ export interface components {
             /** Format: uint64 */
             count: number;
         } | "forever";
+        /** @description A drawing that is to be planned: a file, or the text or the test card that the options tell. */
+        NewDrawing: {
+            /**
+             * @description The name of the file: its ending tells what kind it is.
+             * @default null
+             */
+            name: string | null;
+            /**
+             * @description What the file holds, in Base64 (RFC 4648).
+             * @default null
+             */
+            file: string | null;
+            /**
+             * @description How it is to be drawn, as the arguments of `dobot draw`.
+             * @default {
+             *       "what": {
+             *         "text": null,
+             *         "font": null,
+             *         "height": null,
+             *         "align": null,
+             *         "card": null,
+             *         "card_passes": null,
+             *         "layers": null,
+             *         "layer": [],
+             *         "only": [],
+             *         "hatch": null,
+             *         "hatch_angle": 45,
+             *         "cross": false,
+             *         "shade": null,
+             *         "spacing": null,
+             *         "invert": false
+             *       },
+             *       "place": {
+             *         "fit": false,
+             *         "scale": null,
+             *         "at": null,
+             *         "rotate": 0,
+             *         "margin": 0,
+             *         "clip": false,
+             *         "pen_down": null,
+             *         "paper": null,
+             *         "offset": 0
+             *       },
+             *       "tool": {
+             *         "pen": "fineliner",
+             *         "laser": null,
+             *         "lift": null,
+             *         "speed": null,
+             *         "travel_speed": null,
+             *         "passes": null,
+             *         "acceleration": 100
+             *       },
+             *       "way": {
+             *         "tolerance": 0.05,
+             *         "keep_order": false,
+             *         "tries": 20000,
+             *         "seed": 1,
+             *         "from": null
+             *       }
+             *     }
+             */
+            options: components["schemas"]["Options"];
+        };
+        /**
+         * @description What a person asks for. [`DrawingRequest::new`] makes [`Settings`] of it; `dobot draw` reads it from its
+         *     arguments, any other client from JSON:
+         *
+         *     ```
+         *     use dobot_draw::{DrawingRequest, Materials, Options, Subject};
+         *
+         *     let asked = r#"{"what": {"text": "Hello"}, "place": {"at": [210, 20]}, "tool": {"pen": "marker"}}"#;
+         *     let options: Options = serde_json::from_str(asked)?;
+         *     let text = Subject::of_text(&options.what).expect("there is one");
+         *     let asked = DrawingRequest::new(options, text, &Materials::built_in())?;
+         *     let (prepared, _) = asked.prepare(None, -40.0)?;
+         *     assert!(prepared.plan.summary().drawn_mm > 40.0); // of letters 10 mm high
+         *     # Ok::<(), Box<dyn std::error::Error>>(())
+         *     ```
+         */
+        Options: {
+            /**
+             * @description What is drawn.
+             * @default {
+             *       "text": null,
+             *       "font": null,
+             *       "height": null,
+             *       "align": null,
+             *       "card": null,
+             *       "card_passes": null,
+             *       "layers": null,
+             *       "layer": [],
+             *       "only": [],
+             *       "hatch": null,
+             *       "hatch_angle": 45,
+             *       "cross": false,
+             *       "shade": null,
+             *       "spacing": null,
+             *       "invert": false
+             *     }
+             */
+            what: components["schemas"]["ContentOptions"];
+            /**
+             * @description Where it goes.
+             * @default {
+             *       "fit": false,
+             *       "scale": null,
+             *       "at": null,
+             *       "rotate": 0,
+             *       "margin": 0,
+             *       "clip": false,
+             *       "pen_down": null,
+             *       "paper": null,
+             *       "offset": 0
+             *     }
+             */
+            place: components["schemas"]["PlaceOptions"];
+            /**
+             * @description With what it is drawn.
+             * @default {
+             *       "pen": "fineliner",
+             *       "laser": null,
+             *       "lift": null,
+             *       "speed": null,
+             *       "travel_speed": null,
+             *       "passes": null,
+             *       "acceleration": 100
+             *     }
+             */
+            tool: components["schemas"]["ToolOptions"];
+            /**
+             * @description How it is drawn.
+             * @default {
+             *       "tolerance": 0.05,
+             *       "keep_order": false,
+             *       "tries": 20000,
+             *       "seed": 1,
+             *       "from": null
+             *     }
+             */
+            way: components["schemas"]["PathOptions"];
+        };
+        /** @description What is drawn. */
+        ContentOptions: {
+            /**
+             * @description A text instead of a file; \n begins a new line
+             * @default null
+             */
+            text: string | null;
+            /**
+             * @description The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font
+             *     (default: sans)
+             * @default null
+             */
+            font: string | null;
+            /**
+             * Format: double
+             * @description How tall the capitals of --text are, in mm (default: 10)
+             * @default null
+             */
+            height: number | null;
+            /**
+             * @description Where the lines of --text meet: left, center or right (default: left)
+             * @default null
+             */
+            align: components["schemas"]["Align"] | null;
+            /**
+             * @description A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
+             * @default null
+             */
+            card: number[] | null;
+            /**
+             * Format: uint32
+             * @description How often the lowest row of the test card is burned (default: 3)
+             * @default null
+             */
+            card_passes: number | null;
+            /**
+             * @description Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
+             *     for itself, and the arm waits for its pen
+             * @default null
+             */
+            layers: components["schemas"]["LayersBy"] | null;
+            /**
+             * @description Draw a layer with a pen or material of its own
+             * @default []
+             */
+            layer: components["schemas"]["LayerTool"][];
+            /**
+             * @description Draw these layers only, by name
+             * @default []
+             */
+            only: string[];
+            /**
+             * @description Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
+             * @default null
+             */
+            hatch: components["schemas"]["Spacing"] | null;
+            /**
+             * Format: double
+             * @description The direction of the hatching, in degrees from left to right counterclockwise
+             * @default 45
+             */
+            hatch_angle: number;
+            /**
+             * @description Hatch crosswise
+             * @default false
+             */
+            cross: boolean;
+            /**
+             * @description How a PNG or JPEG becomes ink: outline, lines, stipple or hatch
+             * @default null
+             */
+            shade: components["schemas"]["ShadingStyle"] | null;
+            /**
+             * Format: double
+             * @description How far the lines or dots of a picture lie apart, in mm on the paper
+             * @default null
+             */
+            spacing: number | null;
+            /**
+             * @description Draw the light parts of a picture instead of the dark ones
+             * @default false
+             */
+            invert: boolean;
+        };
+        /** @description Where lines of different lengths meet. */
+        Align: "left" | "center" | "right";
+        /** @description What makes a layer of an SVG file. */
+        LayersBy: "color" | "group" | "nothing";
+        /** @description A layer that has a pen or a material of its own: `NAME=PEN`. */
+        LayerTool: {
+            /** @description The layer's name. */
+            name: string;
+            /** @description The name of its pen or material. */
+            pen: string;
+        };
+        /** @description How far apart the lines of a hatching are: `auto` or millimetres. */
+        Spacing: number | components["schemas"]["Auto"];
+        /** @description The word `auto`. */
+        Auto: "auto";
+        /** @description What is drawn of a picture. */
+        ShadingStyle: "outline" | "lines" | "stipple" | "hatch";
+        /** @description Where it goes. */
+        PlaceOptions: {
+            /**
+             * @description As large as the drawing area allows
+             * @default false
+             */
+            fit: boolean;
+            /**
+             * Format: double
+             * @description Times the true size
+             * @default null
+             */
+            scale: number | null;
+            /**
+             * @description Where the middle of the drawing goes, in mm (default: the middle of the drawing area)
+             * @default null
+             */
+            at: number[] | null;
+            /**
+             * Format: double
+             * @description Turn it counterclockwise
+             * @default 0
+             */
+            rotate: number;
+            /**
+             * Format: double
+             * @description Leave so much of the drawing area empty along its edges, in mm
+             * @default 0
+             */
+            margin: number;
+            /**
+             * @description Cut off what the arm does not reach, instead of refusing the drawing
+             * @default false
+             */
+            clip: boolean;
+            /**
+             * Format: double
+             * @description Z where the pen draws, in mm (default: where the arm stands; a virtual arm -40)
+             * @default null
+             */
+            pen_down: number | null;
+            /**
+             * @description Three points of the paper that the pen has touched, for paper that is not level
+             * @default null
+             */
+            paper: number[] | null;
+            /**
+             * Format: double
+             * @description Draw so much higher, in mm; negative presses harder
+             * @default 0
+             */
+            offset: number;
+        };
+        /** @description With what it is drawn. */
+        ToolOptions: {
+            /**
+             * @description Draw with this pen
+             * @default fineliner
+             */
+            pen: string;
+            /**
+             * @description Burn this material with the laser
+             * @default null
+             */
+            laser: string | null;
+            /**
+             * Format: double
+             * @description How far the pen is lifted to travel, in mm
+             * @default null
+             */
+            lift: number | null;
+            /**
+             * Format: double
+             * @description Speed while drawing or burning, in mm/s
+             * @default null
+             */
+            speed: number | null;
+            /**
+             * Format: double
+             * @description Speed between the strokes, in mm/s
+             * @default null
+             */
+            travel_speed: number | null;
+            /**
+             * Format: uint32
+             * @description Burn everything so often
+             * @default null
+             */
+            passes: number | null;
+            /**
+             * Format: double
+             * @description Acceleration, in mm/s²
+             * @default 100
+             */
+            acceleration: number;
+        };
+        /** @description How it is drawn. */
+        PathOptions: {
+            /**
+             * Format: double
+             * @description How far the drawn path may leave the wanted one, in mm
+             * @default 0.05
+             */
+            tolerance: number;
+            /**
+             * @description Draw in the order of the file
+             * @default false
+             */
+            keep_order: boolean;
+            /**
+             * Format: uint32
+             * @description How long to look for the shortest way with the pen up: so many tries
+             * @default 20000
+             */
+            tries: number;
+            /**
+             * Format: uint64
+             * @description Look elsewhere: the same number gives the same order
+             * @default 1
+             */
+            seed: number;
+            /**
+             * @description Begin later: at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
+             * @default null
+             */
+            from: components["schemas"]["StartFrom"] | null;
+        };
+        /**
+         * @description Where to begin, so that a drawing can be finished that was broken off: `layer:NAME`, `stroke:NUMBER` or
+         *     a share such as `40%`.
+         */
+        StartFrom: string;
+        /** @description A drawing, planned or on the way to it. */
+        DrawingView: {
+            /**
+             * Format: uint64
+             * @description Its number.
+             */
+            drawing: number;
+            /** @description What a person calls it. */
+            title: string;
+            /** @description How far it is. */
+            phase: components["schemas"]["DrawingPhase"];
+            /** @description Why it cannot be planned. */
+            problem?: components["schemas"]["Problem"] | null;
+            /** @description What was planned. */
+            plan?: components["schemas"]["DrawingPlan"] | null;
+        };
+        /** @description How far a drawing is. */
+        DrawingPhase: "waiting" | "planning" | "planned" | "failed";
+        /** @description What was planned. */
+        DrawingPlan: {
+            /**
+             * Format: double
+             * @description How much larger than its file says it becomes.
+             */
+            scale: number;
+            /** @description Whether it burns with a laser. */
+            burns: boolean;
+            /** @description What the pen does not show as the file says. */
+            warnings: string[];
+            /** @description Where the arm waits for a person, and what that one reads there. */
+            pauses: string[];
+            /** @description Why the arm may not draw it from where it stands. */
+            refused?: components["schemas"]["Problem"] | null;
+            /** @description All of it in time, pass by pass and vector by vector. */
+            timeline: components["schemas"]["Timeline"];
+        };
+        /**
+         * @description A drawing in time, for a page that lets a person go to any moment of it.
+         *
+         *     All numbers are millimetres in the base frame (X forward, Y to the left, Z up) and seconds from
+         *     the beginning. Tables are columns of one length, which is far smaller than rows with names.
+         *
+         *     **What is at time `t`.** The path is straight from row to row, at even speed. Find the last row
+         *     `i` with `path.t_s[i] <= t` (binary search, the column rises or stays) and go the share
+         *     `(t - t_s[i]) / (t_s[i + 1] - t_s[i])` of the way to row `i + 1`; at the last row the drawing is
+         *     over. The tool is never farther than 0.05 mm from there. On the paper are all lines up to row
+         *     `i`, and the piece from row `i` to the tool if row `i + 1` has ink 1. The pen or the laser leaves
+         *     ink just then if row `i + 1` has ink 1.
+         *
+         *     **Which move is it.** Find the last row of `moves` with `from_s <= t`, in the same way: it ends
+         *     where the next one begins, the last one at `duration_s`.
+         *
+         *     **What to draw.** Go through the path: a row with ink 2 begins a line (it is a dot, if none
+         *     follows), a row with ink 1 goes on with it, a row with ink 0 ends it. The colour of a line is
+         *     that of its pass (of the move at its time), or comes from `error_mm`.
+         */
+        Timeline: {
+            /**
+             * Format: uint32
+             * @description What this looks like: 1. A page refuses what it does not know.
+             */
+            version: number;
+            /**
+             * Format: double
+             * @description How long the drawing takes.
+             */
+            duration_s: number;
+            /**
+             * Format: double
+             * @description How often the arm was looked at; only what is needed is kept in `path`.
+             */
+            tick_s: number;
+            /** @description What holds all of the path: the least and the most of X, Y and Z. */
+            bounds_mm: number[][];
+            /** @description The passes in their order. */
+            passes: components["schemas"]["PassFigures"][];
+            /** @description What the tool does, one after the other. */
+            moves: components["schemas"]["Moves"];
+            /** @description Where the tool is, and what it leaves. */
+            path: components["schemas"]["Path"];
+        };
+        /** @description The figures of a pass. */
+        PassFigures: {
+            /** @description What it is called. */
+            name: string;
+            /** @description Red, green and blue, where the file tells a colour. */
+            color?: number[] | null;
+            /** @description What draws. */
+            tool: components["schemas"]["ToolKind"];
+            /**
+             * Format: uint
+             * @description How many strokes, each as often as it is drawn.
+             */
+            strokes: number;
+            /**
+             * Format: uint
+             * @description How many vectors, and so packets.
+             */
+            vectors: number;
+            /**
+             * Format: double
+             * @description How long its lines on the paper are, in mm.
+             */
+            ink_mm: number;
+            /**
+             * Format: double
+             * @description How far the tool goes without leaving ink, the way to its first stroke included, in mm.
+             */
+            travel_mm: number;
+            /**
+             * Format: double
+             * @description From the end of the pass before to its own, in seconds.
+             */
+            time_s: number;
+            /**
+             * Format: double
+             * @description How far its ink lies from the wanted path at most, in mm.
+             */
+            error_mm: number;
+        };
+        /** @description What draws. */
+        ToolKind: "pen" | "laser";
+        /** @description What the tool does, one row for each. */
+        Moves: {
+            /** @description What the numbers in `kind` mean. */
+            kinds: string[];
+            /** @description What it does, as an index in `kinds`. */
+            kind: number[];
+            /** @description In which pass, as an index in `passes`. */
+            pass: number[];
+            /** @description For which stroke, from 0, counted through all passes. */
+            stroke: number[];
+            /** @description When it begins. */
+            from_s: number[];
+        };
+        /** @description Where the tool is, one row for each moment that matters. */
+        Path: {
+            /** @description When. */
+            t_s: number[];
+            /** @description Forward. */
+            x_mm: number[];
+            /** @description To the left. */
+            y_mm: number[];
+            /** @description Up. */
+            z_mm: number[];
+            /** @description 0: no ink; 1: a line from the row before to here; 2: a dot, with which a line may begin. */
+            ink: number[];
+            /** @description How far the ink here lies from the wanted path; 0 where there is none. */
+            error_mm: number[];
+        };
+        /** @description What of a drawing is to be a job. */
+        DrawingJob: {
+            /** @description Which part. */
+            part?: components["schemas"]["DrawingPart"];
+        };
+        /** @description What of a drawing a job is to do. */
+        DrawingPart: "whole" | "frame";
+        /** @description A pen, or a material for the laser. */
+        MaterialView: {
+            /** @description Its name. */
+            name: string;
+            /** @description What draws on it. */
+            tool: components["schemas"]["ToolKind"];
+        };
         /** @description A token, without its secret. */
         TokenView: {
             /** @description Who it is for: 1 to 40 letters, digits, dots, dashes and spaces. */
@@ -2756,10 +3363,10 @@ export interface components {
              */
             give_mm: number;
             /** @description Which tool. */
-            kind: components["schemas"]["ToolKind"];
+            kind: components["schemas"]["ToolKind2"];
         };
         /** @description The tools. */
-        ToolKind: {
+        ToolKind2: {
             /** @constant */
             type: "pen";
             /**
@@ -8083,6 +8690,526 @@ export interface operations {
             /** @description - `journal`: the journal cannot be written */
             507: {
                 headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_drawings: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 32768 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "options": {
+                 *         "what": {
+                 *           "text": "Hello"
+                 *         },
+                 *         "place": {
+                 *           "at": [
+                 *             210,
+                 *             0
+                 *           ],
+                 *           "pen_down": -40
+                 *         }
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewDrawing"];
+            };
+        };
+        responses: {
+            /** @description it is being planned; the header Location names it */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DrawingView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_drawings_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the drawing */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["DrawingView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-drawing`: there is no such drawing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_drawings_id: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description it is forgotten */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-drawing`: there is no such drawing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_drawings_id_jobs: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /**
+                 * @example {
+                 *       "part": "whole"
+                 *     }
+                 */
+                "application/json": components["schemas"]["DrawingJob"];
+            };
+        };
+        responses: {
+            /** @description the job is queued */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-drawing`: there is no such drawing */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `drawing-phase`: the drawing is not planned yet
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-drawing`: it cannot be drawn
+             *     - `bad-job`: the job cannot be done
+             *     - `policy`: the policy does not allow this
+             *     - `command`: the command is not sent
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_materials: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the pens and materials */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MaterialView"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
                     [name: string]: unknown;
                 };
                 content: {

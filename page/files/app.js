@@ -1,10 +1,12 @@
 // Wires the station, the state, the stage and the views together.
 
 import { createActions } from "./actions.js";
+import { listenToDrops } from "./hands/drop.js";
 import { listenToGamepad } from "./hands/gamepad.js";
 import { createJog } from "./hands/jog.js";
 import { listenToKeys } from "./hands/keys.js";
 import { createPads } from "./hands/pads.js";
+import { draw as drawPanelOf } from "./panels/draw.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { watch } from "./panels/watch.js";
@@ -15,6 +17,7 @@ import { createStore } from "./state/store.js";
 import { followAround } from "./station/around.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createSetUp } from "./station/set_up.js";
+import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
 import { followTarget } from "./station/target.js";
 import { render } from "./vendor/lit-html/lit-html.js";
@@ -34,7 +37,7 @@ const TOLD_MS = 12_000;
 /** Where the wishes of a person are kept in this browser. */
 const WISHES = "dobot";
 const KEPT = new Set(["language", "theme", "greeted"]);
-const PANELS = { move, watch, set_up: setUp };
+const PANELS = { move, draw: drawPanelOf, watch, set_up: setUp };
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -91,10 +94,8 @@ function draw() {
 function drawPanel(context) {
   const { tab } = context.page;
   const panel = part("panel");
-  panel.hidden = tab === "preview";
-  part("preview").hidden = tab !== "preview";
   panel.setAttribute("aria-labelledby", `tab-${tab}`);
-  if (tab !== "preview") render(PANELS[tab](context), panel);
+  render(PANELS[tab](context), panel);
 }
 
 /** @param {Context} context */
@@ -156,6 +157,8 @@ listenToKeys({ stage: part("stage"), stop: act.stop, jog, frame: () => store.pag
 listenToGamepad({ stop: act.stop, jog, speed_percent: () => store.page.jog.speed_percent, linear: () => store.page.jog.frame === "linear" || store.send({ type: "jog_set", set: { frame: "linear" } }) });
 followAround(store, http);
 followTarget(store, socket);
+followDrawing(store, http);
+listenToDrops(part("work"), act.takeFile);
 takeToken(http);
 draw();
 socket.connect();

@@ -33,7 +33,13 @@ export const VIEWS = {
     await page.fill("#target-x_mm", "600");
     await page.waitForSelector("#target-nearest");
   },
-  preview: tab("preview"),
+  draw: async (page) => {
+    await page.click("#first-close");
+    await page.click("#tab-draw");
+    await page.check("#draw-title ~ .segments input[value=text]", { force: true });
+    await page.fill("#draw-text", "Hello");
+    await page.waitForSelector("#preview");
+  },
   watch: tab("watch"),
   set_up: tab("set_up"),
   stopped: async (page) => {

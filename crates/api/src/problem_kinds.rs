@@ -84,6 +84,8 @@ kinds! {
         "No route of the station has this path. `/api/v1/openapi.json` lists all of them.";
     NO_SUCH_JOB = 404 "no-such-job" "there is no such job"
         "No job has this number. `/api/v1/jobs` lists all of them.";
+    NO_SUCH_DRAWING = 404 "no-such-drawing" "there is no such drawing"
+        "No drawing has this number: it was given up, or later ones have taken its place. Plan it again.";
     NO_SUCH_TOKEN = 404 "no-such-token" "there is no such token"
         "No token has this name. `/api/v1/tokens` lists all of them.";
     METHOD = 405 "method" "this address does not take this method"
@@ -116,6 +118,8 @@ kinds! {
         "While the arm makes the small motions that tell its dialect, nothing else moves it. Wait until it is done, or stop it.";
     JOB_PHASE = 409 "job-phase" "the job does not allow this now"
         "A job can be started when it is queued or paused, paused when it runs, and cancelled until it is over.";
+    DRAWING_PHASE = 409 "drawing-phase" "the drawing is not planned yet"
+        "A job can be made of a drawing when it is planned. Ask for the drawing until its phase is `planned`.";
     NO_VECTORS = 409 "no-vectors" "the job has no vectors"
         "Speed and height are changed on write vectors, and the job is made of targets. They keep their own.";
     CANNOT_RESUME = 409 "cannot-resume" "the job cannot be gone on with"
@@ -144,6 +148,8 @@ kinds! {
         "A number lies outside its range. The detail says which one, and what is allowed.";
     BAD_JOB = 422 "bad-job" "the job cannot be done"
         "A command of the job cannot be done. The detail says which one, counted from 0, and why.";
+    BAD_DRAWING = 422 "bad-drawing" "it cannot be drawn"
+        "The file cannot be read, an option does not suit it, or it does not fit where it is to be. The detail says what was found and what is allowed.";
     BAD_PROGRAM = 422 "bad-program" "the program cannot be done"
         "The text is no program, or a step of it cannot be done. The detail says which line, what was found, and what is allowed; `POST /api/v1/programs/check` lists all that is wrong.";
     TOKEN_NAME = 422 "token-name" "no token can have this name"

@@ -1,6 +1,6 @@
 //! The figures of a plan as a virtual arm carried it out.
 
-use dobot_plan::PlannedPass;
+use dobot_plan::{DrawingTool, PlannedPass};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -59,6 +59,14 @@ pub enum ToolKind {
     Laser,
 }
 
+impl ToolKind {
+    /// What this is.
+    #[must_use]
+    pub const fn of(tool: &DrawingTool) -> Self {
+        if tool.burns() { Self::Laser } else { Self::Pen }
+    }
+}
+
 impl Trace<'_> {
     /// The figures of what was carried out.
     #[must_use]
@@ -105,15 +113,11 @@ impl Trace<'_> {
 }
 
 impl PassFigures {
-    fn of(pass: &PlannedPass) -> Self {
+    pub(crate) fn of(pass: &PlannedPass) -> Self {
         Self {
             name: pass.name.clone(),
             color: pass.color,
-            tool: if pass.tool.burns() {
-                ToolKind::Laser
-            } else {
-                ToolKind::Pen
-            },
+            tool: ToolKind::of(&pass.tool),
             strokes: 0,
             vectors: 0,
             ink_mm: 0.0,

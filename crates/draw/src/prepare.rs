@@ -67,6 +67,7 @@ pub fn prepare<E: fmt::Display>(
     settings.placement.reach = reach_mm(&settings, &reachable);
     let settings = &settings;
     let (Placed { layers, scale }, mut warnings) = read(source, settings)?;
+    settings.give_up.check()?;
     let layers = layers::chosen(layers, settings)?;
     let passes = passes(layers, settings, &reachable, &mut warnings)?;
     let prepared = plan_passes(passes, settings, reachable)?;
@@ -102,7 +103,9 @@ fn plan_passes<E: fmt::Display>(
         Some(from) => from.rest_of(passes)?,
         None => passes,
     };
-    let simple: Vec<Pass> = passes.iter().map(|it| simplified(it, settings)).collect();
+    let simple: Result<Vec<Pass>, PrepareError> =
+        passes.iter().map(|it| simplified(it, settings)).collect();
+    let simple = simple?;
     let plan = Plan::new(&simple, &settings.paper, &settings.machine)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
@@ -118,6 +121,9 @@ fn plan_passes<E: fmt::Display>(
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PrepareError {
+    /// Nobody wants it any more.
+    #[error("the plan was given up before it was done")]
+    GivenUp,
     /// Vectors this short would not be vectors any more.
     #[error("the tolerance is {0:?} mm; it must be a number from 0.02 to 10 mm")]
     Tolerance(f64),
@@ -238,6 +244,7 @@ fn passes<E>(
         if strokes.is_empty() {
             continue;
         }
+        settings.give_up.check()?;
         let strokes = finished(strokes, here, tool, settings, warnings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let message = layers::message(&layer, passes.last(), settings);
@@ -307,6 +314,7 @@ fn lines(layer: &mut Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareE
     let mut lines = std::mem::take(&mut layer.strokes);
     if let Some(hatching) = &settings.hatch {
         for area in &layer.areas {
+            settings.give_up.check()?;
             lines.append(&mut hatch(area, hatching)?);
         }
     }
@@ -422,19 +430,21 @@ fn ordered(
 }
 
 /// The same pass with the fewest vectors.
-fn simplified(pass: &Pass, settings: &Settings) -> Pass {
+fn simplified(pass: &Pass, settings: &Settings) -> Result<Pass, PrepareError> {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let strokes = pass.strokes.iter().map(|it| {
+        settings.give_up.check()?;
         let simple = simplify(it, tolerance_mm);
-        shortened(simple, &settings.paper)
+        Ok(shortened(simple, &settings.paper))
     });
-    Pass {
+    let strokes: Result<_, PrepareError> = strokes.collect();
+    Ok(Pass {
         name: pass.name.clone(),
         color: pass.color,
         tool: pass.tool,
-        strokes: strokes.collect(),
+        strokes: strokes?,
         message: pass.message.clone(),
-    }
+    })
 }
 
 /// Where a file has too many corners even like this, it would on the paper.

@@ -1,6 +1,5 @@
 //! A drawing as a step of a program.
 
-use dobot_source::Source;
 use dobot_wire::{Command, Dialect};
 
 use crate::{DrawingRequest, Materials, Options, Subject};
@@ -19,11 +18,7 @@ pub fn draw_step(
     dialect: Dialect,
 ) -> Result<Vec<Command>, String> {
     let told = |error: &dyn std::fmt::Display| format!("{path}: {error}");
-    let source = Source::of_file(path, bytes).map_err(|error| told(&error))?;
-    let subject = Subject {
-        title: path.to_owned(),
-        source: Some(source),
-    };
+    let subject = Subject::of_file(path, bytes).map_err(|error| told(&error))?;
     let asked = DrawingRequest::new(options, subject, &Materials::built_in())
         .map_err(|error| told(&error))?;
     let prepared = asked

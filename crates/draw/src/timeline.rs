@@ -3,6 +3,7 @@
 mod thin;
 
 use dobot_arm::TICK_S;
+use dobot_plan::Plan;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -86,35 +87,26 @@ impl Trace<'_> {
             version: 1,
             duration_s: rounded(time_s, MILLI),
             tick_s: TICK_S,
-            bounds_mm: self.bounds_mm(),
+            bounds_mm: bounds_mm(&self.moments),
             passes: passes.into_iter().map(figures).collect(),
-            moves: self.moves(),
+            moves: Moves::of(
+                self.plan,
+                self.ends.iter().map(|&end| self.moments[end].t_s),
+            ),
             path: Path::of(thin::thin(&self.moments)),
         }
     }
+}
 
-    fn bounds_mm(&self) -> [[f64; 2]; 3] {
-        let axes: [fn(&TracePoint) -> f64; 3] = [
-            |it| it.position.x.0,
-            |it| it.position.y.0,
-            |it| it.position.z.0,
-        ];
-        axes.map(|axis| {
-            let along = || self.moments.iter().map(axis);
-            let least = along().fold(f64::INFINITY, f64::min);
-            let most = along().fold(f64::NEG_INFINITY, f64::max);
-            [least, most].map(|it| rounded(it, CENTI))
-        })
-    }
-
+impl Moves {
     /// Vectors of the same kind and stroke are one move.
-    fn moves(&self) -> Moves {
-        let mut moves = Moves {
+    pub(crate) fn of(plan: &Plan, ends_s: impl Iterator<Item = f64>) -> Self {
+        let mut moves = Self {
             kinds: KINDS,
-            ..Moves::default()
+            ..Self::default()
         };
         let (mut last, mut from_s) = (None, 0.0);
-        for (vector, &end) in self.plan.moves.iter().zip(&self.ends) {
+        for (vector, end_s) in plan.moves.iter().zip(ends_s) {
             let what = (vector.kind, vector.stroke);
             if last.replace(what) != Some(what) {
                 moves.kind.push(vector.kind as u8);
@@ -122,14 +114,14 @@ impl Trace<'_> {
                 moves.stroke.push(vector.stroke);
                 moves.from_s.push(rounded(from_s, MILLI));
             }
-            from_s = self.moments[end].t_s;
+            from_s = end_s;
         }
         moves
     }
 }
 
 impl Path {
-    fn of<'a>(moments: impl Iterator<Item = &'a TracePoint>) -> Self {
+    pub(crate) fn of<'a>(moments: impl Iterator<Item = &'a TracePoint>) -> Self {
         let mut path = Self::default();
         for moment in moments {
             path.t_s.push(rounded(moment.t_s, MILLI));
@@ -147,7 +139,21 @@ impl Path {
     }
 }
 
-fn figures(pass: PassFigures) -> PassFigures {
+pub(crate) fn bounds_mm(moments: &[TracePoint]) -> [[f64; 2]; 3] {
+    let axes: [fn(&TracePoint) -> f64; 3] = [
+        |it| it.position.x.0,
+        |it| it.position.y.0,
+        |it| it.position.z.0,
+    ];
+    axes.map(|axis| {
+        let along = || moments.iter().map(axis);
+        let least = along().fold(f64::INFINITY, f64::min);
+        let most = along().fold(f64::NEG_INFINITY, f64::max);
+        [least, most].map(|it| rounded(it, CENTI))
+    })
+}
+
+pub(crate) fn figures(pass: PassFigures) -> PassFigures {
     PassFigures {
         ink_mm: rounded(pass.ink_mm, CENTI),
         travel_mm: rounded(pass.travel_mm, CENTI),
@@ -158,7 +164,7 @@ fn figures(pass: PassFigures) -> PassFigures {
 }
 
 /// To so many parts of one; never the zero with a minus.
-fn rounded(value: f64, parts: f64) -> f64 {
+pub(crate) fn rounded(value: f64, parts: f64) -> f64 {
     (value * parts).round() / parts + 0.0
 }
 
@@ -166,5 +172,5 @@ fn rounded(value: f64, parts: f64) -> f64 {
 const KINDS: [&str; 8] = [
     "travel", "lower", "draw", "lift", "run-up", "burn", "run-out", "brake",
 ];
-const MILLI: f64 = 1000.0;
+pub(crate) const MILLI: f64 = 1000.0;
 const CENTI: f64 = 100.0;

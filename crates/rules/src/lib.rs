@@ -43,6 +43,7 @@ mod approach;
 mod arm_thread;
 mod client;
 mod connect;
+mod drawing_job;
 mod driver;
 mod finder;
 mod guardian;
@@ -62,6 +63,7 @@ mod virtual_station;
 pub use approach::{Approach, WantedArm};
 pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
+pub use drawing_job::drawing_job;
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 #[cfg(unix)]
 pub use guardian::guard;

@@ -9,6 +9,7 @@ mod app;
 mod auth;
 mod calls;
 mod document;
+mod drawings;
 mod events;
 #[cfg(test)]
 mod fake;

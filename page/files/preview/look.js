@@ -47,15 +47,15 @@ function passColor(color, pass) {
 
 const MOST_LETTERS = 60;
 
-/** What the colours of errors mean. @param {number} tolerance_mm */
-export function errorNames(tolerance_mm) {
-  return [`off by 0 to ${tolerance_mm / 2} mm`, `to ${tolerance_mm} mm, the tolerance`, "more"];
+/** What the colours of errors mean. @param {import("../words/words.js").Say} say @param {number} tolerance_mm */
+export function errorNames(say, tolerance_mm) {
+  return [say("play.error.half", { mm: tolerance_mm / 2 }), say("play.error.whole", { mm: tolerance_mm }), say("play.error.more")];
 }
 
-/** Its name, shortened, or its number. @param {{name: string, tool: string}} pass @param {number} i */
-export function passName({ name, tool }, i) {
+/** Its name, shortened, or its number. @param {import("../words/words.js").Say} say @param {{name: string, tool: string}} pass @param {number} i */
+export function passName(say, { name, tool }, i) {
   const short = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS)}…` : name;
-  return (short || `pass ${i + 1}`) + (tool === "laser" ? " (laser)" : "");
+  return (short || say("play.pass.number", { number: i + 1 })) + (tool === "laser" ? ` (${say("play.laser")})` : "");
 }
 
 /** As in 1:05, or 2:03:04. @param {number} seconds */
@@ -123,4 +123,18 @@ export function viewOf({ x, y }, frame) {
 export function roundLength(most) {
   const power = 10 ** Math.floor(Math.log10(most));
   return power * ([5, 2].find((it) => it * power <= most) ?? 1);
+}
+
+/** The lines of a timeline for the stage: its ways, and its ink in the colours of the passes. @param {Timeline} timeline @returns {import("../stage/view.js").Drawing} */
+export function linesOf(timeline) {
+  const { x_mm, y_mm, z_mm, ink } = timeline.path;
+  const { classes, styles } = lookOfPasses(timeline);
+  const count = Math.max(0, ink.length - 1);
+  const ends_mm = new Float32Array(count * 6);
+  const inks = new Int32Array(count);
+  for (let n = 0; n < count; n += 1) {
+    ends_mm.set([x_mm[n], y_mm[n], z_mm[n], x_mm[n + 1], y_mm[n + 1], z_mm[n + 1]], n * 6);
+    inks[n] = ink[n + 1] === 1 ? classes[n + 1] : -1;
+  }
+  return { ends_mm, inks, colors: styles.map(({ color }) => color) };
 }

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { EDGE, boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, roundLength, viewOf } from "./look.js";
+import { speak } from "../words/words.js";
 import { readTimeline } from "./timeline.js";
 import { sample } from "./sample.test.js";
 
@@ -63,7 +64,7 @@ test("a pass without a colour has one that its neighbours have not", () => {
 test("errors have three classes: half of the tolerance, all of it, more", () => {
   const path = { ...timeline.path, error_mm: Float32Array.of(0, 0.025, 0.026, 0.05, 0.051, 3) };
   assert.deepEqual([...lookOfErrors({ ...timeline, path }, 0.05).classes], [0, 0, 1, 1, 2, 2]);
-  assert.deepEqual(errorNames(0.05), ["off by 0 to 0.025 mm", "to 0.05 mm, the tolerance", "more"]);
+  assert.deepEqual(errorNames(speak("en"), 0.05), ["off by 0 to 0.025 mm", "to 0.05 mm, the tolerance", "more"]);
 });
 
 test("times are minutes and seconds, and hours where there are any", () => {
@@ -73,9 +74,9 @@ test("times are minutes and seconds, and hours where there are any", () => {
 });
 
 test("a pass is called by its name, cut where it is long, and else by its number", () => {
-  assert.equal(passName({ name: "sky", tool: "pen" }, 0), "sky");
-  assert.equal(passName({ name: "", tool: "laser" }, 1), "pass 2 (laser)");
-  assert.equal(passName({ name: "x".repeat(61), tool: "pen" }, 0), `${"x".repeat(60)}…`);
+  assert.equal(passName(speak("en"), { name: "sky", tool: "pen" }, 0), "sky");
+  assert.equal(passName(speak("en"), { name: "", tool: "laser" }, 1), "pass 2 (laser)");
+  assert.equal(passName(speak("en"), { name: "x".repeat(61), tool: "pen" }, 0), `${"x".repeat(60)}…`);
 });
 
 test("the strip shows when there is ink, and none for travel moves", () => {

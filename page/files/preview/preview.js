@@ -1,5 +1,5 @@
 // @ts-check
-// The preview: a person goes to any moment of a drawing before it is made. The file stays in this browser.
+// The player: a person goes to any moment of a drawing before it is made.
 
 import { boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, viewOf } from "./look.js";
 import { Sketch } from "./sketch.js";
@@ -13,11 +13,23 @@ const MOST_NAMED = 12;
 /** A page that slept does not leap. */
 const MOST_STEP_S = 0.25;
 
+/** Taken from the page; the panel that shows it puts it where it belongs. */
+const root = /** @type {HTMLElement} */ (document.getElementById("preview"));
+root.remove();
+root.hidden = false;
+
+/** The texts and labels of its parts. @type {Record<string, import("../words/words.js").Word>} */
+const TEXTS = { title: "play", "colors-title": "play.colors", "by-pass": "play.by_pass", "by-error": "play.by_error", "tolerance-title": "play.tolerance", "speed-title": "play.speed", of: "play.of", "does-title": "play.tool", "pass-title": "play.pass", hint: "play.hint" };
+/** @type {Record<string, import("../words/words.js").Word>} */
+const LABELS = { canvas: "play.canvas", time: "play.time" };
+
 /** @type {Timeline | undefined} */ let timeline;
 /** @type {{x: number[], y: number[]}} */ let bounds;
 /** @type {Look} */ let look;
 /** @type {Sketch | undefined} */ let sketch;
-/** @type {Worker | undefined} */ let reader;
+/** @type {import("../state/draw.js").Draw["timeline"]} */ let shown = null;
+/** @type {string | null} */ let language = null;
+/** @type {import("../words/words.js").Say} */ let say;
 let t_s = 0;
 let playing = false;
 let paintedAt = 0;
@@ -25,7 +37,7 @@ let painting = false;
 
 /** @template {HTMLElement} [T=HTMLElement] @param {string} name @returns {T} */
 function part(name) {
-  return /** @type {T} */ (document.getElementById(`preview-${name}`));
+  return /** @type {T} */ (root.querySelector(`#preview-${name}`));
 }
 
 /** @param {string} name @param {string} text */
@@ -41,52 +53,41 @@ function input(name) {
 
 /** The value of the radio button that is chosen. @param {string} name */
 function chosen(name) {
-  return /** @type {HTMLInputElement} */ (document.querySelector(`input[name="preview-${name}"]:checked`)).value;
+  return /** @type {HTMLInputElement} */ (root.querySelector(`input[name="preview-${name}"]:checked`)).value;
 }
 
-// --- A file ----------------------------------------------------------------------
+// --- What is shown -----------------------------------------------------------------
 
-/** @param {File} file */
-function read(file) {
-  reader?.terminate();
-  reader = new Worker(new URL("reader.js", import.meta.url), { type: "module" });
-  reader.onmessage = ({ data }) => (data.timeline ? take(file.name, data.timeline) : refuse(file.name, data.refused));
-  reader.onerror = (event) => {
-    event.preventDefault();
-    refuse(file.name, "cannot be read now; expected are a station that answers and enough memory: try again, or make the timeline of a part of the drawing.");
-  };
-  reader.postMessage(file);
-  part("problem").hidden = true;
-  write("name", `reading ${file.name}…`);
+/** The player, with what the state has to show in it. @param {import("../views/context.js").Context} context @returns {HTMLElement} */
+export function player(context) {
+  if (context.page.language !== language) {
+    [language, say] = [context.page.language, context.say];
+    translate();
+  }
+  const wanted = context.page.draw.timeline;
+  if (wanted && wanted !== shown) {
+    shown = wanted;
+    take(wanted.timeline);
+  }
+  return root;
 }
 
-/** @param {string} name @param {string} why */
-function refuse(name, why) {
-  finishReading();
-  write("why", `${name} ${why}`);
-  part("problem").hidden = false;
-  write("name", part("shown").dataset.name ?? "");
+/** What stands in the player, in another language. */
+function translate() {
+  for (const [name, word] of Object.entries(TEXTS)) part(name).textContent = say(word);
+  for (const [name, word] of Object.entries(LABELS)) part(name).setAttribute("aria-label", say(word));
+  write("play", say(playing ? "play.pause" : "play.play"));
+  recolor();
 }
 
-/** @param {string} name @param {Timeline} read */
-function take(name, read) {
-  finishReading();
+/** @param {Timeline} read */
+function take(read) {
   timeline = read;
   bounds = boundsOf(read);
-  part("shown").dataset.name = name;
-  write("name", name);
-  part("problem").hidden = true;
-  part("empty").hidden = true;
-  part("shown").hidden = false;
   input("time").max = String(read.duration_s);
   play(false);
   goTo(0);
   recolor();
-}
-
-function finishReading() {
-  reader?.terminate();
-  reader = undefined;
 }
 
 // --- How it looks ------------------------------------------------------------------
@@ -99,15 +100,15 @@ function recolor() {
   part("tolerance-row").hidden = !errors;
   if (errors && !tolerance.validity.valid) return;
   look = errors ? lookOfErrors(timeline, tolerance.valueAsNumber) : lookOfPasses(timeline);
-  drawLegend(errors ? errorNames(tolerance.valueAsNumber) : timeline.passes.map(passName));
+  drawLegend(errors ? errorNames(say, tolerance.valueAsNumber) : timeline.passes.map((pass, n) => passName(say, pass, n)));
   resize();
 }
 
 /** @param {string[]} names */
 function drawLegend(names) {
   const items = names.slice(0, MOST_NAMED).map((name, i) => entry(name, look.styles[i]));
-  if (names.length > MOST_NAMED) items.push(entry(`and ${names.length - MOST_NAMED} more`));
-  const travel = entry("travel");
+  if (names.length > MOST_NAMED) items.push(entry(say("draw.more", { count: names.length - MOST_NAMED })));
+  const travel = entry(say("play.does.travel"));
   travel.className = "travel";
   part("legend").replaceChildren(travel, ...items);
 }
@@ -170,7 +171,7 @@ function goTo(to_s) {
 function play(on) {
   if (on && timeline && t_s >= timeline.duration_s) t_s = 0;
   playing = on;
-  write("play", on ? "Pause" : "Play");
+  write("play", say(on ? "play.pause" : "play.play"));
   repaint();
 }
 
@@ -198,17 +199,20 @@ function paint(now_ms) {
 
 /** @param {Place} place @param {Timeline} timeline */
 function tell(place, { duration_s, passes }) {
-  const does = t_s >= duration_s ? "done" : place.kind;
-  const time = `${clock(t_s)} of ${clock(duration_s)}`;
+  const does = say(doing(t_s >= duration_s ? "done" : place.kind));
+  const time = `${clock(t_s)} ${say("play.of")} ${clock(duration_s)}`;
   input("time").value = String(t_s);
   input("time").setAttribute("aria-valuetext", `${time}, ${does}`);
   write("now", clock(t_s));
   write("whole", clock(duration_s));
   write("does", does);
-  const pass = passName(passes[place.pass], place.pass);
-  write("pass", passes.length > 1 ? `${place.pass + 1} of ${passes.length}: ${pass}` : pass);
+  const pass = passName(say, passes[place.pass], place.pass);
+  write("pass", passes.length > 1 ? `${place.pass + 1} / ${passes.length}: ${pass}` : pass);
   for (const axis of /** @type {const} */ (["x_mm", "y_mm", "z_mm"])) write(axis, place[axis].toFixed(2));
 }
+
+/** What a tool does, as a word. @param {string} kind */
+const doing = (kind) => /** @type {import("../words/words.js").Word} */ (`play.does.${kind}`);
 
 // --- Hands -----------------------------------------------------------------------------
 
@@ -226,37 +230,7 @@ function step(event) {
   goTo(t_s + steps[event.key]);
 }
 
-/** A file that is dropped beside the panel must not take this page, and STOP, away. */
-function listenToDrops() {
-  /** @param {DragEvent} event */
-  const hasFile = (event) => event.dataTransfer?.types.includes("Files") ?? false;
-  /** @param {boolean} over */
-  const mark = (over) => document.getElementById("preview")?.classList.toggle("is-over", over);
-  addEventListener("dragover", (event) => {
-    if (!hasFile(event)) return;
-    event.preventDefault();
-    mark(true);
-  });
-  addEventListener("dragleave", (event) => event.relatedTarget === null && mark(false));
-  addEventListener("drop", (event) => {
-    mark(false);
-    if (!hasFile(event)) return;
-    event.preventDefault();
-    const files = event.dataTransfer?.files ?? [];
-    if (files.length === 1) read(files[0]);
-    else refuse(`${files.length} files`, "were dropped; expected is one, a timeline.");
-  });
-}
-
 function listen() {
-  const file = input("file");
-  part("choose").addEventListener("click", () => file.click());
-  file.addEventListener("change", () => {
-    if (file.files?.[0]) read(file.files[0]);
-    // The same file again is a change, too: it may have been made anew.
-    file.value = "";
-  });
-  part("problem-close").addEventListener("click", () => (part("problem").hidden = true));
   part("play").addEventListener("click", () => play(!playing));
   input("time").addEventListener("input", () => {
     play(false);
@@ -268,7 +242,6 @@ function listen() {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", resize);
   // Its height is this page's own choice.
   new ResizeObserver(() => part("sheet").clientWidth !== sketch?.view.frame.width && resize()).observe(part("sheet"));
-  listenToDrops();
 }
 
 listen();

@@ -38,8 +38,10 @@ export function checkSize(bytes) {
 }
 
 /** @param {string} text @returns {Timeline} */
-export function readTimeline(text) {
-  const file = parse(text);
+export const readTimeline = (text) => timelineOf(parse(text));
+
+/** @param {unknown} file @returns {Timeline} */
+export function timelineOf(file) {
   if (!isTable(file)) throw new Refused(`holds ${shown(file)}`, "a timeline, which is an object");
   if (file.version === undefined) throw new Refused("has no version", `a timeline of version ${VERSION}`);
   if (file.version !== VERSION) throw new Refused(`says version ${shown(file.version)}`, `a timeline of version ${VERSION}`);

@@ -8,7 +8,7 @@ import { LENS_DEG, orbit, pan, place, preset, towards, zoom } from "./camera.js"
 import { createKeepOuts, createLimits } from "./fences.js";
 import { createHands } from "./hands.js";
 import { createLight, createMirrored } from "./light.js";
-import { createPlanned, createTrail } from "./lines.js";
+import { createDrawing, createPlanned, createTrail } from "./lines.js";
 import { forward, inverse, rad } from "./links.js";
 import { lookOf } from "./look.js";
 import { createMarks } from "./marks.js";
@@ -52,10 +52,10 @@ export function createDeep(element, outside) {
   const mirrored = createMirrored(renderer);
   const arm = createArm(materials, { foot: true });
   const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
-  const [keepOuts, limits, trail, planned, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createTarget()];
+  const [keepOuts, limits, trail, planned, drawing, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createDrawing(), createTarget()];
   const beam = createBeam(0xff3b30);
   const onTable = new Group().add(table.group, paper.group, marks.group, world.group);
-  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, planned.group, target.group, beam.group);
+  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, planned.group, drawing.group, target.group, beam.group);
 
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
@@ -132,6 +132,7 @@ export function createDeep(element, outside) {
     if (differs("things")) world.show(next.things);
     if (differs("keepOuts")) keepOuts.show(next.keepOuts);
     if (differs("planned", "tool")) planned.show(next.planned, next.tool.length_mm);
+    if (differs("drawing", "tool", "dark")) drawing.show(next.drawing, next.tool.length_mm, lookOf(next.dark));
     marks.show(next.marks, next.paper);
     arm.group.visible = trail.group.visible = next.arm !== null;
     if (differs("dark", "ghost", "tool", "keepOuts")) paint(next);

@@ -133,6 +133,21 @@ export function createFlat(element, outside) {
       pen.fill();
       pen.stroke();
     }
+    if (now.drawing) {
+      const { ends_mm: ends, inks, colors } = now.drawing;
+      // Each colour is one path; the ways between come first.
+      for (let ink = -1; ink < colors.length; ink += 1) {
+        pen.beginPath();
+        inks.forEach((it, n) => {
+          if (it !== ink) return;
+          pen.moveTo(...at(ends[6 * n] ?? 0, ends[6 * n + 1] ?? 0));
+          pen.lineTo(...at(ends[6 * n + 3] ?? 0, ends[6 * n + 4] ?? 0));
+        });
+        pen.strokeStyle = colors[ink] ?? `${css(look.planned)}55`;
+        pen.lineWidth = 1;
+        pen.stroke();
+      }
+    }
     if (now.planned) line(now.planned.map(([x, y]) => at(x, y)), look.planned, 1);
     const from = (/** @type {Joints} */ joints, /** @type {number} */ color, /** @type {number} */ wide) => {
       const { elbow, wrist, tool } = links(joints, now.tool.kind), base = rad(joints.base_deg);

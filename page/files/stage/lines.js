@@ -1,9 +1,10 @@
 // Where the tool was, and where it is planned to go: thin lines.
 
-import { BufferAttribute, BufferGeometry, Line, LineBasicMaterial, Vector3 } from "../vendor/three/three.js";
+import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, LineSegments, Vector3 } from "../vendor/three/three.js";
 
 /** @typedef {import("./look.js").Look} Look */
 /** @typedef {import("./view.js").Point} Point */
+/** @typedef {import("./view.js").Drawing} Drawing */
 
 const KEPT = 400;
 const STEP_MM = 1.5;
@@ -47,6 +48,39 @@ export function createTrail() {
     },
   };
 }
+
+/** A drawing that is planned, of the tip: ink in its colours, ways between in that of plans. */
+export function createDrawing() {
+  const material = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+  const lines = new LineSegments(new BufferGeometry(), material);
+  lines.frustumCulled = false;
+  lines.renderOrder = 3;
+  return {
+    group: lines,
+    /** @param {Drawing | null} drawing of the wrist @param {number} length_mm of the tool @param {Look} look */
+    show(drawing, length_mm, look) {
+      lines.geometry.dispose();
+      lines.geometry = new BufferGeometry();
+      lines.visible = drawing !== null;
+      if (!drawing) return;
+      const { ends_mm, inks } = drawing;
+      const palette = drawing.colors.map((color) => new Color(color));
+      const way = new Color(look.planned);
+      const colors = new Float32Array(inks.length * 8);
+      inks.forEach((ink, n) => {
+        const { r, g, b } = palette[ink] ?? way;
+        const alpha = ink < 0 ? WAY : 1;
+        colors.set([r, g, b, alpha, r, g, b, alpha], n * 8);
+      });
+      lines.geometry.setAttribute("position", new BufferAttribute(ends_mm, 3)).setAttribute("color", new BufferAttribute(colors, 4));
+      lines.position.z = ABOVE_MM - length_mm;
+    },
+  };
+}
+
+/** How much of the ways between the ink is seen; and how far above the paper the ink to come is drawn. */
+const WAY = 0.35;
+const ABOVE_MM = 0.3;
 
 /** The way that is planned, of the tip. */
 export function createPlanned() {

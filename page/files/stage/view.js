@@ -41,6 +41,12 @@
  * @typedef {{ width_mm: number, ends_mm: number[], shades: number[] }} Marks
  */
 
+/**
+ * A drawing that is planned, line by line, places of the wrist: six numbers for each, `x0 y0 z0 x1 y1 z1`, and which of the
+ * colours its ink has; -1 where the tool leaves none.
+ * @typedef {{ ends_mm: Float32Array, inks: Int32Array, colors: readonly string[] }} Drawing
+ */
+
 /** @typedef {{ type: "box", size_mm: Point } | { type: "cylinder", diameter_mm: number, height_mm: number }} Shape */
 /** @typedef {{ name: string, shape: Shape, color: string, at_mm: Place, turn_deg: number, bottom_mm: number }} Thing */
 /** @typedef {{ box: { x_mm: Bounds, y_mm: Bounds, z_mm: Bounds } }} Box */
@@ -65,6 +71,7 @@
  * @property {readonly (Box | Cylinder)[]} keepOuts
  * @property {Limits} limits
  * @property {readonly Point[] | null} planned The way of the wrist, as planned: a thin line.
+ * @property {Drawing | null} drawing
  * @property {Ghost | null} ghost
  * @property {boolean} draggable Whether a person may take the arm's tool, or the ghost, and drag the target.
  * @property {boolean} old Whether nothing new has come for too long: the stage is grey.
@@ -91,6 +98,7 @@ export const EMPTY = {
   keepOuts: [],
   limits: STOCK,
   planned: null,
+  drawing: null,
   ghost: null,
   draggable: false,
   old: false,

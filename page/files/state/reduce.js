@@ -1,5 +1,6 @@
 // How a message changes the state. Pure: no clock, no document, no network.
 
+import { reduceDraw } from "./draw.js";
 import { reduceHistory } from "./history.js";
 import { reduceJog } from "./jog.js";
 import { reduceSetUp } from "./set_up.js";
@@ -16,10 +17,11 @@ export function reduce(page, message) {
   const next = reduceOwn(page, message);
   const jog = reduceJog(next.jog, message);
   const target = reduceTarget(next.target, message, next.station?.arm ?? null);
+  const draw = reduceDraw(next.draw, message);
   const set_up = reduceSetUp(next.set_up, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && set_up === next.set_up && history === next.history;
-  return isSame ? next : { ...next, jog, target, set_up, history };
+  const isSame = jog === next.jog && target === next.target && draw === next.draw && set_up === next.set_up && history === next.history;
+  return isSame ? next : { ...next, jog, target, draw, set_up, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

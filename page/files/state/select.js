@@ -1,5 +1,6 @@
 // What is read from the state in more than one place.
 
+import { linesOf } from "../preview/look.js";
 import { EMPTY } from "../stage/view.js";
 import { placeOf } from "./target.js";
 
@@ -84,12 +85,14 @@ export function createViewOf() {
     const place = placeOf(target);
     return place && { ...place, refused: target.refused };
   });
+  const drawingOf = kept((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
   /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
   return (page, { dark, note, label }) => ({
     ...EMPTY,
     ...rules(shownPolicy(page)),
     ...page.around,
     planned: page.planned,
+    drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
     arm: reported(page.station),
     laser: laser(page),
     ghost: ghostOf(page.target),

@@ -1,5 +1,6 @@
 // The state of the page: one tree, changed by `reduce` alone.
 
+import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
 import { NO_JOG } from "./jog.js";
 import { NO_SET_UP } from "./set_up.js";
@@ -14,7 +15,7 @@ import { NO_TARGET } from "./target.js";
 /** @typedef {import("../words/words.js").Language} Language */
 
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
-/** @typedef {"move" | "preview" | "watch" | "set_up"} Tab */
+/** @typedef {"move" | "draw" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
 /** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "remove_token", values?: Record<string, string | number> }} Question */
 /** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
@@ -40,6 +41,7 @@ import { NO_TARGET } from "./target.js";
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
  * @property {import("./set_up.js").SetUp} set_up
+ * @property {import("./draw.js").Draw} draw
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
  * @property {Tab} tab
  * @property {boolean} greeted Whether a person has seen that the arm is a virtual one.
@@ -68,6 +70,7 @@ export const begin = ({ language, theme, greeted }) => ({
   jog: NO_JOG,
   target: NO_TARGET,
   set_up: NO_SET_UP,
+  draw: NO_DRAW,
   pad_refused: null,
   tab: "move",
   greeted,

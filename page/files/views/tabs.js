@@ -5,7 +5,7 @@ import { html } from "../vendor/lit-html/lit-html.js";
 /** @typedef {import("./context.js").Context} Context */
 
 /** @type {readonly import("../state/state.js").Tab[]} */
-export const TABS = ["move", "preview", "watch", "set_up"];
+export const TABS = ["move", "draw", "watch", "set_up"];
 const WAYS = /** @type {Record<string, number>} */ ({ ArrowRight: 1, ArrowLeft: -1 });
 
 /** @param {Context} context */
@@ -19,6 +19,6 @@ export function tabs({ page, say, act }) {
     document.getElementById(`tab-${next}`)?.focus();
   };
   return html`${TABS.map((tab) => html`
-    <button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === page.tab ? "true" : "false"} aria-controls=${tab === "preview" ? "preview" : "panel"} tabindex=${tab === page.tab ? 0 : -1}
+    <button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === page.tab ? "true" : "false"} aria-controls="panel" tabindex=${tab === page.tab ? 0 : -1}
       @click=${() => act.send({ type: "tab", tab })} @keydown=${step}>${say(`tab.${tab}`)}</button>`)}`;
 }

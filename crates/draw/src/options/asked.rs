@@ -6,13 +6,14 @@ use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_calibrate::CalibrationFile;
 use dobot_geometry::Point;
 use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen};
-use dobot_source::{Align, Font, Shading, Source, Text, system_fonts};
+use dobot_source::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
 use dobot_wire::Dialect;
 
 use super::check::check;
 use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
 use crate::card::Card;
 use crate::cutting::Cutting;
+use crate::give_up::GiveUp;
 use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::place::{AREA, Placement, Size};
@@ -47,6 +48,18 @@ enum Drawable {
 }
 
 impl Subject {
+    /// A file of this name, whose ending or first bytes tell its kind.
+    ///
+    /// # Errors
+    ///
+    /// [`SourceError`] where it is none that can be drawn.
+    pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
+        Ok(Self {
+            title: name.to_owned(),
+            source: Some(Source::of_file(name, bytes)?),
+        })
+    }
+
     /// The text or the test card that the options tell; none where a file is to be drawn.
     #[must_use]
     pub fn of_text(what: &ContentOptions) -> Option<Self> {
@@ -132,6 +145,13 @@ impl DrawingRequest {
     #[must_use]
     pub fn calibrated(mut self, calibration: Option<CalibrationFile>) -> Self {
         self.settings.calibration = calibration;
+        self
+    }
+
+    /// The same, until somebody gives it up.
+    #[must_use]
+    pub fn until(mut self, give_up: GiveUp) -> Self {
+        self.settings.give_up = give_up;
         self
     }
 

@@ -10,6 +10,7 @@ use dobot_source::{LayersBy, Shading};
 
 use super::PrepareError;
 use crate::cutting::Cutting;
+use crate::give_up::GiveUp;
 use crate::hatch::{Hatch, hatch};
 use crate::order::{Search, Travel};
 use crate::place::Placement;
@@ -63,6 +64,8 @@ pub struct Settings {
     pub from: Option<StartFrom>,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
+    /// Ends the preparation before it is done.
+    pub give_up: GiveUp,
 }
 
 impl Settings {
@@ -122,6 +125,7 @@ impl Default for Settings {
             seed: 1,
             from: None,
             fonts: Arc::default(),
+            give_up: GiveUp::default(),
         }
     }
 }

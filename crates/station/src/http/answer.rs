@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Json;
-use axum::body::{Body as HttpBody, Bytes};
+use axum::body::{Body as HttpBody, Bytes, HttpBody as _};
 use axum::extract::{FromRequest, FromRequestParts, Path, Request};
 use axum::http::header::{
     CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderName, REFERRER_POLICY, RETRY_AFTER,
@@ -15,6 +15,7 @@ use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use dobot_api::Problem;
 use dobot_api::problem_kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
+use dobot_rules::Refusal;
 use futures_util::StreamExt;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -168,15 +169,22 @@ async fn collect(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
 }
 
 async fn collect_slowly(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
+    let too_large = || {
+        TOO_LARGE.problem(format!(
+            "the body has more than {limit} bytes, and this takes no more"
+        ))
+    };
+    // What is told to be too long is not even read.
+    if body.size_hint().lower() > limit as u64 {
+        return Err(too_large());
+    }
     let mut chunks = body.into_data_stream();
     let mut all = Vec::new();
     while let Some(chunk) = chunks.next().await {
         let chunk =
             chunk.map_err(|error| MALFORMED.problem(format!("the body breaks off: {error}")))?;
         if all.len() + chunk.len() > limit {
-            return Err(TOO_LARGE.problem(format!(
-                "the body has more than {limit} bytes, and this takes no more"
-            )));
+            return Err(too_large());
         }
         all.extend_from_slice(&chunk);
     }
@@ -201,18 +209,26 @@ fn check_type(parts: &Parts) -> Result<(), Problem> {
 }
 
 async fn read<T: DeserializeOwned + Send + 'static>(text: Bytes) -> Result<T, Problem> {
-    beside(text, strict_json::read).await
+    read_beside(text, strict_json::read).await?
 }
 
 /// Reads text, beside everything else if it is long.
-pub(super) async fn beside<T: Send + 'static>(text: Bytes, read: fn(&[u8]) -> T) -> T {
+pub(super) async fn read_beside<T: Send + 'static>(
+    text: Bytes,
+    read: fn(&[u8]) -> T,
+) -> Result<T, Problem> {
     if text.len() < LONG {
-        return read(&text);
+        return Ok(read(&text));
     }
-    let reading = tokio::task::spawn_blocking(move || read(&text));
-    reading
-        .await
-        .expect("reading JSON does not panic, and nobody cancels it")
+    beside(move || read(&text)).await
+}
+
+/// Does what may take long beside everything else.
+pub(super) async fn beside<T: Send + 'static>(
+    work: impl FnOnce() -> T + Send + 'static,
+) -> Result<T, Problem> {
+    let done = tokio::task::spawn_blocking(work).await;
+    done.map_err(|_| Problem::from(Refusal::Ending))
 }
 
 /// The number in a path.

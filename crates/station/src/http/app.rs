@@ -10,6 +10,7 @@ use dobot_rules::{Handle, OwnVirtualArm};
 use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
+use super::drawings::Drawings;
 use super::http_leases::HttpLeases;
 use super::listen::ConnectionSlot;
 use super::rate::Addresses;
@@ -31,6 +32,8 @@ pub(super) struct App {
     /// What goes wrong with it, as it was asked for.
     pub(super) faults: Mutex<Vec<String>>,
     pub(super) http_leases: HttpLeases,
+    /// The drawings that are planned.
+    pub(super) drawings: Drawings,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
     pub(super) sockets: Arc<Semaphore>,
@@ -58,6 +61,7 @@ impl App {
             virtual_arm,
             faults: Mutex::default(),
             http_leases: HttpLeases::default(),
+            drawings: Drawings::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,

@@ -3,6 +3,7 @@
 //! A request is a row of it, with its body beside it: see `CONTRIBUTING.md`, "a new request".
 
 mod arm;
+mod drawings;
 mod jobs;
 mod leases;
 mod motion;
@@ -59,6 +60,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         arm::all(),
         jobs::all(),
         programs::all(),
+        drawings::all(),
         tokens::all(),
         virtual_arm::all(),
     ]

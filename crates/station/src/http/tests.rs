@@ -5,6 +5,7 @@
 mod attacks;
 mod bad_input;
 mod document;
+mod drawings;
 mod leases;
 mod observing;
 mod policies;

@@ -4,12 +4,11 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{JobKind, JobPause, JobPhase, JobView, NewJob, Reply, Request, State};
+use dobot_api::{JobPhase, JobView, Reply, Request, State};
 use dobot_client::position;
 use dobot_plan::Plan;
-use dobot_rules::StationClient;
+use dobot_rules::{StationClient, drawing_job};
 use dobot_trajectory::Model;
-use dobot_wire::single;
 use tokio::io::{AsyncBufReadExt, BufReader};
 
 use crate::control::{self, arm_laser, first_state, take_control};
@@ -101,25 +100,10 @@ async fn submit(
     // Nothing is queued that cannot be started.
     take_control(station).await?;
     arm_laser(station, armed_for).await?;
-    let job = job(plan, title);
+    let job = drawing_job(plan, title);
     match station.request(Request::SubmitJob { job }).await? {
         Reply::Job { job } => Ok(job.job),
         other => Err(anyhow!("the station answers {other:?} to a new job").into()),
-    }
-}
-
-fn job(plan: &Plan, title: &str) -> NewJob {
-    let pauses = plan.breaks_in_commands().map(|(before, message)| JobPause {
-        before,
-        message: message.to_owned(),
-    });
-    NewJob {
-        title: title.to_owned(),
-        kind: JobKind::Drawing,
-        commands: plan.commands().collect(),
-        lift_mm: single(plan.lift_mm()),
-        pauses: pauses.collect(),
-        program: dobot_api::JobProgram::default(),
     }
 }
 

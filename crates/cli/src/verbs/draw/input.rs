@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 
 use dobot_draw::{DrawingRequest, Materials, Options, Subject};
-use dobot_source::{Source, SourceError};
+use dobot_source::SourceError;
 
 use super::args::Args;
 use crate::failure::Failure;
@@ -56,14 +56,10 @@ fn of_file(file: &Path) -> Result<Subject, Failure> {
         }
         _ => (STANDARD_INPUT.to_owned(), STANDARD_INPUT.into()),
     };
-    let source = Source::of_file(&name, read(file)?).map_err(|error| match error {
+    Subject::of_file(&name, read(file)?).map_err(|error| match error {
         // It says the name itself.
         SourceError::UnknownKind { .. } if path == name => error.into(),
-        _ => anyhow::Error::from(error).context(path),
-    })?;
-    Ok(Subject {
-        title: name.into_owned(),
-        source: Some(source),
+        _ => anyhow::Error::from(error).context(path).into(),
     })
 }
 

@@ -8,11 +8,10 @@ use axum::http::StatusCode;
 use dobot_api::problem_kinds::{
     BAD_JOB, BAD_PROGRAM, COMMAND, ENDING, JOURNAL, OUT_OF_RANGE, POLICY, TOO_MANY,
 };
-use dobot_api::{Problem, Reply, Request};
-use dobot_rules::Refusal;
+use dobot_api::{Reply, Request};
 use dobot_wire::Dialect;
 
-use super::super::answer::{Body, JOB, NotDone};
+use super::super::answer::{Body, JOB, NotDone, beside};
 use super::super::app::App;
 use super::super::calls::Asker;
 use super::super::programs::{
@@ -94,12 +93,4 @@ async fn submit(
 fn dialect(app: &App) -> Dialect {
     let known = app.handle.state().state().dialect;
     known.unwrap_or(Dialect::SPECIFICATION)
-}
-
-/// Does what may take long beside everything else.
-async fn beside<T: Send + 'static>(
-    work: impl FnOnce() -> T + Send + 'static,
-) -> Result<T, Problem> {
-    let done = tokio::task::spawn_blocking(work).await;
-    done.map_err(|_| Problem::from(Refusal::Ending))
 }

@@ -81,9 +81,10 @@ async fn answer(client: &Client, message: Message) -> Option<Owed> {
         _ => return None,
     };
     Some(
-        match answer::beside(Bytes::from(text), messages::read).await {
-            Err((id, problem)) => Owed::problem(id, problem),
-            Ok(FromClient { id, request }) => match client.ask(request).await {
+        match answer::read_beside(Bytes::from(text), messages::read).await {
+            Err(problem) => Owed::problem(None, problem),
+            Ok(Err((id, problem))) => Owed::problem(id, problem),
+            Ok(Ok(FromClient { id, request })) => match client.ask(request).await {
                 Ok(answer) => Owed::Answer(id, answer),
                 Err(refusal) => Owed::problem(Some(id), refusal.into()),
             },

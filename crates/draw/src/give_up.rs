@@ -1,0 +1,26 @@
+//! Ends a preparation from outside.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::PrepareError;
+
+/// Ends a preparation from another thread: whoever asked for it does not want it any more.
+///
+/// It ends between two steps of the way from a source to a plan, two areas or two strokes.
+#[derive(Clone, Debug, Default)]
+pub struct GiveUp(Arc<AtomicBool>);
+
+impl GiveUp {
+    /// Ends it, for good.
+    pub fn give_up(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    pub(crate) fn check(&self) -> Result<(), PrepareError> {
+        if self.0.load(Ordering::Relaxed) {
+            return Err(PrepareError::GivenUp);
+        }
+        Ok(())
+    }
+}

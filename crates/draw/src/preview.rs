@@ -1,0 +1,120 @@
+//! A drawing in time as it is planned, before any arm has carried it out.
+
+use dobot_arm::{Position, TICK_S};
+use dobot_geometry::{PathDistance, Point};
+use dobot_plan::MoveKind;
+
+use crate::estimate::PassFigures;
+use crate::prepare::Prepared;
+use crate::timeline::{MILLI, Moves, Path, Timeline, bounds_mm, figures, rounded};
+use crate::trace::{Ink, TracePoint};
+
+impl Prepared {
+    /// The drawing in time by the plan alone, one row for each vector: at once, where a
+    /// [`Trace`](crate::Trace) takes a run of a virtual arm. How far the ink lies from the wanted path is
+    /// told where vectors end.
+    #[must_use]
+    pub fn timeline(&self) -> Timeline {
+        let moments = self.moments();
+        let mut passes: Vec<PassFigures> = self.plan.passes.iter().map(PassFigures::of).collect();
+        self.measure(&moments, &mut passes);
+        Timeline {
+            version: 1,
+            duration_s: rounded(self.plan.duration_s(), MILLI),
+            tick_s: TICK_S,
+            bounds_mm: bounds_mm(&moments),
+            passes: passes.into_iter().map(figures).collect(),
+            moves: Moves::of(&self.plan, moments[1..].iter().map(|it| it.t_s)),
+            path: Path::of(moments.iter()),
+        }
+    }
+
+    /// Where the plan begins, and where each vector ends.
+    fn moments(&self) -> Vec<TracePoint> {
+        let wanted = self.wanted();
+        let mut near = PathDistance::new(&wanted);
+        let moves = &self.plan.moves;
+        let begins_ink = |index: usize| moves.get(index).is_some_and(|it| it.kind.marks());
+        let mut t_s = 0.0;
+        let mut moments = vec![moment(0.0, self.plan.start, Ink::None, 0.0)];
+        let ends = self.plan.positions().zip(self.plan.durations());
+        for (index, (vector, (there, duration_s))) in moves.iter().zip(ends).enumerate() {
+            t_s += duration_s;
+            let ink = match vector.kind {
+                kind if kind.marks() => Ink::Line,
+                // A pen that is lowered leaves a dot, even where it draws no line.
+                MoveKind::Lower if !matches!(moves.get(index + 1), Some(next) if next.kind == MoveKind::Lower) => {
+                    Ink::Begin
+                }
+                _ if begins_ink(index + 1) => Ink::Begin,
+                _ => Ink::None,
+            };
+            let error_mm = match ink {
+                Ink::None => 0.0,
+                Ink::Line | Ink::Begin => near.distance_mm(Point::new(there[0], there[1])),
+            };
+            moments.push(moment(t_s, there, ink, error_mm));
+        }
+        moments
+    }
+
+    fn measure(&self, moments: &[TracePoint], passes: &mut [PassFigures]) {
+        let mut last = None;
+        for (vector, ends) in self.plan.moves.iter().zip(moments.windows(2)) {
+            let figures = &mut passes[vector.pass as usize];
+            let (from, to) = (&ends[0], &ends[1]);
+            let length_mm =
+                (to.position.x.0 - from.position.x.0).hypot(to.position.y.0 - from.position.y.0);
+            figures.vectors += 1;
+            figures.strokes += usize::from(last.replace(vector.stroke) != Some(vector.stroke));
+            figures.time_s += to.t_s - from.t_s;
+            if vector.kind.marks() {
+                figures.ink_mm += length_mm;
+                figures.error_mm = figures.error_mm.max(to.error_mm);
+            } else {
+                figures.travel_mm += length_mm;
+            }
+        }
+    }
+}
+
+const fn moment(t_s: f64, [x, y, z]: [f64; 3], ink: Ink, error_mm: f64) -> TracePoint {
+    TracePoint {
+        t_s,
+        position: Position::new(x, y, z),
+        ink,
+        error_mm,
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_source::Source;
+
+    use crate::{Settings, prepare};
+
+    #[test]
+    fn a_plan_is_shown_in_time_before_any_arm_has_drawn_it() {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M10 10H30" stroke="black"/></svg>"#;
+        let all = |_| Ok::<(), String>(());
+        let prepared = prepare(&Source::Svg(svg.to_owned()), &Settings::default(), all).unwrap();
+        let timeline = prepared.timeline();
+        assert!((timeline.duration_s - prepared.plan.duration_s()).abs() < 1e-3);
+        assert!((timeline.passes[0].ink_mm - 20.0).abs() < 0.1);
+        let ink = &timeline.path.ink;
+        let begins = ink.iter().position(|&it| it == 2).unwrap();
+        assert!(ink[begins + 1..].contains(&1), "{ink:?}");
+        assert_eq!(timeline.path.t_s.last(), Some(&timeline.duration_s));
+    }
+
+    #[test]
+    fn what_nobody_wants_any_more_ends() {
+        let settings = Settings::default();
+        settings.give_up.give_up();
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm"/>"#;
+        let all = |_| Ok::<(), String>(());
+        let ended = prepare(&Source::Svg(svg.to_owned()), &settings, all).unwrap_err();
+        assert_eq!(ended, crate::PrepareError::GivenUp);
+    }
+}

@@ -1,0 +1,135 @@
+//! Drawings: planned, looked at, made into jobs.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::StatusCode;
+use axum::http::header::LOCATION;
+use axum::response::{IntoResponse, Response};
+use dobot_api::problem_kinds::{
+    BAD_DRAWING, BAD_JOB, COMMAND, DRAWING_PHASE, ENDING, JOURNAL, MALFORMED, NO_SUCH_DRAWING,
+    OUT_OF_RANGE, POLICY, TOO_MANY,
+};
+use dobot_api::{Reply, Request, Role};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::super::answer::{Body, Maybe, NotDone, Number, json};
+use super::super::app::App;
+use super::super::calls::Asker;
+use super::super::drawings::{
+    self, DrawingPart, DrawingView, MaterialView, NewDrawing, PlannedFor,
+};
+use super::super::route::Route;
+use super::{DELETE, GET, POST};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            POST,
+            "/api/v1/drawings",
+            "Begins to plan a file or a text as a drawing; the 16 latest are kept",
+            begin,
+        )
+        .brings::<Body<NewDrawing, FILE>>()
+        .example(EXAMPLE)
+        .gives::<DrawingView>(202, "it is being planned; the header Location names it")
+        .problems(&[TOO_MANY]),
+        Route::new(
+            GET,
+            "/api/v1/drawings/{id}",
+            "A drawing, as soon as it is planned, or after a second as far as it is",
+            view,
+        )
+        .gives::<DrawingView>(200, "the drawing")
+        .problems(&[MALFORMED, NO_SUCH_DRAWING]),
+        Route::new(
+            DELETE,
+            "/api/v1/drawings/{id}",
+            "Forgets a drawing; a plan under way is given up",
+            forget,
+        )
+        .gives_text(204, "text/plain", "it is forgotten")
+        .problems(&[MALFORMED, NO_SUCH_DRAWING]),
+        Route::new(
+            POST,
+            "/api/v1/drawings/{id}/jobs",
+            "Queues a planned drawing as a job, or the way around it with the laser off",
+            submit,
+        )
+        .brings::<Maybe<DrawingJob>>()
+        .example(r#"{"part": "whole"}"#)
+        .gives::<Reply>(201, "the job is queued")
+        .problems(&[MALFORMED, NO_SUCH_DRAWING, DRAWING_PHASE, BAD_DRAWING])
+        .problems(&[
+            BAD_JOB,
+            POLICY,
+            COMMAND,
+            OUT_OF_RANGE,
+            TOO_MANY,
+            JOURNAL,
+            ENDING,
+        ]),
+        Route::new(
+            GET,
+            "/api/v1/materials",
+            "The pens and materials that a drawing can name",
+            materials,
+        )
+        .gives::<Vec<MaterialView>>(200, "the pens and materials"),
+    ]
+}
+
+/// How large a drawing may be: its file is a third larger in Base64.
+const FILE: usize = 32 * 1024 * 1024;
+
+const EXAMPLE: &str =
+    r#"{"options": {"what": {"text": "Hello"}, "place": {"at": [210, 0], "pen_down": -40}}}"#;
+
+/// What of a drawing is to be a job.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+struct DrawingJob {
+    /// Which part.
+    part: DrawingPart,
+}
+
+async fn begin(asker: Asker, Body(new): Body<NewDrawing, FILE>) -> Result<Response, NotDone> {
+    asker.check_role(Role::Control)?;
+    let app = &asker.app;
+    let snapshot = app.handle.state();
+    let state = snapshot.state();
+    let planned_for = PlannedFor {
+        policy: app.handle.rules().policy.clone().into(),
+        dialect: state.dialect,
+        status: state.arm.as_ref().map(|it| it.status),
+    };
+    let view = app.drawings.begin(new, planned_for)?;
+    let place = format!("/api/v1/drawings/{}", view.drawing);
+    Ok((StatusCode::ACCEPTED, [(LOCATION, place)], Json(view)).into_response())
+}
+
+async fn view(State(app): State<Arc<App>>, Number(drawing): Number) -> Result<Response, NotDone> {
+    Ok(json(app.drawings.view(drawing).await?))
+}
+
+async fn forget(asker: Asker, Number(drawing): Number) -> Result<StatusCode, NotDone> {
+    asker.check_role(Role::Control)?;
+    asker.app.drawings.forget(drawing)?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+async fn submit(
+    asker: Asker,
+    Number(drawing): Number,
+    Maybe(DrawingJob { part }): Maybe<DrawingJob>,
+) -> Result<(StatusCode, Json<Reply>), NotDone> {
+    let job = asker.app.drawings.job(drawing, part)?;
+    let reply = asker.ask(Request::SubmitJob { job }).await?;
+    Ok((StatusCode::CREATED, reply))
+}
+
+async fn materials() -> Json<Vec<MaterialView>> {
+    Json(drawings::materials())
+}

@@ -1,0 +1,183 @@
+//! Drawings over HTTP: planned, looked at, given up, made into jobs.
+
+use dobot_api::Request;
+use serde_json::{Value, json};
+
+use super::{Answer, Harness};
+
+const SVG: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M5 20H35" stroke="red" fill="none"/><path d="M20 5V35" stroke="blue" fill="none"/></svg>"#;
+
+async fn begin(harness: &Harness, body: Value) -> Answer {
+    let answer = harness
+        .json("POST", "/api/v1/drawings", body.to_string())
+        .await;
+    let number = answer.is(202).value()["drawing"].clone();
+    assert_eq!(
+        answer.headers["location"],
+        format!("/api/v1/drawings/{number}")
+    );
+    answer
+}
+
+fn file(name: &str, bytes: &[u8], place: Value) -> Value {
+    let file = data_encoding::BASE64.encode(bytes);
+    json!({"name": name, "file": file, "options": {"what": {"layers": "color"}, "place": place}})
+}
+
+/// Plans it, and waits until that is over.
+async fn planned(harness: &Harness, body: Value) -> Value {
+    let number = begin(harness, body).await.value()["drawing"].clone();
+    loop {
+        let path = format!("/api/v1/drawings/{number}");
+        let view = harness.bare("GET", &path).await.is(200).value();
+        if view["phase"] != "waiting" && view["phase"] != "planning" {
+            return view;
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_file_becomes_a_plan_with_its_layers_its_time_and_its_way() {
+    let harness = Harness::near();
+    let place = json!({"at": [200, 30], "pen_down": -30});
+    let view = planned(&harness, file("cross.svg", SVG.as_bytes(), place)).await;
+    assert_eq!(view["phase"], "planned", "{view}");
+    assert_eq!(view["title"], "cross.svg");
+    let plan = &view["plan"];
+    assert_eq!(plan["timeline"]["passes"].as_array().unwrap().len(), 2);
+    assert_eq!(plan["pauses"].as_array().unwrap().len(), 1);
+    assert_eq!(plan["refused"], Value::Null);
+    assert!(plan["timeline"]["duration_s"].as_f64().unwrap() > 1.0);
+    let bounds = &plan["timeline"]["bounds_mm"];
+    assert!(
+        (bounds[1][0].as_f64().unwrap() - 15.0).abs() < 0.1,
+        "{bounds}"
+    );
+    assert!(
+        (bounds[1][1].as_f64().unwrap() - 45.0).abs() < 0.1,
+        "{bounds}"
+    );
+    assert_eq!(harness.asked(), []);
+}
+
+#[tokio::test]
+async fn a_job_is_made_of_a_plan_and_another_of_its_frame() {
+    let harness = Harness::near();
+    let text = json!({"options": {"what": {"text": "Hi"}, "place": {"pen_down": -30}}});
+    let number = planned(&harness, text).await["drawing"].clone();
+    let jobs = format!("/api/v1/drawings/{number}/jobs");
+    harness.bare("POST", &jobs).await.is(201);
+    let frame = json!({"part": "frame"}).to_string();
+    harness.json("POST", &jobs, frame).await.is(201);
+    let titles: Vec<String> = harness.asked().into_iter().map(title).collect();
+    assert_eq!(titles, ["Hi", "frame of Hi"]);
+}
+
+fn title(request: Request) -> String {
+    match request {
+        Request::SubmitJob { job } => job.title,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[tokio::test]
+async fn what_cannot_be_drawn_is_told_and_no_job_is_made_of_it() {
+    let harness = Harness::near();
+    for (body, says) in [
+        (file("a.svg", b"no svg", json!({})), "svg"),
+        (file("a.xyz", b"\0\0\0\0", json!({})), "a.xyz"),
+        (
+            file("far.svg", SVG.as_bytes(), json!({"at": [900, 0]})),
+            "900",
+        ),
+        (json!({"file": "%%%"}), "Base64"),
+        (json!({}), "options.what.text"),
+        (
+            json!({"options": {"what": {"text": "a"}, "tool": {"pen": "quill"}}}),
+            "quill",
+        ),
+    ] {
+        let view = planned(&harness, body).await;
+        assert_eq!(view["phase"], "failed", "{view}");
+        let detail = view["problem"]["detail"].as_str().unwrap().to_lowercase();
+        assert!(detail.contains(&says.to_lowercase()), "{detail}");
+        let jobs = format!("/api/v1/drawings/{}/jobs", view["drawing"]);
+        harness.bare("POST", &jobs).await.is(422);
+    }
+    assert_eq!(harness.asked(), []);
+}
+
+#[tokio::test]
+async fn a_plan_under_way_is_given_up_and_the_next_one_is_made() {
+    let harness = Harness::near();
+    let dots: String = (0..20_000)
+        .map(|it| format!("<path d=\"M{} {}h.3\" stroke=\"red\"/>", it % 141, it / 141))
+        .collect();
+    let long = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 150 150">{dots}</svg>"#
+    );
+    let number = begin(&harness, file("long.svg", long.as_bytes(), json!({})))
+        .await
+        .value()["drawing"]
+        .clone();
+    let path = format!("/api/v1/drawings/{number}");
+    harness.bare("DELETE", &path).await.is(204);
+    harness.bare("GET", &path).await.is(404);
+    harness.bare("DELETE", &path).await.is(404);
+    let text = json!({"options": {"what": {"text": "Hi"}}});
+    assert_eq!(planned(&harness, text).await["phase"], "planned");
+}
+
+#[tokio::test]
+async fn the_latest_drawings_are_kept_and_the_oldest_forgotten() {
+    let harness = Harness::near();
+    for _ in 0..17 {
+        planned(&harness, json!({"file": "%"})).await;
+    }
+    harness.bare("GET", "/api/v1/drawings/1").await.is(404);
+    harness.bare("GET", "/api/v1/drawings/2").await.is(200);
+}
+
+#[tokio::test]
+async fn a_file_that_is_told_to_be_too_large_is_not_read() {
+    let harness = Harness::near();
+    let endless = futures_util::stream::pending::<Result<Vec<u8>, std::io::Error>>();
+    let request = harness
+        .request("POST", "/api/v1/drawings")
+        .header("content-type", "application/json")
+        .body(axum::body::Body::new(Told(axum::body::Body::from_stream(
+            endless,
+        ))))
+        .unwrap();
+    harness.send(request).await.is(413);
+}
+
+/// A body that never comes, and is told to have 100 MB.
+struct Told(axum::body::Body);
+
+impl axum::body::HttpBody for Told {
+    type Data = axum::body::Bytes;
+    type Error = axum::Error;
+
+    fn poll_frame(
+        mut self: std::pin::Pin<&mut Self>,
+        cx: &mut std::task::Context<'_>,
+    ) -> std::task::Poll<Option<Result<hyper::body::Frame<Self::Data>, Self::Error>>> {
+        std::pin::Pin::new(&mut self.0).poll_frame(cx)
+    }
+
+    fn size_hint(&self) -> hyper::body::SizeHint {
+        hyper::body::SizeHint::with_exact(100_000_000)
+    }
+}
+
+#[tokio::test]
+async fn the_pens_and_materials_are_told_by_name() {
+    let all = Harness::near()
+        .bare("GET", "/api/v1/materials")
+        .await
+        .is(200)
+        .value();
+    let pen = json!({"name": "fineliner", "tool": "pen"});
+    assert!(all.as_array().unwrap().contains(&pen), "{all}");
+}

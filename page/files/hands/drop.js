@@ -1,0 +1,20 @@
+// Files that are dropped anywhere on the page: they must not take it, and STOP, away.
+
+/** @param {HTMLElement} element is marked while a file is over the page @param {(file: File) => void} take */
+export function listenToDrops(element, take) {
+  const hasFile = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes("Files") ?? false;
+  const mark = (/** @type {boolean} */ over) => element.classList.toggle("is-over", over);
+  addEventListener("dragover", (event) => {
+    if (!hasFile(event)) return;
+    event.preventDefault();
+    mark(true);
+  });
+  addEventListener("dragleave", (event) => event.relatedTarget === null && mark(false));
+  addEventListener("drop", (event) => {
+    mark(false);
+    if (!hasFile(event)) return;
+    event.preventDefault();
+    const file = event.dataTransfer?.files[0];
+    if (file) take(file);
+  });
+}

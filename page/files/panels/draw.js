@@ -1,0 +1,160 @@
+// Draw: a file or a text, where it lies and how it is drawn; what the station plans of it; and Start.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { live } from "../vendor/lit-html/directives/live.js";
+import { repeat } from "../vendor/lit-html/directives/repeat.js";
+import { player } from "../preview/preview.js";
+import { hasSubject, wrongField } from "../state/draw.js";
+import { paperOf } from "../state/paper.js";
+import { hindrance, isVirtual } from "../state/select.js";
+import { sentence } from "../views/banners.js";
+import { span } from "../words/words.js";
+import { sheet } from "./sheet.js";
+
+/** @typedef {import("../views/context.js").Context} Context */
+/** @typedef {import("../state/draw.js").Settings} Settings */
+
+const KINDS = ".svg,.dxf,.gcode,.gco,.nc,.ngc,.hpgl,.plt,.png,.jpg,.jpeg,.gif,.webp,.bmp,.tiff,.csv,.json";
+const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic"]);
+const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
+/** So many warnings are told; more of them help nobody. */
+const MOST_TOLD = 8;
+
+/** @param {Context} context */
+export const draw = (context) => html`${subject(context)}${place(context)}${way(context)}${plan(context)}${context.page.draw.timeline ? player(context) : nothing}`;
+
+const value = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target).value;
+const checked = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target).checked;
+
+/** @param {Context} context */
+function subject({ page, say, act }) {
+  const { what, file, text } = page.draw;
+  const chosen = (/** @type {Event} */ event) => {
+    const input = /** @type {HTMLInputElement} */ (event.target);
+    if (input.files?.[0]) act.takeFile(input.files[0]);
+    // The same file again is a change, too: it may have been made anew.
+    input.value = "";
+  };
+  return html`
+    <section class="card" aria-labelledby="draw-title">
+      <h2 id="draw-title">${say("draw")}</h2>
+      <fieldset class="segments">
+        <legend>${say("draw.what")}</legend>
+        ${/** @type {const} */ (["file", "text"]).map((it) => html`<label><input type="radio" name="draw-what" value=${it} .checked=${live(it === what)} @change=${() => act.send({ type: "draw_what", what: it })}><span>${say(`draw.${it}`)}</span></label>`)}
+      </fieldset>
+      ${what === "text" ? html`<textarea id="draw-text" rows="2" aria-label=${say("draw.text")} .value=${live(text)} @input=${(/** @type {Event} */ event) => act.send({ type: "draw_text", text: value(event) })}></textarea>` : html`
+        <div class="drop">
+          <p>${file ? html`<strong id="draw-name">${file.name}</strong>` : say("draw.drop")}</p>
+          <input id="draw-file" type="file" accept=${KINDS} aria-label=${say("draw.choose")} @change=${chosen}>
+          <label for="draw-file" class="button">${say(file ? "draw.another" : "draw.choose")}</label>
+        </div>`}
+    </section>`;
+}
+
+/** A field for a number. @param {Context} context @param {keyof Settings} name @param {string} unit @param {string} placeholder */
+const field = ({ page, say, act }, name, unit, placeholder) => html`
+  <label><span>${say(/** @type {import("../words/words.js").Word} */ (`draw.${name}`))} <small>${unit}</small></span>
+    <input id="draw-${name}" type="text" inputmode="decimal" autocomplete="off" placeholder=${placeholder} aria-invalid=${wrongField(page.draw.set) === name ? "true" : "false"} .value=${live(String(page.draw.set[name]))}
+      @input=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: value(event) } })}></label>`;
+
+/** @param {Context} context @param {"hatch" | "clip" | "fit"} name */
+const check = ({ page, say, act }, name) => html`
+  <label class="check"><input id="draw-${name}" type="checkbox" .checked=${live(page.draw.set[name])} @change=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: checked(event) } })}> ${say(`draw.${name}`)}</label>`;
+
+/** @param {Context} context */
+function place(context) {
+  const { page, say, act } = context;
+  if (!hasSubject(page.draw)) return nothing;
+  const percent = page.draw.planned ? (100 * page.draw.planned.plan.scale).toFixed(0) : "100";
+  return html`
+    <section class="card" aria-labelledby="draw-place">
+      <h2 id="draw-place">${say("draw.place")} <small>${say("draw.place.hint")}</small></h2>
+      ${sheet(context)}
+      <div class="fields">
+        ${field(context, "x", "mm", "210")}${field(context, "y", "mm", "0")}
+        ${field(context, "scale", "%", percent)}${field(context, "rotate", "°", "0")}
+      </div>
+      <div class="row">${check(context, "fit")}${check(context, "clip")}</div>
+      <div class="fields">
+        ${field(context, "down", "mm", String(paperOf(page)))}
+        <button id="draw-here" type="button" class="small here" title=${say("draw.here.hint")} ?disabled=${!page.station?.arm} @click=${() => act.send({ type: "draw_set", set: { down: (page.station?.arm?.z_mm ?? 0).toFixed(1) } })}>${say("draw.here")}</button>
+      </div>
+    </section>`;
+}
+
+/** A choice of pens and materials. @param {Context} context @param {string} id @param {string} chosen @param {string} label @param {(name: string) => void} choose */
+function pens({ page, say }, id, chosen, label, choose) {
+  const group = (/** @type {"pen" | "laser"} */ tool) => html`
+    <optgroup label=${say(`draw.${tool}s`)}>${page.draw.materials.filter((it) => it.tool === tool).map(({ name }) => html`<option value=${name} ?selected=${name === chosen}>${name}</option>`)}</optgroup>`;
+  return html`<select id=${id} aria-label=${label} .value=${live(chosen)} @change=${(/** @type {Event} */ event) => choose(value(event))}>${group("pen")}${group("laser")}</select>`;
+}
+
+/** @param {Context} context */
+function way(context) {
+  const { page, say, act } = context;
+  const { draw } = page;
+  if (!hasSubject(draw)) return nothing;
+  const set = (/** @type {Partial<Settings>} */ set) => act.send({ type: "draw_set", set });
+  const layers = draw.set.layers === "nothing" ? [] : (draw.planned?.plan.timeline.passes ?? []);
+  return html`
+    <section class="card" aria-labelledby="draw-way">
+      <h2 id="draw-way">${say("draw.way")}</h2>
+      <div class="setting"><span>${say("draw.tool")}</span>${pens(context, "draw-tool", draw.set.tool, say("draw.tool"), (tool) => set({ tool }))}</div>
+      ${draw.what === "text" ? html`
+        <div class="setting"><span>${say("draw.font")}</span><select id="draw-font" aria-label=${say("draw.font")} .value=${live(draw.set.font)} @change=${(/** @type {Event} */ event) => set({ font: value(event) })}>${FONTS.map((font) => html`<option value=${font}>${font}</option>`)}</select></div>` : html`
+        <div class="setting"><span>${say("draw.layers")}</span><select id="draw-layers" aria-label=${say("draw.layers")} .value=${live(draw.set.layers)} @change=${(/** @type {Event} */ event) => set({ layers: /** @type {Settings["layers"]} */ (value(event)) })}>${LAYERS.map((it) => html`<option value=${it}>${say(`draw.layers.${it}`)}</option>`)}</select></div>
+        ${layers.map(({ name }, n) => html`<div class="setting layer"><span class="swatch" data-pass=${n}>${name}</span>${pens(context, `draw-layer-${n}`, draw.set.pens[name] ?? draw.set.tool, `${say("draw.layer")} ${name}`, (pen) => set({ pens: { ...draw.set.pens, [name]: pen } }))}</div>`)}
+        ${check(context, "hatch")}`}
+      <div class="fields">
+        ${field(context, "speed", "mm/s", "")}${field(context, "tolerance", "mm", "0.05")}
+        ${draw.what === "text" ? field(context, "height", "mm", "10") : nothing}
+      </div>
+    </section>`;
+}
+
+/** What is said of the plan, and how. @param {Context} context @returns {[string, string]} */
+function told({ page, say }) {
+  const { draw } = page;
+  if (wrongField(draw.set)) return [say("target.number"), "off"];
+  switch (draw.phase) {
+    case "nothing":
+      return ["", "off"];
+    case "planning":
+      return [say("draw.planning"), "off"];
+    case "failed":
+      return draw.problem ? [`${sentence(draw.problem.detail)}.${draw.problem.hint ? ` ${sentence(draw.problem.hint)}.` : ""}`, "bad"] : [say("draw.given_up"), "off"];
+    case "planned": {
+      const refused = draw.planned?.plan.refused;
+      if (refused) return [`${sentence(refused.detail)}.`, "bad"];
+      const figures = draw.planned?.plan.timeline;
+      const strokes = figures?.passes.reduce((sum, pass) => sum + pass.strokes, 0) ?? 0;
+      const ink_mm = figures?.passes.reduce((sum, pass) => sum + pass.ink_mm, 0) ?? 0;
+      return [say("draw.planned", { time: span(say, figures?.duration_s ?? 0), strokes, ink: (ink_mm / 1000).toFixed(2) }), "good"];
+    }
+  }
+}
+
+/** @param {Context} context */
+function plan(context) {
+  const { page, say, act } = context;
+  const { draw } = page;
+  if (!hasSubject(draw)) return nothing;
+  const [text, tone] = told(context);
+  const why = hindrance(page);
+  const ready = draw.phase === "planned" && !draw.planned?.plan.refused && draw.drawing !== null && why === null;
+  const warnings = draw.planned?.plan.warnings ?? [];
+  const tool = page.around?.tool.kind;
+  const needsPen = isVirtual(page) && tool !== undefined && tool !== "pen" && !draw.planned?.plan.burns;
+  return html`
+    <section class="card" aria-labelledby="draw-plan">
+      <h2 id="draw-plan">${say("draw.plan")}</h2>
+      <p id="draw-told" class="told" role="status" data-tone=${tone}>${draw.phase === "planned" && why ? say(`hindrance.${why}`) : text}</p>
+      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_TOLD), (it) => it, (it) => html`<li>${sentence(it)}.</li>`)}${warnings.length > MOST_TOLD ? html`<li>${say("draw.more", { count: warnings.length - MOST_TOLD })}</li>` : nothing}</ul>` : nothing}
+      ${needsPen ? html`<p class="told" data-tone="warn">${say("draw.no_pen")} <button id="draw-pen" type="button" class="small" @click=${() => act.givePen()}>${say("draw.give_pen")}</button></p>` : nothing}
+      <div class="row">
+        <button id="draw-start" type="button" class="strong" ?disabled=${!ready} @click=${() => act.draw("whole")}>${say("draw.start")}</button>
+        <button id="draw-frame" type="button" title=${say("draw.frame.hint")} ?disabled=${!ready} @click=${() => act.draw("frame")}>${say("draw.frame")}</button>
+        ${draw.phase === "planning" ? html`<button id="draw-give-up" type="button" class="end" @click=${() => act.send({ type: "draw_given_up" })}>${say("draw.give_up")}</button>` : nothing}
+      </div>
+    </section>`;
+}

@@ -1,0 +1,142 @@
+// A drawing: what is to be drawn, where and how; and the plan that the station made of it.
+
+import { paperOf } from "./paper.js";
+
+/** @typedef {import("./types.js").Problem} Problem */
+/** @typedef {import("./types.js").Schemas} Schemas */
+/** @typedef {Schemas["DrawingPlan"]} Plan */
+/** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place What stands in the fields; an empty one is as the station has it. */
+/** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
+/** @typedef {Place & Way} Settings */
+/** Where a drawing lies: its middle, how much larger it is than its file says, and how far it is turned. @typedef {{ x_mm: number, y_mm: number, scale: number, rotate_deg: number }} Lies */
+
+/**
+ * @typedef {object} Draw
+ * @property {"file" | "text"} what
+ * @property {File | null} file
+ * @property {string} text
+ * @property {Settings} set
+ * @property {number} asked How often it was changed: an answer to an earlier question is not taken.
+ * @property {"nothing" | "planning" | "planned" | "failed"} phase
+ * @property {number | null} drawing Its number, while the station knows it.
+ * @property {Problem | null} problem
+ * @property {{ plan: Plan, title: string, lies: Lies } | null} planned The last plan, kept while the next one is awaited.
+ * @property {{ timeline: import("../preview/timeline.js").Timeline } | null} timeline What is shown in time: of the plan, or of a file.
+ * @property {readonly Schemas["MaterialView"][]} materials
+ */
+
+/** Where drawings lie unless told otherwise. */
+export const MIDDLE = { x_mm: 210, y_mm: 0 };
+/** How large a file may be; in Base64 it is a third larger. */
+export const MOST_BYTES = 24_000_000;
+/** What takes a number. @type {readonly (keyof Settings)[]} */
+const NUMBERS = ["x", "y", "scale", "rotate", "down", "speed", "tolerance", "height"];
+
+/** @type {Draw} */
+export const NO_DRAW = {
+  what: "file",
+  file: null,
+  text: "",
+  set: { x: "", y: "", scale: "", rotate: "", down: "", tool: "fineliner", speed: "", tolerance: "", layers: "nothing", pens: {}, hatch: false, clip: false, fit: false, height: "", font: "sans" },
+  asked: 0,
+  phase: "nothing",
+  drawing: null,
+  problem: null,
+  planned: null,
+  timeline: null,
+  materials: [],
+};
+
+/** @typedef {{ type: "draw_file", file: File }
+ * | { type: "draw_text", text: string }
+ * | { type: "draw_what", what: Draw["what"] }
+ * | { type: "draw_set", set: Partial<Settings> }
+ * | { type: "draw_begun", asked: number, drawing: number }
+ * | { type: "draw_planned", asked: number, title: string, plan: Plan, timeline: import("../preview/timeline.js").Timeline, set: Settings }
+ * | { type: "draw_timeline", timeline: import("../preview/timeline.js").Timeline }
+ * | { type: "draw_failed", asked: number, problem: Problem }
+ * | { type: "draw_given_up" }
+ * | { type: "materials", materials: Draw["materials"] }} DrawMessage */
+
+/** @param {string} text */
+const numberOf = (text) => (text.trim() === "" ? null : Number(text));
+
+/** Whether there is something to draw. @param {Draw} draw */
+export const hasSubject = ({ what, file, text }) => (what === "file" ? file !== null : text.trim() !== "");
+
+/** The first field that holds no number. @param {Settings} set @returns {keyof Settings | null} */
+export const wrongField = (set) => NUMBERS.find((name) => Number.isNaN(numberOf(/** @type {string} */ (set[name])) ?? 0)) ?? null;
+
+/** What the station is asked for. @param {import("./state.js").Page} page @returns {Schemas["Options"]} */
+export function optionsOf(page) {
+  const { set, what, text } = page.draw;
+  const { materials } = page.draw;
+  const number = (/** @type {keyof Settings} */ name) => numberOf(/** @type {string} */ (set[name])) ?? undefined;
+  const burns = materials.find(({ name }) => name === set.tool)?.tool === "laser";
+  const layer = set.layers === "nothing" ? [] : Object.entries(set.pens).map(([name, pen]) => ({ name, pen }));
+  const scale = number("scale");
+  return /** @type {Schemas["Options"]} */ ({
+    what: {
+      ...(what === "text" ? { text, font: set.font, height: number("height") } : {}),
+      ...(set.layers === "nothing" ? {} : { layers: set.layers, layer }),
+      ...(set.hatch ? { hatch: "auto" } : {}),
+    },
+    place: {
+      at: [number("x") ?? MIDDLE.x_mm, number("y") ?? MIDDLE.y_mm],
+      rotate: number("rotate") ?? 0,
+      ...(set.fit ? { fit: true } : scale === undefined ? {} : { scale: scale / 100 }),
+      clip: set.clip,
+      pen_down: number("down") ?? paperOf(page),
+    },
+    tool: { ...(burns ? { laser: set.tool } : { pen: set.tool }), speed: number("speed") },
+    way: { tolerance: number("tolerance") ?? 0.05 },
+  });
+}
+
+/** Where it lies by its fields; what is empty there is as it was planned. @param {Draw} draw @returns {Lies | null} */
+export function liesOf({ set, planned }) {
+  if (!planned || wrongField(set)) return null;
+  return { ...liesBy(set, planned.plan), scale: set.fit || set.scale.trim() === "" ? planned.plan.scale : Number(set.scale) / 100 };
+}
+
+/** @param {Settings} set @param {Plan} plan @returns {Lies} */
+const liesBy = (set, { scale }) => ({ x_mm: numberOf(set.x) ?? MIDDLE.x_mm, y_mm: numberOf(set.y) ?? MIDDLE.y_mm, scale, rotate_deg: numberOf(set.rotate) ?? 0 });
+
+/** @param {Draw} draw @param {Partial<Draw>} change @returns {Draw} */
+function changed(draw, change) {
+  const next = { ...draw, ...change, asked: draw.asked + 1, problem: null };
+  if (!hasSubject(next)) return { ...next, phase: "nothing", planned: null, timeline: null };
+  return { ...next, phase: "planning" };
+}
+
+/** @param {Draw} draw @param {import("./message.js").Message} message @returns {Draw} */
+export function reduceDraw(draw, message) {
+  switch (message.type) {
+    case "draw_file":
+      return changed(draw, { what: "file", file: message.file, planned: null, timeline: null });
+    case "draw_text":
+      return changed(draw, { what: "text", text: message.text });
+    case "draw_what":
+      return message.what === draw.what ? draw : changed(draw, { what: message.what, planned: null, timeline: null });
+    case "draw_set":
+      return changed(draw, { set: { ...draw.set, ...message.set } });
+    case "draw_begun":
+      return message.asked === draw.asked ? { ...draw, drawing: message.drawing } : draw;
+    case "draw_planned":
+      if (message.asked !== draw.asked) return draw;
+      return { ...draw, phase: "planned", timeline: { timeline: message.timeline }, planned: { plan: message.plan, title: message.title, lies: liesBy(message.set, message.plan) } };
+    case "draw_timeline":
+      return { ...draw, asked: draw.asked + 1, phase: "nothing", file: null, drawing: null, problem: null, planned: null, what: "file", timeline: { timeline: message.timeline } };
+    case "draw_failed":
+      return message.asked === draw.asked ? { ...draw, phase: "failed", drawing: null, problem: message.problem } : draw;
+    case "draw_given_up":
+      return { ...draw, asked: draw.asked + 1, phase: draw.planned ? "failed" : "nothing", file: draw.planned ? draw.file : null, drawing: null };
+    case "hello":
+      // A station that began anew knows no drawing.
+      return hasSubject(draw) ? changed(draw, { drawing: null }) : draw;
+    case "materials":
+      return { ...draw, materials: message.materials };
+    default:
+      return draw;
+  }
+}

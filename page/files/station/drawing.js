@@ -1,0 +1,95 @@
+// Has the station plan what is to be drawn, a moment after it was changed. What is not wanted any more is given up.
+
+import { timelineOf } from "../preview/timeline.js";
+import { MOST_BYTES, hasSubject, optionsOf, wrongField } from "../state/draw.js";
+
+/** @typedef {import("../state/store.js").Store} Store */
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {import("../state/types.js").Problem} Problem */
+
+const PLAN_MS = 250;
+
+/** What a file holds, in Base64. @param {File} file @returns {Promise<string | null>} nothing where it cannot be read */
+function base64(file) {
+  const reader = new FileReader();
+  return new Promise((done) => {
+    reader.onload = () => done(String(reader.result).split(",")[1] ?? "");
+    reader.onerror = () => done(null);
+    reader.readAsDataURL(file);
+  });
+}
+
+/** @param {Store} store @param {import("./http.js").Http} http */
+export function followDrawing(store, http) {
+  const { send } = store;
+  /** @type {number | undefined} */ let timer;
+  let seen = store.page.draw.asked;
+  /** The drawings that the station plans or keeps for this page. @type {Set<number>} */ const kept = new Set();
+
+  const isWanted = (/** @type {number} */ asked) => store.page.draw.asked === asked;
+
+  /** @param {number | null} but */
+  function forgetAll(but) {
+    for (const drawing of kept) {
+      if (drawing === but) continue;
+      kept.delete(drawing);
+      void http.ask("DELETE", `api/v1/drawings/${drawing}`);
+    }
+  }
+
+  /** The body of the request. @returns {Promise<{ body?: unknown, problem?: Problem }>} */
+  async function body() {
+    const { page } = store;
+    const { what, file } = page.draw;
+    const options = optionsOf(page);
+    if (what === "text" || !file) return { body: { options } };
+    const title = `${file.name} cannot be drawn`;
+    if (file.size > MOST_BYTES) return { problem: { title, detail: `${file.name} has ${(file.size / 1e6).toFixed(0)} MB, and a drawing may have ${MOST_BYTES / 1e6} MB`, hint: "draw it in parts, or leave out detail that no pen shows" } };
+    const bytes = await base64(file);
+    if (bytes === null) return { problem: { title, detail: `${file.name} cannot be read any more`, hint: "choose it again" } };
+    return { body: { name: file.name, file: bytes, options } };
+  }
+
+  /** @param {number} asked @param {number} drawing */
+  async function follow(asked, drawing) {
+    const { set } = store.page.draw;
+    while (isWanted(asked)) {
+      const { value, problem } = await http.ask("GET", `api/v1/drawings/${drawing}`);
+      if (problem) return send({ type: "draw_failed", asked, problem });
+      const view = /** @type {Schemas["DrawingView"]} */ (value);
+      if (view.problem) return send({ type: "draw_failed", asked, problem: view.problem });
+      if (view.plan) return send({ type: "draw_planned", asked, title: view.title, plan: view.plan, timeline: timelineOf(view.plan.timeline), set });
+    }
+  }
+
+  async function plan() {
+    const { draw } = store.page;
+    const { asked } = draw;
+    forgetAll(null);
+    if (!hasSubject(draw) || wrongField(draw.set)) return;
+    const request = await body();
+    if (!isWanted(asked)) return;
+    if (request.problem) return send({ type: "draw_failed", asked, problem: request.problem });
+    const { value, problem } = await http.ask("POST", "api/v1/drawings", request.body);
+    if (problem) return send({ type: "draw_failed", asked, problem });
+    const { drawing } = /** @type {Schemas["DrawingView"]} */ (value);
+    kept.add(drawing);
+    if (!isWanted(asked)) return forgetAll(null);
+    send({ type: "draw_begun", asked, drawing });
+    await follow(asked, drawing);
+  }
+
+  async function readMaterials() {
+    const materials = await http.json("api/v1/materials");
+    if (materials) send({ type: "materials", materials });
+  }
+
+  store.listen(({ draw }, { type }) => {
+    if (type === "hello") void readMaterials();
+    if (draw.asked === seen) return;
+    seen = draw.asked;
+    clearTimeout(timer);
+    if (type === "draw_given_up") forgetAll(null);
+    else timer = setTimeout(() => void plan(), PLAN_MS);
+  });
+}
