@@ -2705,9 +2705,13 @@ export interface components {
              *         "align": null,
              *         "card": null,
              *         "card_passes": null,
+             *         "card_size": null,
+             *         "card_gap": null,
+             *         "card_label": null,
              *         "layers": null,
              *         "layer": [],
              *         "only": [],
+             *         "no_crop": false,
              *         "hatch": null,
              *         "hatch_angle": 45,
              *         "cross": false,
@@ -2716,9 +2720,15 @@ export interface components {
              *         "invert": false
              *       },
              *       "place": {
+             *         "paper_size": null,
+             *         "landscape": false,
+             *         "corner": null,
              *         "fit": false,
              *         "scale": null,
              *         "at": null,
+             *         "mirror": false,
+             *         "grid": null,
+             *         "gap": 5,
              *         "rotate": 0,
              *         "margin": 0,
              *         "clip": false,
@@ -2733,10 +2743,18 @@ export interface components {
              *         "speed": null,
              *         "travel_speed": null,
              *         "passes": null,
+             *         "passes_by": "layer",
+             *         "kerf": 0,
+             *         "lead_in": 0,
+             *         "overcut": 0,
+             *         "tabs": 0,
+             *         "tab_width": 1,
              *         "acceleration": 100
              *       },
              *       "way": {
              *         "tolerance": 0.05,
+             *         "join": null,
+             *         "drop_doubles": false,
              *         "keep_order": false,
              *         "tries": 20000,
              *         "seed": 1,
@@ -2772,9 +2790,13 @@ export interface components {
              *       "align": null,
              *       "card": null,
              *       "card_passes": null,
+             *       "card_size": null,
+             *       "card_gap": null,
+             *       "card_label": null,
              *       "layers": null,
              *       "layer": [],
              *       "only": [],
+             *       "no_crop": false,
              *       "hatch": null,
              *       "hatch_angle": 45,
              *       "cross": false,
@@ -2787,9 +2809,15 @@ export interface components {
             /**
              * @description Where it goes.
              * @default {
+             *       "paper_size": null,
+             *       "landscape": false,
+             *       "corner": null,
              *       "fit": false,
              *       "scale": null,
              *       "at": null,
+             *       "mirror": false,
+             *       "grid": null,
+             *       "gap": 5,
              *       "rotate": 0,
              *       "margin": 0,
              *       "clip": false,
@@ -2808,6 +2836,12 @@ export interface components {
              *       "speed": null,
              *       "travel_speed": null,
              *       "passes": null,
+             *       "passes_by": "layer",
+             *       "kerf": 0,
+             *       "lead_in": 0,
+             *       "overcut": 0,
+             *       "tabs": 0,
+             *       "tab_width": 1,
              *       "acceleration": 100
              *     }
              */
@@ -2816,6 +2850,8 @@ export interface components {
              * @description How it is drawn.
              * @default {
              *       "tolerance": 0.05,
+             *       "join": null,
+             *       "drop_doubles": false,
              *       "keep_order": false,
              *       "tries": 20000,
              *       "seed": 1,
@@ -2860,6 +2896,23 @@ export interface components {
              */
             card_passes: number | null;
             /**
+             * Format: double
+             * @description How wide and high the fields of the test card are, in mm (default: 6)
+             * @default null
+             */
+            card_size: number | null;
+            /**
+             * Format: double
+             * @description How far the fields of the test card lie apart, in mm (default: 2)
+             * @default null
+             */
+            card_gap: number | null;
+            /**
+             * @description What is burned below the test card (default: the name of the material, and the day)
+             * @default null
+             */
+            card_label: string | null;
+            /**
              * @description Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
              *     for itself, and the arm waits for its pen
              * @default null
@@ -2871,10 +2924,15 @@ export interface components {
              */
             layer: components["schemas"]["LayerTool"][];
             /**
-             * @description Draw these layers only, by name
+             * @description Draw these layers only, by name: several with commas between them
              * @default []
              */
             only: string[];
+            /**
+             * @description Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
+             * @default false
+             */
+            no_crop: boolean;
             /**
              * @description Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
              * @default null
@@ -2892,13 +2950,13 @@ export interface components {
              */
             cross: boolean;
             /**
-             * @description How a PNG or JPEG becomes ink: outline, lines, stipple or hatch
+             * @description How a picture becomes ink: outline, lines, stipple or hatch
              * @default null
              */
             shade: components["schemas"]["ShadingStyle"] | null;
             /**
              * Format: double
-             * @description How far the lines or dots of a picture lie apart, in mm on the paper
+             * @description How far the lines or dots of a picture lie apart, or the lines of the test card, in mm on the paper
              * @default null
              */
             spacing: number | null;
@@ -2928,7 +2986,24 @@ export interface components {
         /** @description Where it goes. */
         PlaceOptions: {
             /**
-             * @description As large as the drawing area allows
+             * @description The sheet that it goes on: a3, a4, a5, a6, letter, legal, or `210x148` in mm; the page of the file
+             *     keeps its upper left corner
+             * @default null
+             */
+            paper_size: components["schemas"]["PaperSize"] | null;
+            /**
+             * @description The longer side of the sheet lies from left to right
+             * @default false
+             */
+            landscape: boolean;
+            /**
+             * @description Where the lower left corner of the sheet lies, in mm: the one that is nearest to you behind the arm,
+             *     on the left (default: the sheet lies in the middle before the arm)
+             * @default null
+             */
+            corner: number[] | null;
+            /**
+             * @description As large as the sheet or the drawing area allows
              * @default false
              */
             fit: boolean;
@@ -2939,10 +3014,27 @@ export interface components {
              */
             scale: number | null;
             /**
-             * @description Where the middle of the drawing goes, in mm (default: the middle of the drawing area)
+             * @description Where the middle of the drawing goes, or that of the sheet, in mm (default: the middle of the drawing
+             *     area)
              * @default null
              */
             at: number[] | null;
+            /**
+             * @description Change left and right
+             * @default false
+             */
+            mirror: boolean;
+            /**
+             * @description Draw copies side by side, in columns and rows as in 3x2
+             * @default null
+             */
+            grid: components["schemas"]["Grid"] | null;
+            /**
+             * Format: double
+             * @description How far the copies lie apart, in mm of the file
+             * @default 5
+             */
+            gap: number;
             /**
              * Format: double
              * @description Turn it counterclockwise
@@ -2951,12 +3043,12 @@ export interface components {
             rotate: number;
             /**
              * Format: double
-             * @description Leave so much of the drawing area empty along its edges, in mm
+             * @description Leave so much of the sheet or the drawing area empty along its edges, in mm
              * @default 0
              */
             margin: number;
             /**
-             * @description Cut off what the arm does not reach, instead of refusing the drawing
+             * @description Cut off what lies beyond the sheet or out of the arm's reach, instead of refusing the drawing
              * @default false
              */
             clip: boolean;
@@ -2967,7 +3059,8 @@ export interface components {
              */
             pen_down: number | null;
             /**
-             * @description Three points of the paper that the pen has touched, for paper that is not level
+             * @description Three points of the paper that the pen has touched, for paper that is not level; with --paper-size
+             *     first the lower left corner of the sheet, then another place on its lower edge
              * @default null
              */
             paper: number[] | null;
@@ -2978,6 +3071,10 @@ export interface components {
              */
             offset: number;
         };
+        /** @description How large a sheet is: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`. */
+        PaperSize: string;
+        /** @description Copies in columns and rows, as in `3x2`: three beside each other, two below each other. */
+        Grid: string;
         /** @description With what it is drawn. */
         ToolOptions: {
             /**
@@ -3010,10 +3107,46 @@ export interface components {
             travel_speed: number | null;
             /**
              * Format: uint32
-             * @description Burn everything so often
+             * @description Draw or burn everything so often; a pen goes over each line so often before it is lifted
              * @default null
              */
             passes: number | null;
+            /**
+             * @description What the laser burns so often before it goes on: a shape, or all of the layer
+             * @default layer
+             */
+            passes_by: components["schemas"]["PassesBy"];
+            /**
+             * Format: double
+             * @description How wide the laser burns, in mm: closed shapes are cut larger by half of it, and holes in them smaller;
+             *     below 0 the other way round
+             * @default 0
+             */
+            kerf: number;
+            /**
+             * Format: double
+             * @description Begin each cut so far beside the shape, in mm
+             * @default 0
+             */
+            lead_in: number;
+            /**
+             * Format: double
+             * @description Go on so far behind where a cut began, in mm
+             * @default 0
+             */
+            overcut: number;
+            /**
+             * Format: uint32
+             * @description Leave so many places of each shape uncut, so that it does not fall out
+             * @default 0
+             */
+            tabs: number;
+            /**
+             * Format: double
+             * @description How wide these places are, in mm
+             * @default 1
+             */
+            tab_width: number;
             /**
              * Format: double
              * @description Acceleration, in mm/s²
@@ -3021,6 +3154,8 @@ export interface components {
              */
             acceleration: number;
         };
+        /** @description What a laser burns several times before it goes on. */
+        PassesBy: "shape" | "layer";
         /** @description How it is drawn. */
         PathOptions: {
             /**
@@ -3029,6 +3164,17 @@ export interface components {
              * @default 0.05
              */
             tolerance: number;
+            /**
+             * Format: double
+             * @description Join strokes whose ends lie so near to each other, in mm (default: the tolerance)
+             * @default null
+             */
+            join: number | null;
+            /**
+             * @description Leave out lines that lie on others from end to end
+             * @default false
+             */
+            drop_doubles: boolean;
             /**
              * @description Draw in the order of the file
              * @default false
