@@ -21,6 +21,9 @@ const CHARTS = [
 /** Lines are told apart by their dashes, too. */
 const DASHES = [[], [8, 4], [2, 3], [8, 3, 2, 3]];
 
+/** The newest value of a line, in words. @param {readonly (number | null)[]} values */
+const last = (values) => values.at(-1)?.toFixed(1) ?? "–";
+
 /** @param {Context} context */
 function charts({ page, say }) {
   const { history } = page;
@@ -32,7 +35,7 @@ function charts({ page, say }) {
       <h2 id="charts-title">${say("charts")}</h2>
       ${CHARTS.map(([title, seen, lines]) => html`
         <figure class="chart" role="img" aria-label=${say(title)}>
-          <figcaption>${say(title)} ${lines.length > 1 ? lines.map(([, word], n) => html`<span class="line-${n + 1}">${say(word)}</span>`) : ""}</figcaption>
+          <figcaption>${say(title)} ${lines.map(([name, word], n) => html`<span class="line-${n + 1}">${lines.length > 1 ? say(word) : ""} <b data-last=${name}>${last(history[name])}</b></span>`)}</figcaption>
           <div ${chart([times, ...lines.map(([name]) => history[name])], lines.map(([, word, color], n) => ({ name: say(word), color, dash: DASHES[n] })), seen, `${theme} ${page.language}`)}></div>
         </figure>`)}
     </section>`;
