@@ -59,7 +59,6 @@ test("a file that is dropped is planned, moved by hand, and drawn where it was p
   await says("It takes");
   await page.click("#draw-start");
   await page.waitForSelector("#job-name:text('square.svg')");
-  await page.selectOption("#draw-layers", "nothing");
   await page.waitForSelector("#job", { state: "detached", timeout: 60_000 });
   const [xs, ys] = await ink();
   for (const [found, wanted] of [[xs[0], x - 10], [xs[1], x + 10], [ys[0], y - 10], [ys[1], y + 10]]) assert.ok(Math.abs(found - wanted) < 0.6, `${found} is not near ${wanted}`);
