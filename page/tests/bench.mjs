@@ -86,10 +86,11 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
   });
   tap.listen(0, "127.0.0.1");
   await once(tap, "listening");
-  const to = virtual ? ["--virtual"] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`];
+  // What the station's own virtual arm speaks, it knows.
+  const to = virtual ? ["--virtual"] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", "firmware-1.1"];
   const front = await createFront();
   const begin = async () => {
-    const words = ["up", ...to, "--dialect", "firmware-1.1", "--http", "127.0.0.1:0", "--raw", "off", "--data", folder];
+    const words = ["up", ...to, "--http", "127.0.0.1:0", "--raw", "off", "--data", folder];
     const begun = await start(words, /page +http:\S+:(\d+)/);
     front.way.port = Number(begun.found);
     return begun.child;

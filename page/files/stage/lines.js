@@ -80,7 +80,7 @@ export function createDrawing() {
 
 /** How much of the ways between the ink is seen; and how far above the paper the ink to come is drawn. */
 const WAY = 0.35;
-const ABOVE_MM = 0.3;
+const ABOVE_MM = 1.5;
 
 /** The way that is planned, of the tip. */
 export function createPlanned() {

@@ -12,6 +12,7 @@ use serde::de::{
 };
 use serde_json::Value;
 
+use super::drawings::NewDrawing;
 use super::programs::EditProgram;
 use super::routes::NewFaults;
 
@@ -124,6 +125,7 @@ static LISTS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut lists = Vec::new();
     collect_lists(schema_for!(FromClient).as_value(), &mut lists);
     collect_lists(schema_for!(EditProgram).as_value(), &mut lists);
+    collect_lists(schema_for!(NewDrawing).as_value(), &mut lists);
     collect_lists(schema_for!(NewFaults).as_value(), &mut lists);
     lists
 });

@@ -77,7 +77,9 @@ async fn the_router_has_every_route_of_the_document_and_no_other() {
         let real = real.replace("{name}", "watch");
         for method in ["GET", "POST", "PUT", "DELETE", "PATCH"] {
             let answer = harness.bare(method, &real).await;
-            let known = !matches!(answer.status, 404 | 405);
+            // What has no number 7 is known, too.
+            let unknown = answer.status == 404 && answer.problem().0 == "unknown-path";
+            let known = !unknown && answer.status != 405;
             let documented = operations.get(method.to_lowercase()).is_some();
             assert_eq!(known, documented, "{method} {path}: {answer:?}");
         }

@@ -19,7 +19,7 @@ async fn begin(harness: &Harness, body: Value) -> Answer {
     answer
 }
 
-fn file(name: &str, bytes: &[u8], place: Value) -> Value {
+fn file(name: &str, bytes: &[u8], place: &Value) -> Value {
     let file = data_encoding::BASE64.encode(bytes);
     json!({"name": name, "file": file, "options": {"what": {"layers": "color"}, "place": place}})
 }
@@ -40,7 +40,7 @@ async fn planned(harness: &Harness, body: Value) -> Value {
 async fn a_file_becomes_a_plan_with_its_layers_its_time_and_its_way() {
     let harness = Harness::near();
     let place = json!({"at": [200, 30], "pen_down": -30});
-    let view = planned(&harness, file("cross.svg", SVG.as_bytes(), place)).await;
+    let view = planned(&harness, file("cross.svg", SVG.as_bytes(), &place)).await;
     assert_eq!(view["phase"], "planned", "{view}");
     assert_eq!(view["title"], "cross.svg");
     let plan = &view["plan"];
@@ -84,10 +84,10 @@ fn title(request: Request) -> String {
 async fn what_cannot_be_drawn_is_told_and_no_job_is_made_of_it() {
     let harness = Harness::near();
     for (body, says) in [
-        (file("a.svg", b"no svg", json!({})), "svg"),
-        (file("a.xyz", b"\0\0\0\0", json!({})), "a.xyz"),
+        (file("a.svg", b"no svg", &json!({})), "xml"),
+        (file("a.xyz", b"\0\0\0\0", &json!({})), "a.xyz"),
         (
-            file("far.svg", SVG.as_bytes(), json!({"at": [900, 0]})),
+            file("far.svg", SVG.as_bytes(), &json!({"at": [900, 0]})),
             "900",
         ),
         (json!({"file": "%%%"}), "Base64"),
@@ -110,13 +110,14 @@ async fn what_cannot_be_drawn_is_told_and_no_job_is_made_of_it() {
 #[tokio::test]
 async fn a_plan_under_way_is_given_up_and_the_next_one_is_made() {
     let harness = Harness::near();
-    let dots: String = (0..20_000)
+    let dots: Vec<String> = (0..20_000)
         .map(|it| format!("<path d=\"M{} {}h.3\" stroke=\"red\"/>", it % 141, it / 141))
         .collect();
+    let dots = dots.concat();
     let long = format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 150 150">{dots}</svg>"#
     );
-    let number = begin(&harness, file("long.svg", long.as_bytes(), json!({})))
+    let number = begin(&harness, file("long.svg", long.as_bytes(), &json!({})))
         .await
         .value()["drawing"]
         .clone();

@@ -1,0 +1,105 @@
+// Drawing: a file is dropped, placed, planned and drawn, judged on the ink of the virtual arm.
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+import { open } from "./bench.mjs";
+
+let bench, page;
+
+before(async () => {
+  bench = await open({ virtual: true });
+  ({ page } = bench);
+  await fetch(`${bench.url}api/v1/world`, { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ scene: "[pen]\ndown_z_mm = -40\n" }) });
+  if (await page.isVisible("#confirm-pose")) {
+    await page.click("#confirm-pose");
+    await page.click("#sure-yes");
+  }
+  await page.click("#first-close");
+  await page.click("#tab-draw");
+});
+after(() => bench.end());
+afterEach(() => assert.deepEqual(bench.errors, []));
+
+const SVG = `<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="30mm" viewBox="0 0 30 30"><path d="M5 5H25V25H5Z" stroke="black" fill="none"/></svg>`;
+const get = async (path) => (await fetch(`${bench.url}api/v1/${path}`)).json();
+
+/** Drops a file on the page, as a person does from the desktop. */
+async function drop(name, text) {
+  const files = await page.evaluateHandle(([name, text]) => {
+    const files = new DataTransfer();
+    files.items.add(new File([text], name));
+    return files;
+  }, [name, text]);
+  await page.dispatchEvent("#panel", "dragover", { dataTransfer: files });
+  await page.dispatchEvent("#panel", "drop", { dataTransfer: files });
+}
+
+const says = (part) => page.waitForFunction((part) => document.querySelector("#draw-told")?.textContent.includes(part), part);
+const value = async (name) => Number(await page.inputValue(`#draw-${name}`));
+
+/** How far the ink goes: the least and the most of X, and of Y. */
+async function ink() {
+  const { strokes } = await get("world");
+  const points = strokes.flatMap(({ points_mm }) => points_mm);
+  const ends = (axis) => [Math.min(...points.map((it) => it[axis])), Math.max(...points.map((it) => it[axis]))];
+  return points.length ? [ends(0), ends(1)] : null;
+}
+
+test("a file that is dropped is planned, moved by hand, and drawn where it was put", async () => {
+  await drop("square.svg", SVG);
+  await says("It takes");
+  const box = await page.locator("#sheet-move").boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 - 40, box.y + box.height / 2 + 10, { steps: 6 });
+  await page.mouse.up();
+  const [x, y] = [await value("x"), await value("y")];
+  assert.ok(y > 10, `dragged to the left, so that Y is more than 0: ${y}`);
+  assert.ok(x < 210, `dragged down, so that X is less than before: ${x}`);
+  await says("The station plans it");
+  await says("It takes");
+  await page.click("#draw-start");
+  await page.waitForSelector("#job-name:text('square.svg')");
+  await page.waitForSelector("#job", { state: "detached", timeout: 60_000 });
+  const [xs, ys] = await ink();
+  for (const [found, wanted] of [[xs[0], x - 10], [xs[1], x + 10], [ys[0], y - 10], [ys[1], y + 10]]) assert.ok(Math.abs(found - wanted) < 0.6, `${found} is not near ${wanted}`);
+});
+
+test("a file that is no drawing is told, and nothing can be started", async () => {
+  await drop("letter.svg", "Dear all,");
+  await page.waitForSelector("#draw-told[data-tone=bad]");
+  assert.match(await page.textContent("#draw-told"), /xml/i);
+  assert.ok(await page.isDisabled("#draw-start"));
+});
+
+test("a file of 100 MB is refused with what to do, and the page goes on", async () => {
+  await page.evaluate(() => {
+    const files = new DataTransfer();
+    files.items.add(new File([new Uint8Array(100_000_000)], "huge.png"));
+    document.getElementById("panel").dispatchEvent(new DragEvent("drop", { dataTransfer: files, bubbles: true, cancelable: true }));
+  });
+  await says("huge.png has 100 MB");
+  await drop("square.svg", SVG);
+  await says("It takes");
+});
+
+test("a place out of reach is told, and the way back is free", async () => {
+  await page.fill("#draw-x", "500");
+  await page.waitForSelector("#draw-told[data-tone=bad]");
+  assert.ok(await page.isDisabled("#draw-start"));
+  await page.fill("#draw-x", "");
+  await says("It takes");
+});
+
+test("a plan that takes long is given up, and the statuses come as before meanwhile", async () => {
+  const dots = Array.from({ length: 60_000 }, (_, n) => `<path d="M${(n % 245) * 0.4} ${Math.floor(n / 245) * 0.4}h.2" stroke="#${String(n % 1000).padStart(3, "0")}"/>`).join("");
+  await drop("long.svg", `<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">${dots}</svg>`);
+  await page.waitForSelector("#draw-give-up");
+  await page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /drawings\/\d+$/.test(name)));
+  const { link } = await get("state");
+  assert.ok(link.statuses_per_s > 11, `${link.statuses_per_s} statuses in a second`);
+  await page.click("#draw-give-up");
+  await says("given up");
+  await page.check("input[name=draw-what][value=text]", { force: true });
+  await page.fill("#draw-text", "Hello");
+  await says("It takes");
+});
