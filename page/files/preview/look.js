@@ -40,7 +40,7 @@ function passColor(color, pass) {
   if (!color) return PASSES[pass % PASSES.length];
   const brightness = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
   const share = brightness > 200 ? 130 / brightness : 1;
-  return `rgb(${color.map((it) => Math.trunc(it * share)).join(" ")})`;
+  return `rgb(${color.map((it) => Math.trunc(it * share)).join(", ")})`;
 }
 
 // --- In words, and over time -----------------------------------------------------

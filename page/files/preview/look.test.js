@@ -49,9 +49,9 @@ test("lengths of the scale are one, two or five times a power of ten, as long as
 
 test("ink has the colour of its pass, and light colours are darkened", () => {
   const { styles, classes } = lookOfPasses(timeline);
-  assert.equal(styles[0].color, "rgb(10 20 30)");
+  assert.equal(styles[0].color, "rgb(10, 20, 30)");
   const light = lookOfPasses({ ...timeline, passes: [{ name: "", tool: "pen", color: [255, 255, 255] }] }).styles[0].color;
-  assert.equal(light, "rgb(130 130 130)");
+  assert.equal(light, "rgb(130, 130, 130)");
   assert.equal(classes, timeline.path.pass);
 });
 

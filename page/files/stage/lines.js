@@ -51,7 +51,8 @@ export function createTrail() {
 
 /** A drawing that is planned, of the tip: ink in its colours, ways between in that of plans. */
 export function createDrawing() {
-  const material = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+  // Seen through whatever lies above it: what is to come must not hide.
+  const material = new LineBasicMaterial({ vertexColors: true, transparent: true, depthTest: false, depthWrite: false });
   const lines = new LineSegments(new BufferGeometry(), material);
   lines.frustumCulled = false;
   lines.renderOrder = 3;

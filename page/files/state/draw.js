@@ -130,7 +130,7 @@ export function reduceDraw(draw, message) {
     case "draw_failed":
       return message.asked === draw.asked ? { ...draw, phase: "failed", drawing: null, problem: message.problem } : draw;
     case "draw_given_up":
-      return { ...draw, asked: draw.asked + 1, phase: draw.planned ? "failed" : "nothing", file: draw.planned ? draw.file : null, drawing: null };
+      return { ...draw, asked: draw.asked + 1, phase: "failed", problem: null, drawing: null };
     case "hello":
       // A station that began anew knows no drawing.
       return hasSubject(draw) ? changed(draw, { drawing: null }) : draw;

@@ -44,9 +44,9 @@ export function followDrawing(store, http) {
     const options = optionsOf(page);
     if (what === "text" || !file) return { body: { options } };
     const title = `${file.name} cannot be drawn`;
-    if (file.size > MOST_BYTES) return { problem: { title, detail: `${file.name} has ${(file.size / 1e6).toFixed(0)} MB, and a drawing may have ${MOST_BYTES / 1e6} MB`, hint: "draw it in parts, or leave out detail that no pen shows" } };
+    if (file.size > MOST_BYTES) return { problem: { title, detail: `the file ${file.name} has ${(file.size / 1e6).toFixed(0)} MB, and a drawing may have ${MOST_BYTES / 1e6} MB`, hint: "draw it in parts, or leave out detail that no pen shows" } };
     const bytes = await base64(file);
-    if (bytes === null) return { problem: { title, detail: `${file.name} cannot be read any more`, hint: "choose it again" } };
+    if (bytes === null) return { problem: { title, detail: `the file ${file.name} cannot be read any more`, hint: "choose it again" } };
     return { body: { name: file.name, file: bytes, options } };
   }
 

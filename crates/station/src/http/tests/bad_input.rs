@@ -81,7 +81,7 @@ fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
                     prop_assert!(!matches!(answer.status, 400 | 413 | 415), "{told}");
                     // A text may be no program, policy, scene, fault or name; of the keys of a step some exclude each other.
                     let reads = [
-                        "/drawings/",
+                        "/drawings",
                         "/programs/",
                         "/policy",
                         "/world",
