@@ -117,11 +117,7 @@ impl<'a> Drawing<'a> {
     /// Tells what it would be; nothing moves.
     async fn estimate(&self) -> Result<(), Failure> {
         if self.is_long() {
-            let report = self.write_files(
-                None,
-                Some(&Drawn::planned(&self.prepared)),
-                Times::default(),
-            )?;
+            let report = self.write_files(None, self.planned().as_ref(), Times::default())?;
             return print(self.args, &report);
         }
         let Rehearsed {
@@ -144,6 +140,12 @@ impl<'a> Drawing<'a> {
     fn is_long(&self) -> bool {
         let hours = self.prepared.plan.duration_s() / 3600.0;
         hours > LONG_HOURS && self.args.result.timeline.is_none()
+    }
+
+    /// What is planned as ink, for a picture: to measure it takes as long as it is.
+    fn planned(&self) -> Option<Drawn> {
+        let is_shown = self.args.result.picture.is_some();
+        is_shown.then(|| Drawn::planned(&self.prepared))
     }
 
     async fn rehearse(&self) -> Result<Rehearsed, Failure> {
@@ -189,7 +191,7 @@ impl<'a> Drawing<'a> {
             .filter(|_| !self.is_long())
             .and_then(|it| Carried::of(it, &self.prepared, &self.settings));
         let drawn = if is_virtual && self.is_long() {
-            Some(Drawn::planned(&self.prepared))
+            self.planned()
         } else if is_virtual {
             carried.as_ref().map(Drawn::carried)
         } else {
