@@ -3,11 +3,12 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { moved, open, passed, rest, takeControl } from "./bench.mjs";
 
-let bench, page, told;
+let bench, page, told, session;
 
 before(async () => {
   bench = await open({ viewport: { width: 390, height: 844 }, options: { hasTouch: true, isMobile: true } });
   ({ page, told } = bench);
+  session = await page.context().newCDPSession(page);
   await takeControl(page);
   await rest(page);
   await passed(page, 0.4);
@@ -19,7 +20,6 @@ after(async () => {
 
 /** Puts a finger on the middle of an element, or takes it away. */
 async function finger(type, selector) {
-  const session = await page.context().newCDPSession(page);
   const { x, y, width, height } = await page.locator(selector).boundingBox();
   const touchPoints = type === "touchEnd" ? [] : [{ x: x + width / 2, y: y + height / 2 }];
   await session.send("Input.dispatchTouchEvent", { type, touchPoints });
