@@ -63,6 +63,7 @@ pub fn prepare<E: fmt::Display>(
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
+    settings.give_up.check()?;
     let mut settings = settings.clone();
     settings.placement.reach = reach_mm(&settings, &reachable);
     let settings = &settings;
