@@ -15,6 +15,7 @@ use dobot_api::{Problem, Role};
 
 use super::answer::{self, NotDone, TooSoon};
 use super::app::{App, Caller, Peer};
+use super::page;
 use super::routes;
 
 /// The start of the subprotocol by which a browser's WebSocket says its token.
@@ -59,8 +60,11 @@ fn look(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Response> {
     check_host(app, peer, &host).map_err(refused)?;
     check_origin(peer, &host, request.headers()).map_err(refused)?;
     let caller = identify(app, request);
-    // Guessing is expensive.
-    let cost = if caller.is_ok() { 1.0 } else { WRONG_TOKEN };
+    let cost = match &caller {
+        Err(_) => WRONG_TOKEN,
+        Ok(_) if page::has(request.uri().path()) => FILE,
+        Ok(_) => 1.0,
+    };
     match app.addresses.take(peer.from.ip(), app.now(), cost) {
         // Whoever may stop the arm may always stop it.
         Err(wait) if caller.is_err() || !is_stop(request) => Err(TooSoon(wait).into_response()),
@@ -72,7 +76,9 @@ fn refused(problem: Problem) -> Response {
     NotDone(problem).into_response()
 }
 
-/// What a wrong token costs, in requests.
+/// What a file of the page costs, in requests: a visit asks for all of them at once.
+const FILE: f64 = 0.05;
+/// What a wrong token costs, in requests: guessing is expensive.
 const WRONG_TOKEN: f64 = 20.0;
 
 /// By which name or address the client means to reach the station.

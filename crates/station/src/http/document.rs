@@ -8,12 +8,12 @@ use dobot_api::problem_kinds::{
     ProblemKind, ROLE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS, UNAUTHORISED,
 };
 use dobot_api::{FromClient, Problem, ToClient};
-use dobot_page::FILES;
 use schemars::SchemaGenerator;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
 use super::calls::LEASE;
+use super::page;
 use super::route::{Gives, Query, Route, Takes};
 use super::routes::ROUTES;
 
@@ -60,7 +60,7 @@ pub(super) fn document() -> Value {
 
 /// Whether a route stands in the document: the interface does, and the page itself, but not the files that it is made of.
 pub(super) fn is_told(route: &Route) -> bool {
-    route.path == "/" || FILES.iter().all(|file| file.path != route.path)
+    route.path == "/" || !page::has(route.path)
 }
 
 /// A configuration is a choice within the choice of commands: that neither of them has any other field

@@ -11,6 +11,11 @@ pub(super) fn all() -> Vec<Route> {
     FILES.iter().map(route).collect()
 }
 
+/// Whether a path is that of the page, or of a file that it is made of.
+pub(super) fn has(path: &str) -> bool {
+    FILES.iter().any(|file| file.path == path)
+}
+
 fn route(file: &'static File) -> Route {
     let kind = file.content_type;
     let answer = move || async move { ([(CONTENT_TYPE, kind)], file.bytes).into_response() };

@@ -150,6 +150,16 @@ async fn on_a_network_nothing_goes_without_a_token() {
 }
 
 #[tokio::test]
+async fn a_page_that_is_loaded_ten_times_over_the_network_comes_whole_each_time() {
+    let harness = Harness::far();
+    for _ in 0..10 {
+        for file in dobot_page::FILES {
+            harness.get(file.path).await.is(200);
+        }
+    }
+}
+
+#[tokio::test]
 async fn the_token_tells_the_role() {
     let harness = Harness::far();
     for role in Role::ALL {
