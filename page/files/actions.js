@@ -22,8 +22,9 @@ const RUN_DOWN_STATES = 12;
  * @param {import("./station/socket.js").Socket} outside.socket
  * @param {import("./station/http.js").Http} outside.http
  * @param {import("./station/set_up.js").SetUpRequests} outside.setUp
+ * @param {(takeIfFree: () => void) => import("./station/teach.js").TeachRequests} outside.createTeach
  */
-export function createActions({ store, socket, http, setUp }) {
+export function createActions({ store, socket, http, setUp, createTeach }) {
   const { send } = store;
   /** How often the arm was stopped, by this page or another. */
   let stops = 0;
@@ -98,7 +99,7 @@ export function createActions({ store, socket, http, setUp }) {
   }
 
   return {
-    send, ask, takeIfFree, command, stop, arming_s, setUp,
+    send, ask, takeIfFree, command, stop, arming_s, setUp, teach: createTeach(takeIfFree),
 
     /** Asks a person before something is done. @param {Question} question */
     question: (question) => send({ type: "question", question }),

@@ -9,6 +9,7 @@ import { createPads } from "./hands/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
+import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
 import { createStage } from "./stage/stage.js";
 import { createViewOf, isVeryOld, silence_ms } from "./state/select.js";
@@ -19,6 +20,7 @@ import { createHttp, takeToken } from "./station/http.js";
 import { createSetUp } from "./station/set_up.js";
 import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
+import { createTeach } from "./station/teach.js";
 import { followTarget } from "./station/target.js";
 import { render } from "./vendor/lit-html/lit-html.js";
 import { banners, question, toasts } from "./views/banners.js";
@@ -27,36 +29,40 @@ import { foot } from "./views/foot.js";
 import { cameras, pose } from "./views/pose.js";
 import { strip } from "./views/strip.js";
 import { tabs } from "./views/tabs.js";
-import { languageOf, span, speak } from "./words/words.js";
+import { LANGUAGES, languageOf, span, speak } from "./words/words.js";
 
 /** @typedef {import("./state/state.js").Page} Page */
 /** @typedef {import("./views/context.js").Context} Context */
 
 const TICK_MS = 250;
+const KEEP_MS = 300;
 const TOLD_MS = 12_000;
 /** Where the wishes of a person are kept in this browser. */
 const WISHES = "dobot";
+/** Where the program is kept that somebody teaches, so that nothing of it is lost. */
+const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
-const PANELS = { move, draw: drawPanelOf, watch, set_up: setUp };
+const PANELS = { move, draw: drawPanelOf, teach, watch, set_up: setUp };
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
-/** @returns {Partial<Pick<Page, "language" | "theme" | "greeted">>} */
+/** What was kept, where it can be read and still means something. @returns {Partial<Pick<Page, "language" | "theme" | "greeted">>} */
 function wishes() {
   try {
-    return JSON.parse(localStorage.getItem(WISHES) ?? "{}");
+    const { language, theme, greeted } = JSON.parse(localStorage.getItem(WISHES) ?? "{}");
+    return { ...(language in LANGUAGES && { language }), ...(["auto", "light", "dark"].includes(theme) && { theme }), greeted: greeted === true };
   } catch {
     return {};
   }
 }
 
-const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, ...wishes() }));
+const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, program: localStorage.getItem(PROGRAM) ?? "", ...wishes() }));
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests });
+const act = createActions({ store, socket, http, setUp: setUpRequests, createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));
@@ -132,11 +138,19 @@ function forget() {
   else store.send({ type: "problem_closed" });
 }
 
+let kept = store.page.teach.text;
+/** @type {number | undefined} */ let keeping;
+
 store.listen((page, message) => {
   changed();
   if (message.type === "problem") {
     clearTimeout(told);
     told = setTimeout(forget, TOLD_MS);
+  }
+  if (page.teach.text !== kept) {
+    kept = page.teach.text;
+    clearTimeout(keeping);
+    keeping = setTimeout(() => localStorage.setItem(PROGRAM, kept), KEEP_MS);
   }
   if (KEPT.has(message.type)) {
     const { language, theme, greeted } = page;

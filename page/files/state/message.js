@@ -31,7 +31,8 @@
  * | import("./jog.js").JogMessage
  * | import("./draw.js").DrawMessage
  * | import("./set_up.js").SetUpMessage
- * | import("./target.js").TargetMessage} Message
+ * | import("./target.js").TargetMessage
+ * | import("./teach.js").TeachMessage} Message
  */
 
 export {};

@@ -5,6 +5,7 @@ import { reduceHistory } from "./history.js";
 import { reduceJog } from "./jog.js";
 import { reduceSetUp } from "./set_up.js";
 import { reduceTarget } from "./target.js";
+import { reduceTeach } from "./teach.js";
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("./message.js").Message} Message */
@@ -19,9 +20,10 @@ export function reduce(page, message) {
   const target = reduceTarget(next.target, message, next.station?.arm ?? null);
   const draw = reduceDraw(next.draw, message);
   const set_up = reduceSetUp(next.set_up, message);
+  const teach = reduceTeach(next.teach, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && draw === next.draw && set_up === next.set_up && history === next.history;
-  return isSame ? next : { ...next, jog, target, draw, set_up, history };
+  const isSame = jog === next.jog && target === next.target && draw === next.draw && set_up === next.set_up && teach === next.teach && history === next.history;
+  return isSame ? next : { ...next, jog, target, draw, set_up, teach, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

@@ -13,7 +13,7 @@ const STATION = {
   arm: ARM, dialect: "firmware-1.1", trust: { trusted: true, reason: null }, queue: { waiting: 0, under_way: 0, ahead_s: 0 },
   lease: null, stop: null, laser: { armed_for_s: 0, on: false }, job: null, clients: 1,
 };
-const NEW = begin({ language: "en", theme: "auto", greeted: false });
+const NEW = begin({ language: "en", theme: "auto", greeted: false, program: "" });
 
 /** The page after these messages. */
 const after = (messages, page = NEW) => messages.reduce(reduce, page);

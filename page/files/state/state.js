@@ -5,6 +5,7 @@ import { NO_HISTORY } from "./history.js";
 import { NO_JOG } from "./jog.js";
 import { NO_SET_UP } from "./set_up.js";
 import { NO_TARGET } from "./target.js";
+import { NO_TEACH } from "./teach.js";
 
 /** @typedef {import("./types.js").Station} Station */
 /** @typedef {import("./types.js").Problem} Problem */
@@ -15,7 +16,7 @@ import { NO_TARGET } from "./target.js";
 /** @typedef {import("../words/words.js").Language} Language */
 
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
-/** @typedef {"move" | "draw" | "watch" | "set_up"} Tab */
+/** @typedef {"move" | "draw" | "teach" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
 /** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "remove_token", values?: Record<string, string | number> }} Question */
 /** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
@@ -40,6 +41,7 @@ import { NO_TARGET } from "./target.js";
  * @property {import("./history.js").History} history
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
+ * @property {import("./teach.js").Teach} teach
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./draw.js").Draw} draw
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
@@ -49,8 +51,8 @@ import { NO_TARGET } from "./target.js";
  * @property {Theme} theme
  */
 
-/** @param {{ language: Language, theme: Theme, greeted: boolean }} wish @returns {Page} */
-export const begin = ({ language, theme, greeted }) => ({
+/** @param {{ language: Language, theme: Theme, greeted: boolean, program: string }} wish @returns {Page} */
+export const begin = ({ language, theme, greeted, program }) => ({
   connection: "connecting",
   me: null,
   role: null,
@@ -69,6 +71,7 @@ export const begin = ({ language, theme, greeted }) => ({
   history: NO_HISTORY,
   jog: NO_JOG,
   target: NO_TARGET,
+  teach: { ...NO_TEACH, text: program },
   set_up: NO_SET_UP,
   draw: NO_DRAW,
   pad_refused: null,

@@ -205,12 +205,8 @@ pub(super) fn problems_of(route: &Route) -> Vec<ProblemKind> {
 
 fn answer(gives: &Gives, schemas: &mut SchemaGenerator) -> Value {
     let mut answer = json!({"description": gives.what});
-    if gives.status != 101 {
-        let schema = gives.schema.map_or_else(
-            || json!({"type": "string"}),
-            |schema| schema(schemas).into(),
-        );
-        answer["content"] = json!({gives.content: {"schema": schema}});
+    if let Some((content, schema)) = gives.body {
+        answer["content"] = json!({content: {"schema": schema(schemas)}});
     }
     answer
 }

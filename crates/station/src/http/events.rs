@@ -11,6 +11,7 @@ use axum::response::sse::{Event, KeepAlive, Sse};
 use dobot_api::problem_kinds::{MALFORMED, TOO_MANY_CLIENTS};
 use dobot_api::{Notice, Problem, ToClient};
 use futures_util::Stream;
+use schemars::JsonSchema;
 use tokio::sync::{OwnedSemaphorePermit, broadcast, watch};
 
 use super::answer::NotDone;
@@ -21,6 +22,18 @@ use super::socket::{StateStream, Wants, state_message};
 /// So often something comes, so that a dead connection is found.
 const ALIVE_EVERY: Duration = Duration::from_secs(5);
 const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
+
+/// One event, as its lines say it; for the document only.
+#[derive(JsonSchema)]
+#[expect(dead_code, reason = "only its schema is used")]
+pub(super) struct ServerSentEvent {
+    /// `state` or `notice`.
+    event: String,
+    /// The number of a notice; states have none.
+    id: Option<String>,
+    /// A message as in `ToClient`, as text.
+    data: String,
+}
 
 /// What one who watches is told, until he goes or the station ends.
 struct Watching {

@@ -53,8 +53,8 @@ pub(super) struct Takes {
 pub(super) struct Gives {
     pub(super) status: u16,
     pub(super) what: &'static str,
-    pub(super) content: &'static str,
-    pub(super) schema: Option<fn(&mut SchemaGenerator) -> Schema>,
+    /// Its content type and its schema, where it has a body.
+    pub(super) body: Option<(&'static str, fn(&mut SchemaGenerator) -> Schema)>,
 }
 
 /// A parameter of the query.
@@ -162,17 +162,17 @@ impl Route {
         self
     }
 
-    pub(super) fn gives<T: JsonSchema>(mut self, status: u16, what: &'static str) -> Self {
-        self.gives.push(Gives {
-            status,
-            what,
-            content: "application/json",
-            schema: Some(SchemaGenerator::subschema_for::<T>),
-        });
-        self
+    pub(super) fn gives<T: JsonSchema>(self, status: u16, what: &'static str) -> Self {
+        self.gives_as::<T>(status, "application/json", what)
     }
 
-    pub(super) fn gives_text(
+    pub(super) fn gives_text(self, status: u16, content: &'static str, what: &'static str) -> Self {
+        self.gives_as::<String>(status, content, what)
+    }
+
+    /// An answer with a body that is written as `content` says; that of server-sent events is the
+    /// schema of each.
+    pub(super) fn gives_as<T: JsonSchema>(
         mut self,
         status: u16,
         content: &'static str,
@@ -181,8 +181,17 @@ impl Route {
         self.gives.push(Gives {
             status,
             what,
-            content,
-            schema: None,
+            body: Some((content, SchemaGenerator::subschema_for::<T>)),
+        });
+        self
+    }
+
+    /// An answer without a body.
+    pub(super) fn gives_nothing(mut self, status: u16, what: &'static str) -> Self {
+        self.gives.push(Gives {
+            status,
+            what,
+            body: None,
         });
         self
     }

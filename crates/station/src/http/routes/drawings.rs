@@ -50,7 +50,7 @@ pub(super) fn all() -> Vec<Route> {
             "Forgets a drawing; a plan under way is given up",
             forget,
         )
-        .gives_text(204, "text/plain", "it is forgotten")
+        .gives_nothing(204, "it is forgotten")
         .problems(&[MALFORMED, NO_SUCH_DRAWING]),
         Route::new(
             POST,

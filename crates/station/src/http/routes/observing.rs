@@ -2,7 +2,8 @@
 
 use super::super::route::Route;
 use super::super::socket::WATCH_QUERIES;
-use super::super::{events, metrics};
+use super::super::events::{self, ServerSentEvent};
+use super::super::metrics;
 use super::GET;
 use dobot_api::problem_kinds::{ENDING, MALFORMED, TOO_MANY_CLIENTS};
 
@@ -33,7 +34,7 @@ pub(super) fn all() -> Vec<Route> {
             events::events,
         )
         .queries(WATCH_QUERIES)
-        .gives_text(200, "text/event-stream", "the events")
+        .gives_as::<ServerSentEvent>(200, "text/event-stream", "the events")
         .problems(&[MALFORMED, TOO_MANY_CLIENTS, ENDING]),
     ]
 }

@@ -82,7 +82,7 @@ pub(super) fn all() -> Vec<Route> {
             socket::upgrade,
         )
         .queries(socket::QUERIES)
-        .gives_text(101, "text/plain", "the protocol changes to WebSocket")
+        .gives_nothing(101, "the protocol changes to WebSocket")
         .problems(&[MALFORMED, UPGRADE, TOO_MANY_CLIENTS, ENDING]),
     ]
 }

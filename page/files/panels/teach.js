@@ -1,0 +1,195 @@
+// A program: shown to the arm point by point, as a table, a text and a time line.
+
+import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
+import { live } from "../vendor/lit-html/directives/live.js";
+import { ref } from "../vendor/lit-html/directives/ref.js";
+import { hindrance, kept } from "../state/select.js";
+import { rowAt, rowsOf, stepsIn } from "../state/teach.js";
+import { sentence } from "../views/banners.js";
+import { span } from "../words/words.js";
+
+/** @typedef {import("../views/context.js").Context} Context */
+/** @typedef {import("../state/teach.js").Row} Row */
+
+/** @type {readonly import("../state/teach.js").Mode[]} */
+const MODES = ["table", "text", "time"];
+/** @type {readonly import("../state/types.js").Schemas["MovingMode"][]} */
+const PATHS = ["movj", "movl", "jump"];
+/** What is seen of a long program: so many rows of this height in pixels. */
+const SEEN = 40, ROW_PX = 34;
+
+const rowsIn = kept(rowsOf);
+const timed = kept((/** @type {Context["page"]["teach"]} */ teach) => stepsIn(rowsIn(teach.text), teach.report));
+
+/** @param {Context} context */
+export function teach(context) {
+  const { page, say, act } = context;
+  const { text, mode, report, path } = page.teach;
+  const why = hindrance(page);
+  const rows = rowsIn(text);
+  const modeChoice = html`
+    <fieldset class="segments">
+      <legend class="unseen">${say("teach.shown")}</legend>
+      ${MODES.map((it) => html`<label><input type="radio" name="teach-mode" value=${it} .checked=${live(it === mode)} @change=${() => act.send({ type: "teach_mode", mode: it })}><span>${say(`teach.${it}`)}</span></label>`)}
+    </fieldset>`;
+  const views = { table: () => table(context, rows), text: () => area(context), time: () => timeline(context) };
+  return html`
+    <section class="card" aria-labelledby="teach-title">
+      <h2 id="teach-title">${say("teach")} <small>${page.teach.name}${report?.once_s ? ` · ${span(say, report.once_s)}` : ""}</small></h2>
+      <div class="row">
+        <button id="capture" type="button" class="strong" ?disabled=${why === "no_connection" || why === "no_arm"} @click=${() => act.teach.capture()}>${say("teach.capture")}</button>
+        <fieldset class="segments grow">
+          <legend class="unseen">${say("target.path")}</legend>
+          ${PATHS.map((it) => html`<label><input type="radio" name="teach-path" value=${it} .checked=${live(it === path)} @change=${() => act.send({ type: "teach_path", path: it })}><span>${it.toUpperCase()}</span></label>`)}
+        </fieldset>
+      </div>
+      <div class="row">
+        <button id="teach-suction-on" type="button" class="small" @click=${() => act.teach.insert({ suction: true, pause: 0.3 })}>${say("teach.suction_on")}</button>
+        <button id="teach-suction-off" type="button" class="small" @click=${() => act.teach.insert({ suction: false, pause: 0.3 })}>${say("teach.suction_off")}</button>
+        <button id="teach-pause" type="button" class="small" @click=${() => act.teach.insert({ pause: 1 })}>${say("teach.pause")}</button>
+      </div>
+      ${modeChoice}
+      ${views[mode]()}
+      ${edits(context, rows)}
+      ${problems(context, rows)}
+    </section>
+    ${runs(context, rows)}
+    ${files(context)}`;
+}
+
+/** @param {Context} context @param {readonly Row[]} rows */
+function table({ page, say, act }, rows) {
+  const { chosen, first, report } = page.teach;
+  if (!rows.length) return html`<p class="drop quiet">${say("teach.empty")}</p>`;
+  const steps = timed(page.teach);
+  const job = page.station?.job;
+  const runs = job?.program && job.job === page.teach.job ? rowAt(rows, report?.steps[job.program.step - 1]?.line) : null;
+  const bad = new Set(report?.problems.map(({ line }) => rowAt(rows, line)));
+  const from = Math.max(0, Math.min(first - 5, rows.length - SEEN));
+  const scroll = (/** @type {Event} */ event) => act.send({ type: "teach_scrolled", first: Math.floor(/** @type {Element} */ (event.target).scrollTop / ROW_PX) });
+  const key = (/** @type {KeyboardEvent} */ event) => {
+    const way = /** @type {Record<string, number>} */ ({ ArrowUp: -1, ArrowDown: 1 })[event.key];
+    if (event.key === "Delete") act.teach.remove();
+    if (!way || chosen === null) return;
+    event.preventDefault();
+    if (event.altKey) return act.teach.move(chosen, chosen + way);
+    const next = Math.max(0, Math.min(rows.length - 1, chosen + way));
+    act.send({ type: "teach_chosen", row: next });
+    // When the row is there, it has the focus.
+    requestAnimationFrame(() => requestAnimationFrame(() => document.getElementById(`step-${next}`)?.focus()));
+  };
+  const sized = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("height", `${rows.length * ROW_PX}px`);
+  const placed = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("transform", `translateY(${from * ROW_PX}px)`);
+  return html`
+    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} role="listbox" aria-label=${say("teach.table")} tabindex="-1">
+      <div ${ref(sized)}><div ${ref(placed)}>
+        ${rows.slice(from, from + SEEN).map(({ says }, n) => {
+          const row = from + n;
+          return html`<button type="button" role="option" id="step-${row}" class="step ${bad.has(row) ? "is-bad" : ""} ${runs === row ? "is-running" : ""}" aria-selected=${row === chosen ? "true" : "false"}
+            @click=${() => act.send({ type: "teach_chosen", row })}><span class="number">${row + 1}</span><span class="says" title=${says}>${steps[row]?.label}</span><span class="time">${steps[row]?.takes_s ? `${steps[row].takes_s.toFixed(1)} s` : ""}</span></button>`;
+        })}
+      </div></div>
+    </div>`;
+}
+
+/** @param {Context} context */
+const area = ({ page, say, act }) => html`
+  <textarea id="teach-text" rows="16" spellcheck="false" aria-label=${say("teach.text")} .value=${live(page.teach.text)} @input=${(/** @type {Event} */ event) => act.send({ type: "teach_text", text: /** @type {HTMLTextAreaElement} */ (event.target).value })}></textarea>`;
+
+/** @param {Context} context */
+function timeline({ page, say, act }) {
+  const steps = timed(page.teach);
+  const whole_s = steps.reduce((sum, { takes_s }) => sum + takes_s, 0);
+  if (!whole_s) return html`<p class="drop quiet">${say("teach.untimed")}</p>`;
+  let at_s = 0;
+  const bars = steps.map(({ takes_s, label }, row) => {
+    const from = (1000 * at_s) / whole_s;
+    at_s += takes_s;
+    const width = (1000 * takes_s) / whole_s;
+    // What is thinner than a hair is not seen.
+    if (width < 0.4) return nothing;
+    return svg`<rect class=${row === page.teach.chosen ? "bar is-chosen" : "bar"} x=${from} y="4" width=${Math.max(0.3, width - 0.8)} height="44" @click=${() => act.send({ type: "teach_chosen", row })}><title>${row + 1}: ${label} (${takes_s.toFixed(1)} s)</title></rect>`;
+  });
+  return html`
+    <svg id="teach-time" class="times" viewBox="0 0 1000 52" preserveAspectRatio="none" role="img" aria-label=${say("teach.time")}>${bars}</svg>
+    <p class="quiet ends"><span>0 s</span><span>${span(say, whole_s)}</span></p>`;
+}
+
+/** @param {Context} context @param {readonly Row[]} rows */
+function edits({ page, say, act }, rows) {
+  const { chosen, past, future } = page.teach;
+  const none = chosen === null || chosen >= rows.length;
+  return html`
+    <div class="row">
+      <button id="teach-undo" type="button" class="small" ?disabled=${!past.length} @click=${() => act.send({ type: "teach_undo" })}>${say("teach.undo")}</button>
+      <button id="teach-redo" type="button" class="small" ?disabled=${!future.length} @click=${() => act.send({ type: "teach_redo" })}>${say("teach.redo")}</button>
+      <button id="teach-up" type="button" class="small" ?disabled=${none || chosen === 0} aria-label=${say("teach.up")} @click=${() => chosen !== null && act.teach.move(chosen, chosen - 1)}>↑</button>
+      <button id="teach-down" type="button" class="small" ?disabled=${none || chosen === rows.length - 1} aria-label=${say("teach.down")} @click=${() => chosen !== null && act.teach.move(chosen, chosen + 1)}>↓</button>
+      <button id="teach-retake" type="button" class="small" ?disabled=${none} @click=${() => act.teach.retake()}>${say("teach.retake")}</button>
+      <button id="teach-remove" type="button" class="small" ?disabled=${none} @click=${() => act.teach.remove()}>${say("teach.remove")}</button>
+    </div>`;
+}
+
+/** What is wrong, each with the way to its step. @param {Context} context @param {readonly Row[]} rows */
+function problems({ page, say, act }, rows) {
+  const { report, refused, text } = page.teach;
+  const found = text.trim() ? report?.problems ?? [] : [];
+  return html`
+    <div id="teach-problems" role="status">
+      ${refused ? html`<p class="told" data-tone="bad">${sentence(refused.detail)}. ${refused.hint ? `${sentence(refused.hint)}.` : ""}</p>` : nothing}
+      ${found.slice(0, 20).map(({ line, message, remedy }) => {
+        const row = rowAt(rows, line);
+        return html`<p class="told" data-tone="bad">${row === null ? (line ? say("teach.line", { line }) : "") : html`<button type="button" class="small problem" @click=${() => act.send({ type: "teach_chosen", row })}>${say("teach.step", { step: row + 1 })}</button>`} ${sentence(message)}. ${remedy ? `${sentence(remedy)}.` : ""}</p>`;
+      })}
+      ${found.length > 20 ? html`<p class="quiet">${say("teach.more", { count: found.length - 20 })}</p>` : nothing}
+    </div>`;
+}
+
+/** @param {Context} context @param {readonly Row[]} rows */
+function runs({ page, say, act }, rows) {
+  const why = hindrance(page);
+  const own = page.station?.job?.job === page.teach.job;
+  const busy = page.station?.job?.phase === "running";
+  const off = !rows.length || (why !== null && !(own && why === "job_runs")) || (page.teach.report?.problems.length ?? 1) > 0;
+  return html`
+    <section class="card" aria-labelledby="teach-run-title">
+      <h2 id="teach-run-title">${say("teach.run")}</h2>
+      <div class="row">
+        <button id="teach-once" type="button" class="strong" ?disabled=${off || busy} @click=${() => act.teach.run(false, null)}>${say("teach.once")}</button>
+        <button id="teach-loop" type="button" ?disabled=${off || busy} @click=${() => act.teach.run(false, "forever")}>${say("teach.loop")}</button>
+        <button id="teach-step" type="button" class="small" ?disabled=${off || busy} @click=${() => act.teach.step()}>${say("teach.one_step")}</button>
+        <button id="teach-from" type="button" class="small" ?disabled=${off || busy || page.teach.chosen === null} @click=${() => act.teach.run(true, null)}>${say("teach.from")}</button>
+        ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.ask({ type: "cancel_job", job: page.station?.job?.job ?? 0 })}>${say("teach.end")}</button>` : nothing}
+      </div>
+      ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${say("teach.cycles", { cycles: page.station.job.program.cycles_done, step: page.station.job.program.step, steps: page.station.job.program.steps })}</p>` : nothing}
+      ${why && !(own && why === "job_runs") ? html`<p class="quiet">${say(`hindrance.${why}`)}</p>` : nothing}
+    </section>`;
+}
+
+/** @param {Context} context */
+function files({ page, say, act }) {
+  const choose = (/** @type {Event} */ event) => {
+    const field = /** @type {HTMLInputElement} */ (event.target);
+    const file = field.files?.[0];
+    if (file) void act.teach.open(file);
+    field.value = "";
+  };
+  const save = () => {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([page.teach.text], { type: "text/plain" }));
+    link.download = page.teach.name;
+    link.click();
+    URL.revokeObjectURL(link.href);
+  };
+  return html`
+    <section class="card" aria-labelledby="teach-files-title">
+      <h2 id="teach-files-title">${say("teach.files")}</h2>
+      <div class="row">
+        <button id="teach-save" type="button" class="small" ?disabled=${!page.teach.text} @click=${save}>${say("teach.save")}</button>
+        <input id="teach-file" type="file" accept=".toml,text/plain" hidden aria-label=${say("teach.open")} @change=${choose}>
+        <button id="teach-open" type="button" class="small" @click=${() => document.getElementById("teach-file")?.click()}>${say("teach.open")}</button>
+        <button id="teach-new" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => act.send({ type: "teach_text", text: "", name: "program.toml", chosen: null })}>${say("teach.new")}</button>
+      </div>
+      <p class="quiet">${say("teach.files.hint")}</p>
+    </section>`;
+}

@@ -1,0 +1,138 @@
+// Has the station check a program a moment after it was changed, change its steps, and make jobs of it.
+
+import { rowsOf, stepOf, titled } from "../state/teach.js";
+
+/** @typedef {import("../state/store.js").Store} Store */
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {import("../state/types.js").Problem} Problem */
+/** @typedef {ReturnType<typeof createTeach>} TeachRequests */
+
+const CHECK_MS = 200;
+
+/** @param {number} value */
+const hundredths = (value) => Math.round(value * 100) / 100;
+
+/**
+ * @param {Store} store @param {import("./http.js").Http} http @param {import("./socket.js").Socket} socket
+ * @param {() => void} takeIfFree takes control where nobody has it
+ */
+export function createTeach(store, http, socket, takeIfFree) {
+  const { send } = store;
+  /** @type {number | undefined} */ let timer;
+  let seen = store.page.teach.asked, checking = false;
+
+  /** One at a time: a large program takes a moment. */
+  async function check() {
+    if (checking) return;
+    checking = true;
+    const { asked, text } = store.page.teach;
+    const { value, problem } = await http.ask("POST", "api/v1/programs/check", { text, files: {} });
+    checking = false;
+    if (problem) send({ type: "teach_refused", problem });
+    else send({ type: "teach_checked", asked, report: /** @type {Schemas["ProgramReport"]} */ (value) });
+    if (store.page.teach.asked !== asked) void check();
+  }
+
+  store.listen(({ teach, tab }, message) => {
+    const opened = message.type === "tab" && tab === "teach" && teach.report === null && teach.text !== "";
+    if (teach.asked === seen && !opened) return;
+    seen = teach.asked;
+    clearTimeout(timer);
+    timer = setTimeout(() => void check(), CHECK_MS);
+  });
+
+  /** @param {Schemas["Edit"][]} edits @param {number | null} chosen the row that is chosen then */
+  async function edit(edits, chosen) {
+    const { text, name, asked } = store.page.teach;
+    const { value, problem } = await http.ask("POST", "api/v1/programs/edit", { text, edits });
+    if (problem) return send({ type: "teach_refused", problem });
+    // What somebody typed meanwhile is not lost.
+    if (store.page.teach.asked === asked) send({ type: "teach_text", text: titled(/** @type {Schemas["EditedProgram"]} */ (value).text, name), chosen });
+  }
+
+  /** Behind the chosen step, or at the end. */
+  function behind() {
+    const rows = rowsOf(store.page.teach.text);
+    return store.page.teach.chosen === null ? rows.length : Math.min(rows.length, store.page.teach.chosen + 1);
+  }
+
+  /** @param {Schemas["Action"]} step */
+  function insert(step) {
+    const at = behind();
+    return edit([{ type: "insert", at, step }], at);
+  }
+
+  /** @returns {Schemas["Point"] | null} */
+  function here() {
+    const arm = store.page.station?.arm;
+    if (!arm) return null;
+    const { x_mm, y_mm, z_mm, rotation_deg } = arm;
+    return { x: hundredths(x_mm), y: hundredths(y_mm), z: hundredths(z_mm), rotation: hundredths(rotation_deg) };
+  }
+
+  /** A queued job of the program. @param {number} from_step @param {Schemas["Repeat"] | null} times @returns {Promise<number | null>} */
+  async function makeJob(from_step, times) {
+    const { text, name } = store.page.teach;
+    takeIfFree();
+    const { value, problem } = await http.ask("POST", "api/v1/programs/jobs", { program: { text: titled(text, name), files: {} }, from_step, times });
+    if (problem) {
+      send({ type: "teach_refused", problem });
+      return null;
+    }
+    const { job } = /** @type {Extract<Schemas["Reply"], { type: "job" }>} */ (value).job;
+    send({ type: "teach_job", job });
+    return job;
+  }
+
+  /** @param {import("../state/types.js").Request} request */
+  async function ask(request) {
+    const { problem } = await socket.ask(request);
+    send({ type: "teach_refused", problem: problem ?? null });
+  }
+
+  return {
+    insert,
+    /** The place where the arm is, as a step. */
+    capture() {
+      const go = here();
+      return go && insert({ go, path: store.page.teach.path });
+    },
+    /** Puts the place where the arm is into the chosen step. */
+    retake() {
+      const { chosen, path } = store.page.teach;
+      const go = here();
+      if (chosen !== null && go) void edit([{ type: "replace", at: chosen, step: { go, path } }], chosen);
+    },
+    remove() {
+      const { chosen } = store.page.teach;
+      if (chosen === null) return;
+      const left = rowsOf(store.page.teach.text).length - 1;
+      void edit([{ type: "remove", at: chosen }], left ? Math.min(chosen, left - 1) : null);
+    },
+    /** @param {number} from @param {number} to */
+    move(from, to) {
+      const count = rowsOf(store.page.teach.text).length;
+      if (from === to || to < 0 || to >= count) return;
+      void edit([{ type: "move", from, to }], to);
+    },
+    /** Runs it, from the chosen step on or from the first. @param {boolean} fromChosen @param {Schemas["Repeat"] | null} times */
+    async run(fromChosen, times) {
+      const { teach } = store.page;
+      const from = fromChosen && teach.chosen !== null ? stepOf(rowsOf(teach.text)[teach.chosen], teach.report) : 1;
+      const job = await makeJob(from ?? 1, times);
+      if (job !== null) await ask({ type: "start_job", job });
+    },
+    /** The next step alone: of the job that waits, or of a new one. */
+    async step() {
+      const { teach, station } = store.page;
+      const waits = station?.job?.job === teach.job && ["paused", "queued"].includes(station?.job?.phase ?? "");
+      const from = teach.chosen === null ? 1 : stepOf(rowsOf(teach.text)[teach.chosen], teach.report) ?? 1;
+      const job = waits ? teach.job : await makeJob(from, null);
+      if (job !== null) await ask({ type: "step_job", job });
+    },
+    /** @param {File} file */
+    async open(file) {
+      send({ type: "teach_text", text: await file.text(), name: file.name, chosen: null });
+    },
+  };
+}
