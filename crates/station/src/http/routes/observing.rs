@@ -1,9 +1,9 @@
 //! What other programs watch the station by: whether it lives, its figures, what happens.
 
-use super::super::route::Route;
-use super::super::socket::WATCH_QUERIES;
 use super::super::events::{self, ServerSentEvent};
 use super::super::metrics;
+use super::super::route::Route;
+use super::super::socket::WATCH_QUERIES;
 use super::GET;
 use dobot_api::problem_kinds::{ENDING, MALFORMED, TOO_MANY_CLIENTS};
 
