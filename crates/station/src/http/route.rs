@@ -19,6 +19,9 @@ use super::calls::Asker;
 #[cfg(test)]
 use super::strict_json;
 
+/// Makes the schema of a type.
+type SchemaOf = fn(&mut SchemaGenerator) -> Schema;
+
 /// One route.
 #[derive(Clone, Debug)]
 pub(super) struct Route {
@@ -39,7 +42,7 @@ pub(super) struct Route {
 /// A body.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Takes {
-    pub(super) schema: fn(&mut SchemaGenerator) -> Schema,
+    pub(super) schema: SchemaOf,
     /// Whether the body is as it has to be.
     #[cfg(test)]
     pub(super) reads: fn(&[u8]) -> Result<(), Problem>,
@@ -54,7 +57,7 @@ pub(super) struct Gives {
     pub(super) status: u16,
     pub(super) what: &'static str,
     /// Its content type and its schema, where it has a body.
-    pub(super) body: Option<(&'static str, fn(&mut SchemaGenerator) -> Schema)>,
+    pub(super) body: Option<(&'static str, SchemaOf)>,
 }
 
 /// A parameter of the query.
@@ -62,7 +65,7 @@ pub(super) struct Gives {
 pub(super) struct Query {
     pub(super) name: &'static str,
     pub(super) what: &'static str,
-    pub(super) schema: fn(&mut SchemaGenerator) -> Schema,
+    pub(super) schema: SchemaOf,
 }
 
 /// What comes with a request that asks for something.
