@@ -13,6 +13,7 @@
 //! # Ok::<(), serde_json::Error>(())
 //! ```
 
+mod calibration;
 #[cfg(feature = "remote")]
 mod folders;
 mod job;
@@ -32,6 +33,10 @@ mod running;
 mod state;
 mod way;
 
+pub use calibration::{
+    Axis, Backlash, CalibrationFile, Calibrations, NoSuchArm, PaperPlane, ToolOffset, Touched,
+    Zeros,
+};
 #[cfg(feature = "remote")]
 pub use folders::{Folders, make_private};
 pub use job::{JobKind, JobPause, JobPhase, JobProgram, JobRepeat, JobView, NewJob, ProgramView};
@@ -50,5 +55,7 @@ pub use request::{Jog, Request};
 pub use role::{Role, UnknownRole};
 #[cfg(feature = "remote")]
 pub use running::{Running, RunningError};
-pub use state::{ArmView, LaserView, LinkPhase, LinkView, QueueView, State, StopView, TrustView};
+pub use state::{
+    ArmView, CalibratedView, LaserView, LinkPhase, LinkView, QueueView, State, StopView, TrustView,
+};
 pub use way::{JobPath, WayView};

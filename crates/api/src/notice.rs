@@ -56,6 +56,8 @@ pub enum News {
     },
     /// The safety policy is another one from now on.
     PolicyChanged,
+    /// Another calibration of the arm holds.
+    Calibrated,
     /// Something that a client asked for was refused.
     Refused {
         /// Who asked.

@@ -136,6 +136,8 @@ kinds! {
         "The command breaks its table of the protocol, cannot be reached, or means different things to different arms while the dialect is not known.";
     DIALECT_NOT_FOUND = 422 "dialect-not-found" "the dialect was not found"
         "The small motions did not tell which dialect the arm speaks. The detail says why. It can be said by hand, with `PUT /api/v1/dialect`.";
+    BAD_TOUCHES = 422 "bad-touches" "the touches tell no calibration"
+        "The touched points are too few, contradict each other, or tell of what no arm has. The detail says which, and what to do.";
     POLICY = 422 "policy" "the policy does not allow this"
         "The way of the command breaks a rule of the safety policy. `rule` names it, `at_mm` is where it would be broken, and `nearest_mm` the nearest place that is allowed.";
     BAD_POLICY = 422 "bad-policy" "the text is no policy"

@@ -4,7 +4,7 @@ use dobot_wire::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{JobView, LeaseView, WayView};
+use crate::{Calibrations, JobView, LeaseView, WayView};
 
 /// The answer to a request that was granted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -38,6 +38,11 @@ pub enum Reply {
     Job {
         /// The job.
         job: JobView,
+    },
+    /// Which calibration holds, and which one did before.
+    Calibrated {
+        /// Both.
+        calibrations: Box<Calibrations>,
     },
     /// Which dialect the arm speaks.
     Found {

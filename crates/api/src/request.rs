@@ -4,7 +4,7 @@ use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{ClientId, NewJob, Role};
+use crate::{CalibrationFile, ClientId, NewJob, Role};
 
 /// What a client can ask of the station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -71,6 +71,16 @@ pub enum Request {
     /// The arm stands where its statuses say: a person has looked. This takes no lease.
     #[serde(deserialize_with = "without_fields")]
     ConfirmPose,
+    /// Tell a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next
+    /// reset. It has to rest, with its base straight ahead.
+    #[serde(deserialize_with = "without_fields")]
+    TellAngles,
+    /// Say how the arm differs from the drawing of it: from then on places are true ones. It is kept for this arm, and
+    /// what was known before is kept beside it.
+    Calibrate {
+        /// What is known of the arm; nothing takes it to be as drawn.
+        calibration: Option<Box<CalibrationFile>>,
+    },
     /// Say which dialect the arm speaks.
     SetDialect {
         /// The dialect.
@@ -134,7 +144,7 @@ impl Request {
     pub const fn role(&self) -> Role {
         match self {
             Self::Stop { .. } | Self::CheckCommand { .. } => Role::Watch,
-            Self::SetDialect { .. } | Self::SeizeLease => Role::Admin,
+            Self::SetDialect { .. } | Self::Calibrate { .. } | Self::SeizeLease => Role::Admin,
             _ => Role::Control,
         }
     }

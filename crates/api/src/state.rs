@@ -15,6 +15,9 @@ pub struct State {
     pub link: LinkView,
     /// What the arm told last; absent until it has told anything.
     pub arm: Option<ArmView>,
+    /// The calibration by which places are told, if the arm has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calibrated: Option<CalibratedView>,
     /// The dialect that the arm speaks, if that is known.
     pub dialect: Option<Dialect>,
     /// Whether the pose can be trusted.
@@ -73,11 +76,22 @@ pub enum LinkPhase {
 /// What the arm told last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ArmView {
-    /// The status.
+    /// The status; of a calibrated arm with its true places and angles.
     #[serde(flatten)]
     pub status: Status,
+    /// What a calibrated arm says itself.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub told: Option<Status>,
     /// Whether it moves.
     pub moving: bool,
+}
+
+/// By which calibration places are told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct CalibratedView {
+    /// Whether the arm was told its true angles (state 9, mode 3) since it was switched on: then only its tool
+    /// is elsewhere than it says.
+    pub zeros_told: bool,
 }
 
 /// Whether the pose can be trusted.

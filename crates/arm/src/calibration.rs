@@ -33,6 +33,93 @@ pub struct Calibration {
 }
 
 impl Calibration {
+    /// Nothing is wrong: the arm is where it says.
+    pub const NONE: Self = Self {
+        base_deg: 0.0,
+        rear_deg: 0.0,
+        fore_deg: 0.0,
+        reach_mm: 0.0,
+        left_mm: 0.0,
+        axis_mm: [0.0; 2],
+    };
+
+    /// Whether nothing is wrong.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        *self == Self::NONE
+    }
+
+    /// All of it as numbers, to be kept: the zeros of base, rear arm and forearm, how far the tool is out and to
+    /// the left, and where the axis stands.
+    #[must_use]
+    pub const fn to_numbers(&self) -> [f64; 7] {
+        let [axis_x, axis_y] = self.axis_mm;
+        [
+            self.base_deg,
+            self.rear_deg,
+            self.fore_deg,
+            self.reach_mm,
+            self.left_mm,
+            axis_x,
+            axis_y,
+        ]
+    }
+
+    /// What [`to_numbers`](Self::to_numbers) gave.
+    #[must_use]
+    pub const fn from_numbers(numbers: [f64; 7]) -> Self {
+        let [
+            base_deg,
+            rear_deg,
+            fore_deg,
+            reach_mm,
+            left_mm,
+            axis_x,
+            axis_y,
+        ] = numbers;
+        Self {
+            base_deg,
+            rear_deg,
+            fore_deg,
+            reach_mm,
+            left_mm,
+            axis_mm: [axis_x, axis_y],
+        }
+    }
+
+    /// The same arm when it has been told its true joint angles.
+    #[must_use]
+    pub const fn without_zeros(self) -> Self {
+        Self {
+            base_deg: 0.0,
+            rear_deg: 0.0,
+            fore_deg: 0.0,
+            ..self
+        }
+    }
+
+    /// The true joint angles when the arm says these.
+    #[must_use]
+    pub fn true_joints(&self, told: &Joints) -> Joints {
+        Joints {
+            base: told.base + Degrees(self.base_deg),
+            rear: told.rear + Degrees(self.rear_deg),
+            fore: told.fore + Degrees(self.fore_deg),
+            servo: told.servo,
+        }
+    }
+
+    /// The joint angles that the arm says when these are the true ones.
+    #[must_use]
+    pub fn told_joints_of(&self, joints: &Joints) -> Joints {
+        Joints {
+            base: joints.base - Degrees(self.base_deg),
+            rear: joints.rear - Degrees(self.rear_deg),
+            fore: joints.fore - Degrees(self.fore_deg),
+            servo: joints.servo,
+        }
+    }
+
     /// Where the tool is when the arm says this place.
     ///
     /// # Errors
@@ -46,16 +133,14 @@ impl Calibration {
     /// Where the tool is when the arm says these joint angles.
     #[must_use]
     pub fn true_place_of(&self, told: &Joints, tool: Tool) -> Position {
-        let joints = Joints {
+        let joints = self.true_joints(told);
+        let straight_ahead = Joints {
             base: Degrees(0.0),
-            rear: told.rear + Degrees(self.rear_deg),
-            fore: told.fore + Degrees(self.fore_deg),
-            servo: Degrees(0.0),
+            ..joints
         };
-        let arm = forward(&joints, tool).position;
+        let arm = forward(&straight_ahead, tool).position;
         let out_mm = arm.x.0 + self.reach_mm;
-        let base_rad = (told.base.0 + self.base_deg).to_radians();
-        let (sin, cos) = libm::sincos(base_rad);
+        let (sin, cos) = libm::sincos(joints.base.0.to_radians());
         let [axis_x, axis_y] = self.axis_mm;
         Position::new(
             axis_x + out_mm * cos - self.left_mm * sin,

@@ -2,6 +2,9 @@
 
 use dobot_arm::{Calibration, Position, Tool};
 
+use schemars::JsonSchema;
+use serde::Serialize;
+
 use crate::solve::{Numbers, Paper, Solved, Suspect, TOUCH_MM, solve};
 use crate::{FitError, SHEET_POINTS, Touch};
 
@@ -31,7 +34,7 @@ pub struct Fit {
 }
 
 /// A number that the touches tell badly.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Unsure {
     /// What of the arm.
     pub what: &'static str,
@@ -42,7 +45,7 @@ pub struct Unsure {
 }
 
 /// A point that is worth touching.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Advice {
     /// Where it is on the sheet, in mm.
     pub place_mm: [f64; 2],
@@ -53,7 +56,8 @@ pub struct Advice {
 }
 
 /// Whether to use a calibration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum Trust {
     /// The touches agree, and there are enough of them to know.
     Good,

@@ -28,9 +28,7 @@ mod solve;
 mod touch;
 mod why;
 
-pub use file::{
-    Axis, Backlash, CalibrationFile, FileError, PaperPlane, ToolOffset, Touched, Zeros,
-};
+pub use file::{FileError, found, read_calibration, write_calibration};
 pub use fit::{Advice, Fit, Trust, Unsure, fit};
 pub use procedure::Procedure;
 pub use repeatability::{Repeatability, repeatability};

@@ -5,7 +5,8 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{ArmView, LinkPhase, RemoteError, Reply, Request, State};
-use dobot_rules::StationClient;
+use dobot_rules::{PlannedFor, Rules, StationClient};
+use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Status};
 use tokio::time::timeout;
 
@@ -103,11 +104,27 @@ pub(crate) async fn status(station: &mut StationClient) -> Result<Status, Failur
     Ok(arm(station).await?.0.status)
 }
 
+/// For which arm to plan: as it stands, by these rules.
+pub(crate) async fn planned_for(
+    station: &mut StationClient,
+    policy: &Policy,
+) -> Result<PlannedFor, Failure> {
+    let state = heard(station).await?;
+    Ok(station.planned_for(Rules::of(policy), &state).await?)
+}
+
 /// What the arm tells next, and which dialect it speaks if that is known. A station that has just
 /// been started is waited for until its arm tells something.
 pub(crate) async fn arm(
     station: &mut StationClient,
 ) -> Result<(ArmView, Option<Dialect>), Failure> {
+    let state = heard(station).await?;
+    let arm = state.arm.ok_or(RemoteError::Silent)?;
+    Ok((arm, state.dialect))
+}
+
+/// The first state with an arm that tells where it is.
+async fn heard(station: &mut StationClient) -> Result<State, Failure> {
     let mut missing = RemoteError::Silent.into();
     let until = station.now() + FIRST_STATUS;
     while station.now() < until {
@@ -116,9 +133,7 @@ pub(crate) async fn arm(
         };
         let state = state?;
         match &state.arm {
-            Some(arm) if state.link.phase == LinkPhase::Up => {
-                return Ok((arm.clone(), state.dialect));
-            }
+            Some(_) if state.link.phase == LinkPhase::Up => return Ok(state),
             // What was said of the link while there was one tells more than that there is none now.
             _ if state.link.phase == LinkPhase::Lost => return Err(no_arm(&state)),
             _ => missing = no_arm(&state),

@@ -5,18 +5,21 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
 use dobot_draw::draw_step;
+use dobot_rules::PlannedFor;
 use dobot_teach::vendor::{self, VendorPoint};
 use dobot_teach::{Compiled, Drawing, Files, Problem, Program, ProgramError, Report};
-use dobot_wire::{Command, Dialect};
+use dobot_wire::Command;
 
 use crate::failure::Failure;
 
 /// Reads a program, or points of a vendor's program, and makes commands of it; what was surprising goes to standard
 /// error.
-pub(crate) fn compile(file: &Path, dialect: Dialect) -> Result<Compiled, Failure> {
+pub(crate) fn compile(file: &Path, arm: &PlannedFor) -> Result<Compiled, Failure> {
     let program = read(file)?;
-    let mut files = FilesBeside::new(file, dialect);
-    let mut compiled = program.compile(&mut files).with_context(|| named(file))?;
+    let mut files = FilesBeside::new(file, arm.clone());
+    let mut compiled = program
+        .compile_for(&arm.arm(), &mut files)
+        .with_context(|| named(file))?;
     if compiled.title.is_empty() {
         compiled.title = file
             .file_stem()
@@ -119,15 +122,15 @@ fn named(file: &Path) -> String {
 /// The files beside a program.
 pub(crate) struct FilesBeside {
     folder: PathBuf,
-    dialect: Dialect,
+    arm: PlannedFor,
 }
 
 impl FilesBeside {
-    /// Those beside this program; drawings are prepared for this dialect.
-    pub(crate) fn new(program: &Path, dialect: Dialect) -> Self {
+    /// Those beside this program; drawings are prepared for this arm.
+    pub(crate) fn new(program: &Path, arm: PlannedFor) -> Self {
         Self {
             folder: program.parent().unwrap_or(Path::new("")).to_owned(),
-            dialect,
+            arm,
         }
     }
 }
@@ -145,6 +148,8 @@ impl Files for FilesBeside {
         let options = options
             .try_into()
             .map_err(|error| format!("{path}: {error}"))?;
-        draw_step(path, bytes, options, drawing.pen_down, self.dialect)
+        let calibration = self.arm.calibration.clone();
+        let dialect = self.arm.dialect();
+        draw_step(path, bytes, options, drawing.pen_down, dialect, calibration)
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use dobot_arm::Calibration;
 use dobot_trajectory::{ArmSettings, Button, Model};
 use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, MovingMode, Status};
 
@@ -14,6 +15,8 @@ use crate::{CommandId, SendError};
 #[derive(Clone, Debug)]
 pub(crate) struct Belief {
     dialect: Dialect,
+    /// How the arm differs from the drawing of it, before it is told its true angles.
+    calibration: Calibration,
     /// After all that was seen to be over; there is none before the first status.
     over: Option<Model>,
     under_way: UnderWay,
@@ -47,6 +50,7 @@ impl Belief {
     pub(crate) fn new(dialect: Option<&Dialect>) -> Self {
         Self {
             dialect: dialect.copied().unwrap_or(Dialect::SPECIFICATION),
+            calibration: Calibration::NONE,
             over: None,
             under_way: UnderWay::default(),
             waiting: VecDeque::new(),
@@ -54,6 +58,20 @@ impl Belief {
             jogs: false,
             last: None,
         }
+    }
+
+    /// The arm turns out to differ from the drawing of it so.
+    pub(crate) fn set_calibration(&mut self, calibration: Calibration) {
+        self.calibration = calibration;
+        for model in self.over.iter_mut().chain(self.under_way.models()) {
+            model.calibration = calibration;
+        }
+        self.plan_anew();
+    }
+
+    /// An arm of which nothing is known but its status.
+    fn unknown(&self, status: &Status) -> Model {
+        Model::new(self.dialect, status).calibrated(self.calibration)
     }
 
     /// The arm turns out to speak another dialect; what stands as at power-up stands as at its own.
@@ -113,7 +131,7 @@ impl Belief {
         let rests =
             self.last.replace(*status) == Some(*status) && now >= self.under_way.rests_from();
         match &mut self.over {
-            None => self.over = Some(Model::new(self.dialect, status)),
+            None => self.over = Some(self.unknown(status)),
             Some(model) if self.under_way.len() == 0 && !self.jogs && rests => {
                 let before = *model;
                 model.seen(status);
@@ -261,7 +279,7 @@ impl Belief {
         self.under_way.clear();
         self.release = None;
         self.jogs = false;
-        self.over = Some(Model::new(self.dialect, status));
+        self.over = Some(self.unknown(status));
         forgotten
     }
 

@@ -6,6 +6,7 @@ mod queries;
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use dobot_arm::Calibration;
 use dobot_trajectory::Button;
 use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
@@ -227,6 +228,12 @@ impl Session {
         self.dialect = Some(dialect);
         self.meter.set_period(dialect.status_period());
         self.belief.set_dialect(dialect);
+    }
+
+    /// How the arm differs from the drawing of it, when it has just been switched on: its zeros are right once
+    /// it was told its angles (state 9, mode 3), and wrong again after a reset.
+    pub fn set_calibration(&mut self, calibration: Calibration) {
+        self.belief.set_calibration(calibration);
     }
 
     /// The port was opened again after a gap: bytes begin anew, the arm has as long for its first

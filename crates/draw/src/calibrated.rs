@@ -27,7 +27,7 @@ pub(crate) fn told_strokes(
     };
     let arm = known.arm();
     let told = |p: Point| {
-        let z_mm = known.paper().map_or(0.0, |it| it.z_at([p.x, p.y]));
+        let z_mm = known.paper.map_or(0.0, |it| it.z_at([p.x, p.y]));
         let there = Position::new(p.x, p.y, z_mm);
         let told = arm.told_place(there, tool.end_effector());
         let told = told.map_err(|reason| PlaceError::OutOfReach {

@@ -1,5 +1,6 @@
 //! A drawing as a step of a program.
 
+use dobot_api::CalibrationFile;
 use dobot_wire::{Command, Dialect};
 
 use crate::{DrawingRequest, Materials, Options, Subject};
@@ -16,12 +17,14 @@ pub fn draw_step(
     options: Options,
     pen_down_mm: f64,
     dialect: Dialect,
+    calibration: Option<CalibrationFile>,
 ) -> Result<Vec<Command>, String> {
     let told = |error: &dyn std::fmt::Display| format!("{path}: {error}");
     let subject = Subject::of_file(path, bytes).map_err(|error| told(&error))?;
     let asked = DrawingRequest::new(options, subject, &Materials::built_in())
         .map_err(|error| told(&error))?;
     let prepared = asked
+        .calibrated(calibration)
         .prepare(Some(dialect), pen_down_mm)
         .map_err(|error| told(&error))?;
     Ok(prepared.0.plan.commands().collect())

@@ -46,6 +46,7 @@ fn job(commands: usize) -> PlannedJob {
     PlannedJob {
         title: "bench".into(),
         kind: JobKind::Drawing,
+        calibration: dobot_arm::Calibration::NONE,
         dialect: Dialect::FIRMWARE_1_1,
         lift_mm: Some(5.0),
         created_ms: 0,

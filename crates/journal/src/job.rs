@@ -3,6 +3,7 @@
 use std::fmt;
 
 use dobot_api::{JobKind, JobPause, JobProgram, JobState};
+use dobot_arm::Calibration;
 use dobot_wire::{Command, Dialect};
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,8 @@ pub struct PlannedJob {
     pub kind: JobKind,
     /// How the arm reads its packets.
     pub dialect: Dialect,
+    /// The calibration of the arm for which its places are meant.
+    pub calibration: Calibration,
     /// How far the pen is lifted where the job is interrupted, above 0, in millimetres; `None`
     /// where it is not lifted.
     pub lift_mm: Option<f32>,
@@ -53,6 +56,8 @@ pub struct Job {
     pub kind: JobKind,
     /// How the arm reads its packets.
     pub dialect: Dialect,
+    /// The calibration of the arm for which its places are meant.
+    pub calibration: Calibration,
     /// How far the pen is lifted where the job is interrupted, above 0, in millimetres; `None`
     /// where it is not lifted.
     pub lift_mm: Option<f32>,

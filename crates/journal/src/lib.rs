@@ -16,6 +16,7 @@
 //! let id = journal.submit(&PlannedJob {
 //!     title: "a line".into(),
 //!     kind: JobKind::Drawing,
+//!     calibration: dobot_arm::Calibration::NONE,
 //!     dialect: Dialect::FIRMWARE_1_1,
 //!     lift_mm: None,
 //!     created_ms: 1_700_000_000_000,

@@ -1,6 +1,7 @@
 //! Jobs as rows of tables: what is written, and what is refused because it would not come back.
 
 use dobot_api::{JobKind, JobPause, JobProgram, JobRepeat, JobState};
+use dobot_arm::Calibration;
 use dobot_wire::{Command, Dialect, Frame, PACKET_LEN, Packet, Status};
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +30,9 @@ pub(crate) struct JobRow {
     // Nor those of format 2 this; its steps stand in a table of their own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     repeat: Option<JobRepeat>,
+    // Nor those of format 3 this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    calibration: Option<[f64; 7]>,
 }
 
 /// A job that began before anybody counted.
@@ -64,6 +68,9 @@ impl JobRow {
             adjustment: Adjustment::default(),
             behind: Behind::default(),
             repeat: job.program.repeat,
+            calibration: Some(job.calibration)
+                .filter(|it| !it.is_none())
+                .map(|it| it.to_numbers()),
         })
     }
 
@@ -98,6 +105,9 @@ impl JobRow {
         Ok(Job {
             id,
             dialect: self.dialect()?,
+            calibration: self
+                .calibration
+                .map_or(Calibration::NONE, Calibration::from_numbers),
             program: self.program(steps),
             title: self.title,
             kind: self.kind,

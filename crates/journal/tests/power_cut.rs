@@ -221,6 +221,7 @@ impl Content {
     fn submit(&mut self, new: PlannedJob) {
         self.submitted += 1;
         let job = Job {
+            calibration: dobot_arm::Calibration::NONE,
             id: JobId(self.submitted),
             title: new.title,
             kind: new.kind,

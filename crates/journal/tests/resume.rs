@@ -225,6 +225,7 @@ fn submit(journal: &Journal, dialect: Dialect, commands: &[Command]) -> JobId {
         .submit(&PlannedJob {
             title: "a picture".into(),
             kind: JobKind::Drawing,
+            calibration: dobot_arm::Calibration::NONE,
             dialect,
             lift_mm: Some(LIFT_MM),
             created_ms: 0,

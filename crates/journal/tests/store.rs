@@ -269,7 +269,7 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
     change
         .open_table(FACTS)
         .unwrap()
-        .insert("format", 4)
+        .insert("format", 5)
         .unwrap();
     change.commit().unwrap();
     drop(newer);
@@ -279,8 +279,8 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
         matches!(
             error,
             JournalError::Newer {
-                found: 4,
-                known: 3,
+                found: 5,
+                known: 4,
                 ..
             }
         ),
@@ -440,6 +440,7 @@ proptest! {
             title,
             created_ms,
             lift_mm,
+            calibration: dobot_arm::Calibration::NONE,
             dialect: Dialect::ALL[usize::from(firmware)],
             commands: increments.iter().map(|&(x, y, z)| vector(x, y, z)).collect(),
             ..job("", 0)

@@ -17,7 +17,7 @@ use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
 use tokio::time::Instant;
 
-use crate::Refusal;
+use crate::{PlannedFor, Refusal, Rules};
 
 use self::local::Local;
 use self::virtual_time::InVirtualTime;
@@ -195,6 +195,24 @@ impl StationClient {
             ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
             ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
         }
+    }
+
+    /// For which arm to plan: as it is in this state, by these rules, and calibrated as the rules' keeper knows it.
+    ///
+    /// # Errors
+    ///
+    /// [`JobsError`] where it does not tell.
+    pub async fn planned_for(
+        &mut self,
+        mut rules: Rules,
+        state: &State,
+    ) -> Result<PlannedFor, JobsError> {
+        rules.calibrations = match &mut self.way {
+            ClientRoute::Running(_, address) => fetch(address, "/api/v1/calibration").await?,
+            ClientRoute::Local(local) => local.calibrations(),
+            ClientRoute::Virtual(station) => station.calibrations().clone(),
+        };
+        Ok(PlannedFor::of(rules.into(), state))
     }
 
     /// Its number among the clients of the rules.

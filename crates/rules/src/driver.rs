@@ -5,7 +5,7 @@ mod log;
 use std::collections::HashMap;
 use std::time::Duration;
 
-use dobot_api::{ClientId, LinkPhase, News, Notice, Reply, Request};
+use dobot_api::{CalibrationFile, Calibrations, ClientId, LinkPhase, News, Notice, Reply, Request};
 use dobot_client::Link;
 use dobot_safety::Policy;
 use dobot_trajectory::Model;
@@ -356,7 +356,46 @@ impl Driver {
         let of_arm = in_time_of_arm(policy, self.source.speed());
         self.supervisor.handle_policy(now, client, of_arm)?;
         self.jobs.set_policy(policy);
+        self.ends.change_rules(|it| {
+            it.policy = policy.clone();
+            it.dead_man_s = policy.jog.dead_man_s;
+        });
         Ok(())
+    }
+
+    /// Takes how the arm differs from the drawing of it, and keeps that for this arm.
+    fn calibrate(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        calibration: Option<CalibrationFile>,
+    ) -> Result<Calibrations, Refusal> {
+        if let Some(Err(error)) = calibration.as_ref().map(CalibrationFile::check) {
+            return Err(Refusal::OutOfRange {
+                name: error.key,
+                found: error.found,
+                allowed: format!("{} to {}", error.least, error.most),
+            });
+        }
+        let Some(address) = self.address.clone() else {
+            return Err(Refusal::NoLink(
+                "a calibration is kept for an arm, and none has been there yet".into(),
+            ));
+        };
+        let before = self.arms.calibrations(&address).calibration;
+        let calibrations = Calibrations {
+            before,
+            calibration,
+        };
+        self.supervisor
+            .handle_calibration(now, client, calibrations.arm())?;
+        if let Err(error) = self.arms.calibrate(&address, calibrations.clone()) {
+            let text = format!("the calibration of the arm cannot be kept: {error}");
+            self.supervisor.handle_trouble(now, text);
+        }
+        self.ends
+            .change_rules(|it| it.calibrations = calibrations.clone());
+        Ok(calibrations)
     }
 
     /// Something that the arm depends on is no more: the station ends.
@@ -375,6 +414,13 @@ impl Driver {
     ) {
         let now = self.now();
         self.withdraw_start(&request);
+        if let Request::Calibrate { calibration } = request {
+            let changed = self.calibrate(now, client, calibration.map(|it| *it));
+            let changed = changed.map(|it| Reply::Calibrated {
+                calibrations: Box::new(it),
+            });
+            return drop(reply.send(changed));
+        }
         if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
             let answer = self.supervisor.handle_request(now, client, job);
             self.send();
@@ -498,6 +544,9 @@ impl Driver {
         if let Some(dialect) = self.arms.dialect(&address) {
             self.supervisor.handle_known_dialect(dialect);
         }
+        let calibrations = self.arms.calibrations(&address);
+        self.supervisor.set_calibration(calibrations.arm());
+        self.ends.change_rules(|it| it.calibrations = calibrations);
         self.supervisor.handle_link_up(now, &address);
         self.recording.heard(now, &found.bytes);
         self.supervisor.handle_bytes(now, &found.bytes);

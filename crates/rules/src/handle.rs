@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
 use bytes::Bytes;
-use dobot_api::{ClientId, JobPath, JobView, Notice, Reply, Request, Role, State};
+use dobot_api::{Calibrations, ClientId, JobPath, JobView, Notice, Reply, Request, Role, State};
 use dobot_safety::Policy;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
@@ -34,15 +34,18 @@ pub struct Ends {
     notices: broadcast::Sender<Arc<Notice>>,
     recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
     packets: broadcast::Sender<[u8; 42]>,
+    rules: Arc<RwLock<Arc<Rules>>>,
 }
 
-/// What holds until the policy is changed.
-#[derive(Debug)]
+/// What holds until the policy or the arm is changed.
+#[derive(Clone, Debug)]
 pub struct Rules {
     /// The policy.
     pub policy: Policy,
     /// How long a jog button stays pressed without being said again, in seconds.
     pub dead_man_s: f64,
+    /// How the arm differs from the drawing of it.
+    pub calibrations: Calibrations,
 }
 
 impl Rules {
@@ -52,6 +55,7 @@ impl Rules {
         Self {
             policy: policy.clone(),
             dead_man_s: policy.jog.dead_man_s,
+            calibrations: Calibrations::default(),
         }
     }
 }
@@ -186,6 +190,12 @@ impl Ends {
         let _ = self.every.send(snapshot);
     }
 
+    /// Changes what holds.
+    pub fn change_rules(&self, change: impl FnOnce(&mut Rules)) {
+        let mut shared = self.rules.write().unwrap_or_else(PoisonError::into_inner);
+        change(Arc::make_mut(&mut shared));
+    }
+
     /// Tells what happened.
     pub fn announce(&self, notice: Notice) {
         let notice = Arc::new(notice);
@@ -247,6 +257,7 @@ impl Handle {
             notices: handle.notices.clone(),
             recent: handle.recent.clone(),
             packets: handle.packets.clone(),
+            rules: handle.rules.clone(),
         };
         (handle, ends)
     }
@@ -420,7 +431,7 @@ impl Client {
     /// [`Refusal`]; the old one holds on then.
     pub async fn set_policy(&self, policy: Policy) -> Result<(), Refusal> {
         let (reply, answer) = oneshot::channel();
-        let (client, rules) = (self.id, Rules::of(&policy));
+        let client = self.id;
         let policy = Box::new(policy);
         let message = Message::Policy {
             client,
@@ -428,10 +439,7 @@ impl Client {
             reply,
         };
         self.handle.send(message).await?;
-        answer.await.map_err(|_| Refusal::Ending)??;
-        let shared = &self.handle.rules;
-        *shared.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(rules);
-        Ok(())
+        answer.await.map_err(|_| Refusal::Ending)?
     }
 
     /// Passes on a packet of a raw program, which speaks the arm's own protocol. The first one

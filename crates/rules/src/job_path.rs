@@ -3,23 +3,22 @@
 use dobot_api::JobPath;
 use dobot_arm::Position;
 use dobot_journal::{Job, Journal};
-use dobot_trajectory::Trajectory;
+use dobot_trajectory::{Model, Trajectory};
 use dobot_wire::Command;
 
 use crate::Refusal;
 use crate::jobs::{find, journal_refusal, recovery_model};
 
-/// The way of a job, once through its commands, as it was planned.
+/// The way of a job, once through its commands, as it was planned, in true places.
 pub(crate) fn path_of(journal: &Journal, job: u64) -> Result<JobPath, Refusal> {
     let job = find(journal, job)?;
     let commands = journal
         .commands(job.id)
         .map_err(|error| journal_refusal(&error))?;
-    walk(&job, &commands)
+    walk(recovery_model(&job), &job, &commands)
 }
 
-fn walk(job: &Job, commands: &[Command]) -> Result<JobPath, Refusal> {
-    let mut model = recovery_model(job);
+fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Refusal> {
     let mut path = JobPath::default();
     let mut begun_s = 0.0;
     for (index, command) in commands.iter().enumerate() {
@@ -27,7 +26,7 @@ fn walk(job: &Job, commands: &[Command]) -> Result<JobPath, Refusal> {
             index,
             why: error.to_string(),
         })?;
-        for (position, after_s) in places(command, &trajectory) {
+        for (position, after_s) in places(&model, command, &trajectory) {
             path.path_mm
                 .push([position.x.0, position.y.0, position.z.0].map(rounded));
             path.commands.push(index);
@@ -44,7 +43,7 @@ fn walk(job: &Job, commands: &[Command]) -> Result<JobPath, Refusal> {
 }
 
 /// The places along a way, and when each is reached; none where nothing moves.
-fn places(command: &Command, trajectory: &Trajectory) -> Vec<(Position, f64)> {
+fn places(model: &Model, command: &Command, trajectory: &Trajectory) -> Vec<(Position, f64)> {
     let duration_s = trajectory.motion_s().unwrap_or_default();
     let parts = match command {
         _ if !trajectory.moves() => 0,
@@ -54,7 +53,7 @@ fn places(command: &Command, trajectory: &Trajectory) -> Vec<(Position, f64)> {
     let place = |part: u32| {
         let after_s = duration_s * f64::from(part) / f64::from(parts);
         let place = trajectory.place_at(after_s).ok()?;
-        Some((place.pose.position, after_s))
+        Some((model.true_place(&place).pose.position, after_s))
     };
     (1..=parts).filter_map(place).collect()
 }

@@ -295,6 +295,7 @@ pub(crate) fn submit(
             title: job.title,
             kind: job.kind,
             dialect,
+            calibration: model.calibration,
             lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
             created_ms: now_ms,
             planned_s: plan.planned_s(),
@@ -325,6 +326,11 @@ pub(crate) fn startable(
             "it was made for an arm that speaks {}, and this one speaks {}",
             job.dialect, model.dialect
         )));
+    }
+    if job.calibration != model.calibration {
+        return Err(Refusal::CannotResume(
+            "it was made for the arm as it was calibrated then, and another calibration holds now, or the arm was told its angles since: make it anew".into(),
+        ));
     }
     look_again(journal, policy, &job, model)
 }
@@ -363,10 +369,8 @@ pub(crate) fn look_again(
 /// begins, so any place does.
 pub(crate) fn recovery_model(job: &Job) -> Model {
     let somewhere = Joints::new(0.0, 45.0, 45.0, 0.0);
-    Model::standing(
-        job.dialect,
-        ArmPlace::at_joints(somewhere, Tool::SuctionCup),
-    )
+    let place = ArmPlace::at_joints(somewhere, Tool::SuctionCup);
+    Model::standing(job.dialect, place).calibrated(job.calibration)
 }
 
 /// Writes the journal; a panic there is the end of the station.

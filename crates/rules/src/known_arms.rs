@@ -5,6 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use dobot_api::Calibrations;
 use dobot_wire::{Dialect, Finding};
 use serde::{Deserialize, Serialize};
 
@@ -16,12 +17,15 @@ pub(crate) struct KnownArms {
 }
 
 /// What is known of one arm.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct KnownArm {
-    pub(crate) dialect: Dialect,
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+struct KnownArm {
+    #[serde(default)]
+    dialect: Option<Dialect>,
     /// How that was found, in words; empty where a person has said it.
     #[serde(default)]
-    pub(crate) evidence: Vec<String>,
+    evidence: Vec<String>,
+    #[serde(flatten)]
+    calibrations: Calibrations,
 }
 
 /// Why the file of the arms is of no use.
@@ -70,7 +74,13 @@ impl KnownArms {
 
     /// The dialect of the arm at an address, if that is known.
     pub(crate) fn dialect(&self, address: &str) -> Option<Dialect> {
-        self.known.get(address).map(|it| it.dialect)
+        self.known.get(address).and_then(|it| it.dialect)
+    }
+
+    /// How the arm at an address differs from the drawing of it, as far as that is known.
+    pub(crate) fn calibrations(&self, address: &str) -> Calibrations {
+        let known = self.known.get(address);
+        known.map_or_else(Calibrations::default, |it| it.calibrations.clone())
     }
 
     /// Keeps what an arm speaks, and how that was found, if it was.
@@ -81,8 +91,26 @@ impl KnownArms {
         finding: Option<&Finding>,
     ) -> io::Result<()> {
         let evidence = finding.map(Finding::lines).unwrap_or_default();
-        let arm = KnownArm { dialect, evidence };
-        if self.known.get(address) == Some(&arm) {
+        self.change(address, |it| {
+            it.dialect = Some(dialect);
+            it.evidence = evidence;
+        })
+    }
+
+    /// Keeps how an arm differs from the drawing of it.
+    pub(crate) fn calibrate(
+        &mut self,
+        address: &str,
+        calibrations: Calibrations,
+    ) -> io::Result<()> {
+        self.change(address, |it| it.calibrations = calibrations)
+    }
+
+    fn change(&mut self, address: &str, change: impl FnOnce(&mut KnownArm)) -> io::Result<()> {
+        let before = self.known.get(address);
+        let mut arm = before.cloned().unwrap_or_default();
+        change(&mut arm);
+        if before == Some(&arm) {
             return Ok(());
         }
         self.known.insert(address.to_owned(), arm);
@@ -97,6 +125,8 @@ impl KnownArms {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
+    use dobot_api::CalibrationFile;
+
     use super::*;
 
     #[test]
@@ -111,6 +141,25 @@ mod tests {
         let known = again.dialect("serial:/dev/ttyUSB0@9600");
         assert_eq!(known, Some(Dialect::FIRMWARE_1_1));
         assert_eq!(again.dialect("serial:/dev/ttyUSB1@9600"), None);
+    }
+
+    #[test]
+    fn a_calibration_is_kept_beside_the_dialect_of_its_arm() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("arms.toml");
+        let mut arms = KnownArms::read(&file).unwrap();
+        let mut known = CalibrationFile::default();
+        known.zeros.rear = 3.5;
+        let calibrations = Calibrations {
+            calibration: Some(known),
+            before: Some(CalibrationFile::default()),
+        };
+        arms.keep("tcp:lab:9", Dialect::FIRMWARE_1_1, None).unwrap();
+        arms.calibrate("tcp:lab:9", calibrations.clone()).unwrap();
+        let again = KnownArms::read(&file).unwrap();
+        assert_eq!(again.calibrations("tcp:lab:9"), calibrations);
+        assert_eq!(again.dialect("tcp:lab:9"), Some(Dialect::FIRMWARE_1_1));
+        assert_eq!(again.calibrations("tcp:lab:8"), Calibrations::default());
     }
 
     #[test]

@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobPhase, JobProgram, JobRepeat, JobState, NewJob, Request};
+use dobot_api::{
+    CalibrationFile, ClientId, JobPhase, JobProgram, JobRepeat, JobState, NewJob, Request,
+};
 use dobot_controller::{Personality, PowerUp};
 use dobot_safety::Policy;
 
@@ -29,6 +31,7 @@ pub fn predict(
     job: &NewJob,
     policy: &Policy,
     personality: Personality,
+    calibration: Option<&CalibrationFile>,
 ) -> Result<Prediction, Refusal> {
     let commands = job.commands.len();
     let cycles = job
@@ -46,7 +49,7 @@ pub fn predict(
         },
         ..job.clone()
     };
-    let mut dry_run = DryRun::begin(&job, policy, personality)?;
+    let mut dry_run = DryRun::begin(&job, policy, personality, calibration)?;
     let until = dry_run.finish(&job)?;
     let cycle = repeat.map(|it| commands - it.from).filter(|_| cycles > 1);
     let cycle_s = cycle.map(|len| until[commands + len - 1].saturating_sub(until[commands - 1]));
@@ -70,11 +73,18 @@ struct DryRun {
 }
 
 impl DryRun {
-    fn begin(job: &NewJob, policy: &Policy, personality: Personality) -> Result<Self, Refusal> {
+    fn begin(
+        job: &NewJob,
+        policy: &Policy,
+        personality: Personality,
+        calibration: Option<&CalibrationFile>,
+    ) -> Result<Self, Refusal> {
         let mut station = VirtualStation::new(PowerUp::new(personality), policy.clone());
         station.free_laser();
         station.run_for(SETTLED);
         let client = station.client("prediction");
+        let calibration = calibration.cloned().map(Box::new);
+        station.ask(client, Request::Calibrate { calibration })?;
         station.ask(client, Request::TakeLease)?;
         let job = station.submit(job)?;
         station.start(client, job)?;

@@ -196,6 +196,7 @@ mod tests {
     /// A state of an arm at rest: clock and figures run on.
     fn state(at_s: f64) -> State {
         State {
+            calibrated: None,
             at_s,
             link: LinkView {
                 address: Some("virtual:".into()),
@@ -208,6 +209,7 @@ mod tests {
                 latency_ms: None,
             },
             arm: Some(ArmView {
+                told: None,
                 status: Status {
                     x_mm: 200.0,
                     ..REST

@@ -23,6 +23,7 @@ mod urgent;
 use std::time::Duration;
 
 use dobot_api::{ArmView, ClientId, News, Notice, QueueView, Reply, State, TrustView};
+use dobot_arm::Calibration;
 use dobot_client::{SendError, Session};
 use dobot_safety::Policy;
 use dobot_trajectory::{LASER_OFF, Model};
@@ -126,6 +127,18 @@ impl Supervisor {
         }
     }
 
+    /// Takes how the arm differs from the drawing of it, before it is given anything.
+    pub fn set_calibration(&mut self, calibration: Calibration) {
+        self.arm.set_calibration(calibration);
+        self.outbox.note_change();
+    }
+
+    /// How the arm differs from what it says now: its zeros are right once it was told its angles.
+    #[must_use]
+    pub fn calibration(&self) -> Calibration {
+        self.arm.calibration()
+    }
+
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         // What the arm has told so far comes first: all others judge by it.
@@ -225,10 +238,12 @@ impl Supervisor {
         State {
             at_s: self.arm.now().as_secs_f64(),
             link: self.link.view(&self.arm.session().link()),
-            arm: self.arm.last().map(|status| ArmView {
-                status,
+            arm: self.arm.last().map(|told| ArmView {
+                status: self.arm.true_status(&told),
+                told: Some(told).filter(|_| self.arm.is_calibrated()),
                 moving: self.arm.still() == 0,
             }),
+            calibrated: self.arm.calibrated_view(),
             dialect: self.arm.session().dialect().copied(),
             trust: TrustView {
                 trusted: self.arm.session().is_trusted(),

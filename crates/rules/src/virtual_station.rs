@@ -3,7 +3,9 @@
 use std::time::Duration;
 
 use dobot_api::JobState;
-use dobot_api::{ClientId, JobPath, JobView, LinkPhase, NewJob, Notice, Reply, Request, Role};
+use dobot_api::{
+    Calibrations, ClientId, JobPath, JobView, LinkPhase, NewJob, Notice, Reply, Request, Role,
+};
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
 use dobot_safety::Policy;
@@ -27,6 +29,7 @@ pub struct VirtualStation {
     journal: Journal,
     policy: Policy,
     power_up: PowerUp,
+    calibrations: Calibrations,
     plugged: bool,
     /// The arm's port is gone by itself.
     port_gone: bool,
@@ -82,6 +85,7 @@ impl VirtualStation {
             journal,
             policy,
             power_up,
+            calibrations: Calibrations::default(),
             plugged: false,
             port_gone: false,
             now: Duration::ZERO,
@@ -231,6 +235,20 @@ impl VirtualStation {
                     let job = self.submit(&job)?;
                     return self.kept(job);
                 }
+                // The virtual arm stays as it is: its faults say what it is like.
+                Request::Calibrate { calibration } => {
+                    let calibrations = Calibrations {
+                        before: self.calibrations.calibration.take(),
+                        calibration: calibration.map(|it| *it),
+                    };
+                    let arm = calibrations.arm();
+                    self.calibrations = calibrations.clone();
+                    self.supervisor.handle_calibration(now, client, arm)?;
+                    self.settle();
+                    return Ok(Reply::Calibrated {
+                        calibrations: Box::new(calibrations),
+                    });
+                }
                 Request::StartJob { job } => return self.start(client, job),
                 Request::StepJob { job } => return self.start_with(client, job, true),
                 Request::CancelJob { job }
@@ -334,6 +352,12 @@ impl VirtualStation {
     /// [`Refusal::NoSuchJob`].
     pub fn job_path(&self, job: u64) -> Result<JobPath, Refusal> {
         path_of(&self.journal, job)
+    }
+
+    /// How the arm differs from the drawing of it, as far as somebody has said so.
+    #[must_use]
+    pub const fn calibrations(&self) -> &Calibrations {
+        &self.calibrations
     }
 
     /// The supervisor, to look at.

@@ -1,6 +1,6 @@
 //! Where the parts of the arm are at one place, and what the rules measure there.
 
-use dobot_arm::{Joints, REAR_ARM, Tool};
+use dobot_arm::{Calibration, FOREARM, Joints, REAR_ARM, Tool};
 use dobot_trajectory::ArmPlace;
 
 use crate::distance::distance;
@@ -17,6 +17,7 @@ use crate::distance::distance;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Body {
+    pivot: [f64; 3],
     pub(crate) elbow: [f64; 3],
     pub(crate) wrist: [f64; 3],
     pub(crate) tool: [f64; 3],
@@ -41,29 +42,43 @@ pub(crate) enum Measure {
 pub(crate) const MEASURES: usize = 9;
 
 impl Body {
-    pub(crate) fn new(place: &ArmPlace, tool: Tool, tip_mm: f64) -> Self {
+    /// An arm that is truly at a place, which differs so from the drawing of it.
+    pub(crate) fn new(place: &ArmPlace, tool: Tool, tip_mm: f64, arm: &Calibration) -> Self {
         let position = place.pose.position;
-        let reach = position.reach().0;
-        let (cos_base, sin_base) = if reach > 0.0 {
-            (position.x.0 / reach, position.y.0 / reach)
-        } else {
+        let [axis_x, axis_y] = arm.axis_mm;
+        let (x, y, z) = (position.x.0 - axis_x, position.y.0 - axis_y, position.z.0);
+        let reach = x.hypot(y);
+        let (cos_base, sin_base) = if reach == 0.0 {
             (1.0, 0.0)
+        } else if arm.left_mm == 0.0 {
+            (x / reach, y / reach)
+        } else {
+            let (sin, cos) = place.joints.base.0.to_radians().sin_cos();
+            (cos, sin)
         };
         let (sin_rear, cos_rear) = place.joints.rear.0.to_radians().sin_cos();
-        let at = |out: f64, z: f64| [out * cos_base, out * sin_base, z];
-        let z = position.z.0;
+        let at = |out: f64, z: f64| [axis_x + out * cos_base, axis_y + out * sin_base, z];
+        // The hand goes from the wrist to wherever the tool is.
+        let wrist = if arm.is_none() {
+            reach - tool.reach().0
+        } else {
+            let joints = place.joints;
+            let fore_mm = FOREARM.0 * joints.fore.0.to_radians().cos();
+            REAR_ARM.0 * sin_rear + fore_mm
+        };
         Self {
+            pivot: [axis_x, axis_y, 0.0],
             elbow: at(REAR_ARM.0 * sin_rear, REAR_ARM.0 * cos_rear),
-            wrist: at(reach - tool.reach().0, z),
-            tool: at(reach, z),
-            tip: at(reach, z - tip_mm),
+            wrist: at(wrist, z),
+            tool: [position.x.0, position.y.0, z],
+            tip: [position.x.0, position.y.0, z - tip_mm],
         }
     }
 
     /// Rear arm, forearm, hand and tool.
     pub(crate) const fn lines(&self) -> [[[f64; 3]; 2]; 4] {
         [
-            [PIVOT, self.elbow],
+            [self.pivot, self.elbow],
             [self.elbow, self.wrist],
             [self.wrist, self.tool],
             [self.tool, self.tip],
@@ -117,5 +132,5 @@ pub(crate) fn measures(place: &ArmPlace) -> [f64; MEASURES] {
     ]
 }
 
-/// Where the rear arm turns: the origin.
+/// Where the rear arm of an arm as drawn turns: the origin.
 pub(crate) const PIVOT: [f64; 3] = [0.0; 3];

@@ -75,10 +75,9 @@ impl Policy {
                 forbidden = middle;
             }
         }
-        (allowed > 0.0).then(|| {
-            let at = place(allowed);
-            [at.x.0, at.y.0, at.z.0]
-        })
+        let told = Some(place(allowed)).filter(|_| allowed > 0.0)?;
+        let at = model.calibration.true_place(told, model.tool).ok()?;
+        Some([at.x.0, at.y.0, at.z.0])
     }
 
     fn check_way(
@@ -89,10 +88,16 @@ impl Policy {
     ) -> Result<(), Violation> {
         let burning = trajectory.laser() || burns(command);
         let paths = paths(trajectory);
-        let mut walk = PathCheck::begin(Fence::new(self, model.tool, burning), &paths[0])
-            .map_err(|error| Violation::of_arm(&error))?;
+        let mut walk = PathCheck::begin(
+            Fence::new(self, model.tool, model.calibration, burning),
+            &paths[0],
+        )
+        .map_err(|error| Violation::of_arm(&error))?;
         let duration_s = trajectory.motion_s().unwrap_or_default();
-        let place = |share: f64| trajectory.place_at(share * duration_s).ok();
+        let place = |share: f64| {
+            let told = trajectory.place_at(share * duration_s).ok()?;
+            Some(model.true_place(&told))
+        };
         paths
             .iter()
             .filter(|path| path.time_at(0.0) < path.time_at(1.0))
@@ -116,7 +121,7 @@ impl Policy {
             Command::Configuration(Configuration::EndEffector { .. }) => true,
             _ => burns(command) && rule == LASER_AREA,
         };
-        let fence = Fence::new(self, after.tool, burns(command));
+        let fence = Fence::new(self, after.tool, after.calibration, burns(command));
         let stop = fence.stop(0.0, after.place);
         fence
             .broken_at(&stop)

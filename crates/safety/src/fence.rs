@@ -1,6 +1,6 @@
 //! The rules in force on a way: those of the policy, wider where the arm stands outside already.
 
-use dobot_arm::{Tool, Unreachable};
+use dobot_arm::{Calibration, Tool, Unreachable};
 use dobot_trajectory::{ArmPlace, Bend};
 
 use crate::body::{Body, MEASURES, measures};
@@ -19,6 +19,7 @@ pub(crate) struct Fence<'a> {
     keep_outs: Vec<Fenced<'a>>,
     tool: Tool,
     tip_mm: f64,
+    arm: Calibration,
 }
 
 /// A place on a way, and all that the rules want to know of it.
@@ -26,6 +27,9 @@ pub(crate) struct Fence<'a> {
 pub(crate) struct PathPoint {
     /// The share of the segment behind it.
     pub(crate) share: f64,
+    /// Where the arm says that it is.
+    pub(crate) told: ArmPlace,
+    /// Where it truly is, by which the rules judge.
     pub(crate) place: ArmPlace,
     pub(crate) measures: [f64; MEASURES],
     pub(crate) body: Body,
@@ -62,8 +66,8 @@ struct Fenced<'a> {
 }
 
 impl<'a> Fence<'a> {
-    /// The rules of a policy for an arm with this tool.
-    pub(crate) fn new(policy: &'a Policy, tool: Tool, burning: bool) -> Self {
+    /// The rules of a policy for an arm with this tool, which differs so from the drawing of it.
+    pub(crate) fn new(policy: &'a Policy, tool: Tool, arm: Calibration, burning: bool) -> Self {
         let gate = |limit: Limit| Gate {
             limit,
             now: limit.bounds.grown(ROUNDING),
@@ -80,16 +84,19 @@ impl<'a> Fence<'a> {
             keep_outs: policy.keep_out.iter().map(fenced).collect(),
             tool,
             tip_mm: policy.tool_length.of(tool),
+            arm,
         }
     }
 
-    /// Looks at a place.
-    pub(crate) fn stop(&self, share: f64, place: ArmPlace) -> PathPoint {
+    /// Looks at a place that the arm says.
+    pub(crate) fn stop(&self, share: f64, told: ArmPlace) -> PathPoint {
+        let place = told.seen_by(&self.arm, self.tool);
         PathPoint {
             share,
+            told,
             place,
             measures: measures(&place),
-            body: Body::new(&place, self.tool, self.tip_mm),
+            body: Body::new(&place, self.tool, self.tip_mm, &self.arm),
         }
     }
 
@@ -143,8 +150,7 @@ impl<'a> Fence<'a> {
         a: &PathPoint,
         b: &PathPoint,
     ) -> Option<Broken> {
-        let reach_mm = self.tool.reach().0;
-        let Some(sweep) = Sweep::between(bend, &a.place, &b.place, reach_mm) else {
+        let Some(sweep) = Sweep::between(bend, &a.told, &b.told, self.tool, &self.arm) else {
             return Some(Broken::Unclear);
         };
         let outside = |gate: &&Gate| {

@@ -59,12 +59,13 @@ impl Policy {
         let Some(path) = path(model, jog.axis(), by) else {
             return Ok(());
         };
-        let fence = Fence::new(self, model.tool, burning);
+        let fence = Fence::new(self, model.tool, model.calibration, burning);
         PathCheck::begin(fence, &path)
             .map_err(|error| Violation::of_arm(&error))?
             .along(&path)
             .map_err(|breach| {
-                let worst = |limit: &Limit| worst(limit, |share| path.place_at(share).ok());
+                let place = |share: f64| Some(model.true_place(&path.place_at(share).ok()?));
+                let worst = |limit: &Limit| worst(limit, place);
                 Violation::of_breach(&breach, worst).before_a_stop()
             })
     }

@@ -6,7 +6,7 @@
 //! So all that is needed are bounds of second derivatives, and they follow from the kinematics:
 //! `docs/safety.md` derives them.
 
-use dobot_arm::{FOREARM, Joints, Pose, REAR_ARM, Tool};
+use dobot_arm::{Calibration, FOREARM, Joints, Pose, REAR_ARM, Tool};
 use dobot_trajectory::{ArmPlace, Bend};
 
 use crate::Bounds;
@@ -23,17 +23,25 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    /// The bounds between two places; `None` where they are too far apart to tell.
+    /// The bounds between two places that the arm says; `None` where they are too far apart to tell.
     pub(crate) fn between(
         bend: Bend,
         a: &ArmPlace,
         b: &ArmPlace,
-        tool_reach_mm: f64,
+        tool: Tool,
+        arm: &Calibration,
     ) -> Option<Self> {
-        match bend {
-            Bend::Joints => Some(Self::of_joints(&a.joints, &b.joints)),
-            Bend::Line => Flat::line(&a.pose, &b.pose)?.sweep(bend, a, b, tool_reach_mm),
-            Bend::Around => Flat::around(a, b).sweep(bend, a, b, tool_reach_mm),
+        let flat = match bend {
+            Bend::Joints => return Turns::evenly(&a.joints, &b.joints).sweep(a, b, arm),
+            Bend::Line => Flat::line(&a.pose, &b.pose)?,
+            Bend::Around => Flat::around(a, b),
+        };
+        let turns = flat.turns(a, b, tool.reach().0)?;
+        // To an arm that is not as drawn, no line of its own is straight.
+        if arm.is_none() {
+            Some(flat.sweep(bend, &turns))
+        } else {
+            turns.sweep(a, b, arm)
         }
     }
 
@@ -57,27 +65,81 @@ impl Sweep {
             tool / 8.0,
         ]
     }
+}
 
+/// How the joints turn: bounds of first and second derivatives, in radians.
+struct Turns {
+    base: f64,
+    base_2: f64,
+    rear: f64,
+    rear_2: f64,
+    fore: f64,
+    fore_2: f64,
+}
+
+impl Turns {
     /// All joints change evenly.
-    fn of_joints(a: &Joints, b: &Joints) -> Self {
+    fn evenly(a: &Joints, b: &Joints) -> Self {
         let way = |from: f64, to: f64| (to - from).abs().to_radians();
-        let base = way(a.base.0, b.base.0);
-        let rear = way(a.rear.0, b.rear.0);
-        let fore = way(a.fore.0, b.fore.0);
-        let [rear_mm, fore_mm] = [REAR_ARM.0 * rear, FOREARM.0 * fore];
-        let flat_v2 = rear_mm * rear + fore_mm * fore;
-        let tool_mm = turned(FARTHEST_MM, rear_mm + fore_mm, flat_v2, base, 0.0);
-        let mut measures = [0.0; MEASURES];
-        measures[Measure::X as usize] = tool_mm;
-        measures[Measure::Y as usize] = tool_mm;
-        measures[Measure::Z as usize] = flat_v2;
-        measures[Measure::Reach as usize] = flat_v2;
         Self {
-            measures,
-            elbow_mm: turned(REAR_ARM.0, rear_mm, rear_mm * rear, base, 0.0),
+            base: way(a.base.0, b.base.0),
+            base_2: 0.0,
+            rear: way(a.rear.0, b.rear.0),
+            rear_2: 0.0,
+            fore: way(a.fore.0, b.fore.0),
+            fore_2: 0.0,
+        }
+    }
+
+    /// What follows for the arm, however it differs from the drawing of it: zeros change no derivative,
+    /// and a tool that is elsewhere turns with base and forearm as the tool of the drawing does.
+    fn sweep(&self, a: &ArmPlace, b: &ArmPlace, arm: &Calibration) -> Option<Sweep> {
+        let [rear_mm, fore_mm] = [REAR_ARM.0 * self.rear, FOREARM.0 * self.fore];
+        let way_mm = rear_mm + fore_mm;
+        let flat_v2 = rear_mm * self.rear
+            + fore_mm * self.fore
+            + REAR_ARM.0 * self.rear_2
+            + FOREARM.0 * self.fore_2;
+        let farthest_mm = FARTHEST_MM + arm.reach_mm.abs() + arm.left_mm.abs();
+        let tool_mm = turned(farthest_mm, way_mm, flat_v2, self.base, self.base_2);
+        // A tool that is aside is farther from the axis than the plane tells.
+        let reach_mm = if arm.is_none() {
+            flat_v2
+        } else {
+            let speed_mm = way_mm + farthest_mm * self.base;
+            let axis_mm = arm.axis_mm[0].hypot(arm.axis_mm[1]);
+            let least_mm = a.pose.position.reach().0.min(b.pose.position.reach().0)
+                - speed_mm
+                - arm.reach_mm.abs()
+                - axis_mm;
+            if least_mm < NEAR_MM {
+                return None;
+            }
+            tool_mm + speed_mm * speed_mm / least_mm
+        };
+        let degrees = f64::to_degrees;
+        Some(Sweep {
+            measures: [
+                degrees(self.base_2),
+                degrees(self.rear_2),
+                degrees(self.fore_2),
+                degrees(self.base_2),
+                degrees(self.rear_2 + self.fore_2),
+                tool_mm,
+                tool_mm,
+                flat_v2,
+                reach_mm,
+            ],
+            elbow_mm: turned(
+                REAR_ARM.0,
+                rear_mm,
+                rear_mm * self.rear + REAR_ARM.0 * self.rear_2,
+                self.base,
+                self.base_2,
+            ),
             wrist_mm: tool_mm,
             tool_mm,
-        }
+        })
     }
 }
 
@@ -136,34 +198,46 @@ impl Flat {
         }
     }
 
-    fn sweep(&self, bend: Bend, a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64) -> Option<Sweep> {
+    /// How the joints turn for that; `None` where they may turn at any speed.
+    fn turns(&self, a: &ArmPlace, b: &ArmPlace, tool_reach_mm: f64) -> Option<Turns> {
         let fold = least_fold(a, b, tool_reach_mm, self.way_mm)?;
-        // The links' ways, and their second derivatives, of which the rest follows.
+        // The links' ways, and their second derivatives.
         let link_mm = self.way_mm / fold;
         let [rear, fore] = [link_mm / REAR_ARM.0, link_mm / FOREARM.0];
         let link_2_mm = (self.reach_mm + link_mm * (rear + fore)) / fold;
-        let [rear_2, fore_2] = [link_2_mm / REAR_ARM.0, link_2_mm / FOREARM.0];
+        Some(Turns {
+            base: self.base,
+            base_2: self.base_2,
+            rear,
+            rear_2: link_2_mm / REAR_ARM.0,
+            fore,
+            fore_2: link_2_mm / FOREARM.0,
+        })
+    }
+
+    /// What follows for an arm as drawn, whose tool goes just so.
+    fn sweep(&self, bend: Bend, turns: &Turns) -> Sweep {
         let degrees = f64::to_degrees;
-        let around = bend == Bend::Around;
-        let tool_mm = if around {
+        let tool_mm = if bend == Bend::Around {
             turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)
         } else {
             0.0
         };
-        let elbow_2_mm = link_2_mm + link_mm * rear;
-        Some(Sweep {
+        let elbow_mm = REAR_ARM.0 * turns.rear;
+        let elbow_2_mm = REAR_ARM.0 * turns.rear_2 + elbow_mm * turns.rear;
+        Sweep {
             measures: [
                 degrees(self.base_2),
-                degrees(rear_2),
-                degrees(fore_2),
+                degrees(turns.rear_2),
+                degrees(turns.fore_2),
                 degrees(self.base_2),
-                degrees(rear_2 + fore_2),
+                degrees(turns.rear_2 + turns.fore_2),
                 tool_mm,
                 tool_mm,
                 0.0,
                 self.reach_mm,
             ],
-            elbow_mm: turned(REAR_ARM.0, link_mm, elbow_2_mm, self.base, self.base_2),
+            elbow_mm: turned(REAR_ARM.0, elbow_mm, elbow_2_mm, self.base, self.base_2),
             wrist_mm: turned(
                 FARTHEST_MM,
                 self.way_mm,
@@ -172,7 +246,7 @@ impl Flat {
                 self.base_2,
             ),
             tool_mm,
-        })
+        }
     }
 }
 
@@ -208,6 +282,9 @@ const LINKS_V2: f64 = REAR_ARM.0 * REAR_ARM.0 + FOREARM.0 * FOREARM.0;
 
 /// Nothing of the arm is farther from the axis than its links and the longest tool.
 const FARTHEST_MM: f64 = REAR_ARM.0 + FOREARM.0 + Tool::SuctionCup.reach().0;
+
+/// The reach of a tool that is nearer to the axis than this is looked at in shorter pieces.
+const NEAR_MM: f64 = 20.0;
 
 /// A line that passes the axis nearer than this is looked at in shorter pieces.
 const NEAREST_MM: f64 = 1.0;

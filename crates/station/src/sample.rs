@@ -28,6 +28,7 @@ pub(crate) fn job(number: u64) -> JobView {
 /// An arm that draws it.
 pub(crate) fn state(at_s: f64) -> State {
     State {
+        calibrated: None,
         at_s,
         link: LinkView {
             address: Some("virtual:".into()),
@@ -40,6 +41,7 @@ pub(crate) fn state(at_s: f64) -> State {
             latency_ms: Some(84.0),
         },
         arm: Some(ArmView {
+            told: None,
             status: Status {
                 x_mm: 200.0,
                 y_mm: -31.5,

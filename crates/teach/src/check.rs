@@ -130,7 +130,10 @@ impl Walk<'_> {
             }
         }
         self.is_known = true;
-        if let Err(violation) = self.policy.check_place(&self.model.place, self.model.tool) {
+        if let Err(violation) =
+            self.policy
+                .check_place(&self.model.place, self.model.tool, &self.model.calibration)
+        {
             self.found(at, &violation);
         }
         took

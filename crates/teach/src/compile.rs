@@ -8,6 +8,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
 use dobot_api::{JobPause, JobRepeat};
+use dobot_arm::Calibration;
+use dobot_trajectory::told;
 use dobot_wire::{Command, MovingMode};
 use toml::Spanned;
 
@@ -30,11 +32,26 @@ impl Program {
     /// frame or an arc whose points lie on a line, a step that needs to know where the arm is before the first
     /// motion.
     pub fn compile(&self, files: &mut dyn Files) -> Result<Compiled, ProgramError> {
+        self.compile_for(&Calibration::NONE, files)
+    }
+
+    /// The same for an arm that differs so from the drawing of it: the program speaks of true places, the commands
+    /// are what this arm has to be told. Drawings come as it has to be told them.
+    ///
+    /// # Errors
+    ///
+    /// As of [`compile`](Self::compile), and where this arm cannot come to a place.
+    pub fn compile_for(
+        &self,
+        arm: &Calibration,
+        files: &mut dyn Files,
+    ) -> Result<Compiled, ProgramError> {
         let mut called = Called::default();
         called.load(self, files, &mut Vec::new())?;
         let mut compiler = Compiler {
             files,
             called: &called,
+            arm: *arm,
             state: State::new(self.start_speed_percent),
             out: Compiled {
                 title: self.title.clone(),
@@ -55,6 +72,8 @@ impl Program {
 struct Compiler<'a> {
     files: &'a mut dyn Files,
     called: &'a Called,
+    /// How the arm differs from the drawing of it.
+    arm: Calibration,
     state: State,
     out: Compiled,
 }
@@ -293,28 +312,30 @@ impl Compiler<'_> {
             .spot(&go.to, &self.state)?
             .moved(go.offset, &self.state);
         self.state.grip(&go.then);
-        self.target(emit::target(&spot, go.path, go.then.pause, &self.state));
+        self.target(emit::target(&spot, go.path, go.then.pause, &self.state))?;
         Ok(())
     }
 
     /// A target; the first one is gone to softly.
-    fn target(&mut self, target: Command) {
+    fn target(&mut self, target: Command) -> Result<(), String> {
+        let told = told(&target, &self.arm, self.state.tool).map_err(|error| error.to_string())?;
         let soft = self.state.soft_start();
         if let Some([slow, _]) = soft {
             self.push(slow);
         }
-        self.push(target);
+        self.push(told);
         if let Some([_, normal]) = soft {
             self.push(normal);
         }
         self.state.arrived(target);
+        Ok(())
     }
 
     /// The arm is told to go where it is, by its joints: that moves nothing, and is no trap (note N34).
     fn here(&mut self, then: &Here) -> Result<(), String> {
         self.state.grip(then);
         let again = self.state.again(then.pause).ok_or(NOWHERE)?;
-        self.target(again);
+        self.target(again)?;
         Ok(())
     }
 
@@ -331,7 +352,7 @@ impl Compiler<'_> {
             message: message.to_owned(),
         });
         match self.state.again(None) {
-            Some(again) => self.target(again),
+            Some(again) => self.target(again)?,
             None if self.state.has_moved => return Err(NOWHERE.to_owned()),
             None => {}
         }
@@ -358,7 +379,7 @@ impl Compiler<'_> {
             #[expect(clippy::cast_precision_loss, reason = "some thousands at most")]
             let share = (index + 1) as f64 / count as f64;
             let spot = Spot::wrist(place, begin + (end - begin) * share);
-            self.target(emit::target(&spot, MovingMode::MovL, None, &self.state));
+            self.target(emit::target(&spot, MovingMode::MovL, None, &self.state))?;
         }
         Ok(())
     }

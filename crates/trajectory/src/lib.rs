@@ -28,6 +28,7 @@
 #![no_std]
 
 mod button;
+mod calibrated;
 mod error;
 mod follow;
 mod followed;
@@ -46,6 +47,7 @@ mod trajectory;
 mod vector;
 
 pub use button::{Button, JogAxis};
+pub use calibrated::told;
 pub use error::{LONGEST_S, TrajectoryError};
 pub use jog::JogTrajectory;
 pub use laser::{LASER_OFF, burns};

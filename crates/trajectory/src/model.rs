@@ -1,6 +1,6 @@
 //! What is believed of an arm.
 
-use dobot_arm::{Joints, Tool, forward};
+use dobot_arm::{Calibration, Joints, Tool, forward};
 use dobot_wire::{
     Command, Configuration, Dialect, MoveJoints, MoveTo, MovingMode, Status, Voice, VoiceOrder,
 };
@@ -46,6 +46,8 @@ pub struct Model {
     pub settings: ArmSettings,
     /// How the arm understands commands.
     pub dialect: Dialect,
+    /// How it differs from the drawing of it: what is believed are its own words.
+    pub calibration: Calibration,
     /// Whether it serves its Bluetooth port, on which every arm hears voice (note N38).
     pub is_bluetooth: bool,
     /// Whether `place` is known: not behind a jog, until the arm was seen at rest.
@@ -97,6 +99,7 @@ impl Model {
             gripper_deg: 0.0,
             settings: ArmSettings::stock(&dialect),
             dialect,
+            calibration: Calibration::NONE,
             is_bluetooth: false,
             knows_place: true,
             left: LeftSpeed::NOTHING,
@@ -105,6 +108,13 @@ impl Model {
             followed: Followed::default(),
             lines: Lines::None,
         }
+    }
+
+    /// The same arm, which differs so from the drawing of it.
+    #[must_use]
+    pub const fn calibrated(mut self, calibration: Calibration) -> Self {
+        self.calibration = calibration;
+        self
     }
 
     /// Takes over place, pump and gripper from the status of an arm at rest, and the tool where its
@@ -259,8 +269,13 @@ impl Model {
 
     fn configure(&mut self, configuration: &Configuration) {
         self.settings.configure(configuration);
-        if let Configuration::EndEffector { tool } = configuration {
-            self.tool = tool_named(*tool);
+        match configuration {
+            Configuration::EndEffector { tool } => self.tool = tool_named(*tool),
+            // From now on it says its true angles.
+            Configuration::InitialAngles { .. } => {
+                self.calibration = self.calibration.without_zeros();
+            }
+            _ => {}
         }
     }
 }

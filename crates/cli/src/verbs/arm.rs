@@ -4,7 +4,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 
 use anyhow::{Context, anyhow};
-use dobot_calibrate::{CalibrationFile, Zeros};
+use dobot_api::{CalibrationFile, Zeros};
 use dobot_controller::{Controller, Personality, Port, PowerUp};
 use dobot_sim::world::{Scene, World};
 use dobot_sim::{

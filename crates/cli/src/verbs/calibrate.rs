@@ -9,7 +9,8 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow, bail};
-use dobot_calibrate::{CalibrationFile, check_bar, sheet_svg};
+use dobot_api::CalibrationFile;
+use dobot_calibrate::{check_bar, read_calibration, sheet_svg, write_calibration};
 use dobot_rules::StationClient;
 
 use self::toucher::Toucher;
@@ -109,7 +110,7 @@ fn known(file: &Path) -> Result<Option<CalibrationFile>, Failure> {
             return Ok(read.with_context(|| format!("{} cannot be read", file.display()))?);
         }
     };
-    let known = CalibrationFile::parse(&text);
+    let known = read_calibration(&text);
     Ok(Some(known.with_context(|| file.display().to_string())?))
 }
 
@@ -124,7 +125,7 @@ fn bring_back(file: &Path) -> Result<(), Failure> {
     fs::rename(&before, file).with_context(|| format!("cannot write {}", file.display()))?;
     fs::write(&before, replaced).with_context(|| format!("cannot write {}", before.display()))?;
     output::line(&format!("{} is again:", file.display()))?;
-    Ok(output::line(known.emit().trim_end())?)
+    Ok(output::line(write_calibration(&known).trim_end())?)
 }
 
 /// Where the calibration before the last one is kept.

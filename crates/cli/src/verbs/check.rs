@@ -1,12 +1,12 @@
 //! `dobot check`: looks at a program before anything moves.
 
+use dobot_rules::{PlannedFor, Rules};
 use std::path::PathBuf;
 
 use anyhow::anyhow;
 use dobot_safety::Policy;
 use dobot_teach::{Compiled, Program, Report, check};
-use dobot_trajectory::Model;
-use dobot_wire::{Dialect, Status};
+use dobot_wire::Dialect;
 use serde_json::json;
 
 use crate::connect::read_policy;
@@ -53,12 +53,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         .policy
         .as_deref()
         .map_or(Ok(Policy::default()), read_policy)?;
-    let compiled = program_file::compile(file, args.dialect)?;
-    let report = check(
-        &compiled,
-        &policy,
-        Model::new(args.dialect, &Status::AT_ZERO),
-    );
+    let arm = PlannedFor::any(Rules::of(&policy).into(), Some(args.dialect));
+    let compiled = program_file::compile(file, &arm)?;
+    let report = check(&compiled, &policy, arm.model());
     if args.json {
         output::json(&json!({
             "title": compiled.title,

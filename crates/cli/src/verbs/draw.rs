@@ -8,16 +8,18 @@ mod output_files;
 mod rehearse;
 mod report;
 
+use crate::verbs::calibrate;
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
+use dobot_api::CalibrationFile;
 use dobot_draw::{
     Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View, export, frame,
     ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_plan::MoveKind;
-use dobot_rules::StationClient;
+use dobot_rules::{PlannedFor, StationClient};
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
 
@@ -39,7 +41,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     for file in files.into_iter().flatten() {
         check_writable(file)?;
     }
-    let asked = asked(&args)?;
+    let mut asked = asked(&args)?;
     // What is wrong with it is told before any arm is touched.
     let mut drawing = Drawing::new(&args, &asked, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
     for warning in &drawing.prepared.warnings {
@@ -57,8 +59,12 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             check_frame(station)?;
         }
         check_pose(station, args.to.pose_confirmed).await?;
-        if let Some((status, dialect)) = standing(station).await? {
-            drawing = Drawing::new(&args, &asked, dialect, status.z_mm.into())?;
+        // A virtual arm in this process has its own paper.
+        if station.virtual_arm().is_none() {
+            let arm = control::planned_for(station, &args.to.policy()?).await?;
+            asked = asked.clone().calibrated(calibration(&args, &arm)?);
+            let status = arm.status.unwrap_or(Status::AT_ZERO);
+            drawing = Drawing::new(&args, &asked, arm.dialect, status.z_mm.into())?;
             drawing.from = Some(status);
         }
         let plan = &drawing.prepared.plan;
@@ -71,22 +77,24 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     args.to.with_arm("draw", draw).await
 }
 
-/// Where the arm stands and which dialect it speaks, where that decides how it draws: a virtual arm
-/// in this process has its own paper.
-async fn standing(
-    station: &mut StationClient,
-) -> Result<Option<(Status, Option<Dialect>)>, Failure> {
-    if station.virtual_arm().is_some() {
-        return Ok(None);
+/// How the arm differs from the drawing of it: as a file says, and as is known where the rules are kept, which have to
+/// be one.
+fn calibration(args: &Args, arm: &PlannedFor) -> Result<Option<CalibrationFile>, Failure> {
+    let told = args.calibration.as_deref().map(calibrate::read);
+    match (told.transpose()?, &arm.calibration) {
+        (Some(told), Some(known)) if told.arm() != known.arm() => Err(Failure::new(
+            anyhow!("the arm is known by another calibration than that of --calibration"),
+            "leave it out; or `dobot calibrate FILE --use` puts that of a file in place",
+        )),
+        (None, known) => Ok(known.clone()),
+        (told, _) => Ok(told),
     }
-    let (arm, dialect) = control::arm(station).await?;
-    Ok(Some((arm.status, dialect)))
 }
 
 /// A drawing, planned for an arm.
 struct Drawing<'a> {
     args: &'a Args,
-    title: &'a str,
+    title: String,
     prepared: Prepared,
     settings: Settings,
     /// What the arm speaks, where that is known.
@@ -98,7 +106,7 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn new(
         args: &'a Args,
-        asked: &'a DrawingRequest,
+        asked: &DrawingRequest,
         dialect: Option<Dialect>,
         standing_z_mm: f64,
     ) -> Result<Self, Failure> {
@@ -106,7 +114,7 @@ impl<'a> Drawing<'a> {
         let (prepared, settings) = prepared.with_context(|| asked.title.clone())?;
         Ok(Self {
             args,
-            title: &asked.title,
+            title: asked.title.clone(),
             prepared,
             settings,
             dialect,
@@ -180,7 +188,7 @@ impl<'a> Drawing<'a> {
             arm.record(RECORDING_PERIOD);
         }
         let armed_for = self.args.arm_laser;
-        let executed = execute(station, &self.prepared.plan, self.title, armed_for).await;
+        let executed = execute(station, &self.prepared.plan, &self.title, armed_for).await;
         let times = Times {
             planned_s: executed.planned_s,
             estimated,
@@ -199,7 +207,7 @@ impl<'a> Drawing<'a> {
         };
         let report = self.write_files(carried.or(estimate).as_ref(), drawn.as_ref(), times)?;
         executed.outcome?;
-        estimates::keep(self.title, times)?;
+        estimates::keep(&self.title, times)?;
         print(self.args, &report)
     }
 
@@ -236,7 +244,7 @@ impl<'a> Drawing<'a> {
         let results = &self.args.result;
         let tolerance_mm = self.args.options.way.tolerance;
         let picture = Picture {
-            title: self.title,
+            title: &self.title,
             figures: &report.figures(),
             passes: report.passes(),
             area: dobot_draw::AREA,

@@ -5,10 +5,8 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{JobRepeat, NewJob, Reply, Request};
-use dobot_rules::{Prediction, StationClient, predict};
+use dobot_rules::{PlannedFor, Prediction, Rules, StationClient, predict};
 use dobot_teach::{Compiled, Times, check};
-use dobot_trajectory::Model;
-use dobot_wire::{Dialect, Status};
 use serde::Serialize;
 
 use crate::connect::{To, speaker};
@@ -67,7 +65,8 @@ pub(crate) struct Args {
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     // What is wrong with it is told before any arm is touched.
-    let planned = Planned::new(&args, args.to.dialect)?;
+    let rules = Rules::of(&args.to.policy()?);
+    let planned = Planned::new(&args, &PlannedFor::any(rules.into(), args.to.dialect))?;
     if args.dry_run {
         return planned.tell(args.json);
     }
@@ -82,8 +81,8 @@ async fn play(
 ) -> Result<(), Failure> {
     check_pose(station, args.to.pose_confirmed).await?;
     if station.virtual_arm().is_none() {
-        let (_, dialect) = control::arm(station).await?;
-        planned = Planned::new(args, dialect)?;
+        let arm = control::planned_for(station, &args.to.policy()?).await?;
+        planned = Planned::new(args, &arm)?;
     }
     if !args.json {
         planned.tell(false)?;
@@ -119,9 +118,8 @@ struct Planned {
 }
 
 impl Planned {
-    fn new(args: &Args, dialect: Option<Dialect>) -> Result<Self, Failure> {
-        let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
-        let mut compiled = program_file::compile(&args.program, dialect)?;
+    fn new(args: &Args, arm: &PlannedFor) -> Result<Self, Failure> {
+        let mut compiled = program_file::compile(&args.program, arm)?;
         if let Some(times) = times(args) {
             compiled.repeat(times);
         }
@@ -129,15 +127,20 @@ impl Planned {
             Some(step) => from_step(&compiled, step, &args.program)?,
             None => compiled,
         };
-        let policy = args.to.policy()?;
-        let report = check(&compiled, &policy, Model::new(dialect, &Status::AT_ZERO));
+        let policy = &arm.rules.policy;
+        let report = check(&compiled, policy, arm.model());
         let problems = program_file::problems(&report);
         if !problems.is_empty() {
             let (file, count) = (args.program.display(), problems.len());
             return Err(anyhow!("{file} has {count} problems:\n{}", problems.join("\n")).into());
         }
         let job = compiled.job();
-        let prediction = predict(&job, &policy, speaker(dialect));
+        let prediction = predict(
+            &job,
+            policy,
+            speaker(arm.dialect()),
+            arm.calibration.as_ref(),
+        );
         let prediction = prediction.map_err(|error| anyhow!("on the twin: {error}"))?;
         Ok(Self { job, prediction })
     }

@@ -5,6 +5,7 @@ mod lesson;
 mod screen;
 mod teacher;
 
+use crate::control;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -62,12 +63,13 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     )?;
     let lesson = read(&args.program)?;
     let file = args.program.clone();
-    let settings = Settings {
-        tolerance_mm: args.tolerance,
-        policy: args.to.policy()?,
-        arm_laser: args.arm_laser,
-    };
+    let policy = args.to.policy()?;
     let teach = async |station: &mut StationClient| {
+        let settings = Settings {
+            tolerance_mm: args.tolerance,
+            rules: control::planned_for(station, &policy).await?.rules,
+            arm_laser: args.arm_laser,
+        };
         let panel = |pendant| Teacher::new(pendant, lesson, file, settings);
         with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await
     };

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use dobot_api::CalibrationFile;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
-use dobot_calibrate::CalibrationFile;
 use dobot_geometry::Point;
 use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen};
 use dobot_source::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
@@ -205,13 +205,10 @@ impl DrawingRequest {
     /// The paper of which no points are told: at the height told, as calibrated, or where the arm
     /// stands.
     fn height(&self, standing_z_mm: f64) -> Paper {
-        let calibrated = self
-            .settings
-            .calibration
-            .as_ref()
-            .and_then(CalibrationFile::paper);
+        let known = &self.settings.calibration;
+        let calibrated = known.as_ref().and_then(|it| it.paper);
         match (self.options.place.pen_down, calibrated) {
-            (None, Some(it)) => Paper::sloping(it.z0_mm, it.slope_x, it.slope_y),
+            (None, Some(it)) => Paper::sloping(it.z_mm, it.slope_x, it.slope_y),
             (told, _) => Paper::level(told.unwrap_or(standing_z_mm)),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use dobot_calibrate::CalibrationFile;
+use dobot_api::CalibrationFile;
 use dobot_geometry::Area;
 use dobot_plan::{DrawingTool, Machine, Paper};
 use dobot_source::fontdb;

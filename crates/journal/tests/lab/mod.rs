@@ -21,6 +21,7 @@ pub fn job(title: &str, commands: u16) -> PlannedJob {
     PlannedJob {
         title: title.to_owned(),
         kind: JobKind::Drawing,
+        calibration: dobot_arm::Calibration::NONE,
         dialect: Dialect::FIRMWARE_1_1,
         lift_mm: Some(5.0),
         created_ms: 1_700_000_000_123,

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use dobot_api::{
-    ClientId, Folders, JobView, Notice, RemoteError, Reply, Request, Role, StationEvent,
+    Calibrations, ClientId, Folders, JobView, Notice, RemoteError, Reply, Request, Role,
+    StationEvent,
 };
 use dobot_client::{Address, OpenError};
 use dobot_safety::Policy;
@@ -110,6 +111,10 @@ impl Local {
 
     pub(super) async fn jobs(&self) -> Result<Vec<JobView>, Refusal> {
         self.client.handle().jobs().await
+    }
+
+    pub(super) fn calibrations(&self) -> Calibrations {
+        self.client.handle().rules().calibrations.clone()
     }
 
     pub(super) const fn id(&self) -> ClientId {

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobView, Reply, Request, StationEvent};
+use dobot_api::{Calibrations, ClientId, JobView, Reply, Request, StationEvent};
 use dobot_controller::PowerUp;
 use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
@@ -74,6 +74,10 @@ impl InVirtualTime {
 
     pub(super) fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
         self.station.jobs()
+    }
+
+    pub(super) const fn calibrations(&self) -> &Calibrations {
+        self.station.calibrations()
     }
 
     pub(super) const fn arm(&self) -> &VirtualArm {

@@ -3,10 +3,11 @@
 use std::iter;
 use std::time::Duration;
 
-use dobot_api::WayView;
+use dobot_api::{CalibratedView, WayView};
+use dobot_arm::Calibration;
 use dobot_client::{CommandId, SendError, Session};
 use dobot_safety::{Policy, Violation};
-use dobot_trajectory::{ArmPlace, Model, Trajectory};
+use dobot_trajectory::{ArmPlace, Model, Trajectory, TrajectoryError};
 use dobot_wire::{Command, Dialect, Packet, Status};
 
 use super::seconds;
@@ -21,6 +22,8 @@ pub(super) struct Arm {
     now: Duration,
     line: UrgentQueue,
     last: Option<Status>,
+    /// How it differs from the drawing of it when it has just been switched on.
+    calibration: Calibration,
     /// How many statuses in a row told the same place.
     still: u32,
 }
@@ -36,6 +39,7 @@ impl Arm {
             now: Duration::ZERO,
             line: UrgentQueue::default(),
             last: None,
+            calibration: Calibration::NONE,
             still: 0,
         }
     }
@@ -61,6 +65,55 @@ impl Arm {
 
     pub(super) const fn now(&self) -> Duration {
         self.now
+    }
+
+    pub(super) fn set_calibration(&mut self, calibration: Calibration) {
+        // One that holds already may have been told its angles since.
+        if calibration != self.calibration {
+            self.calibration = calibration;
+            self.session.set_calibration(calibration);
+        }
+    }
+
+    /// How it differs from what it says now.
+    pub(super) fn calibration(&self) -> Calibration {
+        let model = self.session.model();
+        model.map_or(self.calibration, |it| it.calibration)
+    }
+
+    pub(super) fn is_calibrated(&self) -> bool {
+        !self.calibration.is_none()
+    }
+
+    pub(super) fn calibrated_view(&self) -> Option<CalibratedView> {
+        let zeros_told = self.calibration() != self.calibration;
+        self.is_calibrated()
+            .then_some(CalibratedView { zeros_told })
+    }
+
+    /// The status with the true places and angles in place of what the arm says.
+    pub(super) fn true_status(&self, told: &Status) -> Status {
+        let Some(model) = self.session.model().filter(|_| self.is_calibrated()) else {
+            return *told;
+        };
+        let place = model.true_place(&ArmPlace::of_status(told));
+        Status {
+            suction: told.suction,
+            gripper_deg: told.gripper_deg,
+            ..place.status()
+        }
+    }
+
+    /// What the arm has to be told for a command that speaks of true places.
+    pub(super) fn told(&self, command: &Command) -> Result<Command, Refusal> {
+        let Some(model) = self.session.model() else {
+            return Ok(*command);
+        };
+        model.told(command).map_err(|error| {
+            Refusal::from(Violation::of_trajectory(&TrajectoryError::Unreachable(
+                error,
+            )))
+        })
     }
 
     /// The status that came last.
@@ -223,7 +276,8 @@ impl Arm {
 fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation> {
     let place_at = |t_s| {
         let place = trajectory.place_at(t_s);
-        place.map_err(|error| Violation::of_trajectory(&error.into()))
+        let place = place.map_err(|error| Violation::of_trajectory(&error.into()))?;
+        Ok::<_, Violation>(model.true_place(&place))
     };
     let (parts, duration_s) = match trajectory.motion_s() {
         Some(duration_s) if trajectory.moves() => (PATH_PARTS, duration_s),
@@ -231,7 +285,8 @@ fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation
     };
     let times = (1..=parts).map(|part| duration_s * f64::from(part) / f64::from(PATH_PARTS));
     let way = times.map(place_at).collect::<Result<Vec<_>, _>>()?;
-    let end = way.last().unwrap_or(&model.place);
+    let start = model.true_place(&model.place);
+    let end = way.last().unwrap_or(&start);
     let point = |place: &ArmPlace| {
         let at = place.pose.position;
         [at.x, at.y, at.z].map(|it| it.0)
@@ -240,7 +295,7 @@ fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation
     Ok(WayView {
         takes_s: trajectory.duration_s(),
         joints_deg: [joints.base, joints.rear, joints.fore, joints.servo].map(|it| it.0),
-        path_mm: iter::once(&model.place).chain(&way).map(point).collect(),
+        path_mm: iter::once(&start).chain(&way).map(point).collect(),
     })
 }
 

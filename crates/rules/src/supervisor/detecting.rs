@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::ClientId;
-use dobot_arm::{Joints, Tool};
+use dobot_arm::{Calibration, Joints, Tool};
 use dobot_client::Detection;
 use dobot_trajectory::ArmPlace;
 use dobot_wire::{Finding, Packet, Status};
@@ -37,10 +37,13 @@ impl Detecting {
         let Some(status) = arm.last().filter(|_| arm.is_at_rest()) else {
             return Err(still_moving(rests_within));
         };
-        let tool = arm.session().model().map_or(Tool::SuctionCup, |it| it.tool);
+        let model = arm.session().model();
+        let tool = model.map_or(Tool::SuctionCup, |it| it.tool);
+        let calibration = model.map_or(Calibration::NONE, |it| it.calibration);
         let allowed = |joints: &Joints| {
             let place = ArmPlace::at_joints(*joints, tool);
-            arm.policy().allows(&place, tool)
+            let checked = arm.policy().check_place(&place, tool, &calibration);
+            checked.is_ok()
         };
         let detection = Detection::new(&status, allowed)
             .map_err(|error| Refusal::NotFound(error.to_string()))?;

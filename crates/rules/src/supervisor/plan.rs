@@ -7,7 +7,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use dobot_api::JobProgram;
-use dobot_arm::{Joints, Position, Tool};
+use dobot_arm::{Calibration, Joints, Position, Tool};
 use dobot_client::position;
 use dobot_journal::HeightChange;
 use dobot_safety::{Policy, Violation};
@@ -34,6 +34,8 @@ pub struct JobPlan {
     settings: Vec<(usize, DrawnWith)>,
     burns: bool,
     lift_mm: f32,
+    /// How the arm differs from the drawing of it.
+    arm: Calibration,
     /// Which of them are done again.
     cycle: Option<Cycle>,
 }
@@ -113,6 +115,7 @@ impl JobPlan {
             settings: vec![(0, look.drawn_with())],
             burns,
             lift_mm,
+            arm: model.calibration,
             cycle,
         };
         let mut steps: Vec<Step> = Vec::with_capacity(commands.len());
@@ -176,7 +179,7 @@ impl JobPlan {
             .min_by(|(_, a), (_, b)| a.z_mm.total_cmp(&b.z_mm));
         lowest.map_or(Ok(()), |(index, status)| {
             let tool = self.drawn_with(index).tool;
-            policy.check_place(&ArmPlace::of_status(&status), tool)
+            policy.check_place(&ArmPlace::of_status(&status), tool, &self.arm)
         })
     }
 

@@ -3,8 +3,9 @@
 use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, News, Reply, Request, Role};
+use dobot_arm::Calibration;
 use dobot_safety::Policy;
-use dobot_wire::{Command, Dialect, Packet};
+use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
 use super::amend::amended;
 use super::commands::{button, understood};
@@ -103,14 +104,7 @@ impl Supervisor {
         policy: Policy,
     ) -> Result<(), Refusal> {
         self.handle_time(now);
-        self.leases.check_role(client, Role::Admin)?;
-        if let Some(job) = self.job().filter(|_| self.job_is_under_way()) {
-            return Err(Refusal::JobRunning(job.job));
-        }
-        self.detecting.check()?;
-        if !self.arm.is_idle() || self.jogging.falls_silent().is_some() {
-            return Err(still_moving(self.rests_within()));
-        }
+        self.check_may_change(client)?;
         self.disarm_laser("the policy was changed");
         self.arm.set_policy(policy);
         let text = format!("{} changed the safety policy", self.client_name(client));
@@ -120,8 +114,74 @@ impl Supervisor {
         Ok(())
     }
 
+    /// Whether a client may change by what the arm is judged: nothing may be under way.
+    fn check_may_change(&self, client: ClientId) -> Result<(), Refusal> {
+        self.leases.check_role(client, Role::Admin)?;
+        if let Some(job) = self.job().filter(|_| self.job_is_under_way()) {
+            return Err(Refusal::JobRunning(job.job));
+        }
+        self.detecting.check()?;
+        if !self.arm.is_idle() || self.jogging.falls_silent().is_some() {
+            return Err(still_moving(self.rests_within()));
+        }
+        Ok(())
+    }
+
+    /// Takes another calibration of the arm. What the arm was given was meant by the one before, so it has to be over.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`], [`Refusal::StillMoving`]; the old one holds
+    /// on then.
+    pub fn handle_calibration(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        calibration: Calibration,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        self.check_may_change(client)?;
+        self.disarm_laser("the arm was calibrated");
+        self.set_calibration(calibration);
+        let name = self.client_name(client);
+        let text = if calibration.is_none() {
+            format!("{name} takes the arm to be as drawn: no calibration holds")
+        } else {
+            format!("{name} calibrated the arm: places are true ones from now on")
+        };
+        self.notify(News::Calibrated, text);
+        self.pump();
+        Ok(())
+    }
+
+    /// Tells a calibrated arm its true angles. Its base has to stand straight ahead, for that is what it believes
+    /// then (note N26).
+    fn tell_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        self.check_may_move(client)?;
+        let model = self.arm.session().model().copied();
+        let Some(model) = model.filter(|_| self.arm.is_at_rest() && self.arm.is_idle()) else {
+            return Err(self.still_moving());
+        };
+        let joints = model.true_place(&model.place).joints;
+        if joints.base.0.abs() > STRAIGHT_DEG {
+            return Err(Refusal::OutOfRange {
+                name: "the true base angle",
+                found: joints.base.0,
+                allowed: format!(
+                    "-{STRAIGHT_DEG} to {STRAIGHT_DEG} degrees: turn the base straight ahead first"
+                ),
+            });
+        }
+        let angles = Configuration::InitialAngles {
+            rear_deg: single(joints.rear.0),
+            fore_deg: single(joints.fore.0),
+        };
+        self.command(client, &angles.into())
+    }
+
     /// Where a command would lead if it were sent now.
     fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
+        let command = &self.arm.told(command)?;
         let command = understood(&self.arm, command, self.rests_within())?;
         let way = self.arm.foresee(&command)?;
         Ok(Reply::Way { way })
@@ -139,7 +199,10 @@ impl Supervisor {
 
     fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
         match request {
-            Request::Command { command } => self.command(client, &command),
+            Request::Command { command } => {
+                let told = self.arm.told(&command)?;
+                self.command(client, &told)
+            }
             Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
             Request::Release => {
                 self.leases.check(client)?;
@@ -159,6 +222,7 @@ impl Supervisor {
                 Ok(Reply::Done)
             }
             Request::ConfirmPose => self.confirm_pose(client),
+            Request::TellAngles => self.tell_angles(client),
             Request::SetDialect { dialect } => {
                 self.detecting.forget_finding();
                 self.set_dialect(dialect)
@@ -168,6 +232,7 @@ impl Supervisor {
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
             Request::CancelJob { job } => self.cancel_job(client, job),
             Request::CheckCommand { .. }
+            | Request::Calibrate { .. }
             | Request::Detect
             | Request::SubmitJob { .. }
             | Request::StartJob { .. }
@@ -382,3 +447,5 @@ impl Supervisor {
 /// What to do about a packet that nothing helps.
 const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
 const REASON_LEN: usize = 200;
+/// A base that is as near as this to straight ahead is.
+const STRAIGHT_DEG: f64 = 0.1;

@@ -200,7 +200,7 @@ fn a_program_is_done_faster_and_slower_while_it_runs() {
 #[test]
 fn a_cycle_takes_as_long_as_was_predicted_to_the_tick() {
     for personality in BOTH {
-        let predicted = predict(&shuttle(None), &Policy::default(), personality).unwrap();
+        let predicted = predict(&shuttle(None), &Policy::default(), personality, None).unwrap();
         let (mut it, anna) = station(personality, &[], 0);
         let job = it.submit(&shuttle(Some(20))).unwrap();
         it.start(anna, job).unwrap();

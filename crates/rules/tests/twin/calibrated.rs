@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobKind, JobPhase, NewJob, Request};
+use dobot_api::{Backlash, CalibrationFile, ClientId, JobKind, JobPhase, NewJob, Request};
 use dobot_arm::{Calibration, Joints, Limits, Pose, Position, Tool};
-use dobot_calibrate::{Backlash, CalibrationFile, Procedure, SHEET_POINTS};
+use dobot_calibrate::{Procedure, SHEET_POINTS, found};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{Prepared, Settings, prepare};
 use dobot_geometry::{Deviation, Point, Stroke, deviation};
@@ -98,7 +98,7 @@ impl OldArm {
             procedure.touch(self.told());
         }
         let [base, rear, fore] = self.backlash_deg;
-        CalibrationFile::of(&procedure.outcome().unwrap(), Backlash { base, rear, fore })
+        found(&procedure.outcome().unwrap(), Backlash { base, rear, fore })
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "as a command holds it")]
@@ -175,8 +175,8 @@ fn prepared(personality: Personality, calibration: Option<CalibrationFile>) -> P
     let paper = Paper::sloping(Z0_MM, SLOPE_X, SLOPE_Y);
     let paper = match &calibration {
         Some(known) => {
-            let found = known.paper().unwrap();
-            let paper = Paper::sloping(found.z0_mm, found.slope_x, found.slope_y);
+            let found = known.paper.unwrap();
+            let paper = Paper::sloping(found.z_mm, found.slope_x, found.slope_y);
             paper.seen_by(known.arm(), TOOL)
         }
         None => paper,

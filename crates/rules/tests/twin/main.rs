@@ -8,3 +8,4 @@ mod calibrated;
 mod lasers;
 mod policy;
 mod traces;
+mod true_places;

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use dobot_api::Role;
-use dobot_rules::{Handle, OwnVirtualArm};
+use dobot_rules::{Handle, OwnVirtualArm, PlannedFor};
 use tokio::sync::{Semaphore, watch};
 use tokio::time::Instant;
 
@@ -67,6 +67,11 @@ impl App {
             ending,
             began: Instant::now(),
         })
+    }
+
+    /// For which arm to plan now.
+    pub(super) fn planned_for(&self) -> PlannedFor {
+        PlannedFor::of(self.handle.rules(), self.handle.state().state())
     }
 
     /// The time since the start.

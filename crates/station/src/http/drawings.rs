@@ -11,10 +11,10 @@ use dobot_draw::{
     DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
     frame,
 };
+use dobot_rules::PlannedFor;
 use dobot_rules::{JobPlan, drawing_job};
 use dobot_safety::Policy;
 use dobot_trajectory::Model;
-use dobot_wire::{Dialect, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tokio::sync::{Semaphore, watch};
@@ -141,15 +141,6 @@ struct Planned {
     view: Bytes,
     whole: NewJob,
     frame: Result<NewJob, String>,
-}
-
-/// What a drawing is planned for.
-#[derive(Clone, Debug)]
-pub(super) struct PlannedFor {
-    pub(super) policy: Arc<Policy>,
-    pub(super) dialect: Option<Dialect>,
-    /// Where the arm stands.
-    pub(super) status: Option<Status>,
 }
 
 impl Default for Drawings {
@@ -378,14 +369,11 @@ impl Work {
         let subject = self.new.subject(&self.title)?;
         let asked = DrawingRequest::new(self.new.options, subject, &Materials::built_in());
         let asked = asked.map_err(|why| bad(&why))?.until(self.give_up);
-        let PlannedFor {
-            policy,
-            dialect,
-            status,
-        } = self.planned_for;
-        let standing_z_mm = status.map_or(WITHOUT_ARM_Z_MM, |it| it.z_mm.into());
+        let arm = self.planned_for;
+        let standing_z_mm = arm.status.map_or(WITHOUT_ARM_Z_MM, |it| it.z_mm.into());
         let (prepared, settings) = asked
-            .prepare(dialect, standing_z_mm)
+            .calibrated(arm.calibration.clone())
+            .prepare(arm.dialect, standing_z_mm)
             .map_err(|why| bad(&why))?;
         let Prepared { plan, passes, .. } = &prepared;
         let whole = drawing_job(plan, &self.title);
@@ -396,10 +384,6 @@ impl Work {
             FrameShape::Rectangle,
         );
         let frame = around.map(|it| drawing_job(&it, &format!("frame of {}", self.title)));
-        let model = Model::new(
-            dialect.unwrap_or(Dialect::SPECIFICATION),
-            &status.unwrap_or(Status::AT_ZERO),
-        );
         let view = DrawingView {
             drawing: self.number,
             title: self.title,
@@ -410,7 +394,7 @@ impl Work {
                 burns: plan.burns(),
                 warnings: prepared.warnings.iter().map(ToString::to_string).collect(),
                 pauses: whole.pauses.iter().map(|it| it.message.clone()).collect(),
-                refused: refused(&policy, model, &whole),
+                refused: refused(&arm.rules.policy, arm.model(), &whole),
                 timeline: prepared.timeline(),
             }),
         };

@@ -6,13 +6,12 @@ use std::ops::RangeInclusive;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::draw_step;
-use dobot_safety::Policy;
+use dobot_rules::PlannedFor;
 use dobot_teach::{
     Action, Compiled, Drawing, Files, Point, Program, ProgramDocument, ProgramError, RecordedPlace,
     Report, Times, ToolState, check, path_steps, simplified,
 };
-use dobot_trajectory::Model;
-use dobot_wire::{Command, Dialect, Status};
+use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -176,8 +175,8 @@ pub(super) struct EditedProgram {
 }
 
 /// Looks at a whole program.
-pub(super) fn report(program: &ProgramText, policy: &Policy, dialect: Dialect) -> ProgramReport {
-    let compiled = match compile(program, dialect) {
+pub(super) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
+    let compiled = match compile(program, arm) {
         Ok(compiled) => compiled,
         Err(error) => {
             return ProgramReport {
@@ -192,7 +191,7 @@ pub(super) fn report(program: &ProgramText, policy: &Policy, dialect: Dialect) -
             };
         }
     };
-    let found = look(&compiled, policy, dialect);
+    let found = look(&compiled, arm);
     let steps = compiled.steps.iter().zip(&found.steps_s);
     ProgramReport {
         steps: steps
@@ -223,10 +222,10 @@ fn problem(it: dobot_teach::Problem) -> ProgramProblem {
 }
 
 /// The job of a program.
-pub(super) fn job(new: &NewProgram, policy: &Policy, dialect: Dialect) -> Result<NewJob, Problem> {
+pub(super) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem> {
     let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
-    let mut compiled = compile(&new.program, dialect).map_err(bad)?;
-    if let Some(first) = look(&compiled, policy, dialect).problems.into_iter().next() {
+    let mut compiled = compile(&new.program, arm).map_err(bad)?;
+    if let Some(first) = look(&compiled, arm).problems.into_iter().next() {
         let (step, line, what) = (first.step, first.line, first.message);
         return Err(BAD_PROGRAM.hinted(format!("step {step} (line {line}): {what}"), first.remedy));
     }
@@ -317,22 +316,22 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
     }
 }
 
-fn compile(program: &ProgramText, dialect: Dialect) -> Result<Compiled, ProgramError> {
+fn compile(program: &ProgramText, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
     let mut files = Texts {
         files: &program.files,
-        dialect,
+        arm,
     };
-    Program::from_toml(&program.text)?.compile(&mut files)
+    Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
 }
 
-fn look(compiled: &Compiled, policy: &Policy, dialect: Dialect) -> Report {
-    check(compiled, policy, Model::new(dialect, &Status::AT_ZERO))
+fn look(compiled: &Compiled, arm: &PlannedFor) -> Report {
+    check(compiled, &arm.rules.policy, arm.model())
 }
 
 /// The files that came with a program.
 struct Texts<'a> {
     files: &'a BTreeMap<String, String>,
-    dialect: Dialect,
+    arm: &'a PlannedFor,
 }
 
 impl Texts<'_> {
@@ -353,7 +352,9 @@ impl Files for Texts<'_> {
         let options = options
             .try_into()
             .map_err(|error| format!("{path}: {error}"))?;
-        draw_step(path, bytes, options, drawing.pen_down, self.dialect)
+        let calibration = self.arm.calibration.clone();
+        let dialect = self.arm.dialect();
+        draw_step(path, bytes, options, drawing.pen_down, dialect, calibration)
     }
 }
 

@@ -3,6 +3,7 @@
 //! A request is a row of it, with its body beside it: see `CONTRIBUTING.md`, "a new request".
 
 mod arm;
+mod calibration;
 mod drawings;
 mod jobs;
 mod leases;
@@ -58,6 +59,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         motion::all(),
         leases::all(),
         arm::all(),
+        calibration::all(),
         jobs::all(),
         programs::all(),
         drawings::all(),

@@ -1,6 +1,7 @@
 //! The screen of `dobot calibrate`.
 
-use dobot_calibrate::{CalibrationFile, Fit, Trust, Unsure};
+use dobot_api::CalibrationFile;
+use dobot_calibrate::{Fit, Trust, Unsure};
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout};
 use ratatui::style::Stylize;

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-use dobot_api::State;
+use dobot_api::{Backlash, CalibrationFile, State};
 use dobot_arm::{Joints, Tool};
-use dobot_calibrate::{Backlash, CalibrationFile, Fit, FitError, Procedure};
+use dobot_calibrate::{Fit, FitError, Procedure, found, read_calibration, write_calibration};
 use ratatui::Frame;
 
 use super::{before, screen};
@@ -96,7 +96,7 @@ impl Toucher {
     /// What was shown is kept; what was not is shown first.
     fn keep(&mut self, shown: Option<&CalibrationFile>) {
         let found = match &self.outcome {
-            Ok(fit) => CalibrationFile::of(fit, self.backlash),
+            Ok(fit) => found(fit, self.backlash),
             Err(why) => return self.pendant.tell(format!("nothing to keep: {why}")),
         };
         if shown != Some(&found) {
@@ -105,9 +105,11 @@ impl Toucher {
             return self.pendant.tell(text.into());
         }
         if let Some(known) = &self.known {
-            self.files.push_back((before(&self.file), known.emit()));
+            self.files
+                .push_back((before(&self.file), write_calibration(known)));
         }
-        self.files.push_back((self.file.clone(), found.emit()));
+        self.files
+            .push_back((self.file.clone(), write_calibration(&found)));
     }
 }
 
@@ -154,7 +156,7 @@ impl Panel for Toucher {
     fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
         match saved {
             Ok(()) if self.files.is_empty() => {
-                self.known = CalibrationFile::parse(&text).ok();
+                self.known = read_calibration(&text).ok();
                 self.pendant
                     .tell(format!("kept in {}", self.file.display()));
             }
@@ -256,7 +258,7 @@ mod tests {
         press(&mut it, KeyCode::Char('w'));
         let (file, text) = it.poll_file().unwrap();
         assert_eq!(file, PathBuf::from("arm.toml"));
-        let known = CalibrationFile::parse(&text).unwrap();
+        let known = read_calibration(&text).unwrap();
         assert_eq!(known.touched.unwrap().points, 9);
         let place = Position::new(230.0, -50.0, -40.0);
         let told = known.arm().told_place(place, Tool::SuctionCup).unwrap();
@@ -273,7 +275,7 @@ mod tests {
         press(&mut it, KeyCode::Char('w'));
         let (file, text) = it.poll_file().unwrap();
         assert_eq!(file, PathBuf::from("arm.toml.before"));
-        assert_eq!(CalibrationFile::parse(&text).unwrap(), known);
+        assert_eq!(read_calibration(&text).unwrap(), known);
         let full = io::Error::other("the disk is full");
         it.handle_saved(text, Err(full));
         assert_eq!(it.poll_file(), None, "nothing is replaced without it");

@@ -3,6 +3,7 @@
 
 use std::time::Duration;
 
+use dobot_api::Request;
 use dobot_controller::PowerUp;
 use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Timeline, Trace};
 use dobot_geometry::Stroke;
@@ -70,6 +71,8 @@ pub(super) async fn rehearse(
         // Where the policy does not let it stand there, the way from there is left out.
         let _ = carry_out(&mut station, standing(from).into()).await;
     }
+    let calibration = settings.calibration.clone().map(Box::new);
+    station.request(Request::Calibrate { calibration }).await?;
     if let Some(arm) = station.virtual_arm_mut() {
         arm.record(RECORDING_PERIOD);
     }

@@ -1,15 +1,14 @@
 //! The program that is being taught: what each key changes in it.
 
+use dobot_rules::PlannedFor;
 use std::collections::BTreeMap;
 
 use dobot_api::NewJob;
-use dobot_safety::Policy;
 use dobot_teach::{
     Action, Compiled, Files, Go, Here, Point, Problem, Program, ProgramDocument, ProgramError,
     RecordedPlace, Steps, Times, ToolState, check, path_steps,
 };
-use dobot_trajectory::Model;
-use dobot_wire::{Dialect, MovingMode, Status};
+use dobot_wire::MovingMode;
 
 /// A program, and the step at which it is being taught.
 #[derive(Debug)]
@@ -266,20 +265,19 @@ impl Lesson {
         &mut self,
         part: Part,
         files: &mut dyn Files,
-        policy: &Policy,
-        dialect: Dialect,
+        arm: &PlannedFor,
     ) -> Result<NewJob, String> {
         let program = self.program().ok_or("there is no step yet")?;
         let compiled = match part {
-            Part::Loop => compile(&looped(program.clone()), files)?,
-            Part::All => compile(&program, files)?,
+            Part::Loop => compile(&looped(program.clone()), arm, files)?,
+            Part::All => compile(&program, arm, files)?,
             Part::FromHere => {
                 let line = program
                     .steps
                     .0
                     .get(self.cursor)
                     .map(|it| program.line_of(it));
-                let compiled = compile(&program, files)?;
+                let compiled = compile(&program, arm, files)?;
                 let here =
                     |it: &dobot_teach::CompiledStep| it.file.is_none() && Some(it.line) >= line;
                 let step = compiled.steps.iter().position(here);
@@ -287,7 +285,7 @@ impl Lesson {
                 rest.ok_or("nothing is done from this step on")?
             }
         };
-        let report = check(&compiled, policy, Model::new(dialect, &Status::AT_ZERO));
+        let report = check(&compiled, &arm.rules.policy, arm.model());
         if let Some(first) = report.problems.first() {
             let own = program.steps.0.iter();
             let mut lines = own.map(|it| program.line_of(it));
@@ -437,8 +435,9 @@ fn told(first: &Problem, more: usize) -> String {
     }
 }
 
-fn compile(program: &Program, files: &mut dyn Files) -> Result<Compiled, String> {
-    program.compile(files).map_err(|error| error.to_string())
+fn compile(program: &Program, arm: &PlannedFor, files: &mut dyn Files) -> Result<Compiled, String> {
+    let compiled = program.compile_for(&arm.arm(), files);
+    compiled.map_err(|error| error.to_string())
 }
 
 fn nothing_yet() -> ProgramError {
@@ -473,6 +472,9 @@ mod tests {
     use dobot_teach::NoFiles;
     use dobot_wire::Command;
 
+    use dobot_rules::Rules;
+    use dobot_safety::Policy;
+
     use super::*;
 
     fn place(x: f64, suction: bool) -> RecordedPlace {
@@ -492,6 +494,10 @@ mod tests {
         it.capture(&place(250.0, true), MovingMode::Jump).unwrap();
         assert!(it.switch_suction(false).unwrap());
         it
+    }
+
+    fn any_arm() -> PlannedFor {
+        PlannedFor::any(Rules::of(&Policy::default()).into(), None)
     }
 
     #[test]
@@ -579,42 +585,16 @@ mod tests {
     fn a_part_of_the_program_is_run_from_the_cursor_on() {
         let mut it = pick_and_place();
         it.move_cursor(false);
-        let rest = it
-            .job(
-                Part::FromHere,
-                &mut NoFiles,
-                &Policy::default(),
-                Dialect::SPECIFICATION,
-            )
-            .unwrap();
+        let rest = it.job(Part::FromHere, &mut NoFiles, &any_arm()).unwrap();
         assert_eq!(targets(&rest).first(), Some(&250.0));
-        let all = it
-            .job(
-                Part::All,
-                &mut NoFiles,
-                &Policy::default(),
-                Dialect::SPECIFICATION,
-            )
-            .unwrap();
+        let all = it.job(Part::All, &mut NoFiles, &any_arm()).unwrap();
         assert_eq!(targets(&all).first(), Some(&200.0));
         assert_eq!(all.program.repeat, None);
-        let looped = it
-            .job(
-                Part::Loop,
-                &mut NoFiles,
-                &Policy::default(),
-                Dialect::SPECIFICATION,
-            )
-            .unwrap();
+        let looped = it.job(Part::Loop, &mut NoFiles, &any_arm()).unwrap();
         assert_eq!(looped.program.repeat.map(|it| it.times), Some(None));
         assert!(
             Lesson::new(String::new())
-                .job(
-                    Part::All,
-                    &mut NoFiles,
-                    &Policy::default(),
-                    Dialect::SPECIFICATION
-                )
+                .job(Part::All, &mut NoFiles, &any_arm(),)
                 .is_err()
         );
     }
@@ -642,10 +622,10 @@ mod tests {
         for x in [200.0, 900.0, 210.0] {
             it.capture(&place(x, false), MovingMode::MovL).unwrap();
         }
-        let (policy, dialect) = (Policy::default(), Dialect::SPECIFICATION);
+        let arm = any_arm();
         for part in [Part::All, Part::Loop] {
             it.move_cursor(true);
-            let why = it.job(part, &mut NoFiles, &policy, dialect).unwrap_err();
+            let why = it.job(part, &mut NoFiles, &arm).unwrap_err();
             assert!(why.starts_with("step 2: "), "{why}");
             assert_eq!(it.cursor(), 1);
         }

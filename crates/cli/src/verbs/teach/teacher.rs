@@ -1,14 +1,15 @@
 //! Teaching as an engine: the pendant, the program, and the job that runs it.
 
+use dobot_rules::{PlannedFor, Rules};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyEvent, KeyEventKind};
 use dobot_api::{JobPhase, JobView, NewJob, Reply, Request, State};
-use dobot_safety::Policy;
 use dobot_teach::{ProgramError, RecordedPlace, simplified};
 use dobot_trajectory::burns;
-use dobot_wire::{Dialect, MovingMode};
+use dobot_wire::MovingMode;
 use ratatui::Frame;
 
 use super::keys::{TeachKey, teach_key};
@@ -44,7 +45,7 @@ pub(crate) struct Settings {
     /// How far the steps of a jogged path may be from it, in millimetres.
     pub(crate) tolerance_mm: f64,
     /// What the program may do.
-    pub(crate) policy: Policy,
+    pub(crate) rules: Arc<Rules>,
     /// For how long the laser may be on when a program is run that burns.
     pub(crate) arm_laser: Option<Duration>,
 }
@@ -221,11 +222,13 @@ impl Teacher {
             }
             self.pendant.ask(Request::CancelJob { job: own.job });
         }
-        let dialect = self.pendant.state().and_then(|it| it.dialect);
-        let dialect = dialect.unwrap_or(Dialect::SPECIFICATION);
-        let mut files = FilesBeside::new(&self.file, dialect);
-        let Settings { policy, .. } = &self.settings;
-        match self.lesson.job(part, &mut files, policy, dialect) {
+        let rules = self.settings.rules.clone();
+        let arm = match self.pendant.state() {
+            Some(state) => PlannedFor::of(rules, state),
+            None => PlannedFor::any(rules, None),
+        };
+        let mut files = FilesBeside::new(&self.file, arm.clone());
+        match self.lesson.job(part, &mut files, &arm) {
             Ok(job) => {
                 if !self.arm_laser(&job) {
                     return;
@@ -405,6 +408,8 @@ mod tests {
     use crossterm::event::{KeyCode, KeyModifiers};
     use dobot_api::ClientId;
 
+    use dobot_safety::Policy;
+
     use super::*;
     use crate::pendant::{Drive, KeyReports, STATE};
 
@@ -413,7 +418,7 @@ mod tests {
         let pendant = Pendant::new(ClientId(1), KeyReports::Presses, dead_man, Drive::Jog);
         let settings = Settings {
             tolerance_mm: 0.5,
-            policy: Policy::default(),
+            rules: Rules::of(&Policy::default()).into(),
             arm_laser: None,
         };
         let mut it = Teacher::new(pendant, Lesson::new("t".into()), "t.toml".into(), settings);
@@ -568,7 +573,9 @@ mod tests {
     fn a_program_that_burns_runs_only_where_the_goggles_are_on_and_the_laser_is_armed_first() {
         let text = "[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n[[steps]]\nlaser = true\n[[steps]]\nlaser = false\n";
         let mut it = teacher();
-        it.settings.policy.laser.standing = true;
+        let mut policy = Policy::default();
+        policy.laser.standing = true;
+        it.settings.rules = Rules::of(&policy).into();
         it.lesson = Lesson::of_text(text).unwrap();
         assert_eq!(keyed(&mut it, KeyCode::Char('g')), []);
         it.settings.arm_laser = Some(Duration::from_secs(60));

@@ -18,9 +18,7 @@ use serde::Deserialize;
 use super::super::answer::{Body, Maybe, NotDone, Number, json};
 use super::super::app::App;
 use super::super::calls::Asker;
-use super::super::drawings::{
-    self, DrawingPart, DrawingView, MaterialView, NewDrawing, PlannedFor,
-};
+use super::super::drawings::{self, DrawingPart, DrawingView, MaterialView, NewDrawing};
 use super::super::route::Route;
 use super::{DELETE, GET, POST};
 
@@ -98,14 +96,7 @@ struct DrawingJob {
 async fn begin(asker: Asker, Body(new): Body<NewDrawing, FILE>) -> Result<Response, NotDone> {
     asker.check_role(Role::Control)?;
     let app = &asker.app;
-    let snapshot = app.handle.state();
-    let state = snapshot.state();
-    let planned_for = PlannedFor {
-        policy: app.handle.rules().policy.clone().into(),
-        dialect: state.dialect,
-        status: state.arm.as_ref().map(|it| it.status),
-    };
-    let view = app.drawings.begin(new, planned_for)?;
+    let view = app.drawings.begin(new, app.planned_for())?;
     let place = format!("/api/v1/drawings/{}", view.drawing);
     Ok((StatusCode::ACCEPTED, [(LOCATION, place)], Json(view)).into_response())
 }

@@ -9,7 +9,6 @@ use dobot_api::problem_kinds::{
     BAD_JOB, BAD_PROGRAM, COMMAND, ENDING, JOURNAL, OUT_OF_RANGE, POLICY, TOO_MANY,
 };
 use dobot_api::{Reply, Request};
-use dobot_wire::Dialect;
 
 use super::super::answer::{Body, JOB, NotDone, beside};
 use super::super::app::App;
@@ -64,10 +63,7 @@ async fn check(
     State(app): State<Arc<App>>,
     Body(program): Body<ProgramText, JOB>,
 ) -> Result<Json<ProgramReport>, NotDone> {
-    let report = beside(move || {
-        let (policy, dialect) = (&app.handle.rules().policy, dialect(&app));
-        programs::report(&program, policy, dialect)
-    });
+    let report = beside(move || programs::report(&program, &app.planned_for()));
     Ok(Json(report.await?))
 }
 
@@ -80,17 +76,8 @@ async fn submit(
     Body(new): Body<NewProgram, JOB>,
 ) -> Result<(StatusCode, Json<Reply>), NotDone> {
     let app = asker.app.clone();
-    let job = beside(move || {
-        let (policy, dialect) = (&app.handle.rules().policy, dialect(&app));
-        programs::job(&new, policy, dialect)
-    });
+    let job = beside(move || programs::job(&new, &app.planned_for()));
     let job = job.await??;
     let reply = asker.ask(Request::SubmitJob { job }).await?;
     Ok((StatusCode::CREATED, reply))
-}
-
-/// The dialect of the arm; while nobody knows it, that of the document.
-fn dialect(app: &App) -> Dialect {
-    let known = app.handle.state().state().dialect;
-    known.unwrap_or(Dialect::SPECIFICATION)
 }

@@ -1,0 +1,207 @@
+//! How one arm differs from the drawing of it, as it is kept.
+
+use dobot_arm::Calibration;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What is kept of an arm.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CalibrationFile {
+    /// How much further each joint stands than the arm says, in degrees.
+    pub zeros: Zeros,
+    /// Where the tool is, compared with the drawing of the arm.
+    #[serde(default)]
+    pub tool: ToolOffset,
+    /// Where the base's axis stands in the sheet's frame, in mm.
+    #[serde(default)]
+    pub axis: Axis,
+    /// Where the paper lies.
+    #[serde(default)]
+    pub paper: Option<PaperPlane>,
+    /// How slack each joint is, in degrees.
+    #[serde(default)]
+    pub backlash: Backlash,
+    /// How well the touches agreed.
+    #[serde(default)]
+    pub touched: Option<Touched>,
+}
+
+/// How much further each joint stands than the arm says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Zeros {
+    /// The base, in degrees.
+    pub base: f64,
+    /// The rear arm, in degrees.
+    pub rear: f64,
+    /// The forearm, in degrees.
+    pub fore: f64,
+}
+
+/// Where the tool is, compared with the drawing of the arm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolOffset {
+    /// Further out, in mm.
+    pub out_mm: f64,
+    /// To the left, in mm.
+    pub left_mm: f64,
+}
+
+/// Where the base's axis stands in the sheet's frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Axis {
+    /// Forward, in mm.
+    pub x_mm: f64,
+    /// To the left, in mm.
+    pub y_mm: f64,
+}
+
+/// The plane of the paper, as Z of the wrist where the tool touches it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PaperPlane {
+    /// The height below the base's axis, in mm.
+    pub z_mm: f64,
+    /// How much it rises for each mm forward.
+    pub slope_x: f64,
+    /// How much it rises for each mm to the left.
+    pub slope_y: f64,
+}
+
+impl PaperPlane {
+    /// The height at a place of the sheet, in mm.
+    #[must_use]
+    pub fn z_at(&self, [x_mm, y_mm]: [f64; 2]) -> f64 {
+        self.z_mm + self.slope_x * x_mm + self.slope_y * y_mm
+    }
+}
+
+/// How far a motor turns in vain where its joint turns back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Backlash {
+    /// The base, in degrees.
+    pub base: f64,
+    /// The rear arm, in degrees.
+    pub rear: f64,
+    /// The forearm, in degrees.
+    pub fore: f64,
+}
+
+/// How well the touches agreed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Touched {
+    /// How many counted.
+    pub points: usize,
+    /// Their typical residual, in mm.
+    pub typical_mm: f64,
+    /// Their largest residual, in mm.
+    pub largest_mm: f64,
+}
+
+impl CalibrationFile {
+    /// What is wrong with the arm.
+    #[must_use]
+    pub const fn arm(&self) -> Calibration {
+        Calibration {
+            base_deg: self.zeros.base,
+            rear_deg: self.zeros.rear,
+            fore_deg: self.zeros.fore,
+            reach_mm: self.tool.out_mm,
+            left_mm: self.tool.left_mm,
+            axis_mm: [self.axis.x_mm, self.axis.y_mm],
+        }
+    }
+
+    /// The same arm when it has been told its true joint angles.
+    #[must_use]
+    pub fn without_zeros(self) -> Self {
+        Self {
+            zeros: Zeros::default(),
+            ..self
+        }
+    }
+
+    /// How slack base, rear arm and forearm are, in degrees.
+    #[must_use]
+    pub const fn backlash_deg(&self) -> [f64; 3] {
+        [self.backlash.base, self.backlash.rear, self.backlash.fore]
+    }
+
+    /// Whether an arm can be so.
+    ///
+    /// # Errors
+    ///
+    /// [`NoSuchArm`] with the first number that no arm can have.
+    pub fn check(&self) -> Result<(), NoSuchArm> {
+        let plane = self.paper.unwrap_or(PaperPlane {
+            z_mm: 0.0,
+            slope_x: 0.0,
+            slope_y: 0.0,
+        });
+        let ranges = [
+            ("zeros.base", self.zeros.base, -90.0, 90.0),
+            ("zeros.rear", self.zeros.rear, -30.0, 30.0),
+            ("zeros.fore", self.zeros.fore, -30.0, 30.0),
+            ("tool.out_mm", self.tool.out_mm, -30.0, 30.0),
+            ("tool.left_mm", self.tool.left_mm, -30.0, 30.0),
+            ("axis.x_mm", self.axis.x_mm, -50.0, 50.0),
+            ("axis.y_mm", self.axis.y_mm, -50.0, 50.0),
+            ("paper.z_mm", plane.z_mm, -300.0, 136.0),
+            ("paper.slope_x", plane.slope_x, -0.18, 0.18),
+            ("paper.slope_y", plane.slope_y, -0.18, 0.18),
+            ("backlash.base", self.backlash.base, 0.0, 5.0),
+            ("backlash.rear", self.backlash.rear, 0.0, 5.0),
+            ("backlash.fore", self.backlash.fore, 0.0, 5.0),
+        ];
+        let wrong = ranges
+            .into_iter()
+            .find(|(_, found, least, most)| !(*least..=*most).contains(found));
+        wrong.map_or(Ok(()), |(key, found, least, most)| {
+            Err(NoSuchArm {
+                key,
+                found,
+                least,
+                most,
+            })
+        })
+    }
+}
+
+/// A calibration has a number that no arm can have.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("{key} is {found}; allowed are {least} to {most}")]
+pub struct NoSuchArm {
+    /// Which.
+    pub key: &'static str,
+    /// What it is.
+    pub found: f64,
+    /// The least that is allowed.
+    pub least: f64,
+    /// The most that is allowed.
+    pub most: f64,
+}
+
+/// What is known of how an arm differs from the drawing of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Calibrations {
+    /// What holds; nothing for an arm that is taken to be as drawn.
+    pub calibration: Option<CalibrationFile>,
+    /// What held before, to bring it back.
+    pub before: Option<CalibrationFile>,
+}
+
+impl Calibrations {
+    /// What is wrong with the arm.
+    #[must_use]
+    pub fn arm(&self) -> Calibration {
+        let known = &self.calibration;
+        known
+            .as_ref()
+            .map_or(Calibration::NONE, CalibrationFile::arm)
+    }
+}

@@ -1,0 +1,203 @@
+//! How the arm differs from the drawing of it: finding that, and saying so.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::header::CONTENT_TYPE;
+use axum::response::{IntoResponse, Response};
+use dobot_api::problem_kinds::{
+    BAD_TOUCHES, DETECTING, JOB_RUNNING, NO_LINK, OUT_OF_RANGE, STILL_MOVING,
+};
+use dobot_api::{Backlash, CalibrationFile, Calibrations, Reply, Request};
+use dobot_arm::{Joints, Tool};
+use dobot_calibrate::{
+    Advice, BAR_MM, SHEET_POINTS, Touch, Trust, Unsure, check_bar, fit, found, sheet_svg,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::super::answer::{Body, Maybe, NotDone, Nothing};
+use super::super::app::App;
+use super::super::route::Route;
+use super::{GET, MOVES, POST, PUT};
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            GET,
+            "/api/v1/calibration",
+            "How the arm differs from the drawing of it, as far as that is known, and what was known before",
+            known,
+        )
+        .gives::<Calibrations>(200, "what is known"),
+        Route::asks(
+            PUT,
+            "/api/v1/calibration",
+            "Says how the arm differs from the drawing of it: from then on all places are true ones. It is kept for \
+                this arm, and what was known before is kept beside it; `null` takes the arm to be as drawn (admin)",
+            |Body(new): Body<NewCalibration>| Request::Calibrate {
+                calibration: new.calibration.map(Box::new),
+            },
+        )
+        .example(r#"{"calibration": {"zeros": {"base": 1.5, "rear": -4.2, "fore": 3.1}, "tool": {"out_mm": 2.0, "left_mm": 0.5}}}"#)
+        .gives::<Reply>(200, "what is known now")
+        .problems(&[OUT_OF_RANGE, JOB_RUNNING, DETECTING, STILL_MOVING, NO_LINK]),
+        Route::asks(
+            POST,
+            "/api/v1/calibration/angles",
+            "Tells a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next \
+                reset. It has to rest, with its base straight ahead",
+            |_: Maybe<Nothing>| Request::TellAngles,
+        )
+        .gives::<Reply>(200, "the command is accepted")
+        .problems(MOVES),
+        Route::new(
+            POST,
+            "/api/v1/calibration/fit",
+            "What touches of the sheet tell: a calibration, how well it explains them, whether to trust it, and which \
+                further point would tell most. Nothing is kept",
+            fit_touches,
+        )
+        .brings::<Body<Touches>>()
+        .example(FIT_EXAMPLE)
+        .gives::<FitReport>(200, "what they tell")
+        .problems(&[BAD_TOUCHES]),
+        Route::new(
+            GET,
+            "/api/v1/calibration/points",
+            "The points of the sheet, in the order in which they are touched",
+            points,
+        )
+        .gives::<SheetPoints>(200, "the points"),
+        Route::new(
+            GET,
+            "/api/v1/calibration/sheet",
+            "The sheet to print, A4 and landscape, at 100 %",
+            sheet,
+        )
+        .gives_text(200, "image/svg+xml", "the sheet"),
+    ]
+}
+
+const FIT_EXAMPLE: &str = r#"{"bar_mm": 200, "touches": [
+    {"place_mm": [215, 0], "told_deg": [0.0, 35.1, 47.2]},
+    {"place_mm": [155, 100], "told_deg": [32.8, 20.4, 51.0]},
+    {"place_mm": [275, 100], "told_deg": [20.0, 58.6, 40.3]},
+    {"place_mm": [275, -100], "told_deg": [-20.0, 58.6, 40.3]}
+]}"#;
+
+/// What is to be known of the arm.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewCalibration {
+    /// The calibration; `null` for an arm as drawn.
+    calibration: Option<CalibrationFile>,
+}
+
+/// Points that the tool has touched.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Touches {
+    /// What the arm said at each, in the order in which they were touched.
+    #[schemars(length(max = 100))]
+    touches: Vec<TouchedPoint>,
+    /// How long the bar of the print is, measured with a ruler, in mm; one that is scaled is refused.
+    #[serde(default)]
+    bar_mm: Option<f64>,
+    /// Whether the laser is mounted, and no suction cup.
+    #[serde(default)]
+    laser: bool,
+    /// How slack the joints are known to be.
+    #[serde(default)]
+    backlash: Backlash,
+}
+
+/// A known point, and what the arm said when its tool touched it.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct TouchedPoint {
+    /// Where it is on the sheet: forward and to the left, in mm.
+    place_mm: [f64; 2],
+    /// How high above the paper it is, in mm.
+    #[serde(default)]
+    height_mm: f64,
+    /// The angles that the arm says of base, rear arm and forearm, in degrees: `told` of its state where it is
+    /// calibrated already.
+    told_deg: [f64; 3],
+}
+
+/// What touches tell.
+#[derive(Debug, Serialize, JsonSchema)]
+struct FitReport {
+    /// How the arm differs from the drawing of it.
+    calibration: CalibrationFile,
+    /// How far each touch is from where it should be, in mm.
+    away_mm: Vec<f64>,
+    /// The touch that was left out because it contradicts all others, counted from 0.
+    left_out: Option<usize>,
+    /// How wrong a place on the sheet may still be, typically, in mm.
+    expected_mm: f64,
+    /// What these points tell badly.
+    unsure: Vec<Unsure>,
+    /// Which further point would tell most.
+    advice: Option<Advice>,
+    /// Whether to use it: `good`; `unchecked`, where so few points were touched that a wrong one would not be
+    /// noticed; or `doubtful`.
+    trust: Trust,
+}
+
+/// The points of the sheet.
+#[derive(Debug, Serialize, JsonSchema)]
+struct SheetPoints {
+    /// Forward and to the left of the base's axis, in mm.
+    points_mm: [[f64; 2]; SHEET_POINTS.len()],
+    /// How long the bar is where the print is true, in mm.
+    bar_mm: f64,
+}
+
+async fn known(State(app): State<Arc<App>>) -> Json<Calibrations> {
+    Json(app.handle.rules().calibrations.clone())
+}
+
+async fn points() -> Json<SheetPoints> {
+    Json(SheetPoints {
+        points_mm: SHEET_POINTS,
+        bar_mm: BAR_MM,
+    })
+}
+
+async fn sheet() -> Response {
+    ([(CONTENT_TYPE, "image/svg+xml")], sheet_svg()).into_response()
+}
+
+async fn fit_touches(Body(asked): Body<Touches>) -> Result<Json<FitReport>, NotDone> {
+    let bad = |why: &dyn std::fmt::Display| BAD_TOUCHES.problem(why.to_string());
+    if let Some(bar_mm) = asked.bar_mm {
+        check_bar(bar_mm).map_err(|why| bad(&why))?;
+    }
+    let touches = asked.touches.iter().map(|it| {
+        let [base_deg, rear_deg, fore_deg] = it.told_deg;
+        Touch {
+            place_mm: it.place_mm,
+            height_mm: it.height_mm,
+            told: Joints::new(base_deg, rear_deg, fore_deg, 0.0),
+        }
+    });
+    let touches: Vec<Touch> = touches.collect();
+    let tool = if asked.laser {
+        Tool::Laser
+    } else {
+        Tool::SuctionCup
+    };
+    let fit = fit(&touches, tool).map_err(|why| bad(&why))?;
+    Ok(Json(FitReport {
+        calibration: found(&fit, asked.backlash),
+        away_mm: (0..touches.len()).map(|it| fit.residual_mm(it)).collect(),
+        left_out: fit.left_out,
+        expected_mm: fit.expected_mm,
+        unsure: fit.unsure,
+        advice: fit.advice,
+        trust: fit.trust,
+    }))
+}
