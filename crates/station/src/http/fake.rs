@@ -78,7 +78,11 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
                 asked.0.lock().expect("as above").push((client, request));
                 let _ = reply.send(answer);
             }
-            Message::Raw { reply, .. } | Message::Policy { reply, .. } => {
+            Message::Raw { reply, .. } => {
+                let _ = reply.send(Ok(()));
+            }
+            Message::Policy { reply, policy, .. } => {
+                telling.ends.change_rules(|it| it.policy = *policy);
                 let _ = reply.send(Ok(()));
             }
             Message::Planned { .. } => panic!("it plans no jobs"),

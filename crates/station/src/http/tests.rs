@@ -4,6 +4,7 @@
 
 mod attacks;
 mod bad_input;
+mod calibrating;
 mod document;
 mod drawings;
 mod leases;

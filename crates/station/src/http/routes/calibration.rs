@@ -98,7 +98,7 @@ struct NewCalibration {
 /// Points that the tool has touched.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct Touches {
+pub(in super::super) struct Touches {
     /// What the arm said at each, in the order in which they were touched.
     #[schemars(length(max = 100))]
     touches: Vec<TouchedPoint>,

@@ -1,0 +1,107 @@
+//! The calibration over HTTP: found from touches, and told.
+
+use dobot_api::Request;
+use dobot_arm::{Calibration, Joints, Position, Tool};
+use serde_json::{Value, json};
+
+use super::Harness;
+
+/// An arm whose zeros are wrong.
+const ARM: Calibration = Calibration {
+    base_deg: 6.0,
+    rear_deg: -8.0,
+    fore_deg: 5.0,
+    reach_mm: 4.0,
+    left_mm: -2.0,
+    axis_mm: [0.0; 2],
+};
+
+/// What that arm says at a point of paper that is 45 mm below.
+fn told([x, y]: [f64; 2]) -> Joints {
+    let there = Position::new(x, y, -45.0);
+    ARM.told_joints(there, Tool::SuctionCup).unwrap()
+}
+
+fn touch(point: [f64; 2]) -> Value {
+    let it = told(point);
+    json!({"place_mm": point, "told_deg": [it.base.0, it.rear.0, it.fore.0]})
+}
+
+async fn points(harness: &Harness) -> Vec<[f64; 2]> {
+    let answer = harness.get("/api/v1/calibration/points").await;
+    serde_json::from_value(answer.is(200).value()["points_mm"].clone()).unwrap()
+}
+
+#[tokio::test]
+async fn touches_of_the_sheet_tell_what_is_wrong_with_the_arm() {
+    let harness = Harness::near();
+    let touches: Vec<Value> = points(&harness).await.into_iter().map(touch).collect();
+    let body = json!({"touches": touches, "bar_mm": 200.2}).to_string();
+    let fit = harness.json("POST", "/api/v1/calibration/fit", body).await;
+    let fit = fit.is(200).value();
+    assert_eq!(fit["trust"], "good");
+    assert!(fit["expected_mm"].as_f64().unwrap() < 0.3);
+    assert!(
+        fit["away_mm"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|it| it.as_f64().unwrap() < 0.2)
+    );
+    let zeros = &fit["calibration"]["zeros"];
+    let turned = zeros["base"].as_f64().unwrap() - ARM.base_deg;
+    assert!(turned.abs() < 1.0, "{zeros}");
+
+    // What was found is what may be put in place.
+    let body = json!({"calibration": fit["calibration"]}).to_string();
+    harness
+        .json("PUT", "/api/v1/calibration", body)
+        .await
+        .is(200);
+    let asked = harness.asked();
+    assert!(matches!(
+        asked.last(),
+        Some(Request::Calibrate {
+            calibration: Some(_)
+        })
+    ));
+}
+
+#[tokio::test]
+async fn touches_that_tell_nothing_are_refused_with_what_to_do() {
+    let harness = Harness::near();
+    let all = points(&harness).await;
+    let three: Vec<Value> = all[..3].iter().copied().map(touch).collect();
+    let mut wrong: Vec<Value> = all[..5].iter().copied().map(touch).collect();
+    wrong[2] = json!({"place_mm": all[2], "told_deg": [80.0, 10.0, 10.0]});
+    let nine: Vec<Value> = all.iter().copied().map(touch).collect();
+    for (body, says) in [
+        (json!({"touches": []}), "0 points are touched"),
+        (json!({"touches": three}), "needs 4 at least"),
+        (json!({"touches": wrong}), "again"),
+        (json!({"touches": nine, "bar_mm": 190}), "100 %"),
+    ] {
+        let answer = harness
+            .json("POST", "/api/v1/calibration/fit", body.to_string())
+            .await;
+        let (kind, detail) = answer.is(422).problem();
+        assert_eq!(kind, "bad-touches");
+        assert!(detail.contains(says), "{detail}");
+    }
+    assert!(harness.asked().is_empty(), "nothing is asked of the arm");
+}
+
+#[tokio::test]
+async fn the_sheet_is_an_image_to_print_and_nothing_is_known_at_first() {
+    let harness = Harness::near();
+    let sheet = harness.get("/api/v1/calibration/sheet").await;
+    assert!(sheet.body.starts_with("<svg"));
+    assert_eq!(sheet.headers["content-type"], "image/svg+xml");
+    let known = harness.get("/api/v1/calibration").await.value();
+    assert_eq!(known, json!({"calibration": null, "before": null}));
+    harness
+        .json("POST", "/api/v1/calibration/angles", "{}".to_owned())
+        .await
+        .is(200);
+    assert!(matches!(harness.asked().last(), Some(Request::TellAngles)));
+}
