@@ -114,6 +114,7 @@ impl CalibrationFile {
             reach_mm: self.tool.out_mm,
             left_mm: self.tool.left_mm,
             axis_mm: [self.axis.x_mm, self.axis.y_mm],
+            backlash_deg: self.backlash_deg(),
         }
     }
 

@@ -4,8 +4,8 @@ use crate::{Degrees, Joints, Millimeters, Pose, Position, Tool, Unreachable, for
 
 /// What is wrong with one arm: where it really is, compared with where it says it is.
 ///
-/// A *told* place is what the arm states and takes, a *true* place is where the tool is. Backlash is
-/// not part of it: it depends on where the arm came from.
+/// A *told* place is what the arm states and takes, a *true* place is where the tool is. Both belong together as
+/// long as each joint was turned on last; a joint that was turned back stands further by its backlash.
 ///
 /// ```
 /// use dobot_arm::{Calibration, Position, Tool};
@@ -30,6 +30,8 @@ pub struct Calibration {
     pub left_mm: f64,
     /// Where the base's axis stands in the true frame, in mm.
     pub axis_mm: [f64; 2],
+    /// How slack base, rear arm and forearm are, in degrees.
+    pub backlash_deg: [f64; 3],
 }
 
 impl Calibration {
@@ -41,6 +43,7 @@ impl Calibration {
         reach_mm: 0.0,
         left_mm: 0.0,
         axis_mm: [0.0; 2],
+        backlash_deg: [0.0; 3],
     };
 
     /// Whether nothing is wrong.
@@ -50,10 +53,11 @@ impl Calibration {
     }
 
     /// All of it as numbers, to be kept: the zeros of base, rear arm and forearm, how far the tool is out and to
-    /// the left, and where the axis stands.
+    /// the left, where the axis stands, and the backlash of the three joints.
     #[must_use]
-    pub const fn to_numbers(&self) -> [f64; 7] {
+    pub const fn to_numbers(&self) -> [f64; 10] {
         let [axis_x, axis_y] = self.axis_mm;
+        let [slack_base, slack_rear, slack_fore] = self.backlash_deg;
         [
             self.base_deg,
             self.rear_deg,
@@ -62,12 +66,15 @@ impl Calibration {
             self.left_mm,
             axis_x,
             axis_y,
+            slack_base,
+            slack_rear,
+            slack_fore,
         ]
     }
 
     /// What [`to_numbers`](Self::to_numbers) gave.
     #[must_use]
-    pub const fn from_numbers(numbers: [f64; 7]) -> Self {
+    pub const fn from_numbers(numbers: [f64; 10]) -> Self {
         let [
             base_deg,
             rear_deg,
@@ -76,6 +83,9 @@ impl Calibration {
             left_mm,
             axis_x,
             axis_y,
+            slack_base,
+            slack_rear,
+            slack_fore,
         ] = numbers;
         Self {
             base_deg,
@@ -84,6 +94,7 @@ impl Calibration {
             reach_mm,
             left_mm,
             axis_mm: [axis_x, axis_y],
+            backlash_deg: [slack_base, slack_rear, slack_fore],
         }
     }
 
@@ -116,6 +127,36 @@ impl Calibration {
             base: joints.base - Degrees(self.base_deg),
             rear: joints.rear - Degrees(self.rear_deg),
             fore: joints.fore - Degrees(self.fore_deg),
+            servo: joints.servo,
+        }
+    }
+
+    /// What the motors say where the joints stand so, after each turned so far: one that was turned back stands
+    /// further than its motor says, by its backlash.
+    #[must_use]
+    pub fn motors_at(&self, joints: &Joints, turned_deg: [f64; 3]) -> Joints {
+        self.slackened(joints, turned_deg, -1.0)
+    }
+
+    /// How the joints stand where the motors say so, after each turned so far.
+    #[must_use]
+    pub fn joints_at(&self, motors: &Joints, turned_deg: [f64; 3]) -> Joints {
+        self.slackened(motors, turned_deg, 1.0)
+    }
+
+    fn slackened(&self, joints: &Joints, turned_deg: [f64; 3], sign: f64) -> Joints {
+        let more = |index: usize| {
+            let is_back = turned_deg[index] < -STILL_DEG;
+            Degrees(if is_back {
+                sign * self.backlash_deg[index]
+            } else {
+                0.0
+            })
+        };
+        Joints {
+            base: joints.base + more(0),
+            rear: joints.rear + more(1),
+            fore: joints.fore + more(2),
             servo: joints.servo,
         }
     }
@@ -198,6 +239,9 @@ impl Calibration {
     }
 }
 
+/// What turns less than this does not turn.
+const STILL_DEG: f64 = 1e-3;
+
 fn at(position: Position) -> Pose {
     Pose {
         position,
@@ -217,6 +261,7 @@ mod tests {
         reach_mm: 8.0,
         left_mm: -6.0,
         axis_mm: [1.0, -2.0],
+        backlash_deg: [0.0; 3],
     };
 
     #[test]

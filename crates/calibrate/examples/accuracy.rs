@@ -87,6 +87,7 @@ impl Arm {
                 reach_mm: up_to(10.0),
                 left_mm: up_to(10.0),
                 axis_mm: [up_to(1.0), up_to(1.0)],
+                backlash_deg: [0.0; 3],
             },
             backlash_deg: [0; 3].map(|_| up_to(0.25) + 0.25),
             paper: Paper {

@@ -72,6 +72,7 @@ impl Numbers {
                 reach_mm: n[3],
                 left_mm: n[4],
                 axis_mm: [n[5], n[6]],
+                backlash_deg: [0.0; 3],
             },
             paper: Paper {
                 z0_mm: n[7],

@@ -12,6 +12,7 @@ const ARM: Calibration = Calibration {
     reach_mm: 6.0,
     left_mm: 2.0,
     axis_mm: [0.0, 0.0],
+    backlash_deg: [0.0; 3],
 };
 
 /// The paper rises by two degrees to the front.

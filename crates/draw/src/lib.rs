@@ -31,6 +31,7 @@
 //! so that together they keep it. Arcs come from the SVG reader as cubic curves, which lie within
 //! 0.03 % of their radius; that share is part of the path wanted, as it is in a browser.
 
+mod backlash;
 mod calibrated;
 mod card;
 mod clip;

@@ -11,6 +11,7 @@ use thiserror::Error;
 
 pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
+use crate::backlash::taken_up;
 use crate::calibrated::{shortened, told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::cutting::inner_first;
@@ -106,7 +107,10 @@ fn plan_passes<E: fmt::Display>(
     };
     let simple: Result<Vec<Pass>, PrepareError> =
         passes.iter().map(|it| simplified(it, settings)).collect();
-    let simple = simple?;
+    let simple = match &settings.calibration {
+        Some(known) => taken_up(simple?, &settings.paper, &known.arm()),
+        None => simple?,
+    };
     let plan = Plan::new(&simple, &settings.paper, &settings.machine)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {

@@ -32,7 +32,7 @@ pub(crate) struct JobRow {
     repeat: Option<JobRepeat>,
     // Nor those of format 3 this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    calibration: Option<[f64; 7]>,
+    calibration: Option<[f64; 10]>,
 }
 
 /// A job that began before anybody counted.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
 use dobot_api::{JobPause, JobRepeat};
-use dobot_arm::Calibration;
+use dobot_arm::{Calibration, Joints, Pose, Position, Tool, inverse};
 use dobot_trajectory::told;
 use dobot_wire::{Command, MovingMode};
 use toml::Spanned;
@@ -52,6 +52,7 @@ impl Program {
             files,
             called: &called,
             arm: *arm,
+            from: None,
             state: State::new(self.start_speed_percent),
             out: Compiled {
                 title: self.title.clone(),
@@ -74,6 +75,8 @@ struct Compiler<'a> {
     called: &'a Called,
     /// How the arm differs from the drawing of it.
     arm: Calibration,
+    /// The angles that the arm says then, where a target led to them.
+    from: Option<Joints>,
     state: State,
     out: Compiled,
 }
@@ -286,6 +289,7 @@ impl Compiler<'_> {
             Action::Speed(speed) => {
                 let commands = self.state.set_speed(speed);
                 self.out.commands.extend(commands);
+                self.from = None;
                 Ok(())
             }
             Action::Tool(name) => {
@@ -318,7 +322,9 @@ impl Compiler<'_> {
 
     /// A target; the first one is gone to softly.
     fn target(&mut self, target: Command) -> Result<(), String> {
-        let told = told(&target, &self.arm, self.state.tool).map_err(|error| error.to_string())?;
+        let (tool, from) = (self.state.tool, self.from.as_ref());
+        let told = told(&target, &self.arm, tool, from).map_err(|error| error.to_string())?;
+        self.from = joints_of(&told, tool);
         let soft = self.state.soft_start();
         if let Some([slow, _]) = soft {
             self.push(slow);
@@ -399,8 +405,28 @@ impl Compiler<'_> {
             ));
         };
         self.out.commands.extend(commands);
+        self.from = None;
         self.state.drawn();
         Ok(())
+    }
+}
+
+/// The angles to which a target leads.
+fn joints_of(target: &Command, tool: Tool) -> Option<Joints> {
+    match target {
+        Command::MoveTo(it) => {
+            let [x, y, z] = [it.x_mm, it.y_mm, it.z_mm].map(f64::from);
+            let pose = Pose {
+                position: Position::new(x, y, z),
+                ..Pose::default()
+            };
+            inverse(&pose, tool).ok()
+        }
+        Command::MoveJoints(it) => {
+            let [base, rear, fore] = [it.base_deg, it.rear_deg, it.fore_deg].map(f64::from);
+            Some(Joints::new(base, rear, fore, 0.0))
+        }
+        _ => None,
     }
 }
 

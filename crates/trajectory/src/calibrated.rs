@@ -3,8 +3,8 @@
 //! A model, its trajectories and the statuses are in the arm's own words. What people and the rules
 //! speak of are true places: a [`Model`] that knows its [`Calibration`] turns one into the other.
 
-use dobot_arm::{Calibration, Degrees, Pose, Tool, Unreachable};
-use dobot_wire::{Command, MoveJoints, MoveTo, WriteVector, single};
+use dobot_arm::{Calibration, Degrees, Joints, Pose, Tool, Unreachable, forward};
+use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, WriteVector, single};
 
 use crate::place::position;
 use crate::{ArmPlace, Model};
@@ -27,18 +27,36 @@ impl ArmPlace {
 }
 
 /// What an arm that differs so from the drawing of it has to be told for a target, in place or in joint
-/// angles, that speaks of where the tool truly is. All else means the same to every arm.
+/// angles, that speaks of where the tool truly is. All else means the same to every arm. Where it is known from
+/// where the arm comes, slack joints are told less where they turn back.
 ///
 /// # Errors
 ///
 /// [`Unreachable`] where the arm cannot bring its tool to the true place.
-pub fn told(command: &Command, arm: &Calibration, tool: Tool) -> Result<Command, Unreachable> {
+pub fn told(
+    command: &Command,
+    arm: &Calibration,
+    tool: Tool,
+    from: Option<&Joints>,
+) -> Result<Command, Unreachable> {
     if arm.is_none() {
         return Ok(*command);
     }
     Ok(match command {
         Command::MoveTo(it) => {
-            let told = arm.told_place(position(it.x_mm, it.y_mm, it.z_mm), tool)?;
+            let there = position(it.x_mm, it.y_mm, it.z_mm);
+            let joints = arm.told_joints(there, tool)?;
+            let above = position(it.x_mm, it.y_mm, it.z_mm + 1.0);
+            let lowered = arm.told_joints(above, tool).ok();
+            let from = match it.mode {
+                // It comes down on to its end, with the base turned already.
+                MovingMode::Jump => from.zip(lowered).map(|(from, above)| Joints {
+                    base: from.base,
+                    ..above
+                }),
+                _ => from.copied(),
+            };
+            let told = forward(&taken_up(&joints, from.as_ref(), arm), tool).position;
             MoveTo {
                 x_mm: single(told.x.0),
                 y_mm: single(told.y.0),
@@ -49,16 +67,30 @@ pub fn told(command: &Command, arm: &Calibration, tool: Tool) -> Result<Command,
             .into()
         }
         Command::MoveJoints(it) => {
-            let less = |angle: f32, zero: f64| single(f64::from(angle) - zero);
+            let [base, rear, fore] = [it.base_deg, it.rear_deg, it.fore_deg].map(f64::from);
+            let joints = arm.told_joints_of(&Joints::new(base, rear, fore, 0.0));
+            let told = taken_up(&joints, from, arm);
             MoveJoints {
-                base_deg: less(it.base_deg, arm.base_deg),
-                rear_deg: less(it.rear_deg, arm.rear_deg),
-                fore_deg: less(it.fore_deg, arm.fore_deg),
+                base_deg: single(told.base.0),
+                rear_deg: single(told.rear.0),
+                fore_deg: single(told.fore.0),
                 ..*it
             }
             .into()
         }
         _ => *command,
+    })
+}
+
+/// Joint angles that the arm has to say, where it comes from others.
+fn taken_up(joints: &Joints, from: Option<&Joints>, arm: &Calibration) -> Joints {
+    from.map_or(*joints, |from| {
+        let turned = [
+            joints.base - from.base,
+            joints.rear - from.rear,
+            joints.fore - from.fore,
+        ];
+        arm.motors_at(joints, turned.map(|it| it.0))
     })
 }
 
@@ -84,7 +116,9 @@ impl Model {
             Command::WriteVector(it) if !it.stop && !arm.is_none() => {
                 let here = self.true_place(&self.place).pose.position;
                 let there = here + position(it.x_mm, it.y_mm, it.z_mm);
-                let told = arm.told_place(there, self.tool)? - self.place.pose.position;
+                let joints = arm.told_joints(there, self.tool)?;
+                let joints = taken_up(&joints, Some(&self.place.joints), arm);
+                let told = forward(&joints, self.tool).position - self.place.pose.position;
                 Ok(WriteVector {
                     x_mm: single(told.x.0),
                     y_mm: single(told.y.0),
@@ -93,7 +127,7 @@ impl Model {
                 }
                 .into())
             }
-            _ => told(command, arm, self.tool),
+            _ => told(command, arm, self.tool, Some(&self.place.joints)),
         }
     }
 }
@@ -101,7 +135,7 @@ impl Model {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_arm::{Joints, Position};
+    use dobot_arm::Position;
     use dobot_wire::Dialect;
     use proptest::prelude::*;
 
@@ -123,6 +157,7 @@ mod tests {
                     reach_mm,
                     left_mm,
                     axis_mm: [1.0, -2.0],
+                    backlash_deg: [0.0; 3],
                 },
             )
     }

@@ -9,12 +9,14 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow, bail};
-use dobot_api::CalibrationFile;
+use dobot_api::{CalibrationFile, Request, Zeros};
 use dobot_calibrate::{check_bar, read_calibration, sheet_svg, write_calibration};
 use dobot_rules::StationClient;
+use dobot_wire::{MoveJoints, MovingMode, Status};
 
 use self::toucher::Toucher;
 use crate::connect::To;
+use crate::control::{self, carry_out, check_pose, request_at_rest, take_control};
 use crate::failure::Failure;
 use crate::output;
 use crate::pendant::{Drive, PadArgs, check_terminal};
@@ -29,6 +31,9 @@ Examples:
   dobot draw picture.svg --calibration arm.toml
                                             draw where the sheet says
   dobot arm --calibration arm.toml          a virtual arm with the same zeros and the same backlash
+  dobot calibrate arm.toml --use            the calibration of a file holds for the arm from now on
+  dobot calibrate --angles                  tells the arm its true angles, until it is switched off
+  dobot calibrate --forget                  the arm is taken to be as drawn again
   dobot calibrate arm.toml --undo           what was known before
 
 Lay the sheet in front of the arm as it says, and put the pen in. Jog with the keys of `dobot jog` until the tip
@@ -37,11 +42,12 @@ stands on the point, each time from the right and from above, so that the play o
   z          takes the last touch back
   w  w       shows what would be kept, then keeps it; q leaves without
 
-Four points are enough for a result, nine for its full accuracy. Nothing is kept that was not shown. After a reset of
-the arm its base counts anew: the touches before are forgotten.")]
+Four points are enough for a result, nine for its full accuracy. Nothing is kept that was not shown. What is kept holds
+for this arm at once, and whenever it is there again: moves, programs, drawings and the policy speak of true places then.
+After a reset of the arm its base counts anew: the touches before are forgotten.")]
 pub(crate) struct Args {
     /// What is known of the arm, a TOML file; it may be new
-    #[arg(required_unless_present = "sheet")]
+    #[arg(required_unless_present_any = ["sheet", "forget", "angles"])]
     file: Option<PathBuf>,
     /// Write the sheet to print, as SVG, and touch nothing
     #[arg(long, value_name = "OUT.svg", conflicts_with_all = ["file", "bar", "undo", "backlash"])]
@@ -55,6 +61,16 @@ pub(crate) struct Args {
     /// Bring back what was known before the last calibration, and touch nothing
     #[arg(long, conflicts_with_all = ["bar", "backlash"])]
     undo: bool,
+    /// Have the calibration of the file hold for the arm, and touch nothing
+    #[arg(long = "use", conflicts_with_all = ["bar", "backlash", "undo"])]
+    use_file: bool,
+    /// Take the arm to be as drawn again
+    #[arg(long, conflicts_with_all = ["file", "sheet", "bar", "backlash", "undo", "use_file"])]
+    forget: bool,
+    /// Turn the base straight ahead and tell the arm its true angles (state 9, mode 3): its zeros are right until it
+    /// is switched off, and its own limits hold where they should
+    #[arg(long, conflicts_with_all = ["file", "sheet", "bar", "backlash", "undo", "use_file", "forget"])]
+    angles: bool,
     #[command(flatten)]
     pad: PadArgs,
     #[command(flatten)]
@@ -70,7 +86,20 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             sheet.display()
         ))?);
     }
+    if args.forget {
+        let forget = async |station: &mut StationClient| hold(station, None).await;
+        return args.to.with_arm("calibrate", forget).await;
+    }
+    if args.angles {
+        let tell = async |station: &mut StationClient| tell_angles(station, &args.to).await;
+        return args.to.with_arm("calibrate", tell).await;
+    }
     let file = args.file.as_deref().expect("clap asks for one");
+    if args.use_file {
+        let known = read(file)?;
+        let take = async |station: &mut StationClient| hold(station, Some(known)).await;
+        return args.to.with_arm("calibrate", take).await;
+    }
     if args.undo {
         return bring_back(file);
     }
@@ -83,11 +112,61 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     )?;
     let before = known(file)?;
     let touch = async |station: &mut StationClient| {
-        let panel = |pendant| Toucher::new(pendant, file.to_owned(), before, args.backlash);
-        with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await
+        let panel = |pendant| Toucher::new(pendant, file.to_owned(), before.clone(), args.backlash);
+        let status = with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?;
+        // What was kept holds for this arm from now on.
+        if let Some(kept) = known(file)?.filter(|it| before.as_ref() != Some(it)) {
+            hold(station, Some(kept)).await?;
+        }
+        Ok(status)
     };
     let status = args.to.with_arm("calibrate", touch).await?;
     Ok(output::status(&status, false)?)
+}
+
+/// Has a calibration hold for the arm, or none.
+async fn hold(
+    station: &mut StationClient,
+    calibration: Option<CalibrationFile>,
+) -> Result<(), Failure> {
+    let calibration = calibration.map(Box::new);
+    let text = match &calibration {
+        Some(known) => {
+            let Zeros { base, rear, fore } = known.zeros;
+            format!(
+                "the arm is calibrated: all places are true ones (zeros: base {base:.2}, rear {rear:.2}, fore {fore:.2} degrees)"
+            )
+        }
+        None => "the arm is taken to be as drawn".to_owned(),
+    };
+    request_at_rest(station, Request::Calibrate { calibration }).await?;
+    Ok(output::line(&text)?)
+}
+
+/// Turns the base straight ahead, and tells the arm its true angles.
+async fn tell_angles(station: &mut StationClient, to: &To) -> Result<(), Failure> {
+    check_pose(station, to.pose_confirmed).await?;
+    take_control(station).await?;
+    let (arm, _) = control::arm(station).await?;
+    if arm.told.is_none() {
+        return Err(Failure::new(
+            anyhow!("the arm is not calibrated, so its true angles are not known"),
+            "`dobot calibrate ARM.toml` finds them",
+        ));
+    }
+    let Status {
+        rear_deg,
+        fore_deg,
+        servo_deg,
+        ..
+    } = arm.status;
+    let ahead = MoveJoints::to([0.0, rear_deg, fore_deg, servo_deg]).with_mode(MovingMode::MovJ);
+    carry_out(station, ahead.into()).await?;
+    request_at_rest(station, Request::TellAngles).await?;
+    control::rest(station).await?;
+    Ok(output::line(
+        "the arm knows its true angles until it is switched off; look at it, then `dobot confirm`",
+    )?)
 }
 
 /// What is known of an arm, in a file that must be there.

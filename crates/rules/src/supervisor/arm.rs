@@ -24,6 +24,8 @@ pub(super) struct Arm {
     last: Option<Status>,
     /// How it differs from the drawing of it when it has just been switched on.
     calibration: Calibration,
+    /// How far base, rear arm and forearm turned last, each when it did, in degrees.
+    turned_deg: [f64; 3],
     /// How many statuses in a row told the same place.
     still: u32,
 }
@@ -40,6 +42,7 @@ impl Arm {
             line: UrgentQueue::default(),
             last: None,
             calibration: Calibration::NONE,
+            turned_deg: [0.0; 3],
             still: 0,
         }
     }
@@ -96,7 +99,11 @@ impl Arm {
         let Some(model) = self.session.model().filter(|_| self.is_calibrated()) else {
             return *told;
         };
-        let place = model.true_place(&ArmPlace::of_status(told));
+        let mut place = ArmPlace::of_status(told);
+        // A slack joint that was turned back last stands further than its motor says.
+        let arm = &model.calibration;
+        place.joints = arm.joints_at(&place.joints, self.turned_deg);
+        let place = model.true_place(&place);
         Status {
             suction: told.suction,
             gripper_deg: told.gripper_deg,
@@ -151,7 +158,18 @@ impl Arm {
         } else {
             0
         };
-        self.last = Some(status);
+        if let Some(last) = self.last.replace(status) {
+            let turned = [
+                status.base_deg - last.base_deg,
+                status.rear_deg - last.rear_deg,
+                status.fore_deg - last.fore_deg,
+            ];
+            for (before, turned) in self.turned_deg.iter_mut().zip(turned) {
+                if turned.abs() > TURNS_DEG {
+                    *before = turned.into();
+                }
+            }
+        }
     }
 
     /// Nothing tells any more that it rests.
@@ -299,6 +317,8 @@ fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation
     })
 }
 
+/// A joint that turned by less may not have turned, in degrees.
+const TURNS_DEG: f32 = 0.005;
 /// So many statuses in a row that tell the same: the arm is at rest.
 const AT_REST: u32 = 3;
 /// Laser off, a gap, the release, said twice, on the line and in a tick of the arm.

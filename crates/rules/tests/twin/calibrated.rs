@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{Backlash, CalibrationFile, ClientId, JobKind, JobPhase, NewJob, Request};
 use dobot_arm::{Calibration, Joints, Limits, Pose, Position, Tool};
-use dobot_calibrate::{Procedure, SHEET_POINTS, found};
+use dobot_calibrate::{COMB_STEP_DEG, Procedure, SHEET_POINTS, SlackJoint, comb, found};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{Prepared, Settings, prepare};
 use dobot_geometry::{Deviation, Point, Stroke, deviation};
@@ -13,7 +13,7 @@ use dobot_random::Random;
 use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
 use dobot_sim::{Fault, SerialLine, VirtualArm};
-use dobot_wire::{MoveJoints, MovingMode};
+use dobot_wire::{Command, MoveJoints, MovingMode};
 
 /// An arm with wrong zeros, a crooked tool and paper that is not level.
 struct OldArm {
@@ -31,6 +31,7 @@ const TRUTH: Calibration = Calibration {
     reach_mm: 7.0,
     left_mm: -3.0,
     axis_mm: [0.0, 0.0],
+    backlash_deg: [0.0; 3],
 };
 /// The tool without the joints: a virtual arm has its zeros itself.
 const TOOL_ONLY: Calibration = Calibration {
@@ -56,7 +57,77 @@ fn an_old_arm_draws_the_harbour_where_the_sheet_says_once_it_is_calibrated() {
     }
 }
 
+#[test]
+fn the_backlash_of_an_old_arm_is_taken_up_where_its_joints_turn_back() {
+    let slack = [0.3, 0.25, 0.3];
+    for personality in Personality::ALL {
+        let mut arm = OldArm::new(personality, slack);
+        let known = arm.calibrate();
+        let stiff = CalibrationFile {
+            backlash: Backlash::default(),
+            ..known.clone()
+        };
+        let with = arm.draw(Some(known));
+        let without = OldArm::new(personality, slack).draw(Some(stiff));
+        // What is missing of the drawing, and what is drawn beside it, where the pen comes down and goes up too.
+        let missed = |it: &Deviation| it.missed.distance_mm;
+        assert!(
+            missed(&with) < missed(&without) / 2.0,
+            "{with:?}, {without:?}"
+        );
+        assert!(
+            with.largest_mm() < without.largest_mm(),
+            "{with:?}, {without:?}"
+        );
+    }
+}
+
+#[test]
+fn a_person_reads_the_backlash_of_each_joint_from_its_comb() {
+    let slack = [0.3, 0.2, 0.45];
+    let joints = [SlackJoint::Base, SlackJoint::Rear, SlackJoint::Fore];
+    for (joint, wanted) in joints.into_iter().zip(slack) {
+        let mut arm = OldArm::new(Personality::Firmware11, slack);
+        let level = |_| -44.0;
+        let commands = comb(joint, &arm.zeros(), level, TOOL).unwrap();
+        // Where the two lines of each pair are, by the joint that came to them.
+        let mut lines = Vec::new();
+        for command in commands {
+            let is_target = !matches!(command, Command::PlaybackAdjustment(_));
+            arm.station
+                .ask(arm.client, Request::Command { command })
+                .unwrap();
+            arm.station.run_for(Duration::from_secs(5));
+            if is_target {
+                let now = arm.station.arm().now();
+                let at = arm.station.arm().mechanics().joints_at(now);
+                lines.push(match joint {
+                    SlackJoint::Base => at.base.0,
+                    SlackJoint::Rear => at.rear.0,
+                    SlackJoint::Fore => at.fore.0,
+                });
+            }
+        }
+        let apart = lines.chunks(10).map(|pair| (pair[2] - pair[7]).abs());
+        let meets = apart.zip(0..).min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+        let read_deg = f64::from(meets.1) * COMB_STEP_DEG;
+        assert!(
+            (read_deg - wanted).abs() < 0.03,
+            "{joint:?}: {read_deg} instead of {wanted}"
+        );
+    }
+}
+
 impl OldArm {
+    /// What is wrong with it, as a calibration tells.
+    fn zeros(&self) -> Calibration {
+        Calibration {
+            reach_mm: 0.0,
+            left_mm: 0.0,
+            ..TRUTH
+        }
+    }
+
     fn new(personality: Personality, backlash_deg: [f64; 3]) -> Self {
         let power_up = PowerUp::new(personality);
         let joints = ["base", "rear", "fore"];

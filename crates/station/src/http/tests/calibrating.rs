@@ -14,6 +14,7 @@ const ARM: Calibration = Calibration {
     reach_mm: 4.0,
     left_mm: -2.0,
     axis_mm: [0.0; 2],
+    backlash_deg: [0.0; 3],
 };
 
 /// What that arm says at a point of paper that is 45 mm below.

@@ -1,0 +1,265 @@
+//! A drawing for an arm whose joints are slack: where one turns back, its motor turns through the gap first.
+//!
+//! ```text
+//!   true    a -------- b -------- c        at b a joint turns back
+//!   told    a -------- b, b' ----- c'      b' takes up the slack: the tool stays where it is
+//! ```
+//!
+//! The height is not changed: a pen gives by more.
+
+use dobot_arm::{Calibration, Joints, Pose, Position, Tool, forward, inverse};
+use dobot_geometry::{Point, Stroke};
+use dobot_plan::{DrawingTool, Paper, Pass};
+
+/// The passes, in the order in which they are drawn, with the slack of the joints taken up.
+pub(crate) fn taken_up(passes: Vec<Pass>, paper: &Paper, arm: &Calibration) -> Vec<Pass> {
+    if arm.backlash_deg == [0.0; 3] {
+        return passes;
+    }
+    let mut walk = Walk {
+        paper,
+        arm,
+        tool: Tool::SuctionCup,
+        lift_mm: 0.0,
+        turned_deg: [0.0; 3],
+        at: None,
+    };
+    let pass = |pass: Pass| {
+        walk.tool = pass.tool.end_effector();
+        walk.lift_mm = match &pass.tool {
+            DrawingTool::Pen(pen) => pen.lift_mm,
+            DrawingTool::Laser(_) => 0.0,
+        };
+        let strokes = pass.strokes.into_iter().map(|it| walk.stroke(it)).collect();
+        Pass { strokes, ..pass }
+    };
+    passes.into_iter().map(pass).collect()
+}
+
+/// Goes along all strokes, and knows which way each joint turned last.
+struct Walk<'a> {
+    paper: &'a Paper,
+    arm: &'a Calibration,
+    tool: Tool,
+    lift_mm: f64,
+    turned_deg: [f64; 3],
+    /// Where the last stroke ended.
+    at: Option<Point>,
+}
+
+impl Walk<'_> {
+    fn stroke(&mut self, stroke: Stroke) -> Stroke {
+        let Some(&first) = stroke.points.first() else {
+            return stroke;
+        };
+        self.arrive(first);
+        let mut points = vec![self.told(first)];
+        for pair in stroke.points.windows(2) {
+            for (from, to) in even(pair[0], pair[1], |at| self.joints(at, 0.0)) {
+                let before = self.turned_deg;
+                self.turn(self.joints(from, 0.0), self.joints(to, 0.0));
+                if before.map(f64::is_sign_negative) != self.turned_deg.map(f64::is_sign_negative) {
+                    points.push(self.told(from));
+                }
+                points.push(self.told(to));
+            }
+        }
+        points.dedup_by(|a, b| a.distance(*b) < SAME_MM);
+        self.at = stroke.points.last().copied();
+        Stroke { points, ..stroke }
+    }
+
+    /// The way to a stroke: along, then down.
+    fn arrive(&mut self, first: Point) {
+        if let Some(at) = self.at {
+            let near = at.lerp(first, NEARLY_THERE);
+            self.turn(
+                self.joints(near, self.lift_mm),
+                self.joints(first, self.lift_mm),
+            );
+        }
+        if self.lift_mm > 0.0 {
+            let [above, below] = [self.lift_mm, 0.0].map(|it| self.joints(first, it));
+            let base = self.turned_deg[0];
+            self.turn(above, below);
+            self.turned_deg[0] = base;
+        }
+    }
+
+    fn turn(&mut self, from: Option<Joints>, to: Option<Joints>) {
+        let Some((from, to)) = from.zip(to) else {
+            return;
+        };
+        let turned = [
+            to.base - from.base,
+            to.rear - from.rear,
+            to.fore - from.fore,
+        ];
+        for (last, turned) in self.turned_deg.iter_mut().zip(turned) {
+            if turned.0.abs() > STILL_DEG {
+                *last = turned.0;
+            }
+        }
+    }
+
+    fn joints(&self, at: Point, above_mm: f64) -> Option<Joints> {
+        let pose = Pose {
+            position: Position::new(at.x, at.y, self.paper.z_at(at) + above_mm),
+            ..Pose::default()
+        };
+        inverse(&pose, self.tool).ok()
+    }
+
+    /// Where on the paper the arm has to be told to be, for the tool to be over that place.
+    fn told(&self, wanted: Point) -> Point {
+        let mut told = wanted;
+        for _ in 0..ROUNDS {
+            let Some(motors) = self.joints(told, 0.0) else {
+                return wanted;
+            };
+            let joints = self.arm.joints_at(&motors, self.turned_deg);
+            let there = forward(&joints, self.tool).position;
+            told += wanted - Point::new(there.x.0, there.y.0);
+        }
+        told
+    }
+}
+
+/// A line in pieces on which no joint turns back.
+fn even(from: Point, to: Point, joints: impl Fn(Point) -> Option<Joints>) -> Vec<(Point, Point)> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a line is not that long"
+    )]
+    let parts = (from.distance(to) / LOOK_MM).ceil().clamp(1.0, 1000.0) as u32;
+    let at = |part: u32| from.lerp(to, f64::from(part) / f64::from(parts));
+    let signs = |part: u32| {
+        let (a, b) = joints(at(part)).zip(joints(at(part + 1)))?;
+        Some([b.base - a.base, b.rear - a.rear, b.fore - a.fore].map(|it| it.0 > 0.0))
+    };
+    let mut ends = vec![from];
+    ends.extend(
+        (1..parts)
+            .filter(|&part| signs(part - 1) != signs(part))
+            .map(at),
+    );
+    ends.push(to);
+    ends.windows(2).map(|pair| (pair[0], pair[1])).collect()
+}
+
+/// So often a place is looked for: each round leaves a hundredth.
+const ROUNDS: usize = 4;
+/// What turns less than this does not turn.
+const STILL_DEG: f64 = 1e-4;
+/// A line is looked at in pieces this long.
+const LOOK_MM: f64 = 1.0;
+/// The end of a way tells how the joints turn there.
+const NEARLY_THERE: f64 = 0.99;
+/// Two points as near as this are one.
+const SAME_MM: f64 = 1e-6;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_plan::Pen;
+
+    use super::*;
+
+    const SLACK: Calibration = Calibration {
+        backlash_deg: [0.3, 0.25, 0.4],
+        ..Calibration::NONE
+    };
+
+    /// Where the tool goes: each joint follows its motor through its gap.
+    fn drawn(told: &[Point], paper: &Paper, mut joints: Joints) -> Vec<Point> {
+        let walk = Walk {
+            paper,
+            arm: &SLACK,
+            tool: Tool::SuctionCup,
+            lift_mm: 0.0,
+            turned_deg: [0.0; 3],
+            at: None,
+        };
+        let follow = |joint: f64, motor: f64, slack: f64| joint.max(motor).min(motor + slack);
+        let mut drawn = Vec::new();
+        for pair in told.windows(2) {
+            for part in 0..=20 {
+                let at = pair[0].lerp(pair[1], f64::from(part) / 20.0);
+                let motors = walk.joints(at, 0.0).unwrap();
+                let [base, rear, fore] = SLACK.backlash_deg;
+                joints = Joints::new(
+                    follow(joints.base.0, motors.base.0, base),
+                    follow(joints.rear.0, motors.rear.0, rear),
+                    follow(joints.fore.0, motors.fore.0, fore),
+                    0.0,
+                );
+                let there = forward(&joints, Tool::SuctionCup).position;
+                drawn.push(Point::new(there.x.0, there.y.0));
+            }
+        }
+        drawn
+    }
+
+    #[test]
+    fn a_circle_that_a_slack_arm_draws_is_round() {
+        let paper = Paper::default();
+        let middle = Point::new(210.0, 0.0);
+        let circle: Vec<Point> = (0..=120)
+            .map(|n| f64::from(n) * std::f64::consts::TAU / 120.0)
+            .map(|a| Point::new(middle.x + 30.0 * a.cos(), middle.y + 30.0 * a.sin()))
+            .collect();
+        let pass = |points: &[Point]| Pass {
+            strokes: vec![Stroke {
+                points: points.to_vec(),
+                ..Stroke::default()
+            }],
+            ..Pass::new(DrawingTool::Pen(Pen::default()), Vec::new())
+        };
+        let off_mm = |told: &[Point]| {
+            // It came down on to the paper: rear arm and forearm were turned on, or back, by that.
+            let walk = Walk {
+                paper: &paper,
+                arm: &SLACK,
+                tool: Tool::SuctionCup,
+                lift_mm: 5.0,
+                turned_deg: [0.0; 3],
+                at: None,
+            };
+            let above = walk.joints(told[0], 5.0).unwrap();
+            let ink = drawn(told, &paper, above);
+            let off = ink
+                .iter()
+                .skip(30)
+                .map(|it| (it.distance(middle) - 30.0).abs());
+            off.fold(0.0, f64::max)
+        };
+        let told = taken_up(vec![pass(&circle)], &paper, &SLACK);
+        let (before, after) = (off_mm(&circle), off_mm(&told[0].strokes[0].points));
+        assert!(before > 0.8, "{before} mm without");
+        // While one joint's slack is taken up, the others turn a little too.
+        assert!(after < 0.3, "{after} mm with it, {before} without");
+    }
+
+    #[test]
+    fn a_line_on_which_no_joint_turns_back_stays_as_it_is() {
+        let walk = |at: Point| {
+            inverse(
+                &Pose {
+                    position: Position::new(at.x, at.y, -40.0),
+                    ..Pose::default()
+                },
+                Tool::SuctionCup,
+            )
+            .ok()
+        };
+        let (from, to) = (Point::new(200.0, 20.0), Point::new(200.0, 60.0));
+        assert_eq!(even(from, to, walk), [(from, to)]);
+        let across = even(Point::new(200.0, -40.0), to, walk);
+        assert_eq!(
+            across.len(),
+            2,
+            "the reach is least in the middle: {across:?}"
+        );
+    }
+}
