@@ -402,6 +402,12 @@ impl Driver {
                 Ok(model) => jobs.submit(job, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
+            Request::QueueAgain { job } => match self.supervisor.planning_model() {
+                Ok(model) => jobs.queue_again(job, model, now_ms(), reply),
+                Err(refusal) => drop(reply.send(Err(refusal))),
+            },
+            Request::MoveJob { job, before } => jobs.move_before(job, before, reply),
+            Request::ForgetJob { job } if !self.is_at(job) => jobs.forget(job, reply),
             Request::StartJob { job } | Request::StepJob { job } => {
                 let until = self.now() + HOLD_START;
                 let start = JobStart {
@@ -412,12 +418,17 @@ impl Driver {
                 };
                 self.start_job(HeldStart { start, until });
             }
-            Request::CancelJob { job } if self.supervisor.job().is_none_or(|it| it.job != job) => {
+            Request::CancelJob { job } if !self.is_at(job) => {
                 jobs.cancel(job, self.supervisor.client_name(client), reply);
             }
             request => return Some((request, reply)),
         }
         None
+    }
+
+    /// Whether the arm is at this job.
+    fn is_at(&self, job: u64) -> bool {
+        self.supervisor.job().is_some_and(|it| it.job == job)
     }
 
     /// Starts a job, or holds that while the job comes to rest.

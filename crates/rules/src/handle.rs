@@ -151,7 +151,7 @@ pub enum Message {
         /// The answer.
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
-    /// Somebody wants to know all jobs, the oldest first.
+    /// Somebody wants to know all jobs: the oldest first, unless queued ones were moved.
     Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
     /// A client wants another policy to hold.
     Policy {
@@ -301,7 +301,7 @@ impl Handle {
         recent.iter().cloned().collect()
     }
 
-    /// All jobs, the oldest first.
+    /// All jobs: the oldest first, unless queued ones were moved.
     ///
     /// # Errors
     ///
