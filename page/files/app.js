@@ -7,6 +7,7 @@ import { createJog } from "./hands/jog.js";
 import { listenToKeys } from "./hands/keys.js";
 import { createPads } from "./hands/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
+import { jobs } from "./panels/jobs.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
@@ -17,6 +18,7 @@ import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
 import { followAround } from "./station/around.js";
 import { createHttp, takeToken } from "./station/http.js";
+import { createJobs } from "./station/jobs.js";
 import { createSetUp } from "./station/set_up.js";
 import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
@@ -42,7 +44,7 @@ const WISHES = "dobot";
 /** Where the program is kept that somebody teaches, so that nothing of it is lost. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
-const PANELS = { move, draw: drawPanelOf, teach, watch, set_up: setUp };
+const PANELS = { move, draw: drawPanelOf, teach, jobs, watch, set_up: setUp };
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -62,7 +64,7 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));

@@ -29,6 +29,7 @@
  * | { type: "language", language: import("./state.js").Language }
  * | { type: "theme", theme: import("./state.js").Theme }
  * | import("./jog.js").JogMessage
+ * | import("./jobs.js").JobsMessage
  * | import("./draw.js").DrawMessage
  * | import("./set_up.js").SetUpMessage
  * | import("./target.js").TargetMessage

@@ -1,0 +1,82 @@
+// Jobs: what others queued is put in order, done, done again and forgotten by hand, judged on where the arm was sent.
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+import { open, passed, rest, takeControl } from "./bench.mjs";
+
+let bench, page, told;
+
+before(async () => {
+  bench = await open();
+  ({ page, told } = bench);
+  await takeControl(page);
+  await rest(page);
+  await page.click("#tab-jobs");
+});
+after(() => bench.end());
+afterEach(() => assert.deepEqual(bench.errors, []));
+
+/** A job of another program: targets at these places, on a line above the paper. */
+async function queue(title, ...ys_mm) {
+  const commands = ys_mm.map((y_mm) => ({ type: "move_to", x_mm: 200, y_mm, z_mm: 50, rotation_deg: 0, suction: false, mode: "movj", gripper_deg: 0, pause_s: 0 }));
+  const answer = await fetch(`${bench.url}api/v1/jobs`, { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ title, kind: "program", commands }) });
+  return (await answer.json()).job.job;
+}
+
+const entry = (job) => `[data-job="${job}"]`;
+const act = (job, name) => page.click(`${entry(job)} [data-act=${name}]`);
+const says = (job, part) => page.waitForFunction(([entry, part]) => document.querySelector(entry)?.textContent.includes(part), [entry(job), part]);
+const listed = async () => (await bench.ask("api/v1/jobs")).map(({ job }) => job);
+/** Where the arm was sent in Y, from a packet on. */
+const ys = (from) => told.targets(from).map((it) => Math.round(it[1]));
+
+test("what others queued stands there in its order, and is put in another one", async () => {
+  const [one, two] = [await queue("the first", 10, -10), await queue("the second", 30)];
+  await says(two, "queued");
+  assert.ok(await page.isDisabled(`${entry(one)} [data-act=up]`), "the first one cannot come earlier");
+  await act(two, "up");
+  await page.waitForFunction(([two]) => document.querySelector(".entry").matches(two), [entry(two)]);
+  assert.deepEqual(await listed(), [two, one]);
+});
+
+test("a job is started, the arm goes where it says, and it is done again", async () => {
+  const [, job] = await listed();
+  const from = told.packets.length;
+  await act(job, "start");
+  await says(job, "done");
+  assert.deepEqual(ys(from), [10, -10]);
+  const again = told.packets.length;
+  await act(job, "again");
+  await page.waitForFunction(() => document.querySelectorAll("[aria-labelledby=jobs-over] .entry").length === 2);
+  assert.deepEqual(ys(again), [10, -10]);
+  const all = await bench.ask("api/v1/jobs");
+  assert.deepEqual(all.map(({ title, phase }) => [title, phase]), [["the second", "queued"], ["the first", "done"], ["the first", "done"]]);
+});
+
+test("a job under way is paused, gone on with and ended, and its progress is seen meanwhile", async () => {
+  const job = await queue("to and fro", ...Array.from({ length: 40 }, (_, n) => (n % 2 ? 40 : -40)));
+  await says(job, "queued");
+  await act(job, "start");
+  await page.waitForFunction((entry) => document.querySelector(`${entry} progress`)?.value > 0, entry(job));
+  await act(job, "pause");
+  await says(job, "paused");
+  await rest(page);
+  await passed(page, 0.4);
+  await act(job, "start");
+  await says(job, "running");
+  await act(job, "end");
+  await says(job, "stopped");
+  assert.ok(ys(0).length < 40, "most of it was not sent");
+});
+
+test("what is over is forgotten, and a refusal stands at its job", async () => {
+  const [waiting, done] = await listed();
+  await rest(page);
+  await passed(page, 0.4);
+  await act(done, "forget");
+  await page.waitForSelector(entry(done), { state: "detached" });
+  assert.ok(!(await listed()).includes(done));
+  await fetch(`${bench.url}api/v1/stop`, { method: "POST" });
+  await act(waiting, "start");
+  await says(waiting, "stop");
+  await page.waitForSelector(`${entry(waiting)} .told[data-tone=bad]`);
+});
