@@ -653,6 +653,57 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/recordings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The recordings of the station, the oldest first */
+        get: operations["get_recordings"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/recordings/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** A recording, as an MCAP file; of one that is being written what is there so far */
+        get: operations["get_recordings_name"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/recordings/{name}/states": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Where the arm was over a stretch of a recording; of a long one not every status is told */
+        get: operations["get_recordings_name_states"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/drawings": {
         parameters: {
             query?: never;
@@ -2757,6 +2808,93 @@ export interface components {
             /** Format: uint64 */
             count: number;
         } | "forever";
+        /** @description A recording. */
+        RecordingView: {
+            /** @description The name of its file. */
+            name: string;
+            /**
+             * Format: int64
+             * @description When it was begun, in milliseconds since 1970-01-01T00:00:00Z.
+             */
+            begin_ms: number;
+            /**
+             * Format: uint64
+             * @description How long it is, in bytes.
+             */
+            bytes: number;
+            /** @description Whether it is still being written. */
+            being_written: boolean;
+        };
+        /** @description Where the arm was over a stretch of a recording. */
+        RecordedStates: {
+            /**
+             * Format: int64
+             * @description When its times begin, in milliseconds since 1970-01-01T00:00:00Z; none where it holds nothing that could be read.
+             */
+            begin_ms?: number | null;
+            /**
+             * Format: double
+             * @description So close together the samples stand at the most, in seconds; 0 where all that say something new are there.
+             */
+            spacing_s: number;
+            /** @description What the arm told, the oldest first. Between two that are the same it did not move. */
+            samples: components["schemas"]["SampleView"][];
+        };
+        /** @description What the arm told at one moment. */
+        SampleView: {
+            /**
+             * Format: double
+             * @description When, in seconds since the times of the recording begin.
+             */
+            at_s: number;
+            /**
+             * Format: float
+             * @description Forward of the base's axis, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description To the left of it, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Above the rear arm's pivot, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle.
+             */
+            rotation_deg: number;
+            /**
+             * Format: float
+             * @description The base's angle in degrees, counter-clockwise seen from above.
+             */
+            base_deg: number;
+            /**
+             * Format: float
+             * @description The rear arm's angle in degrees from the vertical, forward positive.
+             */
+            rear_deg: number;
+            /**
+             * Format: float
+             * @description The forearm's angle in degrees below the horizontal.
+             */
+            fore_deg: number;
+            /**
+             * Format: float
+             * @description The servo's angle in degrees.
+             */
+            servo_deg: number;
+            /** @description Whether the pump runs; the laser does not show (note N21). */
+            suction: boolean;
+            /**
+             * Format: float
+             * @description The gripper's angle in degrees.
+             */
+            gripper_deg: number;
+        };
         /** @description A drawing that is to be planned: a file, or the text or the test card that the options tell. */
         NewDrawing: {
             /**
@@ -9407,6 +9545,287 @@ export interface operations {
             };
             /** @description - `journal`: the journal cannot be written */
             507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_recordings: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the recordings */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RecordingView"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `recording`: the recordings cannot be read */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_recordings_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the file */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-recording`: there is no such recording */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `recording`: the recordings cannot be read */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_recordings_name_states: {
+        parameters: {
+            query?: {
+                /** @description From when on, in seconds since the times of the recording begin; 0 without it */
+                from_s?: number;
+                /** @description Until when; without it to the end */
+                to_s?: number;
+                /** @description How many samples at the most, 2 to 5000; 2000 without it */
+                most?: number;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description where the arm was */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RecordedStates"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-recording`: there is no such recording */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `out-of-range`: a number is not allowed */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `recording`: the recordings cannot be read */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

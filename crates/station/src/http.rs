@@ -21,6 +21,7 @@ mod page;
 mod private;
 mod programs;
 mod rate;
+mod recordings;
 mod route;
 mod routes;
 mod served;

@@ -14,6 +14,7 @@ use super::drawings::Drawings;
 use super::http_leases::HttpLeases;
 use super::listen::ConnectionSlot;
 use super::rate::Addresses;
+use super::recordings::Recordings;
 use super::tokens::Tokens;
 
 /// What all requests share.
@@ -34,6 +35,7 @@ pub(super) struct App {
     pub(super) http_leases: HttpLeases,
     /// The drawings that are planned.
     pub(super) drawings: Drawings,
+    pub(super) recordings: Recordings,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
     pub(super) sockets: Arc<Semaphore>,
@@ -49,6 +51,7 @@ impl App {
         without_token: Option<Role>,
         names: Vec<String>,
         policy_file: PathBuf,
+        recordings: PathBuf,
         virtual_arm: Option<OwnVirtualArm>,
         ending: watch::Receiver<bool>,
     ) -> Arc<Self> {
@@ -62,6 +65,7 @@ impl App {
             faults: Mutex::default(),
             http_leases: HttpLeases::default(),
             drawings: Drawings::default(),
+            recordings: Recordings::new(recordings),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,

@@ -9,6 +9,7 @@ mod leases;
 mod motion;
 mod observing;
 mod programs;
+mod recordings;
 mod tokens;
 mod virtual_arm;
 mod watching;
@@ -60,6 +61,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         arm::all(),
         jobs::all(),
         programs::all(),
+        recordings::all(),
         drawings::all(),
         tokens::all(),
         virtual_arm::all(),

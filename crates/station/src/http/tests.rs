@@ -10,6 +10,7 @@ mod leases;
 mod observing;
 mod policies;
 mod programs;
+mod recordings;
 mod routes;
 mod schema;
 mod served;
@@ -47,7 +48,7 @@ struct Harness {
     peer: Peer,
     _end: watch::Sender<bool>,
     tokens: Vec<Token>,
-    _folder: tempfile::TempDir,
+    folder: tempfile::TempDir,
 }
 
 /// What has come of a body that does not end.
@@ -91,6 +92,7 @@ impl Harness {
             without_token,
             vec!["arm.local".into()],
             folder.path().join("policy.toml"),
+            folder.path().join("recordings"),
             Some(own_virtual_arm()),
             ending,
         );
@@ -112,7 +114,7 @@ impl Harness {
             },
             _end: end,
             tokens: made.into(),
-            _folder: folder,
+            folder,
         }
     }
 
