@@ -1,7 +1,9 @@
-// Jobs: what others queued is put in order, done, done again and forgotten by hand, judged on where the arm was sent.
+// Jobs: what others queued is put in order, done, done again and forgotten by hand, judged on where the arm was sent; and
+// recordings: where the arm was, on the stage.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
-import { open, passed, rest, takeControl } from "./bench.mjs";
+import { open, passed, pose, rest, takeControl } from "./bench.mjs";
 
 let bench, page, told;
 
@@ -79,4 +81,45 @@ test("what is over is forgotten, and a refusal stands at its job", async () => {
   await act(waiting, "start");
   await says(waiting, "stop");
   await page.waitForSelector(`${entry(waiting)} .told[data-tone=bad]`);
+});
+
+test("a recording is scrubbed on the stage, says that it is one, and gives the arm back", async () => {
+  await page.click("#tab-move");
+  if (await page.isVisible("#reset")) {
+    await page.click("#reset");
+    await page.click("#sure-yes");
+    await page.waitForSelector("#stopped", { state: "detached" });
+  }
+  await rest(page);
+  await page.click("#tab-jobs");
+  await page.click("[data-recording] [data-act=show]");
+  await page.waitForSelector("#recorded");
+  assert.equal(await page.textContent("#moving"), "recorded");
+  // From where the arm was at first it has been to 40 and -40 mm.
+  const seen = [];
+  const [from_s, to_s] = await page.evaluate(() => [Number(document.querySelector("#player-time").min), Number(document.querySelector("#player-time").max)]);
+  for (let n = 0; n <= 50; n += 1) {
+    await page.fill("#player-time", (from_s + ((to_s - from_s) * n) / 50).toFixed(2));
+    seen.push(await pose(page, "y_mm"));
+  }
+  assert.equal(seen[0], 0);
+  assert.ok(Math.max(...seen) > 20 && Math.min(...seen) < -20, `${seen}`);
+  assert.match(await page.getAttribute("#stage", "aria-label"), /^A recording of the arm/);
+  const now = (await bench.ask("api/v1/state")).arm.y_mm;
+  await page.click("#recorded-end");
+  await page.waitForSelector("#recorded", { state: "detached" });
+  assert.equal(await pose(page, "y_mm"), Number(now.toFixed(1)));
+});
+
+test("a recording plays by itself, and is handed out as the file that it is", async () => {
+  await page.click("[data-recording] [data-act=show]");
+  await page.waitForSelector("#player");
+  await page.check("[name=player-speed][value='64']", { force: true });
+  await page.click("#player-play");
+  await page.waitForFunction(() => Number(document.querySelector("#player-time").value) === Number(document.querySelector("#player-time").max));
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("[data-recording] [data-act=save]")]);
+  assert.match(download.suggestedFilename(), /^dobot-.*\.mcap$/);
+  const bytes = await readFile(await download.path());
+  assert.deepEqual([...bytes.subarray(0, 5)], [0x89, ...Buffer.from("MCAP")]);
+  await page.click("#recorded-end");
 });

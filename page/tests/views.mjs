@@ -51,6 +51,11 @@ export const VIEWS = {
     await tab("jobs")(page);
     await page.waitForSelector(".entry");
   },
+  recording: async (page) => {
+    await tab("jobs")(page);
+    await page.click("[data-recording] [data-act=show]");
+    await page.waitForSelector("#player");
+  },
   watch: tab("watch"),
   set_up: tab("set_up"),
   stopped: async (page) => {

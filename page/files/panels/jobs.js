@@ -1,10 +1,11 @@
-// The jobs of the station: what is under way, what waits, what is over.
+// The jobs of the station: what is under way, what waits, what is over; and its recordings.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { placeFor, shelves } from "../state/jobs.js";
 import { sentence } from "../views/banners.js";
 import { span } from "../words/words.js";
+import { recordings } from "./recordings.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../words/words.js").Word} Word */
@@ -13,7 +14,7 @@ import { span } from "../words/words.js";
 const TONES = { queued: "off", running: "good", paused: "warn", stopped: "off", done: "good", failed: "bad" };
 
 /** @param {Context} context */
-export const jobs = (context) => html`${list(context)}`;
+export const jobs = (context) => html`${list(context)}${recordings(context)}`;
 
 /** @param {Context} context */
 function list(context) {

@@ -30,6 +30,7 @@
  * | { type: "theme", theme: import("./state.js").Theme }
  * | import("./jog.js").JogMessage
  * | import("./jobs.js").JobsMessage
+ * | import("./recordings.js").RecordingsMessage
  * | import("./draw.js").DrawMessage
  * | import("./set_up.js").SetUpMessage
  * | import("./target.js").TargetMessage

@@ -4,6 +4,7 @@ import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
 import { NO_JOBS } from "./jobs.js";
 import { NO_JOG } from "./jog.js";
+import { NO_RECORDINGS } from "./recordings.js";
 import { NO_SET_UP } from "./set_up.js";
 import { NO_TARGET } from "./target.js";
 import { NO_TEACH } from "./teach.js";
@@ -46,6 +47,7 @@ import { NO_TEACH } from "./teach.js";
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./draw.js").Draw} draw
  * @property {import("./jobs.js").Jobs} jobs
+ * @property {import("./recordings.js").Recordings} recordings
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
  * @property {Tab} tab
  * @property {boolean} greeted Whether a person has seen that the arm is a virtual one.
@@ -77,6 +79,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   set_up: NO_SET_UP,
   draw: NO_DRAW,
   jobs: NO_JOBS,
+  recordings: NO_RECORDINGS,
   pad_refused: null,
   tab: "move",
   greeted,
