@@ -189,6 +189,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/packets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Every packet between the station and the arm, both ways and decoded, from now on, as server-sent events: `packet`, or `lost` with how many came too fast for the one who listens */
+        get: operations["get_packets"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/commands": {
         parameters: {
             query?: never;
@@ -1788,15 +1805,33 @@ export interface components {
             /** @description A message as in `ToClient`, as text. */
             data: string;
         };
-        /** @description A command to be sent. */
-        NewCommand: {
-            /** @description The command. */
-            command: components["schemas"]["Command"];
+        /** @description A packet that has passed between the station and the arm. */
+        PacketView: {
+            /** @constant */
+            direction: "to_arm";
             /**
-             * @description Answer when the command is over, instead of as soon as it waits for its turn.
-             * @default false
+             * Format: double
+             * @description When, in seconds since the station started.
              */
-            wait: boolean;
+            at_s: number;
+            /** @description Its 42 bytes, as hex digits. */
+            bytes: string;
+            /** @description What it means, by the dialect of the arm; nothing where it means nothing. */
+            command?: components["schemas"]["Command"] | null;
+            /** @description Why it means nothing. */
+            problem?: string | null;
+        } | {
+            /** @constant */
+            direction: "from_arm";
+            /**
+             * Format: double
+             * @description When, in seconds since the station started.
+             */
+            at_s: number;
+            /** @description Its 42 bytes, as hex digits. */
+            bytes: string;
+            /** @description What it means. */
+            status?: components["schemas"]["Status"] | null;
         };
         /** @description Everything that a client can say (Table 2.2). */
         Command: {
@@ -2117,6 +2152,66 @@ export interface components {
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
         /** @description What is mounted at the end of the arm (state 9, mode 4; Table 3.9). */
         EndEffector: "suction_cup" | "gripper" | "laser";
+        /** @description Where the arm is (Table 2.3); each one received permits one command (note N20). */
+        Status: {
+            /**
+             * Format: float
+             * @description Forward of the base's axis, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description To the left of it, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Above the rear arm's pivot, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle.
+             */
+            rotation_deg: number;
+            /**
+             * Format: float
+             * @description The base's angle in degrees, counter-clockwise seen from above.
+             */
+            base_deg: number;
+            /**
+             * Format: float
+             * @description The rear arm's angle in degrees from the vertical, forward positive.
+             */
+            rear_deg: number;
+            /**
+             * Format: float
+             * @description The forearm's angle in degrees below the horizontal.
+             */
+            fore_deg: number;
+            /**
+             * Format: float
+             * @description The servo's angle in degrees.
+             */
+            servo_deg: number;
+            /** @description Whether the pump runs; the laser does not show (note N21). */
+            suction: boolean;
+            /**
+             * Format: float
+             * @description The gripper's angle in degrees.
+             */
+            gripper_deg: number;
+        };
+        /** @description A command to be sent. */
+        NewCommand: {
+            /** @description The command. */
+            command: components["schemas"]["Command"];
+            /**
+             * @description Answer when the command is over, instead of as soon as it waits for its turn.
+             * @default false
+             */
+            wait: boolean;
+        };
         /** @description The answer to a request that was granted. */
         Reply: {
             /** @constant */
@@ -5026,6 +5121,81 @@ export interface operations {
                 };
                 content: {
                     "text/event-stream": components["schemas"]["ServerSentEvent"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many-clients`: too many clients
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_packets: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the packets */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": components["schemas"]["PacketView"];
                 };
             };
             /** @description - `malformed`: the request cannot be understood */

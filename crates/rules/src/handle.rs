@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
+use std::time::Duration;
 
 use bytes::Bytes;
 use dobot_api::{ClientId, JobPath, JobView, Notice, Reply, Request, Role, State};
@@ -21,6 +22,7 @@ pub struct Handle {
     pub(crate) notices: broadcast::Sender<Arc<Notice>>,
     pub(crate) recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
     pub(crate) packets: broadcast::Sender<[u8; 42]>,
+    pub(crate) passed: broadcast::Sender<PassedPacket>,
     pub(crate) rules: Arc<RwLock<Arc<Rules>>>,
 }
 
@@ -34,6 +36,18 @@ pub struct Ends {
     notices: broadcast::Sender<Arc<Notice>>,
     recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
     packets: broadcast::Sender<[u8; 42]>,
+    passed: broadcast::Sender<PassedPacket>,
+}
+
+/// A packet that has passed between the station and the arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PassedPacket {
+    /// When, since the station started.
+    pub at: Duration,
+    /// Whether it went to the arm; otherwise it is a status.
+    pub to_arm: bool,
+    /// The packet.
+    pub bytes: [u8; 42],
 }
 
 /// What holds until the policy is changed.
@@ -204,6 +218,12 @@ impl Ends {
         // There may be no raw program.
         let _ = self.packets.send(packet);
     }
+
+    /// Tells that a packet has passed between the station and the arm.
+    pub fn tell_passed(&self, packet: PassedPacket) {
+        // Mostly nobody listens; then it costs nothing.
+        let _ = self.passed.send(packet);
+    }
 }
 
 /// How many messages may wait for the driver.
@@ -212,6 +232,8 @@ const MESSAGES: usize = 1024;
 const NOTICES: usize = 1024;
 /// How many packets a raw program may lag behind before it loses some.
 const PACKETS: usize = 256;
+/// How many packets both ways one who listens may lag behind before he loses some.
+const PASSED: usize = 1024;
 /// How many notices are kept for those who ask later.
 const RECENT: usize = 200;
 
@@ -238,6 +260,7 @@ impl Handle {
             notices: broadcast::Sender::new(NOTICES),
             recent: Arc::default(),
             packets: broadcast::Sender::new(kept),
+            passed: broadcast::Sender::new(PASSED),
             rules: Arc::new(RwLock::new(Arc::new(rules))),
         };
         let ends = Ends {
@@ -247,6 +270,7 @@ impl Handle {
             notices: handle.notices.clone(),
             recent: handle.recent.clone(),
             packets: handle.packets.clone(),
+            passed: handle.passed.clone(),
         };
         (handle, ends)
     }
@@ -344,6 +368,12 @@ impl Handle {
     #[must_use]
     pub fn packets(&self) -> broadcast::Receiver<[u8; 42]> {
         self.packets.subscribe()
+    }
+
+    /// Every packet between the station and the arm, both ways, from now on.
+    #[must_use]
+    pub fn passed(&self) -> broadcast::Receiver<PassedPacket> {
+        self.passed.subscribe()
     }
 
     /// Ends the station: the laser goes off, and the port is closed.

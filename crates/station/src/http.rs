@@ -17,6 +17,7 @@ mod http_leases;
 mod listen;
 mod messages;
 mod metrics;
+mod packets;
 mod page;
 mod private;
 mod programs;

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use dobot_api::Role;
+use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
+use dobot_api::{Problem, Role};
 use dobot_rules::{Handle, OwnVirtualArm};
-use tokio::sync::{Semaphore, watch};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
 
 use super::drawings::Drawings;
@@ -81,6 +82,15 @@ impl App {
     /// Name and role of whoever has this token.
     pub(super) fn holder(&self, secret: &str) -> Option<(String, Role)> {
         self.tokens().holder(secret)
+    }
+
+    /// A place for one who stays: on a WebSocket, or to listen to events.
+    pub(super) fn place(&self) -> Result<OwnedSemaphorePermit, Problem> {
+        let place = self.sockets.clone().try_acquire_owned();
+        place.map_err(|_| {
+            let many = format!("{MOST_SOCKETS} connections are open already");
+            TOO_MANY_CLIENTS.problem(many)
+        })
     }
 
     /// The tokens; nobody else changes them meanwhile.
