@@ -20,6 +20,7 @@ import { createStore } from "./state/store.js";
 import { followAround } from "./station/around.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createJobs } from "./station/jobs.js";
+import { followPackets } from "./station/packets.js";
 import { createRecordings } from "./station/recordings.js";
 import { createSetUp } from "./station/set_up.js";
 import { followDrawing } from "./station/drawing.js";
@@ -177,6 +178,7 @@ listenToGamepad({ stop: act.stop, jog, speed_percent: () => store.page.jog.speed
 followAround(store, http);
 followTarget(store, socket);
 followDrawing(store, http);
+followPackets(store, http);
 listenToDrops(part("work"), act.takeFile);
 takeToken(http);
 draw();

@@ -1,9 +1,9 @@
-// Jobs: what others queued is put in order, done, done again and forgotten by hand, judged on where the arm was sent; and
-// recordings: where the arm was, on the stage.
+// Jobs: what others queued is put in order, done, done again and forgotten by hand, judged on where the arm was sent; recordings:
+// where the arm was, on the stage; and packets, as they pass.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
-import { open, passed, pose, rest, takeControl } from "./bench.mjs";
+import { moved, open, passed, pose, rest, takeControl } from "./bench.mjs";
 
 let bench, page, told;
 
@@ -122,4 +122,44 @@ test("a recording plays by itself, and is handed out as the file that it is", as
   const bytes = await readFile(await download.path());
   assert.deepEqual([...bytes.subarray(0, 5)], [0x89, ...Buffer.from("MCAP")]);
   await page.click("#recorded-end");
+});
+
+/** Jogs by a key on the stage, until the tip has moved. */
+async function jog(key) {
+  await page.focus("#stage");
+  await page.keyboard.down(key);
+  await moved(page, "y_mm", 2);
+  await page.keyboard.up(key);
+  await rest(page);
+  await passed(page, 0.4);
+}
+
+test("every packet to the arm is shown and exported as it was sent, and the list stands still while it is paused", async () => {
+  let asked = 0;
+  page.on("request", (request) => (asked += Number(request.url().endsWith("/packets"))));
+  await page.click("#tab-watch");
+  await page.waitForSelector("#packets");
+  assert.equal(asked, 0, "nobody listens before somebody looks");
+  await page.click("#packets > summary");
+  await page.waitForSelector(".packets [data-way=from_arm]");
+  assert.equal(asked, 1);
+  await page.check("[name=packets-way][value=to_arm]", { force: true });
+  await page.click("#packets-clear");
+  const from = told.packets.length;
+  await jog("ArrowLeft");
+  const says = () => page.locator(".packets .says").allTextContents();
+  assert.match((await says()).at(-1), /^linear_jog axis y_plus/);
+  await page.click("#packets-pause");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#packets-save")]);
+  const lines = (await readFile(await download.path(), "utf8")).trimEnd().split("\n").map((it) => JSON.parse(it));
+  const floats = lines.map(({ bytes }) => Array.from({ length: 10 }, (_, n) => Buffer.from(bytes, "hex").readFloatLE(1 + 4 * n)));
+  assert.deepEqual(floats, told.packets.slice(from).map((it) => it.floats));
+
+  const paused = await says();
+  await jog("ArrowRight");
+  assert.deepEqual(await says(), paused);
+  await page.click("#packets-pause");
+  await page.fill("#packets-sought", "y_minus");
+  await page.waitForFunction(() => document.querySelector(".packets .says")?.textContent.includes("y_minus"));
+  assert.ok((await says()).every((it) => it.includes("y_minus")));
 });

@@ -57,6 +57,12 @@ export const VIEWS = {
     await page.waitForSelector("#player");
   },
   watch: tab("watch"),
+  packets: async (page) => {
+    await tab("watch")(page);
+    await page.click("#packets > summary");
+    await page.waitForSelector(".packets li");
+    await page.locator("#packets-pause").scrollIntoViewIfNeeded();
+  },
   set_up: tab("set_up"),
   stopped: async (page) => {
     await page.click("#first-close");

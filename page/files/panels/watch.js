@@ -1,7 +1,8 @@
-// What the link does, and what happened.
+// What the link does, what happened, and every packet.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { chart } from "../parts/chart.js";
+import { packets } from "./packets.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -9,7 +10,7 @@ import { repeat } from "../vendor/lit-html/directives/repeat.js";
 /** @typedef {import("../state/history.js").History} History */
 
 /** @param {Context} context */
-export const watch = (context) => html`${link(context)}${charts(context)}${happened(context)}`;
+export const watch = (context) => html`${link(context)}${charts(context)}${happened(context)}${packets(context)}`;
 
 /** What is drawn over time, by what is read together. @type {readonly (readonly [Word, readonly [number, number], readonly (readonly [keyof History, Word, string])[]])[]} */
 const CHARTS = [

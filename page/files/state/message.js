@@ -31,6 +31,7 @@
  * | import("./jog.js").JogMessage
  * | import("./jobs.js").JobsMessage
  * | import("./recordings.js").RecordingsMessage
+ * | import("./packets.js").PacketsMessage
  * | import("./draw.js").DrawMessage
  * | import("./set_up.js").SetUpMessage
  * | import("./target.js").TargetMessage

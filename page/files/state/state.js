@@ -4,6 +4,7 @@ import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
 import { NO_JOBS } from "./jobs.js";
 import { NO_JOG } from "./jog.js";
+import { NO_PACKETS } from "./packets.js";
 import { NO_RECORDINGS } from "./recordings.js";
 import { NO_SET_UP } from "./set_up.js";
 import { NO_TARGET } from "./target.js";
@@ -48,6 +49,7 @@ import { NO_TEACH } from "./teach.js";
  * @property {import("./draw.js").Draw} draw
  * @property {import("./jobs.js").Jobs} jobs
  * @property {import("./recordings.js").Recordings} recordings
+ * @property {import("./packets.js").Packets} packets
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
  * @property {Tab} tab
  * @property {boolean} greeted Whether a person has seen that the arm is a virtual one.
@@ -80,6 +82,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   draw: NO_DRAW,
   jobs: NO_JOBS,
   recordings: NO_RECORDINGS,
+  packets: NO_PACKETS,
   pad_refused: null,
   tab: "move",
   greeted,
