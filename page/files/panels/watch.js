@@ -35,7 +35,7 @@ function charts({ page, say }) {
     <section class="card" aria-labelledby="charts-title">
       <h2 id="charts-title">${say("charts")}</h2>
       ${CHARTS.map(([title, seen, lines]) => html`
-        <figure class="chart" role="img" aria-label=${say(title)}>
+        <figure class="chart" aria-label=${say(title)}>
           <figcaption>${say(title)} ${lines.map(([name, word], n) => html`<span class="line-${n + 1}">${lines.length > 1 ? say(word) : ""} <b data-last=${name}>${last(history[name])}</b></span>`)}</figcaption>
           <div ${chart([times, ...lines.map(([name]) => history[name])], lines.map(([, word, color], n) => ({ name: say(word), color, dash: DASHES[n] })), seen, `${theme} ${page.language}`)}></div>
         </figure>`)}
