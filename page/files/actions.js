@@ -22,9 +22,11 @@ const RUN_DOWN_STATES = 12;
  * @param {import("./station/socket.js").Socket} outside.socket
  * @param {import("./station/http.js").Http} outside.http
  * @param {import("./station/set_up.js").SetUpRequests} outside.setUp
+ * @param {import("./station/recordings.js").RecordingRequests} outside.recordings
+ * @param {(takeIfFree: () => void) => import("./station/jobs.js").JobRequests} outside.createJobs
  * @param {(takeIfFree: () => void) => import("./station/teach.js").TeachRequests} outside.createTeach
  */
-export function createActions({ store, socket, http, setUp, createTeach }) {
+export function createActions({ store, socket, http, setUp, recordings, createJobs, createTeach }) {
   const { send } = store;
   /** How often the arm was stopped, by this page or another. */
   let stops = 0;
@@ -99,7 +101,7 @@ export function createActions({ store, socket, http, setUp, createTeach }) {
   }
 
   return {
-    send, ask, takeIfFree, command, stop, arming_s, setUp, teach: createTeach(takeIfFree),
+    send, ask, takeIfFree, command, stop, arming_s, setUp, recordings, jobs: createJobs(takeIfFree), teach: createTeach(takeIfFree),
 
     /** Asks a person before something is done. @param {Question} question */
     question: (question) => send({ type: "question", question }),

@@ -189,6 +189,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/packets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Every packet between the station and the arm, both ways and decoded, from now on, as server-sent events: `packet`, or `lost` with how many came too fast for the one who listens */
+        get: operations["get_packets"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/commands": {
         parameters: {
             query?: never;
@@ -420,7 +437,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** All jobs, the oldest first */
+        /** All jobs: the oldest first, unless queued ones were moved */
         get: operations["get_jobs"];
         put?: never;
         /** Queues a job */
@@ -460,6 +477,57 @@ export interface paths {
         get: operations["get_jobs_id_path"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/again": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Queues what a job does once more, as a new job that is planned anew */
+        post: operations["post_jobs_id_again"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/place": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        /** Puts a queued job before another queued one, or behind all of them */
+        put: operations["put_jobs_id_place"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/forget": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Forgets a job that is over, or that has not begun */
+        post: operations["post_jobs_id_forget"];
         delete?: never;
         options?: never;
         head?: never;
@@ -596,6 +664,57 @@ export interface paths {
         put?: never;
         /** Queues a program as a job, unless something is wrong with it */
         post: operations["post_programs_jobs"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/recordings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The recordings of the station, the oldest first */
+        get: operations["get_recordings"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/recordings/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** A recording, as an MCAP file; of one that is being written what is there so far */
+        get: operations["get_recordings_name"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/recordings/{name}/states": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Where the arm was over a stretch of a recording; of a long one not every status is told */
+        get: operations["get_recordings_name_states"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -1007,6 +1126,11 @@ export interface components {
             title: string;
             /** @description What kind of job. */
             kind: components["schemas"]["JobKind"];
+            /**
+             * Format: int64
+             * @description When it was queued, in milliseconds since 1970-01-01T00:00:00Z.
+             */
+            created_ms: number;
             /** @description How far it is. */
             phase: components["schemas"]["JobPhase"];
             /** @description Why it is paused, stopped or failed. */
@@ -1672,15 +1796,42 @@ export interface components {
              */
             check: boolean;
         };
-        /** @description A command to be sent. */
-        NewCommand: {
-            /** @description The command. */
-            command: components["schemas"]["Command"];
+        /** @description One event, as its lines say it; for the document only. */
+        ServerSentEvent: {
+            /** @description `state` or `notice`. */
+            event: string;
+            /** @description The number of a notice; states have none. */
+            id?: string | null;
+            /** @description A message as in `ToClient`, as text. */
+            data: string;
+        };
+        /** @description A packet that has passed between the station and the arm. */
+        PacketView: {
+            /** @constant */
+            direction: "to_arm";
             /**
-             * @description Answer when the command is over, instead of as soon as it waits for its turn.
-             * @default false
+             * Format: double
+             * @description When, in seconds since the station started.
              */
-            wait: boolean;
+            at_s: number;
+            /** @description Its 42 bytes, as hex digits. */
+            bytes: string;
+            /** @description What it means, by the dialect of the arm; nothing where it means nothing. */
+            command?: components["schemas"]["Command"] | null;
+            /** @description Why it means nothing. */
+            problem?: string | null;
+        } | {
+            /** @constant */
+            direction: "from_arm";
+            /**
+             * Format: double
+             * @description When, in seconds since the station started.
+             */
+            at_s: number;
+            /** @description Its 42 bytes, as hex digits. */
+            bytes: string;
+            /** @description What it means. */
+            status?: components["schemas"]["Status"] | null;
         };
         /** @description Everything that a client can say (Table 2.2). */
         Command: {
@@ -2001,6 +2152,66 @@ export interface components {
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
         /** @description What is mounted at the end of the arm (state 9, mode 4; Table 3.9). */
         EndEffector: "suction_cup" | "gripper" | "laser";
+        /** @description Where the arm is (Table 2.3); each one received permits one command (note N20). */
+        Status: {
+            /**
+             * Format: float
+             * @description Forward of the base's axis, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description To the left of it, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Above the rear arm's pivot, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle.
+             */
+            rotation_deg: number;
+            /**
+             * Format: float
+             * @description The base's angle in degrees, counter-clockwise seen from above.
+             */
+            base_deg: number;
+            /**
+             * Format: float
+             * @description The rear arm's angle in degrees from the vertical, forward positive.
+             */
+            rear_deg: number;
+            /**
+             * Format: float
+             * @description The forearm's angle in degrees below the horizontal.
+             */
+            fore_deg: number;
+            /**
+             * Format: float
+             * @description The servo's angle in degrees.
+             */
+            servo_deg: number;
+            /** @description Whether the pump runs; the laser does not show (note N21). */
+            suction: boolean;
+            /**
+             * Format: float
+             * @description The gripper's angle in degrees.
+             */
+            gripper_deg: number;
+        };
+        /** @description A command to be sent. */
+        NewCommand: {
+            /** @description The command. */
+            command: components["schemas"]["Command"];
+            /**
+             * @description Answer when the command is over, instead of as soon as it waits for its turn.
+             * @default false
+             */
+            wait: boolean;
+        };
         /** @description The answer to a request that was granted. */
         Reply: {
             /** @constant */
@@ -2224,6 +2435,15 @@ export interface components {
             /** @description When each place is reached, in seconds since the job began, pauses of the arm included. */
             until_s: number[];
         };
+        /** @description Where a queued job stands in the list. */
+        Place: {
+            /**
+             * Format: uint64
+             * @description The number of the queued job that comes behind it; without it the job comes last.
+             * @default null
+             */
+            before: number | null;
+        };
         /** @description How fast a job is drawn. */
         Speed: {
             /**
@@ -2398,7 +2618,7 @@ export interface components {
         /** @description What a step does. */
         Action: {
             /** @description Goes to a place. */
-            go?: components["schemas"]["Place"] | null;
+            go?: components["schemas"]["Place2"] | null;
             /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
             path?: components["schemas"]["MovingMode"] | null;
             /** @description So far from the place, in mm along the axes of its frame. */
@@ -2439,7 +2659,7 @@ export interface components {
             drawing?: components["schemas"]["Drawing"] | null;
         };
         /** @description A place: the name of a point or of a grid's cell, or a point itself. */
-        Place: string | components["schemas"]["Point"];
+        Place2: string | components["schemas"]["Point"];
         /**
          * @description A point: x, y and z in mm, with a rotation and a frame if wanted; or base, rear and fore in degrees, with the
          *     servo if it is not at 0.
@@ -2568,7 +2788,7 @@ export interface components {
          */
         Step: {
             /** @description Goes to a place. */
-            go?: components["schemas"]["Place"] | null;
+            go?: components["schemas"]["Place2"] | null;
             /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
             path?: components["schemas"]["MovingMode"] | null;
             /** @description So far from the place, in mm along the axes of its frame. */
@@ -2614,9 +2834,9 @@ export interface components {
          */
         Arc: {
             /** @description A place on the way. */
-            through: components["schemas"]["Place"];
+            through: components["schemas"]["Place2"];
             /** @description Where an arc ends; the third place of a circle. */
-            to: components["schemas"]["Place"];
+            to: components["schemas"]["Place2"];
             /**
              * Format: double
              * @description How far the straight lines may be from the arc, 0.01 to 10 mm; 0.5 if nothing is said.
@@ -2683,6 +2903,93 @@ export interface components {
             /** Format: uint64 */
             count: number;
         } | "forever";
+        /** @description A recording. */
+        RecordingView: {
+            /** @description The name of its file. */
+            name: string;
+            /**
+             * Format: int64
+             * @description When it was begun, in milliseconds since 1970-01-01T00:00:00Z.
+             */
+            begin_ms: number;
+            /**
+             * Format: uint64
+             * @description How long it is, in bytes.
+             */
+            bytes: number;
+            /** @description Whether it is still being written. */
+            being_written: boolean;
+        };
+        /** @description Where the arm was over a stretch of a recording. */
+        RecordedStates: {
+            /**
+             * Format: int64
+             * @description When its times begin, in milliseconds since 1970-01-01T00:00:00Z; none where it holds nothing that could be read.
+             */
+            begin_ms?: number | null;
+            /**
+             * Format: double
+             * @description So close together the samples stand at the most, in seconds; 0 where all that say something new are there.
+             */
+            spacing_s: number;
+            /** @description What the arm told, the oldest first. Between two that are the same it did not move. */
+            samples: components["schemas"]["SampleView"][];
+        };
+        /** @description What the arm told at one moment. */
+        SampleView: {
+            /**
+             * Format: double
+             * @description When, in seconds since the times of the recording begin.
+             */
+            at_s: number;
+            /**
+             * Format: float
+             * @description Forward of the base's axis, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description To the left of it, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Above the rear arm's pivot, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle.
+             */
+            rotation_deg: number;
+            /**
+             * Format: float
+             * @description The base's angle in degrees, counter-clockwise seen from above.
+             */
+            base_deg: number;
+            /**
+             * Format: float
+             * @description The rear arm's angle in degrees from the vertical, forward positive.
+             */
+            rear_deg: number;
+            /**
+             * Format: float
+             * @description The forearm's angle in degrees below the horizontal.
+             */
+            fore_deg: number;
+            /**
+             * Format: float
+             * @description The servo's angle in degrees.
+             */
+            servo_deg: number;
+            /** @description Whether the pump runs; the laser does not show (note N21). */
+            suction: boolean;
+            /**
+             * Format: float
+             * @description The gripper's angle in degrees.
+             */
+            gripper_deg: number;
+        };
         /** @description A drawing that is to be planned: a file, or the text or the test card that the options tell. */
         NewDrawing: {
             /**
@@ -3929,6 +4236,35 @@ export interface components {
              * @description Its number.
              */
             job: number;
+        } | {
+            /** @constant */
+            type: "queue_again";
+            /**
+             * Format: uint64
+             * @description Its number.
+             */
+            job: number;
+        } | {
+            /** @constant */
+            type: "move_job";
+            /**
+             * Format: uint64
+             * @description Its number.
+             */
+            job: number;
+            /**
+             * Format: uint64
+             * @description The number of the other one; without it the job comes last.
+             */
+            before?: number | null;
+        } | {
+            /** @constant */
+            type: "forget_job";
+            /**
+             * Format: uint64
+             * @description Its number.
+             */
+            job: number;
         };
     };
     responses: never;
@@ -4784,7 +5120,82 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/event-stream": string;
+                    "text/event-stream": components["schemas"]["ServerSentEvent"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many-clients`: too many clients
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_packets: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the packets */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": components["schemas"]["PacketView"];
                 };
             };
             /** @description - `malformed`: the request cannot be understood */
@@ -7152,6 +7563,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
         };
     };
     post_jobs: {
@@ -7613,6 +8033,466 @@ export interface operations {
                 };
             };
             /** @description - `bad-job`: the job cannot be done */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_again: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description the new job is queued */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-job`: there is no such job */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-job`: the job cannot be done
+             *     - `policy`: the policy does not allow this
+             *     - `command`: the command is not sent
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_jobs_id_place: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "before": 3
+                 *     }
+                 */
+                "application/json": components["schemas"]["Place"];
+            };
+        };
+        responses: {
+            /** @description the job has its place */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-job`: there is no such job */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `job-phase`: the job does not allow this now
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_forget: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description the job is forgotten */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-job`: there is no such job */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `job-phase`: the job does not allow this now
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -8844,6 +9724,287 @@ export interface operations {
             };
         };
     };
+    get_recordings: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the recordings */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RecordingView"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `recording`: the recordings cannot be read */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_recordings_name: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the file */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-recording`: there is no such recording */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `recording`: the recordings cannot be read */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_recordings_name_states: {
+        parameters: {
+            query?: {
+                /** @description From when on, in seconds since the times of the recording begin; 0 without it */
+                from_s?: number;
+                /** @description Until when; without it to the end */
+                to_s?: number;
+                /** @description How many samples at the most, 2 to 5000; 2000 without it */
+                most?: number;
+            };
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description where the arm was */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RecordedStates"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-recording`: there is no such recording */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `out-of-range`: a number is not allowed */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `recording`: the recordings cannot be read */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_drawings: {
         parameters: {
             query?: never;
@@ -9079,9 +10240,7 @@ export interface operations {
                 headers: {
                     [name: string]: unknown;
                 };
-                content: {
-                    "text/plain": string;
-                };
+                content?: never;
             };
             /** @description - `malformed`: the request cannot be understood */
             400: {

@@ -7,16 +7,21 @@ import { createJog } from "./hands/jog.js";
 import { listenToKeys } from "./hands/keys.js";
 import { createPads } from "./hands/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
+import { jobs } from "./panels/jobs.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
 import { createStage } from "./stage/stage.js";
+import { recorded } from "./state/recordings.js";
 import { createViewOf, isVeryOld, silence_ms } from "./state/select.js";
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
 import { followAround } from "./station/around.js";
 import { createHttp, takeToken } from "./station/http.js";
+import { createJobs } from "./station/jobs.js";
+import { followPackets } from "./station/packets.js";
+import { createRecordings } from "./station/recordings.js";
 import { createSetUp } from "./station/set_up.js";
 import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
@@ -42,7 +47,7 @@ const WISHES = "dobot";
 /** Where the program is kept that somebody teaches, so that nothing of it is lost. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
-const PANELS = { move, draw: drawPanelOf, teach, watch, set_up: setUp };
+const PANELS = { move, draw: drawPanelOf, teach, jobs, watch, set_up: setUp };
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -62,7 +67,7 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, recordings: createRecordings(store, http), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));
@@ -118,12 +123,13 @@ function drawQuestion(context) {
 
 /** @param {Page} page @param {import("./words/words.js").Say} say */
 function drawStage(page, say) {
-  const arm = page.station?.arm;
+  const then = recorded(page.recordings);
+  const arm = then ?? page.station?.arm;
   const silent_ms = silence_ms(page);
   stage.show(viewOf(page, {
     dark: isDark(page),
-    note: silent_ms ? say("old.note", { age: silent_ms < 10_000 ? say("time.s", { s: (silent_ms / 1000).toFixed(1) }) : span(say, silent_ms / 1000) }) : "",
-    label: arm ? say("stage.where", { x: arm.x_mm.toFixed(0), y: arm.y_mm.toFixed(0), z: arm.z_mm.toFixed(0) }) : say("stage.none"),
+    note: then ? say("recorded.note") : silent_ms ? say("old.note", { age: silent_ms < 10_000 ? say("time.s", { s: (silent_ms / 1000).toFixed(1) }) : span(say, silent_ms / 1000) }) : "",
+    label: arm ? say(then ? "recorded.where" : "stage.where", { x: arm.x_mm.toFixed(0), y: arm.y_mm.toFixed(0), z: arm.z_mm.toFixed(0) }) : say("stage.none"),
   }));
   part("work").classList.toggle("is-old", isVeryOld(page));
 }
@@ -172,6 +178,7 @@ listenToGamepad({ stop: act.stop, jog, speed_percent: () => store.page.jog.speed
 followAround(store, http);
 followTarget(store, socket);
 followDrawing(store, http);
+followPackets(store, http);
 listenToDrops(part("work"), act.takeFile);
 takeToken(http);
 draw();

@@ -40,7 +40,29 @@ export const VIEWS = {
     await page.fill("#draw-text", "Hello");
     await page.waitForSelector("#preview");
   },
+  jobs: async (page) => {
+    await page.evaluate(async () => {
+      const go = { type: "move_to", x_mm: 200, y_mm: 0, z_mm: 50, rotation_deg: 0, suction: false, mode: "movj", gripper_deg: 0, pause_s: 0 };
+      for (const title of ["harbour.svg", "there and back"]) {
+        const body = JSON.stringify({ title, kind: "program", commands: [go] });
+        await fetch("api/v1/jobs", { method: "POST", headers: { "content-type": "application/json" }, body });
+      }
+    });
+    await tab("jobs")(page);
+    await page.waitForSelector(".entry");
+  },
+  recording: async (page) => {
+    await tab("jobs")(page);
+    await page.click("[data-recording] [data-act=show]");
+    await page.waitForSelector("#player");
+  },
   watch: tab("watch"),
+  packets: async (page) => {
+    await tab("watch")(page);
+    await page.click("#packets > summary");
+    await page.waitForSelector(".packets li");
+    await page.locator("#packets-pause").scrollIntoViewIfNeeded();
+  },
   set_up: tab("set_up"),
   stopped: async (page) => {
     await page.click("#first-close");

@@ -203,6 +203,8 @@ pub struct JobView {
     pub title: String,
     /// What kind of job.
     pub kind: JobKind,
+    /// When it was queued, in milliseconds since 1970-01-01T00:00:00Z.
+    pub created_ms: i64,
     /// How far it is.
     pub phase: JobPhase,
     /// Why it is paused, stopped or failed.

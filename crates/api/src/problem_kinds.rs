@@ -86,6 +86,8 @@ kinds! {
         "No job has this number. `/api/v1/jobs` lists all of them.";
     NO_SUCH_DRAWING = 404 "no-such-drawing" "there is no such drawing"
         "No drawing has this number: it was given up, or later ones have taken its place. Plan it again.";
+    NO_SUCH_RECORDING = 404 "no-such-recording" "there is no such recording"
+        "No recording has this name; the oldest are deleted when there are too many. `/api/v1/recordings` lists all of them.";
     NO_SUCH_TOKEN = 404 "no-such-token" "there is no such token"
         "No token has this name. `/api/v1/tokens` lists all of them.";
     METHOD = 405 "method" "this address does not take this method"
@@ -146,6 +148,8 @@ kinds! {
         "The file with the tokens cannot be read or written. Nothing has changed.";
     POLICY_FILE = 500 "policy-file" "the policy cannot be written"
         "The new policy holds, but it could not be written to its file: after the next start of the station the old one holds again.";
+    RECORDING = 500 "recording" "the recordings cannot be read"
+        "The folder with the recordings, or one of them, cannot be read. Look at its permissions; `dobot log` reads recordings, too.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
         "A number lies outside its range. The detail says which one, and what is allowed.";
     BAD_JOB = 422 "bad-job" "the job cannot be done"

@@ -280,9 +280,10 @@ const fn patience(request: &Request) -> Duration {
         // Small slow motions.
         Request::Detect => Duration::from_secs(180),
         // The whole way of a job is checked before it is kept, and again before it is begun.
-        Request::SubmitJob { .. } | Request::StartJob { .. } | Request::StepJob { .. } => {
-            Duration::from_secs(60)
-        }
+        Request::SubmitJob { .. }
+        | Request::QueueAgain { .. }
+        | Request::StartJob { .. }
+        | Request::StepJob { .. } => Duration::from_secs(60),
         _ => PATIENCE,
     }
 }

@@ -127,6 +127,24 @@ pub enum Request {
         /// Its number.
         job: u64,
     },
+    /// Queue what a job does once more, as a new job that is planned anew.
+    QueueAgain {
+        /// Its number.
+        job: u64,
+    },
+    /// Put a queued job before another queued one, or behind all of them.
+    MoveJob {
+        /// Its number.
+        job: u64,
+        /// The number of the other one; without it the job comes last.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        before: Option<u64>,
+    },
+    /// Forget a job that is over, or that has not begun.
+    ForgetJob {
+        /// Its number.
+        job: u64,
+    },
 }
 
 /// What is left of a request that has no fields; a derived reader passes over what it does not know there.

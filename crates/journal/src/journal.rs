@@ -9,7 +9,8 @@ use redb::{ReadOnlyTable, ReadTransaction, ReadableTable, StorageBackend, WriteT
 
 use crate::rows::{self, JobRow};
 use crate::store::{
-    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, STEPS, Store, WINDOWS,
+    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, PLACES, STEPS, Store,
+    WINDOWS,
 };
 use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 
@@ -104,7 +105,7 @@ impl Journal {
         Ok(JobId(id))
     }
 
-    /// All jobs, the oldest first.
+    /// All jobs: the oldest first, unless they were [arranged](Journal::arrange) otherwise.
     ///
     /// # Errors
     ///
@@ -226,6 +227,29 @@ impl Journal {
         })
     }
 
+    /// Puts jobs in another order among each other: the first one gets the first of the places in the list that
+    /// they have now, and so on. All others stay where they are.
+    ///
+    /// # Errors
+    ///
+    /// [`JournalError::NoSuchJob`], or the storage fails.
+    pub fn arrange(&self, order: &[JobId]) -> Result<(), JournalError> {
+        let mut store = self.store();
+        for id in order {
+            store.row(*id)?;
+        }
+        store.write(|change| {
+            let mut table = change.open_table(PLACES)?;
+            let places = order.iter().map(|id| place(&table, id.0));
+            let mut places = places.collect::<Result<Vec<_>, redb::Error>>()?;
+            places.sort_unstable();
+            for (id, place) in order.iter().zip(places) {
+                table.insert(id.0, place)?;
+            }
+            Ok(())
+        })
+    }
+
     /// Forgets a job that is over, or that has not begun.
     ///
     /// # Errors
@@ -272,6 +296,7 @@ impl Journal {
             // Jobs of the formats before are read as they are; what is written is of this one.
             change.open_table(FACTS)?.insert(FORMAT_FACT, FORMAT)?;
             change.open_table(STEPS)?;
+            change.open_table(PLACES)?;
             note_clean(change, false)
         })?;
         Ok(Self {
@@ -290,8 +315,8 @@ impl Store {
     fn jobs(&mut self) -> Result<Vec<Job>, JournalError> {
         let jobs = self.read(|look| {
             let tables = JobTables::open(look)?;
-            let ids = tables.rows.iter()?.map(|entry| Ok(JobId(entry?.0.value())));
-            let jobs = ids.filter_map(|id| id.and_then(|id| tables.job(id)).transpose());
+            let jobs = tables.in_order()?.into_iter();
+            let jobs = jobs.filter_map(|id| tables.job(id).transpose());
             jobs.collect::<Result<Vec<_>, redb::Error>>()
         })?;
         let jobs = jobs.into_iter().collect::<Result<Vec<_>, _>>();
@@ -328,6 +353,7 @@ struct JobTables {
     rows: ReadOnlyTable<u64, &'static [u8]>,
     steps: ReadOnlyTable<u64, &'static [u8]>,
     windows: ReadOnlyTable<u64, (u64, u64, &'static [u8])>,
+    places: ReadOnlyTable<u64, u64>,
 }
 
 impl JobTables {
@@ -336,7 +362,19 @@ impl JobTables {
             rows: look.open_table(JOBS)?,
             steps: look.open_table(STEPS)?,
             windows: look.open_table(WINDOWS)?,
+            places: look.open_table(PLACES)?,
         })
+    }
+
+    /// All jobs by their places in the list.
+    fn in_order(&self) -> Result<Vec<JobId>, redb::Error> {
+        let placed = self.rows.iter()?.map(|entry| {
+            let job = entry?.0.value();
+            Ok((place(&self.places, job)?, job))
+        });
+        let mut placed = placed.collect::<Result<Vec<_>, redb::Error>>()?;
+        placed.sort_unstable();
+        Ok(placed.into_iter().map(|(_, job)| JobId(job)).collect())
     }
 
     /// A job, or what of it makes no sense.
@@ -384,6 +422,11 @@ fn finite(name: &'static str, numbers: impl IntoIterator<Item = f64>) -> Result<
     }
 }
 
+/// The place of a job in the list; that of one that was never moved is its number.
+fn place(table: &impl ReadableTable<u64, u64>, job: u64) -> Result<u64, redb::Error> {
+    Ok(table.get(job)?.map_or(job, |place| place.value()))
+}
+
 /// A fact that is missing is 0, which no format, job or clean journal is.
 fn fact(look: &ReadTransaction, name: &str) -> Result<u64, redb::Error> {
     let value = look.open_table(FACTS)?.get(name)?;
@@ -401,11 +444,13 @@ fn forget(change: &WriteTransaction, jobs: &[JobId]) -> Result<(), redb::Error> 
     let mut commands = change.open_table(COMMANDS)?;
     let mut steps = change.open_table(STEPS)?;
     let mut windows = change.open_table(WINDOWS)?;
+    let mut places = change.open_table(PLACES)?;
     for job in jobs {
         rows.remove(job.0)?;
         commands.remove(job.0)?;
         steps.remove(job.0)?;
         windows.remove(job.0)?;
+        places.remove(job.0)?;
     }
     Ok(())
 }

@@ -197,6 +197,7 @@ fn initialise(database: &Database) -> Result<(), redb::Error> {
         transaction.open_table(COMMANDS)?;
         transaction.open_table(STEPS)?;
         transaction.open_table(WINDOWS)?;
+        transaction.open_table(PLACES)?;
         Ok(())
     })
 }
@@ -270,4 +271,6 @@ pub(crate) const STEPS: TableDefinition<'_, u64, &[u8]> = TableDefinition::new("
 /// How far jobs have come: completed, upto, and the packet of the status at `completed`.
 pub(crate) const WINDOWS: TableDefinition<'_, u64, (u64, u64, &[u8])> =
     TableDefinition::new("windows");
+/// Which place jobs have in the list that were moved; that of all others is their number.
+pub(crate) const PLACES: TableDefinition<'_, u64, u64> = TableDefinition::new("places");
 const CACHE_BYTES: usize = 8 << 20;

@@ -100,6 +100,36 @@ fn the_number_of_a_removed_job_is_not_given_again() {
 }
 
 #[test]
+fn jobs_that_are_arranged_exchange_their_places_and_keep_them_when_the_file_is_opened_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.redb");
+    let journal = Journal::open(&path).unwrap();
+    let ids: Vec<JobId> = ["one", "two", "three", "four"]
+        .map(|title| journal.submit(&job(title, 2)).unwrap())
+        .into();
+    let [one, two, three, four] = ids[..] else {
+        panic!("there are four");
+    };
+    journal.arrange(&[four, one, three]).unwrap();
+    drop(journal);
+
+    let journal = Journal::open(&path).unwrap();
+    let order = || {
+        let jobs = journal.jobs().unwrap();
+        jobs.iter().map(|it| it.id).collect::<Vec<_>>()
+    };
+    assert_eq!(order(), [four, two, one, three]);
+    let five = journal.submit(&job("five", 2)).unwrap();
+    assert_eq!(order(), [four, two, one, three, five]);
+    journal.remove(two).unwrap();
+    assert!(matches!(
+        journal.arrange(&[one, two]),
+        Err(JournalError::NoSuchJob(id)) if id == two
+    ));
+    assert_eq!(order(), [four, one, three, five]);
+}
+
+#[test]
 fn history_is_bounded_and_unfinished_jobs_stay() {
     let journal = Journal::in_memory().unwrap();
     let failed = JobState::Failed { reason: "x".into() };

@@ -45,6 +45,7 @@ mod replay;
 mod rotation;
 mod schema;
 mod topic;
+mod track;
 
 pub use about::About;
 pub use folder::{RecordedFile, is_being_written, recordings};
@@ -55,3 +56,4 @@ pub use recorder::{Health, Recorder};
 pub use recording::{OpenError, Recording};
 pub use replay::{Difference, Replay, Report};
 pub use topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM, Topic, TopicError};
+pub use track::{Sample, Track};

@@ -19,7 +19,7 @@ use crate::Found;
 use crate::Refusal;
 use crate::connect::{Connecting, Source};
 use crate::guardian::{HeartbeatSender, take_note};
-use crate::handle::{Ends, Message};
+use crate::handle::{Ends, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::known_arms::KnownArms;
@@ -273,17 +273,25 @@ impl Driver {
                 link.send(&bytes);
                 link.push();
                 self.recording.sent(self.now(), &bytes);
+                self.tell_passed(true, bytes);
             }
         }
     }
 
-    /// Passes the statuses on to raw programs, as permits.
+    /// Passes the statuses on to raw programs, as permits, and to those who look at all packets.
     fn relay(&mut self) {
         while let Some(status) = self.supervisor.poll_status() {
+            let bytes = Packet::from(status.emit()).to_bytes();
             if self.supervisor.permits_raw() {
-                self.ends.pass_on(Packet::from(status.emit()).to_bytes());
+                self.ends.pass_on(bytes);
             }
+            self.tell_passed(false, bytes);
         }
+    }
+
+    fn tell_passed(&self, to_arm: bool, bytes: [u8; 42]) {
+        let at = self.now();
+        self.ends.tell_passed(PassedPacket { at, to_arm, bytes });
     }
 
     fn publish(&mut self) {
@@ -448,6 +456,12 @@ impl Driver {
                 Ok(model) => jobs.submit(job, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
+            Request::QueueAgain { job } => match self.supervisor.planning_model() {
+                Ok(model) => jobs.queue_again(job, model, now_ms(), reply),
+                Err(refusal) => drop(reply.send(Err(refusal))),
+            },
+            Request::MoveJob { job, before } => jobs.move_before(job, before, reply),
+            Request::ForgetJob { job } if !self.is_at(job) => jobs.forget(job, reply),
             Request::StartJob { job } | Request::StepJob { job } => {
                 let until = self.now() + HOLD_START;
                 let start = JobStart {
@@ -458,12 +472,17 @@ impl Driver {
                 };
                 self.start_job(HeldStart { start, until });
             }
-            Request::CancelJob { job } if self.supervisor.job().is_none_or(|it| it.job != job) => {
+            Request::CancelJob { job } if !self.is_at(job) => {
                 jobs.cancel(job, self.supervisor.client_name(client), reply);
             }
             request => return Some((request, reply)),
         }
         None
+    }
+
+    /// Whether the arm is at this job.
+    fn is_at(&self, job: u64) -> bool {
+        self.supervisor.job().is_some_and(|it| it.job == job)
     }
 
     /// Starts a job, or holds that while the job comes to rest.

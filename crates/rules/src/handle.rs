@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
+use std::time::Duration;
 
 use bytes::Bytes;
 use dobot_api::{Calibrations, ClientId, JobPath, JobView, Notice, Reply, Request, Role, State};
@@ -21,6 +22,7 @@ pub struct Handle {
     pub(crate) notices: broadcast::Sender<Arc<Notice>>,
     pub(crate) recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
     pub(crate) packets: broadcast::Sender<[u8; 42]>,
+    pub(crate) passed: broadcast::Sender<PassedPacket>,
     pub(crate) rules: Arc<RwLock<Arc<Rules>>>,
 }
 
@@ -35,6 +37,18 @@ pub struct Ends {
     recent: Arc<Mutex<VecDeque<Arc<Notice>>>>,
     packets: broadcast::Sender<[u8; 42]>,
     rules: Arc<RwLock<Arc<Rules>>>,
+    passed: broadcast::Sender<PassedPacket>,
+}
+
+/// A packet that has passed between the station and the arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PassedPacket {
+    /// When, since the station started.
+    pub at: Duration,
+    /// Whether it went to the arm; otherwise it is a status.
+    pub to_arm: bool,
+    /// The packet.
+    pub bytes: [u8; 42],
 }
 
 /// What holds until the policy or the arm is changed.
@@ -155,7 +169,7 @@ pub enum Message {
         /// The answer.
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
-    /// Somebody wants to know all jobs, the oldest first.
+    /// Somebody wants to know all jobs: the oldest first, unless queued ones were moved.
     Jobs(oneshot::Sender<Result<Vec<JobView>, Refusal>>),
     /// A client wants another policy to hold.
     Policy {
@@ -214,6 +228,12 @@ impl Ends {
         // There may be no raw program.
         let _ = self.packets.send(packet);
     }
+
+    /// Tells that a packet has passed between the station and the arm.
+    pub fn tell_passed(&self, packet: PassedPacket) {
+        // Mostly nobody listens; then it costs nothing.
+        let _ = self.passed.send(packet);
+    }
 }
 
 /// How many messages may wait for the driver.
@@ -222,6 +242,8 @@ const MESSAGES: usize = 1024;
 const NOTICES: usize = 1024;
 /// How many packets a raw program may lag behind before it loses some.
 const PACKETS: usize = 256;
+/// How many packets both ways one who listens may lag behind before he loses some.
+const PASSED: usize = 1024;
 /// How many notices are kept for those who ask later.
 const RECENT: usize = 200;
 
@@ -248,6 +270,7 @@ impl Handle {
             notices: broadcast::Sender::new(NOTICES),
             recent: Arc::default(),
             packets: broadcast::Sender::new(kept),
+            passed: broadcast::Sender::new(PASSED),
             rules: Arc::new(RwLock::new(Arc::new(rules))),
         };
         let ends = Ends {
@@ -258,6 +281,7 @@ impl Handle {
             recent: handle.recent.clone(),
             packets: handle.packets.clone(),
             rules: handle.rules.clone(),
+            passed: handle.passed.clone(),
         };
         (handle, ends)
     }
@@ -312,7 +336,7 @@ impl Handle {
         recent.iter().cloned().collect()
     }
 
-    /// All jobs, the oldest first.
+    /// All jobs: the oldest first, unless queued ones were moved.
     ///
     /// # Errors
     ///
@@ -355,6 +379,12 @@ impl Handle {
     #[must_use]
     pub fn packets(&self) -> broadcast::Receiver<[u8; 42]> {
         self.packets.subscribe()
+    }
+
+    /// Every packet between the station and the arm, both ways, from now on.
+    #[must_use]
+    pub fn passed(&self) -> broadcast::Receiver<PassedPacket> {
+        self.passed.subscribe()
     }
 
     /// Ends the station: the laser goes off, and the port is closed.

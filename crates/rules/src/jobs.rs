@@ -1,6 +1,7 @@
 //! The jobs on the disk: what was submitted, how far each is, what is to be gone on with.
 
 mod check;
+mod list;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -13,6 +14,7 @@ use dobot_trajectory::{ArmPlace, Model};
 use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
+pub(crate) use self::list::{FORGETTABLE, again, forget, list, move_before};
 use crate::handle::Message;
 use crate::job_path::path_of;
 use crate::supervisor::{Begun, Effect, JobPlan};
@@ -107,10 +109,41 @@ impl Jobs {
         now_ms: i64,
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     ) {
-        tokio::task::spawn_blocking(move || {
-            let view = self.keep(job, model, now_ms);
-            // Whoever asked may have left; the job is kept all the same.
-            let _ = reply.send(view.map(|job| Reply::Job { job }));
+        self.answer(reply, move |jobs| jobs.keep(job, model, now_ms));
+    }
+
+    /// Plans and keeps what a job does, as a new one.
+    pub(crate) fn queue_again(
+        self,
+        job: u64,
+        model: Model,
+        now_ms: i64,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.keep(again(&jobs.journal, job, &model)?, model, now_ms)
+        });
+    }
+
+    /// Puts a queued job before another one, or behind all others.
+    pub(crate) fn move_before(
+        self,
+        job: u64,
+        before: Option<u64>,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            move_before(&jobs.journal, job, before)?;
+            jobs.kept(job)
+        });
+    }
+
+    /// Forgets a job that the arm is not at.
+    pub(crate) fn forget(self, job: u64, reply: oneshot::Sender<Result<Reply, Refusal>>) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            forget(&jobs.journal, job).map(|()| Reply::Done)
         });
     }
 
@@ -149,32 +182,29 @@ impl Jobs {
         by: String,
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     ) {
-        tokio::task::spawn_blocking(move || {
-            // Whoever asked may have left.
-            let _ = reply.send(self.end_waiting(job, &by));
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            end_waiting(&jobs.journal, job, &by)?;
+            jobs.kept(job)
         });
     }
 
-    /// All jobs, the oldest first; that of the supervisor as it is now, and of all others what was told
+    /// All jobs in their order; that of the supervisor as it is now, and of all others what was told
     /// of them last.
     pub(crate) fn list(
         self,
         current: Option<JobView>,
         reply: oneshot::Sender<Result<Vec<JobView>, Refusal>>,
     ) {
-        tokio::task::spawn_blocking(move || {
-            self.catch_up();
-            // Whoever asked may have left.
-            let _ = reply.send(list(&self.journal, current.as_ref()));
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            list(&jobs.journal, current.as_ref())
         });
     }
 
     /// The way of a job.
     pub(crate) fn path(self, job: u64, reply: oneshot::Sender<Result<JobPath, Refusal>>) {
-        tokio::task::spawn_blocking(move || {
-            // Whoever asked may have left.
-            let _ = reply.send(path_of(&self.journal, job));
-        });
+        self.answer(reply, move |jobs| path_of(&jobs.journal, job));
     }
 
     /// Writes what the supervisor wants to be kept, in order.
@@ -192,15 +222,29 @@ impl Jobs {
         }
     }
 
-    fn keep(&self, job: NewJob, model: Model, now_ms: i64) -> Result<JobView, Refusal> {
+    /// Does what may take long beside everything else, and answers with what comes of it.
+    fn answer<T: Send + 'static>(
+        self,
+        reply: oneshot::Sender<Result<T, Refusal>>,
+        work: impl FnOnce(&Self) -> Result<T, Refusal> + Send + 'static,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            // Whoever asked may have left.
+            let _ = reply.send(work(&self));
+        });
+    }
+
+    fn keep(&self, job: NewJob, model: Model, now_ms: i64) -> Result<Reply, Refusal> {
         let id = submit(&self.journal, &self.policy, job, model, now_ms)?;
         // The history may be longer than wanted until the next time.
         let _ = self.journal.keep_last(HISTORY);
-        let job = self
-            .journal
-            .job(id)
-            .map_err(|error| journal_refusal(&error))?;
-        Ok(view(&job))
+        self.kept(id.0)
+    }
+
+    /// The job as the journal has it.
+    fn kept(&self, job: u64) -> Result<Reply, Refusal> {
+        let job = find(&self.journal, job)?;
+        Ok(Reply::Job { job: view(&job) })
     }
 
     fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
@@ -216,23 +260,6 @@ impl Jobs {
             let _ = reached.blocking_recv();
         }
     }
-
-    fn end_waiting(&self, job: u64, by: &str) -> Result<Reply, Refusal> {
-        self.catch_up();
-        end_waiting(&self.journal, job, by)?;
-        let job = find(&self.journal, job)?;
-        Ok(Reply::Job { job: view(&job) })
-    }
-}
-
-/// All jobs, the oldest first; one of them as it is now.
-pub(crate) fn list(journal: &Journal, current: Option<&JobView>) -> Result<Vec<JobView>, Refusal> {
-    let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
-    let view = |job: &Job| match current {
-        Some(current) if current.job == job.id.0 => current.clone(),
-        _ => view(job),
-    };
-    Ok(jobs.iter().map(view).collect())
 }
 
 /// Ends a job that the arm is not at.
@@ -257,6 +284,7 @@ pub(crate) fn view(job: &Job) -> JobView {
         job: job.id.0,
         title: job.title.clone(),
         kind: job.kind,
+        created_ms: job.created_ms,
         phase: job.state.phase(),
         reason: job.state.reason().map(str::to_owned),
         commands: job.commands,
@@ -321,6 +349,12 @@ pub(crate) fn startable(
             allowed: "queued or paused",
         });
     }
+    check_made_for(&job, &model)?;
+    look_again(journal, policy, &job, model)
+}
+
+/// Whether the commands of a job are meant for the arm as it is now.
+fn check_made_for(job: &Job, model: &Model) -> Result<(), Refusal> {
     if job.dialect != model.dialect {
         return Err(Refusal::CannotResume(format!(
             "it was made for an arm that speaks {}, and this one speaks {}",
@@ -332,7 +366,7 @@ pub(crate) fn startable(
             "it was made for the arm as it was calibrated then, and another calibration holds now, or the arm was told its angles since: make it anew".into(),
         ));
     }
-    look_again(journal, policy, &job, model)
+    Ok(())
 }
 
 pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {

@@ -226,7 +226,11 @@ impl VirtualStation {
         if self.supervisor.check_request(client, &request).is_ok() {
             if matches!(
                 request,
-                Request::StartJob { .. } | Request::StepJob { .. } | Request::CancelJob { .. }
+                Request::StartJob { .. }
+                    | Request::StepJob { .. }
+                    | Request::CancelJob { .. }
+                    | Request::MoveJob { .. }
+                    | Request::ForgetJob { .. }
             ) {
                 self.catch_up();
             }
@@ -249,11 +253,21 @@ impl VirtualStation {
                         calibrations: Box::new(calibrations),
                     });
                 }
+                Request::QueueAgain { job } => {
+                    let model = self.supervisor.planning_model()?;
+                    let job = self.submit(&jobs::again(&self.journal, job, &model)?)?;
+                    return self.kept(job);
+                }
+                Request::MoveJob { job, before } => {
+                    jobs::move_before(&self.journal, job, before)?;
+                    return self.kept(job);
+                }
+                Request::ForgetJob { job } if !self.is_at(job) => {
+                    return jobs::forget(&self.journal, job).map(|()| Reply::Done);
+                }
                 Request::StartJob { job } => return self.start(client, job),
                 Request::StepJob { job } => return self.start_with(client, job, true),
-                Request::CancelJob { job }
-                    if self.supervisor.job().is_none_or(|it| it.job != job) =>
-                {
+                Request::CancelJob { job } if !self.is_at(job) => {
                     jobs::end_waiting(&self.journal, job, &self.supervisor.client_name(client))?;
                     return self.kept(job);
                 }
@@ -316,7 +330,7 @@ impl VirtualStation {
         reply
     }
 
-    /// All jobs, the oldest first.
+    /// All jobs: the oldest first, unless queued ones were moved.
     ///
     /// # Errors
     ///
@@ -425,6 +439,11 @@ impl VirtualStation {
     fn catch_up(&mut self) {
         let latest = self.now + PATIENCE;
         self.run_until(latest, |it| it.disk.is_empty());
+    }
+
+    /// Whether the arm is at this job.
+    fn is_at(&self, job: u64) -> bool {
+        self.supervisor.job().is_some_and(|it| it.job == job)
     }
 
     fn kept(&self, job: u64) -> Result<Reply, Refusal> {

@@ -12,6 +12,7 @@ pub(crate) fn job(number: u64) -> JobView {
         job: number,
         title: "a house".into(),
         kind: JobKind::Drawing,
+        created_ms: 1_700_000_000_000,
         phase: JobPhase::Running,
         reason: None,
         commands: 1200,

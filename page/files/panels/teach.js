@@ -4,6 +4,7 @@ import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
 import { hindrance, kept } from "../state/select.js";
+import { saveAs } from "../parts/save.js";
 import { rowAt, rowsOf, stepsIn } from "../state/teach.js";
 import { sentence } from "../views/banners.js";
 import { span } from "../words/words.js";
@@ -174,13 +175,7 @@ function files({ page, say, act }) {
     if (file) void act.teach.open(file);
     field.value = "";
   };
-  const save = () => {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([page.teach.text], { type: "text/plain" }));
-    link.download = page.teach.name;
-    link.click();
-    URL.revokeObjectURL(link.href);
-  };
+  const save = () => saveAs(new Blob([page.teach.text], { type: "text/plain" }), page.teach.name);
   return html`
     <section class="card" aria-labelledby="teach-files-title">
       <h2 id="teach-files-title">${say("teach.files")}</h2>

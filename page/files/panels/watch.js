@@ -1,7 +1,8 @@
-// What the link does, and what happened.
+// What the link does, what happened, and every packet.
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { chart } from "../parts/chart.js";
+import { packets } from "./packets.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -9,7 +10,7 @@ import { repeat } from "../vendor/lit-html/directives/repeat.js";
 /** @typedef {import("../state/history.js").History} History */
 
 /** @param {Context} context */
-export const watch = (context) => html`${link(context)}${charts(context)}${happened(context)}`;
+export const watch = (context) => html`${link(context)}${charts(context)}${happened(context)}${packets(context)}`;
 
 /** What is drawn over time, by what is read together. @type {readonly (readonly [Word, readonly [number, number], readonly (readonly [keyof History, Word, string])[]])[]} */
 const CHARTS = [
@@ -34,7 +35,7 @@ function charts({ page, say }) {
     <section class="card" aria-labelledby="charts-title">
       <h2 id="charts-title">${say("charts")}</h2>
       ${CHARTS.map(([title, seen, lines]) => html`
-        <figure class="chart" role="img" aria-label=${say(title)}>
+        <figure class="chart" aria-label=${say(title)}>
           <figcaption>${say(title)} ${lines.map(([name, word], n) => html`<span class="line-${n + 1}">${lines.length > 1 ? say(word) : ""} <b data-last=${name}>${last(history[name])}</b></span>`)}</figcaption>
           <div ${chart([times, ...lines.map(([name]) => history[name])], lines.map(([, word, color], n) => ({ name: say(word), color, dash: DASHES[n] })), seen, `${theme} ${page.language}`)}></div>
         </figure>`)}

@@ -29,6 +29,9 @@
  * | { type: "language", language: import("./state.js").Language }
  * | { type: "theme", theme: import("./state.js").Theme }
  * | import("./jog.js").JogMessage
+ * | import("./jobs.js").JobsMessage
+ * | import("./recordings.js").RecordingsMessage
+ * | import("./packets.js").PacketsMessage
  * | import("./draw.js").DrawMessage
  * | import("./set_up.js").SetUpMessage
  * | import("./target.js").TargetMessage

@@ -2,6 +2,7 @@
 
 import { linesOf } from "../preview/look.js";
 import { EMPTY } from "../stage/view.js";
+import { recorded } from "./recordings.js";
 import { placeOf } from "./target.js";
 
 /** @typedef {import("./state.js").Page} Page */
@@ -81,25 +82,27 @@ function shownPolicy({ tab, set_up, policy }) {
 export function createViewOf() {
   const rules = kept(ruled);
   const reported = kept((/** @type {Page["station"]} */ station) => (station?.arm ? { ...station.arm, at_s: station.at_s } : null));
+  const then = kept(recorded);
   const ghostOf = kept((/** @type {Page["target"]} */ target) => {
     const place = placeOf(target);
     return place && { ...place, refused: target.refused };
   });
   const drawingOf = kept((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
   /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
-  return (page, { dark, note, label }) => ({
-    ...EMPTY,
-    ...rules(shownPolicy(page)),
-    ...page.around,
-    planned: page.planned,
-    drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
-    arm: reported(page.station),
-    laser: laser(page),
-    ghost: ghostOf(page.target),
-    draggable: hindrance(page) === null,
-    old: silence_ms(page) > 0,
-    dark,
-    note,
-    label,
-  });
+  return (page, { dark, note, label }) => {
+    const common = { ...EMPTY, ...rules(shownPolicy(page)), ...page.around, dark, note, label };
+    const arm = then(page.recordings);
+    // Where the arm was is grey, and nothing that holds now stands beside it.
+    if (arm) return { ...common, arm, old: true };
+    return {
+      ...common,
+      planned: page.planned,
+      drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
+      arm: reported(page.station),
+      laser: laser(page),
+      ghost: ghostOf(page.target),
+      draggable: hindrance(page) === null,
+      old: silence_ms(page) > 0,
+    };
+  };
 }

@@ -2,7 +2,10 @@
 
 import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
+import { NO_JOBS } from "./jobs.js";
 import { NO_JOG } from "./jog.js";
+import { NO_PACKETS } from "./packets.js";
+import { NO_RECORDINGS } from "./recordings.js";
 import { NO_SET_UP } from "./set_up.js";
 import { NO_TARGET } from "./target.js";
 import { NO_TEACH } from "./teach.js";
@@ -16,7 +19,7 @@ import { NO_TEACH } from "./teach.js";
 /** @typedef {import("../words/words.js").Language} Language */
 
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
-/** @typedef {"move" | "draw" | "teach" | "watch" | "set_up"} Tab */
+/** @typedef {"move" | "draw" | "teach" | "jobs" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
 /** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "remove_token", values?: Record<string, string | number> }} Question */
 /** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
@@ -44,6 +47,9 @@ import { NO_TEACH } from "./teach.js";
  * @property {import("./teach.js").Teach} teach
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./draw.js").Draw} draw
+ * @property {import("./jobs.js").Jobs} jobs
+ * @property {import("./recordings.js").Recordings} recordings
+ * @property {import("./packets.js").Packets} packets
  * @property {string | null} pad_refused Why the last packet of the mouse or hand pad came to nothing.
  * @property {Tab} tab
  * @property {boolean} greeted Whether a person has seen that the arm is a virtual one.
@@ -74,6 +80,9 @@ export const begin = ({ language, theme, greeted, program }) => ({
   teach: { ...NO_TEACH, text: program },
   set_up: NO_SET_UP,
   draw: NO_DRAW,
+  jobs: NO_JOBS,
+  recordings: NO_RECORDINGS,
+  packets: NO_PACKETS,
   pad_refused: null,
   tab: "move",
   greeted,

@@ -16,8 +16,8 @@ export function createHttp() {
     return known ? { authorization: `Bearer ${known}` } : {};
   }
 
-  /** @param {string} path */
-  const get = (path) => fetch(path, { headers: authorization() }).catch(() => undefined);
+  /** @param {string} path @param {AbortSignal} [signal] what ends an answer that goes on */
+  const get = (path, signal) => fetch(path, { headers: authorization(), signal }).catch(() => undefined);
 
   return {
     token,

@@ -1,6 +1,7 @@
 // What a person has to know before anything else, above the stage.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { recorded } from "../state/recordings.js";
 import { isVeryOld, silence_ms } from "../state/select.js";
 import { span } from "../words/words.js";
 
@@ -10,7 +11,7 @@ import { span } from "../words/words.js";
 export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** @param {Context} context */
-export const banners = (context) => html`${stopped(context)}${untrusted(context)}${token(context)}`;
+export const banners = (context) => html`${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
 
 /** What comes and goes by itself lies over the page: nothing moves under a pointer. @param {Context} context */
 export const toasts = (context) => html`${old(context)}${problem(context)}`;
@@ -42,6 +43,16 @@ function untrusted({ page, say, act }) {
     <section id="untrusted" class="banner" data-tone="warn" role="status">
       <p><strong>${say("pose.not_trusted")}</strong> <span id="untrusted-why">${page.station.trust.reason ?? ""}</span></p>
       <button id="confirm-pose" type="button" @click=${() => act.question({ about: "confirm_pose" })}>${say("pose.confirm")}</button>
+    </section>`;
+}
+
+/** The stage shows something else than the arm: that has to be known before all else that is seen on it. @param {Context} context */
+function recording({ page, say, act }) {
+  if (!recorded(page.recordings)) return nothing;
+  return html`
+    <section id="recorded" class="banner" data-tone="warn" role="status">
+      <p><strong>${say("recorded.title")}</strong> ${say("recorded.text")}</p>
+      <button id="recorded-end" type="button" class="strong" @click=${() => act.send({ type: "recording_chosen", name: null })}>${say("recorded.end")}</button>
     </section>`;
 }
 

@@ -1,6 +1,7 @@
 // The numbers of the arm and the cameras, on the stage.
 
 import { html } from "../vendor/lit-html/lit-html.js";
+import { recorded } from "../state/recordings.js";
 
 /** @typedef {import("./context.js").Context} Context */
 /** @typedef {import("../words/words.js").Word} Word */
@@ -19,9 +20,11 @@ const NUMBERS = [
   ["servo_deg", "J4", "pose.servo", "°"],
 ];
 
-/** @param {Context} context */
+/** The numbers of what the stage shows. @param {Context} context */
 export function pose({ page, say }) {
-  const arm = page.station?.arm;
+  const then = recorded(page.recordings);
+  const arm = then ?? page.station?.arm;
+  const moving = !then && (page.station?.arm?.moving ?? false);
   return html`
     <dl class="pose" id="pose" aria-label=${say("pose")}>
       ${NUMBERS.map(([field, short, word, unit], n) => html`
@@ -30,7 +33,7 @@ export function pose({ page, say }) {
           <dd><output data-pose=${field}>${arm ? arm[field].toFixed(1) : "–"}</output> <small>${unit}</small></dd>
         </div>`)}
     </dl>
-    <p id="moving" class="moving" data-moving=${String(arm?.moving ?? false)}>${arm ? say(arm.moving ? "pose.moving" : "pose.at_rest") : ""}</p>`;
+    <p id="moving" class="moving" data-moving=${String(moving)}>${then ? say("recorded") : arm ? say(moving ? "pose.moving" : "pose.at_rest") : ""}</p>`;
 }
 
 /** @param {Context} context */

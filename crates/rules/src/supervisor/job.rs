@@ -9,6 +9,7 @@ use dobot_wire::Status;
 
 use super::Supervisor;
 use super::run::{Begun, Run, check_height};
+use crate::jobs::FORGETTABLE;
 use crate::refusal::Refusal;
 
 impl Supervisor {
@@ -128,6 +129,16 @@ impl Supervisor {
         let reply = self.job_reply();
         self.of_run(Run::handle_status);
         Ok(reply)
+    }
+
+    /// Why the job that the arm is at is not forgotten.
+    pub(super) fn not_forgotten(&self, job: u64) -> Refusal {
+        let found = self.job().filter(|it| it.job == job);
+        found.map_or(Refusal::NoSuchJob(job), |it| Refusal::JobPhase {
+            job,
+            found: it.phase,
+            allowed: FORGETTABLE,
+        })
     }
 
     /// Draws the vectors that are not sent yet at another speed.

@@ -52,8 +52,9 @@ impl Supervisor {
 
     /// Takes a request. `None` when the answer takes its time: [`Supervisor::poll_answer`] has it then.
     ///
-    /// Jobs are kept and planned by the caller, since that may take long: he answers
-    /// [`Request::SubmitJob`], and turns [`Request::StartJob`] and [`Request::StepJob`] into [`Supervisor::handle_start`].
+    /// Jobs are kept and planned by the caller, since that may take long: he answers [`Request::SubmitJob`],
+    /// [`Request::QueueAgain`], [`Request::MoveJob`] and [`Request::ForgetJob`] of a job that the arm is not at, and turns
+    /// [`Request::StartJob`] and [`Request::StepJob`] into [`Supervisor::handle_start`].
     pub fn handle_request(
         &mut self,
         now: Duration,
@@ -231,10 +232,13 @@ impl Supervisor {
             Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
             Request::CancelJob { job } => self.cancel_job(client, job),
+            Request::ForgetJob { job } => Err(self.not_forgotten(job)),
             Request::CheckCommand { .. }
             | Request::Calibrate { .. }
             | Request::Detect
             | Request::SubmitJob { .. }
+            | Request::QueueAgain { .. }
+            | Request::MoveJob { .. }
             | Request::StartJob { .. }
             | Request::StepJob { .. } => {
                 Err(Refusal::Malformed("this is not asked for this way".into()))

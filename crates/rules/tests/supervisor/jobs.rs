@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{JobPhase, Request};
+use dobot_api::{ClientId, JobPhase, Reply, Request};
 use dobot_controller::Personality;
 use dobot_rules::VirtualStation;
 
@@ -103,4 +103,91 @@ fn nobody_else_moves_the_arm_while_a_job_runs() {
     let command = spiral(1).commands[2];
     let refused = it.ask(anna, Request::Command { command }).unwrap_err();
     assert_eq!(refused.to_string(), format!("job {job} has the arm"));
+}
+
+/// The number of the job that a request answers with.
+fn number(it: &mut VirtualStation, who: ClientId, request: Request) -> u64 {
+    match it.ask(who, request) {
+        Ok(Reply::Job { job }) => job.job,
+        other => panic!("it answers with a job, and not with {other:?}"),
+    }
+}
+
+fn listed(it: &mut VirtualStation) -> Vec<(u64, JobPhase)> {
+    let jobs = it.jobs().unwrap();
+    jobs.iter().map(|it| (it.job, it.phase)).collect()
+}
+
+#[test]
+fn what_a_job_did_is_queued_and_drawn_again() {
+    let mut it = virtual_station(Personality::Specification);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let drawing = spiral(12);
+    let first = it.submit(&drawing).unwrap();
+    it.start(anna, first).unwrap();
+    let minute = Duration::from_mins(1);
+    assert!(it.run_until(it.now() + minute, |it| is_over(it, first)));
+    let once_mm = drawn_mm(&it);
+    let again = number(&mut it, anna, Request::QueueAgain { job: first });
+    assert_ne!(again, first);
+    it.start(anna, again).unwrap();
+    assert!(it.run_until(it.now() + minute, |it| is_over(it, again)));
+    close(drawn_mm(&it), 2.0 * once_mm, "twice");
+    assert_eq!(it.jobs().unwrap()[1].title, drawing.title);
+}
+
+#[test]
+fn queued_jobs_are_moved_and_others_are_not() {
+    let mut it = virtual_station(Personality::Specification);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let [one, two, three] = [(); 3].map(|()| it.submit(&spiral(2)).unwrap());
+    let moved = Request::MoveJob {
+        job: three,
+        before: Some(one),
+    };
+    assert_eq!(number(&mut it, anna, moved), three);
+    let queued = |job| (job, JobPhase::Queued);
+    assert_eq!(listed(&mut it), [three, one, two].map(queued));
+    let last = Request::MoveJob {
+        job: one,
+        before: None,
+    };
+    number(&mut it, anna, last);
+    assert_eq!(listed(&mut it), [three, two, one].map(queued));
+    it.ask(anna, Request::CancelJob { job: two }).unwrap();
+    let refused = it.ask(
+        anna,
+        Request::MoveJob {
+            job: one,
+            before: Some(two),
+        },
+    );
+    assert_eq!(
+        refused.unwrap_err().to_string(),
+        format!("job {two} is stopped; this takes one that is queued")
+    );
+}
+
+#[test]
+fn a_job_that_is_over_or_has_not_begun_is_forgotten_and_one_under_way_is_not() {
+    let mut it = virtual_station(Personality::Specification);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let [job, other] = [(); 2].map(|()| it.submit(&spiral(12)).unwrap());
+    it.start(anna, job).unwrap();
+    it.run_for(Duration::from_secs(1));
+    let refused = it.ask(anna, Request::ForgetJob { job }).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        format!("job {job} is running; this takes one that is queued, stopped, done or failed")
+    );
+    it.ask(anna, Request::ForgetJob { job: other }).unwrap();
+    assert_eq!(listed(&mut it), [(job, JobPhase::Running)]);
+    assert!(it.run_until(it.now() + Duration::from_mins(1), |it| is_over(it, job)));
+    it.ask(anna, Request::ForgetJob { job }).unwrap();
+    assert_eq!(listed(&mut it), []);
+    let gone = it.ask(anna, Request::QueueAgain { job }).unwrap_err();
+    assert_eq!(gone.to_string(), format!("there is no job {job}"));
 }

@@ -5,15 +5,17 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use dobot_api::Role;
+use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
+use dobot_api::{Problem, Role};
 use dobot_rules::{Handle, OwnVirtualArm, PlannedFor};
-use tokio::sync::{Semaphore, watch};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
 
 use super::drawings::Drawings;
 use super::http_leases::HttpLeases;
 use super::listen::ConnectionSlot;
 use super::rate::Addresses;
+use super::recordings::Recordings;
 use super::tokens::Tokens;
 
 /// What all requests share.
@@ -34,6 +36,7 @@ pub(super) struct App {
     pub(super) http_leases: HttpLeases,
     /// The drawings that are planned.
     pub(super) drawings: Drawings,
+    pub(super) recordings: Recordings,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
     pub(super) sockets: Arc<Semaphore>,
@@ -49,6 +52,7 @@ impl App {
         without_token: Option<Role>,
         names: Vec<String>,
         policy_file: PathBuf,
+        recordings: PathBuf,
         virtual_arm: Option<OwnVirtualArm>,
         ending: watch::Receiver<bool>,
     ) -> Arc<Self> {
@@ -62,6 +66,7 @@ impl App {
             faults: Mutex::default(),
             http_leases: HttpLeases::default(),
             drawings: Drawings::default(),
+            recordings: Recordings::new(recordings),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,
@@ -82,6 +87,15 @@ impl App {
     /// Name and role of whoever has this token.
     pub(super) fn holder(&self, secret: &str) -> Option<(String, Role)> {
         self.tokens().holder(secret)
+    }
+
+    /// A place for one who stays: on a WebSocket, or to listen to events.
+    pub(super) fn place(&self) -> Result<OwnedSemaphorePermit, Problem> {
+        let place = self.sockets.clone().try_acquire_owned();
+        place.map_err(|_| {
+            let many = format!("{MOST_SOCKETS} connections are open already");
+            TOO_MANY_CLIENTS.problem(many)
+        })
     }
 
     /// The tokens; nobody else changes them meanwhile.

@@ -8,19 +8,19 @@ use std::time::Duration;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, Uri};
 use axum::response::sse::{Event, KeepAlive, Sse};
-use dobot_api::problem_kinds::{MALFORMED, TOO_MANY_CLIENTS};
+use dobot_api::problem_kinds::MALFORMED;
 use dobot_api::{Notice, Problem, ToClient};
 use futures_util::Stream;
 use schemars::JsonSchema;
 use tokio::sync::{OwnedSemaphorePermit, broadcast, watch};
 
 use super::answer::NotDone;
-use super::app::{App, MOST_SOCKETS};
+use super::app::App;
 use super::messages;
 use super::socket::{StateStream, Wants, state_message};
 
 /// So often something comes, so that a dead connection is found.
-const ALIVE_EVERY: Duration = Duration::from_secs(5);
+pub(super) const ALIVE_EVERY: Duration = Duration::from_secs(5);
 const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 
 /// One event, as its lines say it; for the document only.
@@ -53,10 +53,7 @@ pub(super) async fn events(
 ) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
     let wants = Wants::of_one_who_watches(&uri)?;
     let seen = last_seen(&headers)?;
-    let Ok(place) = app.sockets.clone().try_acquire_owned() else {
-        let many = format!("{MOST_SOCKETS} connections are open already");
-        return Err(TOO_MANY_CLIENTS.problem(many).into());
-    };
+    let place = app.place()?;
     let notices = wants.notices().then(|| app.handle.notices());
     let states = StateStream::new(app.handle.every_state(), wants.states());
     let mut first = Vec::new();

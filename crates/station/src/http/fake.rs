@@ -124,6 +124,8 @@ fn granted(client: ClientId, request: &Request) -> Reply {
             Reply::Lease { lease: None }
         }
         Request::SubmitJob { .. }
+        | Request::QueueAgain { .. }
+        | Request::MoveJob { .. }
         | Request::StartJob { .. }
         | Request::StepJob { .. }
         | Request::PauseJob => Reply::Job { job: job(8) },

@@ -10,6 +10,7 @@ mod leases;
 mod motion;
 mod observing;
 mod programs;
+mod recordings;
 mod tokens;
 mod virtual_arm;
 mod watching;
@@ -63,6 +64,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         calibration::all(),
         jobs::all(),
         programs::all(),
+        recordings::all(),
         drawings::all(),
         tokens::all(),
         virtual_arm::all(),

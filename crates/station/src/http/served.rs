@@ -105,6 +105,7 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
         without_token,
         web.names.clone(),
         web.policy_file.clone(),
+        web.folders.recordings(),
         web.virtual_arm.clone(),
         ending,
     );

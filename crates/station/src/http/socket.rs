@@ -13,7 +13,7 @@ use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::extract::{Query as UrlQuery, State};
 use axum::http::Uri;
 use axum::response::Response;
-use dobot_api::problem_kinds::{MALFORMED, TOO_MANY_CLIENTS, UPGRADE};
+use dobot_api::problem_kinds::{MALFORMED, UPGRADE};
 use dobot_api::{Problem, Role};
 use futures_util::StreamExt;
 use schemars::SchemaGenerator;
@@ -23,7 +23,7 @@ pub(super) use self::state_stream::{StateStream, message as state_message};
 
 use self::connection::SocketConnection;
 use super::answer::{BODY, JOB, NotDone};
-use super::app::{App, Caller, MOST_SOCKETS, Peer};
+use super::app::{App, Caller, Peer};
 use super::calls::is_name;
 use super::route::Query;
 
@@ -117,10 +117,7 @@ pub(super) async fn upgrade(
 ) -> Result<Response, NotDone> {
     let wants = Wants::of(&uri)?;
     let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
-    let Ok(place) = app.sockets.clone().try_acquire_owned() else {
-        let many = format!("{MOST_SOCKETS} WebSockets are open already");
-        return Err(TOO_MANY_CLIENTS.problem(many).into());
-    };
+    let place = app.place()?;
     let name = wants.name.clone().unwrap_or(caller.name);
     let client = app.handle.client(&name, caller.role).await?;
     let largest = if caller.role >= Role::Control {

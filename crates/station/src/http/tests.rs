@@ -11,6 +11,7 @@ mod leases;
 mod observing;
 mod policies;
 mod programs;
+mod recordings;
 mod routes;
 mod schema;
 mod served;
@@ -48,7 +49,7 @@ struct Harness {
     peer: Peer,
     _end: watch::Sender<bool>,
     tokens: Vec<Token>,
-    _folder: tempfile::TempDir,
+    folder: tempfile::TempDir,
 }
 
 /// What has come of a body that does not end.
@@ -92,6 +93,7 @@ impl Harness {
             without_token,
             vec!["arm.local".into()],
             folder.path().join("policy.toml"),
+            folder.path().join("recordings"),
             Some(own_virtual_arm()),
             ending,
         );
@@ -113,7 +115,7 @@ impl Harness {
             },
             _end: end,
             tokens: made.into(),
-            _folder: folder,
+            folder,
         }
     }
 

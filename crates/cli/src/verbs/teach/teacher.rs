@@ -449,7 +449,7 @@ mod tests {
 
     fn job_view(job: u64, phase: JobPhase) -> JobView {
         let text = format!(
-            r#"{{"job": {job}, "title": "t", "kind": "program", "phase": "queued", "reason": null,
+            r#"{{"job": {job}, "title": "t", "kind": "program", "created_ms": 0, "phase": "queued", "reason": null,
             "commands": 1, "completed": 0, "planned_s": null, "left_s": null, "took_s": null,
             "speed_percent": 100.0, "height_mm": 0.0}}"#
         );

@@ -305,6 +305,7 @@ mod tests {
                 job: 4,
                 title: "harbour.svg".into(),
                 kind: JobKind::Drawing,
+                created_ms: 1_700_000_000_000,
                 phase: JobPhase::Paused,
                 reason: Some("a person asked for it".into()),
                 commands: 400,

@@ -53,6 +53,8 @@ pub struct Begun {
     pub title: String,
     /// What kind of job.
     pub kind: JobKind,
+    /// When it was queued, in milliseconds since 1970-01-01T00:00:00Z.
+    pub created_ms: i64,
     /// What the arm has to speak.
     pub dialect: Dialect,
     /// Its commands.
@@ -88,6 +90,7 @@ impl Begun {
             job: job.id.0,
             title: job.title.clone(),
             kind: job.kind,
+            created_ms: job.created_ms,
             dialect: job.dialect,
             plan,
             pauses: job.pauses.clone(),

@@ -22,9 +22,14 @@ use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
 
 pub(super) fn all() -> Vec<Route> {
     vec![
-        Route::new(GET, "/api/v1/jobs", "All jobs, the oldest first", all_jobs)
-            .gives::<Vec<JobView>>(200, "the jobs")
-            .problems(&[ENDING]),
+        Route::new(
+            GET,
+            "/api/v1/jobs",
+            "All jobs: the oldest first, unless queued ones were moved",
+            all_jobs,
+        )
+        .gives::<Vec<JobView>>(200, "the jobs")
+        .problems(&[JOURNAL, ENDING]),
         Route::new(POST, "/api/v1/jobs", "Queues a job", submit)
             .brings::<Body<NewJob, JOB>>()
             .example(JOB_EXAMPLE)
@@ -49,6 +54,40 @@ pub(super) fn all() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the job is over")
         .problems(&[NO_LEASE, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
+        Route::asks(
+            POST,
+            "/api/v1/jobs/{id}/again",
+            "Queues what a job does once more, as a new job that is planned anew",
+            |OfJob(job)| Request::QueueAgain { job },
+        )
+        .gives::<Reply>(200, "the new job is queued")
+        .problems(&[
+            NO_SUCH_JOB,
+            BAD_JOB,
+            POLICY,
+            COMMAND,
+            OUT_OF_RANGE,
+            TOO_MANY,
+            JOURNAL,
+        ]),
+        Route::new(
+            PUT,
+            "/api/v1/jobs/{id}/place",
+            "Puts a queued job before another queued one, or behind all of them",
+            place,
+        )
+        .brings::<Body<Place>>()
+        .example(r#"{"before": 3}"#)
+        .gives::<Reply>(200, "the job has its place")
+        .problems(&[MALFORMED, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
+        Route::asks(
+            POST,
+            "/api/v1/jobs/{id}/forget",
+            "Forgets a job that is over, or that has not begun",
+            |OfJob(job)| Request::ForgetJob { job },
+        )
+        .gives::<Reply>(200, "the job is forgotten")
+        .problems(&[NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/start",
@@ -121,6 +160,23 @@ struct Height {
     /// How far above the plan, in millimetres; below 0 is lower.
     #[schemars(range(min = -5.0, max = 5.0))]
     offset_mm: f64,
+}
+
+/// Where a queued job stands in the list.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Place {
+    /// The number of the queued job that comes behind it; without it the job comes last.
+    #[serde(default)]
+    before: Option<u64>,
+}
+
+async fn place(
+    asker: Asker,
+    Number(job): Number,
+    Body(Place { before }): Body<Place>,
+) -> Result<Json<Reply>, NotDone> {
+    asker.ask(Request::MoveJob { job, before }).await
 }
 
 async fn submit(

@@ -2,6 +2,7 @@
 
 use super::super::events::{self, ServerSentEvent};
 use super::super::metrics;
+use super::super::packets::{self, PacketView};
 use super::super::route::Route;
 use super::super::socket::WATCH_QUERIES;
 use super::GET;
@@ -36,5 +37,14 @@ pub(super) fn all() -> Vec<Route> {
         .queries(WATCH_QUERIES)
         .gives_as::<ServerSentEvent>(200, "text/event-stream", "the events")
         .problems(&[MALFORMED, TOO_MANY_CLIENTS, ENDING]),
+        Route::new(
+            GET,
+            "/api/v1/packets",
+            "Every packet between the station and the arm, both ways and decoded, from now on, as server-sent events: \
+                `packet`, or `lost` with how many came too fast for the one who listens",
+            packets::packets,
+        )
+        .gives_as::<PacketView>(200, "text/event-stream", "the packets")
+        .problems(&[TOO_MANY_CLIENTS, ENDING]),
     ]
 }

@@ -1,8 +1,14 @@
 //! Health, figures and events, for programs that watch.
 
+use std::time::Duration;
+
 use axum::body::Body;
 use dobot_api::{News, Role};
+use dobot_rules::PassedPacket;
+use dobot_wire::{Command, Dialect, Status};
+use futures_util::StreamExt;
 use serde_json::Value;
+use tower::ServiceExt;
 
 use super::Harness;
 use crate::sample::{notice, state};
@@ -127,4 +133,53 @@ async fn one_chooses_what_comes_and_nothing_else() {
         .await
         .is(400)
         .is_problem("malformed");
+}
+
+#[tokio::test]
+async fn packets_are_told_both_ways_and_decoded_and_what_came_too_fast_is_counted() {
+    let harness = Harness::near();
+    let request = harness.request("GET", "/api/v1/packets");
+    let mut request = request.body(Body::empty()).unwrap();
+    request.extensions_mut().insert(harness.peer.clone());
+    let answer = harness.router.clone().oneshot(request).await.unwrap();
+    assert_eq!(answer.headers()["content-type"], "text/event-stream");
+    let mut body = answer.into_body().into_data_stream();
+    let mut next = async || {
+        let piece = body.next().await.unwrap().unwrap();
+        events(std::str::from_utf8(&piece).unwrap()).remove(0)
+    };
+    let tell = |to_arm: bool, bytes: [u8; 42]| {
+        let at = Duration::from_millis(1_500);
+        let ends = &harness.telling.ends;
+        ends.tell_passed(PassedPacket { at, to_arm, bytes });
+    };
+    tell(false, Status::AT_ZERO.emit().to_bytes());
+    let (name, packet) = next().await;
+    assert_eq!(
+        (name.as_str(), &packet["direction"]),
+        ("packet", &"from_arm".into())
+    );
+    assert_eq!(packet["at_s"], 1.5);
+    assert_eq!(packet["status"]["z_mm"], 135.0);
+
+    let text = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0}"#;
+    let command: Command = serde_json::from_str(text).unwrap();
+    tell(true, command.emit(&Dialect::FIRMWARE_1_1).to_bytes());
+    let (_, packet) = next().await;
+    assert_eq!(packet["direction"], "to_arm");
+    assert_eq!(packet["command"]["x_mm"], 200.0);
+    assert_eq!(packet["bytes"].as_str().unwrap().len(), 84);
+
+    tell(true, [0xA5; 42]);
+    let (_, packet) = next().await;
+    assert!(
+        packet["command"].is_null() && packet["problem"].is_string(),
+        "{packet}"
+    );
+
+    for _ in 0..1_030 {
+        tell(false, Status::AT_ZERO.emit().to_bytes());
+    }
+    let (name, lost) = next().await;
+    assert_eq!((name.as_str(), &lost["lost"]), ("lost", &6.into()));
 }

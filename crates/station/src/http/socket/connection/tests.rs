@@ -69,6 +69,7 @@ impl Harness {
                 Some(Role::Admin),
                 Vec::new(),
                 "policy.toml".into(),
+                "recordings".into(),
                 None,
                 ending,
             ),

@@ -1,0 +1,194 @@
+//! Where the arm was over a stretch of a recording, in few samples.
+
+use std::ops::RangeInclusive;
+use std::time::Duration;
+
+use dobot_wire::{Decoder, Status};
+
+use crate::{Entry, Recording};
+
+/// Where the arm was over a stretch of a recording, oldest first: every status that says something new, or fewer of
+/// them, evenly in time, where there are too many.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track {
+    /// The statuses that were kept.
+    pub samples: Vec<Sample>,
+    /// So close together they stand at the most; 0 where none that says something new was left out.
+    pub spacing: Duration,
+}
+
+/// What the arm told at one moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// When, as the moments of the recording count.
+    pub at: Duration,
+    /// What.
+    pub status: Status,
+}
+
+impl Track {
+    /// Reads a recording, up to the end of the stretch, and keeps `most` samples at the most; two are the least that
+    /// make sense.
+    #[must_use]
+    pub fn read(
+        recording: &mut Recording,
+        stretch: &RangeInclusive<Duration>,
+        most: usize,
+    ) -> Self {
+        let mut decoder = Decoder::statuses(dobot_client::plausible);
+        let mut thinning = Thinning::new(most);
+        for moment in recording {
+            if moment.at > *stretch.end() {
+                break;
+            }
+            let Entry::FromArm(bytes) = &moment.entry else {
+                continue;
+            };
+            for frame in decoder.feed(bytes) {
+                let status = Status::parse(&frame).ok();
+                if let Some(status) = status.filter(|_| stretch.contains(&moment.at)) {
+                    let at = moment.at;
+                    thinning.push(Sample { at, status });
+                }
+            }
+        }
+        thinning.end()
+    }
+}
+
+/// Keeps what is needed of a stream of samples, with bounded memory.
+#[derive(Debug)]
+struct Thinning {
+    most: usize,
+    track: Track,
+    /// What came last, where it was not kept.
+    held: Option<Sample>,
+}
+
+impl Thinning {
+    const fn new(most: usize) -> Self {
+        Self {
+            most,
+            track: Track {
+                samples: Vec::new(),
+                spacing: Duration::ZERO,
+            },
+            held: None,
+        }
+    }
+
+    fn push(&mut self, sample: Sample) {
+        let Some(last) = self.track.samples.last().copied() else {
+            return self.keep(sample);
+        };
+        if sample.status == last.status {
+            self.held = Some(sample);
+            return;
+        }
+        // Where a rest ends is kept: between its ends the arm did not move.
+        if let Some(held) = self.held.take_if(|it| it.status == last.status) {
+            self.keep(held);
+        }
+        self.held = Some(sample);
+        let before = self.track.samples.last().map_or(last.at, |it| it.at);
+        if sample.at.saturating_sub(before) >= self.track.spacing {
+            self.held = None;
+            self.keep(sample);
+        }
+    }
+
+    fn end(mut self) -> Track {
+        if let Some(held) = self.held.take() {
+            self.keep(held);
+        }
+        self.track
+    }
+
+    fn keep(&mut self, sample: Sample) {
+        self.track.samples.push(sample);
+        if self.track.samples.len() > self.most.max(2) {
+            self.thin(sample.at);
+        }
+    }
+
+    /// Half of the samples go, at least.
+    fn thin(&mut self, now: Duration) {
+        let Track { samples, spacing } = &mut self.track;
+        let first = samples.first().map_or(now, |it| it.at);
+        let even =
+            now.saturating_sub(first) / u32::try_from(self.most / 2).unwrap_or(u32::MAX).max(1);
+        *spacing = even.max(*spacing * 2);
+        let mut kept = None;
+        samples.retain(|it| {
+            let far = kept.is_none_or(|kept| it.at.saturating_sub(kept) >= *spacing);
+            if far {
+                kept = Some(it.at);
+            }
+            far
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sample every 80 ms, at these X, in millimetres.
+    fn track(most: usize, xs_mm: impl IntoIterator<Item = f32>) -> Track {
+        let mut thinning = Thinning::new(most);
+        for (n, x_mm) in (0..).zip(xs_mm) {
+            thinning.push(Sample {
+                at: Duration::from_millis(80) * n,
+                status: Status {
+                    x_mm,
+                    ..Status::AT_ZERO
+                },
+            });
+        }
+        thinning.end()
+    }
+
+    fn xs(track: &Track) -> Vec<(u128, f32)> {
+        let samples = track.samples.iter();
+        samples
+            .map(|it| (it.at.as_millis(), it.status.x_mm))
+            .collect()
+    }
+
+    #[test]
+    fn a_rest_is_told_by_its_ends() {
+        let found = track(100, [200.0, 200.0, 200.0, 210.0, 220.0, 220.0, 220.0]);
+        assert_eq!(
+            xs(&found),
+            [
+                (0, 200.0),
+                (160, 200.0),
+                (240, 210.0),
+                (320, 220.0),
+                (480, 220.0)
+            ]
+        );
+        assert_eq!(found.spacing, Duration::ZERO);
+    }
+
+    #[test]
+    fn of_a_long_motion_no_more_is_kept_than_was_wanted_and_it_is_spread_evenly() {
+        let found = track(100, (0_u16..10_000).map(f32::from));
+        assert!(
+            (40..=101).contains(&found.samples.len()),
+            "{}",
+            found.samples.len()
+        );
+        let ends = [found.samples[0], found.samples[found.samples.len() - 1]];
+        assert_eq!(ends.map(|it| it.status.x_mm), [0.0, 9_999.0]);
+        for pair in found.samples.windows(2) {
+            let gap = pair[1].at - pair[0].at;
+            assert!(gap <= found.spacing * 2, "{gap:?} with {:?}", found.spacing);
+        }
+    }
+
+    #[test]
+    fn nothing_is_a_track_without_samples() {
+        assert!(track(100, []).samples.is_empty());
+    }
+}

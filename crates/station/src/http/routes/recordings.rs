@@ -1,0 +1,83 @@
+//! The recordings of the station.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::{Path, Query as Queries, State};
+use axum::response::Response;
+use dobot_api::problem_kinds::{ENDING, MALFORMED, NO_SUCH_RECORDING, OUT_OF_RANGE, RECORDING};
+use schemars::SchemaGenerator;
+
+use super::super::answer::NotDone;
+use super::super::app::App;
+use super::super::recordings::{RecordedStates, RecordingView, Stretch};
+use super::super::route::{Query, Route};
+use super::GET;
+
+pub(super) fn all() -> Vec<Route> {
+    vec![
+        Route::new(
+            GET,
+            "/api/v1/recordings",
+            "The recordings of the station, the oldest first",
+            list,
+        )
+        .gives::<Vec<RecordingView>>(200, "the recordings")
+        .problems(&[RECORDING, ENDING]),
+        Route::new(
+            GET,
+            "/api/v1/recordings/{name}",
+            "A recording, as an MCAP file; of one that is being written what is there so far",
+            file,
+        )
+        .gives_text(200, "application/octet-stream", "the file")
+        .problems(&[MALFORMED, NO_SUCH_RECORDING, RECORDING, ENDING]),
+        Route::new(
+            GET,
+            "/api/v1/recordings/{name}/states",
+            "Where the arm was over a stretch of a recording; of a long one not every status is told",
+            states,
+        )
+        .queries(STRETCH)
+        .gives::<RecordedStates>(200, "where the arm was")
+        .problems(&[MALFORMED, OUT_OF_RANGE, NO_SUCH_RECORDING, RECORDING, ENDING]),
+    ]
+}
+
+const STRETCH: &[Query] = &[
+    Query {
+        name: "from_s",
+        what: "From when on, in seconds since the times of the recording begin; 0 without it",
+        schema: SchemaGenerator::subschema_for::<f64>,
+    },
+    Query {
+        name: "to_s",
+        what: "Until when; without it to the end",
+        schema: SchemaGenerator::subschema_for::<f64>,
+    },
+    Query {
+        name: "most",
+        what: "How many samples at the most, 2 to 5000; 2000 without it",
+        schema: SchemaGenerator::subschema_for::<usize>,
+    },
+];
+
+async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<RecordingView>>, NotDone> {
+    Ok(Json(app.recordings.list().await?))
+}
+
+async fn file(State(app): State<Arc<App>>, Path(name): Path<String>) -> Result<Response, NotDone> {
+    Ok(app.recordings.file(&name).await?)
+}
+
+async fn states(
+    State(app): State<Arc<App>>,
+    Path(name): Path<String>,
+    stretch: Result<Queries<Stretch>, axum::extract::rejection::QueryRejection>,
+) -> Result<Json<RecordedStates>, NotDone> {
+    let Queries(stretch) = stretch.map_err(|error| MALFORMED.problem(error.body_text()))?;
+    stretch
+        .check()
+        .map_err(|found| OUT_OF_RANGE.problem(found))?;
+    Ok(Json(app.recordings.states(&name, stretch).await?))
+}

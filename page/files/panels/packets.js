@@ -1,0 +1,61 @@
+// Every packet between station and arm, both ways, with what it means.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { live } from "../vendor/lit-html/directives/live.js";
+import { repeat } from "../vendor/lit-html/directives/repeat.js";
+import { saveAs } from "../parts/save.js";
+import { exported, line, wanted } from "../state/packets.js";
+import { sentence } from "../views/banners.js";
+
+/** @typedef {import("../views/context.js").Context} Context */
+/** @typedef {import("../state/packets.js").Passed} Passed */
+
+/** So many are shown; all that are kept are exported. */
+const SEEN = 120;
+const WAYS = /** @type {const} */ (["both", "to_arm", "from_arm"]);
+const ARROWS = { to_arm: "→", from_arm: "←" };
+
+/** @param {Context} context */
+export function packets(context) {
+  const { page, say, act } = context;
+  const { listening } = page.packets;
+  // The state alone says whether it is open: a picture may be drawn before the browser tells that it has opened it.
+  const toggle = (/** @type {Event} */ event) => {
+    event.preventDefault();
+    act.send({ type: "packets_wanted", listening: !listening });
+  };
+  return html`
+    <details id="packets" class="card" ?open=${listening}>
+      <summary @click=${toggle}><h2>${say("packets")} <small>${say("packets.what")}</small></h2></summary>
+      ${listening ? list(context) : nothing}
+    </details>`;
+}
+
+/** @param {Context} context */
+function list({ page, say, act }) {
+  const { frozen, way, sought, lost, problem } = page.packets;
+  const found = wanted(page.packets);
+  const newest = found.slice(-SEEN).reverse();
+  return html`
+    <fieldset class="segments">
+      <legend class="unseen">${say("packets.way")}</legend>
+      ${WAYS.map((it) => html`<label><input type="radio" name="packets-way" value=${it} .checked=${live(it === way)} @change=${() => act.send({ type: "packets_way", way: it })}><span>${say(`packets.way.${it}`)}</span></label>`)}
+    </fieldset>
+    <input id="packets-sought" type="text" placeholder=${say("watch.sought")} aria-label=${say("watch.sought")} .value=${live(sought)} @input=${(/** @type {Event} */ event) => act.send({ type: "packets_sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
+    <div class="row">
+      <button id="packets-pause" type="button" class="small strong" @click=${() => act.send({ type: "packets_frozen", frozen: frozen === null })}>${say(frozen ? "packets.go_on" : "packets.pause")}</button>
+      <button id="packets-clear" type="button" class="small" @click=${() => act.send({ type: "packets_cleared" })}>${say("packets.clear")}</button>
+      <button id="packets-save" type="button" class="small" ?disabled=${!found.length} @click=${() => saveAs(new Blob([exported(found)], { type: "application/jsonl" }), "packets.jsonl")}>${say("packets.save")}</button>
+      <span id="packets-count" class="quiet">${say("packets.count", { count: found.length })}</span>
+    </div>
+    ${problem ? html`<p id="packets-problem" class="told" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing}
+    ${lost ? html`<p id="packets-lost" class="told" data-tone="warn">${say("packets.lost", { count: lost })}</p>` : nothing}
+    <ol class="packets">${repeat(newest, ({ number }) => number, row)}</ol>`;
+}
+
+/** @param {Passed} packet */
+const row = (packet) => html`
+  <li><details data-way=${packet.direction}>
+    <summary><time>${packet.at_s.toFixed(2)}</time> <span aria-hidden="true">${ARROWS[packet.direction]}</span> <span class="says">${line(packet)}</span></summary>
+    <p class="bytes">${packet.bytes.match(/../g)?.join(" ")}</p>
+  </details></li>`;

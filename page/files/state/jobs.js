@@ -1,0 +1,60 @@
+// The jobs of the station: what is shown of them, and what was refused.
+
+/** @typedef {import("./types.js").Schemas} Schemas */
+/** @typedef {import("./types.js").Problem} Problem */
+/** A job as the list shows it. @typedef {Schemas["JobView"]} JobView */
+
+/**
+ * @typedef {object} Jobs
+ * @property {readonly JobView[] | null} all In the order of the station; nothing where they are not known yet.
+ * @property {{ job: number, problem: Problem } | null} refused Why the last thing that was asked for came to nothing.
+ */
+
+/** @type {Jobs} */
+export const NO_JOBS = { all: null, refused: null };
+
+/** @typedef {{ type: "jobs", all: readonly JobView[] }
+ * | { type: "job_refused", job: number, problem: Problem | null }} JobsMessage */
+
+/** @param {Jobs} jobs @param {import("./message.js").Message} message @returns {Jobs} */
+export function reduceJobs(jobs, message) {
+  switch (message.type) {
+    case "hello":
+      return NO_JOBS;
+    case "jobs":
+      return { ...jobs, all: message.all };
+    case "job_refused":
+      return { ...jobs, refused: message.problem && { job: message.job, problem: message.problem } };
+    default:
+      return jobs;
+  }
+}
+
+/** @param {JobView} job */
+const isOver = ({ phase }) => phase === "done" || phase === "stopped" || phase === "failed";
+
+/**
+ * The jobs by what a person asks of them: what is under way, as the state tells it now; what waits, the next one first; and
+ * what is over, the newest first.
+ * @param {readonly JobView[]} all @param {JobView | null} now
+ */
+export function shelves(all, now) {
+  const jobs = all.map((job) => (job.job === now?.job ? now : job));
+  return {
+    under_way: jobs.filter(({ phase }) => phase === "running" || phase === "paused"),
+    waiting: jobs.filter(({ phase }) => phase === "queued"),
+    over: jobs.filter(isOver).sort((a, b) => b.job - a.job),
+  };
+}
+
+/**
+ * Before which one a queued job comes when it goes one place up or down: a number, null for behind all, or nothing where it
+ * cannot go there.
+ * @param {readonly JobView[]} waiting @param {number} job @param {-1 | 1} way @returns {number | null | undefined}
+ */
+export function placeFor(waiting, job, way) {
+  const at = waiting.findIndex((it) => it.job === job);
+  const to = at + way;
+  if (at < 0 || to < 0 || to >= waiting.length) return undefined;
+  return waiting[way < 0 ? to : to + 1]?.job ?? null;
+}

@@ -1,0 +1,30 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { NO_JOBS, placeFor, reduceJobs, shelves } from "./jobs.js";
+
+const job = (number, phase, more = {}) => ({ job: number, phase, ...more });
+const numbers = (jobs) => jobs.map((it) => it.job);
+
+test("jobs stand by what a person asks of them: what waits in its order, what is over with the newest first", () => {
+  const all = [job(1, "done"), job(5, "queued"), job(2, "failed"), job(3, "running", { completed: 1 }), job(4, "queued")];
+  const { under_way, waiting, over } = shelves(all, job(3, "paused", { completed: 7 }));
+  assert.deepEqual(under_way, [job(3, "paused", { completed: 7 })], "as the state tells it, which is newer");
+  assert.deepEqual(numbers(waiting), [5, 4]);
+  assert.deepEqual(numbers(over), [2, 1]);
+});
+
+test("a queued job goes one place up or down, and not out of the queue", () => {
+  const waiting = [job(5, "queued"), job(4, "queued"), job(8, "queued")];
+  const places = (way) => numbers(waiting).map((it) => placeFor(waiting, it, way));
+  assert.deepEqual(places(-1), [undefined, 5, 4]);
+  assert.deepEqual(places(1), [8, null, undefined]);
+  assert.equal(placeFor(waiting, 9, 1), undefined);
+});
+
+test("a refusal stands at its job until the next thing is asked for", () => {
+  const problem = { title: "no", detail: "job 4 is done" };
+  const refused = reduceJobs(NO_JOBS, { type: "job_refused", job: 4, problem });
+  assert.deepEqual(refused.refused, { job: 4, problem });
+  assert.equal(reduceJobs(refused, { type: "job_refused", job: 5, problem: null }).refused, null);
+});
