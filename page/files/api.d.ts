@@ -430,6 +430,92 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/calibration": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** How the arm differs from the drawing of it, as far as that is known, and what was known before */
+        get: operations["get_calibration"];
+        /** Says how the arm differs from the drawing of it: from then on all places are true ones. It is kept for this arm, and what was known before is kept beside it; `null` takes the arm to be as drawn (admin) */
+        put: operations["put_calibration"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/calibration/angles": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Tells a calibrated arm its true joint angles (state 9, mode 3), which corrects its zeros until its next reset. It has to rest, with its base straight ahead */
+        post: operations["post_calibration_angles"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/calibration/fit": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** What touches of the sheet tell: a calibration, how well it explains them, whether to trust it, and which further point would tell most. Nothing is kept */
+        post: operations["post_calibration_fit"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/calibration/points": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The points of the sheet, in the order in which they are touched */
+        get: operations["get_calibration_points"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/calibration/sheet": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The sheet to print, A4 and landscape, at 100 % */
+        get: operations["get_calibration_sheet"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs": {
         parameters: {
             query?: never;
@@ -912,6 +998,8 @@ export interface components {
             link: components["schemas"]["LinkView"];
             /** @description What the arm told last; absent until it has told anything. */
             arm?: components["schemas"]["ArmView"] | null;
+            /** @description The calibration by which places are told, if the arm has one. */
+            calibrated?: components["schemas"]["CalibratedView"] | null;
             /** @description The dialect that the arm speaks, if that is known. */
             dialect?: components["schemas"]["Dialect"] | null;
             /** @description Whether the pose can be trusted. */
@@ -1018,8 +1106,68 @@ export interface components {
              * @description The gripper's angle in degrees.
              */
             gripper_deg: number;
+            /** @description What a calibrated arm says itself. */
+            told?: components["schemas"]["Status"] | null;
             /** @description Whether it moves. */
             moving: boolean;
+        };
+        /** @description Where the arm is (Table 2.3); each one received permits one command (note N20). */
+        Status: {
+            /**
+             * Format: float
+             * @description Forward of the base's axis, in millimetres.
+             */
+            x_mm: number;
+            /**
+             * Format: float
+             * @description To the left of it, in millimetres.
+             */
+            y_mm: number;
+            /**
+             * Format: float
+             * @description Above the rear arm's pivot, in millimetres.
+             */
+            z_mm: number;
+            /**
+             * Format: float
+             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle.
+             */
+            rotation_deg: number;
+            /**
+             * Format: float
+             * @description The base's angle in degrees, counter-clockwise seen from above.
+             */
+            base_deg: number;
+            /**
+             * Format: float
+             * @description The rear arm's angle in degrees from the vertical, forward positive.
+             */
+            rear_deg: number;
+            /**
+             * Format: float
+             * @description The forearm's angle in degrees below the horizontal.
+             */
+            fore_deg: number;
+            /**
+             * Format: float
+             * @description The servo's angle in degrees.
+             */
+            servo_deg: number;
+            /** @description Whether the pump runs; the laser does not show (note N21). */
+            suction: boolean;
+            /**
+             * Format: float
+             * @description The gripper's angle in degrees.
+             */
+            gripper_deg: number;
+        };
+        /** @description By which calibration places are told. */
+        CalibratedView: {
+            /**
+             * @description Whether the arm was told its true angles (state 9, mode 3) since it was switched on: then only its tool
+             *     is elsewhere than it says.
+             */
+            zeros_told: boolean;
         };
         /**
          * @description What the packets mean: as the published document says, or as stock arms do (firmware 1.1).
@@ -1276,6 +1424,9 @@ export interface components {
         } | {
             /** @constant */
             type: "policy_changed";
+        } | {
+            /** @constant */
+            type: "calibrated";
         } | {
             /** @constant */
             type: "refused";
@@ -2152,56 +2303,6 @@ export interface components {
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
         /** @description What is mounted at the end of the arm (state 9, mode 4; Table 3.9). */
         EndEffector: "suction_cup" | "gripper" | "laser";
-        /** @description Where the arm is (Table 2.3); each one received permits one command (note N20). */
-        Status: {
-            /**
-             * Format: float
-             * @description Forward of the base's axis, in millimetres.
-             */
-            x_mm: number;
-            /**
-             * Format: float
-             * @description To the left of it, in millimetres.
-             */
-            y_mm: number;
-            /**
-             * Format: float
-             * @description Above the rear arm's pivot, in millimetres.
-             */
-            z_mm: number;
-            /**
-             * Format: float
-             * @description The end effector's rotation relative to the base, in degrees: servo plus base angle.
-             */
-            rotation_deg: number;
-            /**
-             * Format: float
-             * @description The base's angle in degrees, counter-clockwise seen from above.
-             */
-            base_deg: number;
-            /**
-             * Format: float
-             * @description The rear arm's angle in degrees from the vertical, forward positive.
-             */
-            rear_deg: number;
-            /**
-             * Format: float
-             * @description The forearm's angle in degrees below the horizontal.
-             */
-            fore_deg: number;
-            /**
-             * Format: float
-             * @description The servo's angle in degrees.
-             */
-            servo_deg: number;
-            /** @description Whether the pump runs; the laser does not show (note N21). */
-            suction: boolean;
-            /**
-             * Format: float
-             * @description The gripper's angle in degrees.
-             */
-            gripper_deg: number;
-        };
         /** @description A command to be sent. */
         NewCommand: {
             /** @description The command. */
@@ -2254,6 +2355,11 @@ export interface components {
             job: components["schemas"]["JobView"];
         } | {
             /** @constant */
+            type: "calibrated";
+            /** @description Both. */
+            calibrations: components["schemas"]["Calibrations"];
+        } | {
+            /** @constant */
             type: "found";
             /** @description What was found, and by which evidence. */
             finding: components["schemas"]["Finding"];
@@ -2272,6 +2378,151 @@ export interface components {
             path_mm: number[][];
             /** @description Base, rear arm, forearm and servo at the end, in degrees. */
             joints_deg: number[];
+        };
+        /** @description What is known of how an arm differs from the drawing of it. */
+        Calibrations: {
+            /** @description What holds; nothing for an arm that is taken to be as drawn. */
+            calibration?: components["schemas"]["CalibrationFile"] | null;
+            /** @description What held before, to bring it back. */
+            before?: components["schemas"]["CalibrationFile"] | null;
+        };
+        /** @description What is kept of an arm. */
+        CalibrationFile: {
+            /** @description How much further each joint stands than the arm says, in degrees. */
+            zeros: components["schemas"]["Zeros"];
+            /**
+             * @description Where the tool is, compared with the drawing of the arm.
+             * @default {
+             *       "out_mm": 0,
+             *       "left_mm": 0
+             *     }
+             */
+            tool: components["schemas"]["ToolOffset"];
+            /**
+             * @description Where the base's axis stands in the sheet's frame, in mm.
+             * @default {
+             *       "x_mm": 0,
+             *       "y_mm": 0
+             *     }
+             */
+            axis: components["schemas"]["Axis"];
+            /**
+             * @description Where the paper lies.
+             * @default null
+             */
+            paper: components["schemas"]["PaperPlane"] | null;
+            /**
+             * @description How slack each joint is, in degrees.
+             * @default {
+             *       "base": 0,
+             *       "rear": 0,
+             *       "fore": 0
+             *     }
+             */
+            backlash: components["schemas"]["Backlash"];
+            /**
+             * @description How well the touches agreed.
+             * @default null
+             */
+            touched: components["schemas"]["Touched"] | null;
+        };
+        /** @description How much further each joint stands than the arm says. */
+        Zeros: {
+            /**
+             * Format: double
+             * @description The base, in degrees.
+             */
+            base: number;
+            /**
+             * Format: double
+             * @description The rear arm, in degrees.
+             */
+            rear: number;
+            /**
+             * Format: double
+             * @description The forearm, in degrees.
+             */
+            fore: number;
+        };
+        /** @description Where the tool is, compared with the drawing of the arm. */
+        ToolOffset: {
+            /**
+             * Format: double
+             * @description Further out, in mm.
+             */
+            out_mm: number;
+            /**
+             * Format: double
+             * @description To the left, in mm.
+             */
+            left_mm: number;
+        };
+        /** @description Where the base's axis stands in the sheet's frame. */
+        Axis: {
+            /**
+             * Format: double
+             * @description Forward, in mm.
+             */
+            x_mm: number;
+            /**
+             * Format: double
+             * @description To the left, in mm.
+             */
+            y_mm: number;
+        };
+        /** @description The plane of the paper, as Z of the wrist where the tool touches it. */
+        PaperPlane: {
+            /**
+             * Format: double
+             * @description The height below the base's axis, in mm.
+             */
+            z_mm: number;
+            /**
+             * Format: double
+             * @description How much it rises for each mm forward.
+             */
+            slope_x: number;
+            /**
+             * Format: double
+             * @description How much it rises for each mm to the left.
+             */
+            slope_y: number;
+        };
+        /** @description How far a motor turns in vain where its joint turns back. */
+        Backlash: {
+            /**
+             * Format: double
+             * @description The base, in degrees.
+             */
+            base: number;
+            /**
+             * Format: double
+             * @description The rear arm, in degrees.
+             */
+            rear: number;
+            /**
+             * Format: double
+             * @description The forearm, in degrees.
+             */
+            fore: number;
+        };
+        /** @description How well the touches agreed. */
+        Touched: {
+            /**
+             * Format: uint
+             * @description How many counted.
+             */
+            points: number;
+            /**
+             * Format: double
+             * @description Their typical residual, in mm.
+             */
+            typical_mm: number;
+            /**
+             * Format: double
+             * @description Their largest residual, in mm.
+             */
+            largest_mm: number;
         };
         /** @description Which dialect an arm speaks, and what shows it. */
         Finding: {
@@ -2368,6 +2619,117 @@ export interface components {
         UseDialect: {
             /** @description The dialect. */
             dialect: components["schemas"]["Dialect"];
+        };
+        /** @description What is to be known of the arm. */
+        NewCalibration: {
+            /** @description The calibration; `null` for an arm as drawn. */
+            calibration?: components["schemas"]["CalibrationFile"] | null;
+        };
+        /** @description Points that the tool has touched. */
+        Touches: {
+            /** @description What the arm said at each, in the order in which they were touched. */
+            touches: components["schemas"]["TouchedPoint"][];
+            /**
+             * Format: double
+             * @description How long the bar of the print is, measured with a ruler, in mm; one that is scaled is refused.
+             * @default null
+             */
+            bar_mm: number | null;
+            /**
+             * @description Whether the laser is mounted, and no suction cup.
+             * @default false
+             */
+            laser: boolean;
+            /**
+             * @description How slack the joints are known to be.
+             * @default {
+             *       "base": 0,
+             *       "rear": 0,
+             *       "fore": 0
+             *     }
+             */
+            backlash: components["schemas"]["Backlash"];
+        };
+        /** @description A known point, and what the arm said when its tool touched it. */
+        TouchedPoint: {
+            /** @description Where it is on the sheet: forward and to the left, in mm. */
+            place_mm: number[];
+            /**
+             * Format: double
+             * @description How high above the paper it is, in mm.
+             * @default 0
+             */
+            height_mm: number;
+            /**
+             * @description The angles that the arm says of base, rear arm and forearm, in degrees: `told` of its state where it is
+             *     calibrated already.
+             */
+            told_deg: number[];
+        };
+        /** @description What touches tell. */
+        FitReport: {
+            /** @description How the arm differs from the drawing of it. */
+            calibration: components["schemas"]["CalibrationFile"];
+            /** @description How far each touch is from where it should be, in mm. */
+            away_mm: number[];
+            /**
+             * Format: uint
+             * @description The touch that was left out because it contradicts all others, counted from 0.
+             */
+            left_out?: number | null;
+            /**
+             * Format: double
+             * @description How wrong a place on the sheet may still be, typically, in mm.
+             */
+            expected_mm: number;
+            /** @description What these points tell badly. */
+            unsure: components["schemas"]["Unsure"][];
+            /** @description Which further point would tell most. */
+            advice?: components["schemas"]["Advice"] | null;
+            /**
+             * @description Whether to use it: `good`; `unchecked`, where so few points were touched that a wrong one would not be
+             *     noticed; or `doubtful`.
+             */
+            trust: components["schemas"]["Trust"];
+        };
+        /** @description A number that the touches tell badly. */
+        Unsure: {
+            /** @description What of the arm. */
+            what: string;
+            /**
+             * Format: double
+             * @description Its deviation.
+             */
+            by: number;
+            /** @description The unit of the deviation. */
+            unit: string;
+        };
+        /** @description A point that is worth touching. */
+        Advice: {
+            /** @description Where it is on the sheet, in mm. */
+            place_mm: number[];
+            /**
+             * Format: double
+             * @description How high above the paper, in mm.
+             */
+            height_mm: number;
+            /**
+             * Format: double
+             * @description The share of the doubt that goes away with it, from 0 to 1.
+             */
+            gain: number;
+        };
+        /** @description Whether to use a calibration. */
+        Trust: "good" | "unchecked" | "doubtful";
+        /** @description The points of the sheet. */
+        SheetPoints: {
+            /** @description Forward and to the left of the base's axis, in mm. */
+            points_mm: number[][];
+            /**
+             * Format: double
+             * @description How long the bar is where the print is true, in mm.
+             */
+            bar_mm: number;
         };
         /** @description A job to be queued. */
         NewJob: {
@@ -4180,6 +4542,14 @@ export interface components {
         } | {
             /** @constant */
             type: "confirm_pose";
+        } | {
+            /** @constant */
+            type: "tell_angles";
+        } | {
+            /** @constant */
+            type: "calibrate";
+            /** @description What is known of the arm; nothing takes it to be as drawn. */
+            calibration?: components["schemas"]["CalibrationFile"] | null;
         } | {
             /** @constant */
             type: "set_dialect";
@@ -7485,6 +7855,673 @@ export interface operations {
              */
             503: {
                 headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_calibration: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description what is known */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Calibrations"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_calibration: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "calibration": {
+                 *         "zeros": {
+                 *           "base": 1.5,
+                 *           "rear": -4.2,
+                 *           "fore": 3.1
+                 *         },
+                 *         "tool": {
+                 *           "out_mm": 2,
+                 *           "left_mm": 0.5
+                 *         }
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewCalibration"];
+            };
+        };
+        responses: {
+            /** @description what is known now */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `job-running`: a job has the arm
+             *     - `detecting`: the arm is finding out its dialect
+             *     - `still-moving`: the arm still moves
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-link`: there is no arm
+             *     - `ending`: the station is shutting down
+             */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_calibration_angles: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description the command is accepted */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-lease`: this client does not have control
+             *     - `stopped`: the arm is stopped
+             *     - `still-moving`: the arm still moves
+             *     - `laser-disarmed`: the laser is disarmed
+             *     - `job-running`: a job has the arm
+             *     - `detecting`: the arm is finding out its dialect
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `command`: the command is not sent
+             *     - `policy`: the policy does not allow this
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-link`: there is no arm
+             *     - `ending`: the station is shutting down
+             */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_calibration_fit: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "bar_mm": 200,
+                 *       "touches": [
+                 *         {
+                 *           "place_mm": [
+                 *             215,
+                 *             0
+                 *           ],
+                 *           "told_deg": [
+                 *             0,
+                 *             35.1,
+                 *             47.2
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             155,
+                 *             100
+                 *           ],
+                 *           "told_deg": [
+                 *             32.8,
+                 *             20.4,
+                 *             51
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             275,
+                 *             100
+                 *           ],
+                 *           "told_deg": [
+                 *             20,
+                 *             58.6,
+                 *             40.3
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             275,
+                 *             -100
+                 *           ],
+                 *           "told_deg": [
+                 *             -20,
+                 *             58.6,
+                 *             40.3
+                 *           ]
+                 *         }
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["Touches"];
+            };
+        };
+        responses: {
+            /** @description what they tell */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FitReport"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-touches`: the touches tell no calibration
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_calibration_points: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the points */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SheetPoints"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_calibration_sheet: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the sheet */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/svg+xml": string;
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
                     [name: string]: unknown;
                 };
                 content: {

@@ -8,6 +8,7 @@ use dobot_api::{ArmView, LinkPhase, RemoteError, Reply, Request, State};
 use dobot_rules::{PlannedFor, Rules, StationClient};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Status};
+use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::time::timeout;
 
 use crate::connect::To;
@@ -91,6 +92,16 @@ pub(crate) async fn stop(station: &mut StationClient) -> Result<(), Failure> {
         anyhow!("interrupted; the arm is stopped"),
         "when it may move again: `dobot stop --reset`",
     ))
+}
+
+/// The line that a person enters; `None` at the end of all lines.
+pub(crate) async fn line_entered() -> Option<String> {
+    let mut line = String::new();
+    let mut lines = BufReader::new(tokio::io::stdin());
+    match lines.read_line(&mut line).await {
+        Ok(1..) => Some(line),
+        _ => None,
+    }
 }
 
 /// The first state that the station tells.

@@ -1,6 +1,8 @@
 //! `dobot calibrate`: find what is wrong with an arm.
 
+mod comb;
 mod screen;
+mod test;
 mod toucher;
 
 use std::ffi::OsString;
@@ -14,6 +16,7 @@ use dobot_calibrate::{check_bar, read_calibration, sheet_svg, write_calibration}
 use dobot_rules::StationClient;
 use dobot_wire::{MoveJoints, MovingMode, Status};
 
+use self::comb::{CombOf, read_slack};
 use self::toucher::Toucher;
 use crate::connect::To;
 use crate::control::{self, carry_out, check_pose, request_at_rest, take_control};
@@ -32,6 +35,8 @@ Examples:
                                             draw where the sheet says
   dobot arm --calibration arm.toml          a virtual arm with the same zeros and the same backlash
   dobot calibrate arm.toml --use            the calibration of a file holds for the arm from now on
+  dobot calibrate arm.toml --comb base      draws lines that tell how slack the base is
+  dobot calibrate --test 30                 how well the arm finds the same place again
   dobot calibrate --angles                  tells the arm its true angles, until it is switched off
   dobot calibrate --forget                  the arm is taken to be as drawn again
   dobot calibrate arm.toml --undo           what was known before
@@ -47,7 +52,7 @@ for this arm at once, and whenever it is there again: moves, programs, drawings 
 After a reset of the arm its base counts anew: the touches before are forgotten.")]
 pub(crate) struct Args {
     /// What is known of the arm, a TOML file; it may be new
-    #[arg(required_unless_present_any = ["sheet", "forget", "angles"])]
+    #[arg(required_unless_present_any = ["sheet", "forget", "angles", "test"])]
     file: Option<PathBuf>,
     /// Write the sheet to print, as SVG, and touch nothing
     #[arg(long, value_name = "OUT.svg", conflicts_with_all = ["file", "bar", "undo", "backlash"])]
@@ -58,6 +63,13 @@ pub(crate) struct Args {
     /// How slack base, rear arm and forearm are, in degrees from 0 to 5
     #[arg(long, value_name = "BASE,REAR,FORE", value_parser = backlash)]
     backlash: Option<[f64; 3]>,
+    /// Draw lines by which you read how slack a joint is, and keep that
+    #[arg(long, value_name = "JOINT", conflicts_with_all = ["bar", "backlash", "undo", "use_file"])]
+    comb: Option<CombOf>,
+    /// Go to the middle of the sheet so often, each time from another side, and tell how far apart it comes (ISO 9283);
+    /// at a real arm you read a gauge
+    #[arg(long, value_name = "TIMES", num_args = 0..=1, default_missing_value = "30", value_parser = test::times, conflicts_with_all = ["file", "sheet", "bar", "backlash", "undo", "use_file", "forget", "angles"])]
+    test: Option<u32>,
     /// Bring back what was known before the last calibration, and touch nothing
     #[arg(long, conflicts_with_all = ["bar", "backlash"])]
     undo: bool,
@@ -90,6 +102,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         let forget = async |station: &mut StationClient| hold(station, None).await;
         return args.to.with_arm("calibrate", forget).await;
     }
+    if let Some(times) = args.test {
+        let look = async |station: &mut StationClient| test::test(station, &args.to, times).await;
+        return args.to.with_arm("calibrate", look).await;
+    }
     if args.angles {
         let tell = async |station: &mut StationClient| tell_angles(station, &args.to).await;
         return args.to.with_arm("calibrate", tell).await;
@@ -99,6 +115,13 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         let known = read(file)?;
         let take = async |station: &mut StationClient| hold(station, Some(known)).await;
         return args.to.with_arm("calibrate", take).await;
+    }
+    if let Some(of) = args.comb {
+        let known = read(file)?;
+        let look = async |station: &mut StationClient| {
+            read_slack(station, &args.to, file, known, of).await
+        };
+        return args.to.with_arm("calibrate", look).await;
     }
     if args.undo {
         return bring_back(file);
@@ -191,6 +214,14 @@ fn known(file: &Path) -> Result<Option<CalibrationFile>, Failure> {
     };
     let known = read_calibration(&text);
     Ok(Some(known.with_context(|| file.display().to_string())?))
+}
+
+/// Keeps a calibration in place of the one before, which stays beside it.
+fn keep(file: &Path, known: &CalibrationFile) -> Result<(), Failure> {
+    let before = before(file);
+    fs::copy(file, &before).with_context(|| format!("cannot write {}", before.display()))?;
+    let text = write_calibration(known);
+    Ok(fs::write(file, text).with_context(|| format!("cannot write {}", file.display()))?)
 }
 
 /// Exchanges a calibration and the one before it.

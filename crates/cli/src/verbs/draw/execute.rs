@@ -9,9 +9,8 @@ use dobot_client::position;
 use dobot_plan::Plan;
 use dobot_rules::{StationClient, drawing_job};
 use dobot_trajectory::Model;
-use tokio::io::{AsyncBufReadExt, BufReader};
 
-use crate::control::{self, arm_laser, first_state, take_control};
+use crate::control::{self, arm_laser, first_state, line_entered, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::interrupt::interrupt;
@@ -126,7 +125,7 @@ pub(super) async fn ask_about_frame(station: &StationClient) -> Result<(), Failu
     eprintln!("this is where it will be; Ctrl-C leaves it undone");
     eprintln!("press Enter to go on");
     let agreed = tokio::select! {
-        entered = line_entered() => entered,
+        entered = line_entered() => entered.is_some(),
         // The way around it has taken Ctrl-C from the system.
         () = interrupt() => false,
     };
@@ -138,11 +137,4 @@ pub(super) async fn ask_about_frame(station: &StationClient) -> Result<(), Failu
 
 const fn is_harmless(station: &StationClient) -> bool {
     station.virtual_arm().is_some()
-}
-
-/// Whether a line came, and not the end of all lines.
-async fn line_entered() -> bool {
-    let mut line = String::new();
-    let mut lines = BufReader::new(tokio::io::stdin());
-    matches!(lines.read_line(&mut line).await, Ok(1..))
 }

@@ -1,0 +1,137 @@
+//! `dobot calibrate --comb`: how slack a joint is, read from lines that the arm draws.
+
+use std::io::IsTerminal;
+use std::path::Path;
+
+use anyhow::{anyhow, bail};
+use dobot_api::{CalibrationFile, JobKind, JobProgram, NewJob, Reply, Request};
+use dobot_arm::Tool;
+use dobot_calibrate::{COMB_PAIRS, COMB_STEP_DEG, SlackJoint, comb};
+use dobot_rules::StationClient;
+
+use super::{hold, keep};
+use crate::connect::To;
+use crate::control::{check_pose, request_at_rest, take_control};
+use crate::failure::Failure;
+use crate::{follow, output};
+
+/// A joint, by its name on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum CombOf {
+    /// The base
+    Base,
+    /// The rear arm
+    Rear,
+    /// The forearm
+    Fore,
+}
+
+impl CombOf {
+    const fn joint(self) -> SlackJoint {
+        match self {
+            Self::Base => SlackJoint::Base,
+            Self::Rear => SlackJoint::Rear,
+            Self::Fore => SlackJoint::Fore,
+        }
+    }
+
+    const fn slack(self, known: &mut CalibrationFile) -> &mut f64 {
+        let backlash = &mut known.backlash;
+        match self {
+            Self::Base => &mut backlash.base,
+            Self::Rear => &mut backlash.rear,
+            Self::Fore => &mut backlash.fore,
+        }
+    }
+}
+
+/// Which pair of lines meets: a number from 0 on, halves between two.
+pub(crate) fn pair(text: &str) -> anyhow::Result<f64> {
+    let most = f64::from(COMB_PAIRS - 1);
+    match text.trim().parse() {
+        Ok(pair) if (0.0..=most).contains(&pair) => Ok(pair),
+        _ => bail!("allowed are 0 to {most}, as in 6 or 6.5"),
+    }
+}
+
+/// Draws the comb of a joint, and keeps what a person reads from it.
+pub(super) async fn read_slack(
+    station: &mut StationClient,
+    to: &To,
+    file: &Path,
+    mut known: CalibrationFile,
+    of: CombOf,
+) -> Result<(), Failure> {
+    let Some(paper) = known.paper else {
+        return Err(Failure::new(
+            anyhow!("{} does not say where the paper lies", file.display()),
+            "touch the points of the sheet first: `dobot calibrate` finds it",
+        ));
+    };
+    if !std::io::stdin().is_terminal() {
+        return Err(Failure::new(
+            anyhow!("nobody is there to read which lines meet"),
+            "run it in a terminal",
+        ));
+    }
+    check_pose(station, to.pose_confirmed).await?;
+    // The lines are told without what is to be found.
+    *of.slack(&mut known) = 0.0;
+    hold(station, Some(known.clone())).await?;
+    take_control(station).await?;
+    let commands = comb(
+        of.joint(),
+        &known.arm(),
+        |at| paper.z_at(at),
+        Tool::SuctionCup,
+    )
+    .map_err(|error| anyhow!("the comb is out of reach: {error}"))?;
+    draw(station, commands).await?;
+    output::line(&format!(
+        "Count the pairs of lines from 0: at the right end for the base, at the near end for the arms. \
+         Which pair meets, 0 to {}? Halves are allowed.",
+        COMB_PAIRS - 1
+    ))?;
+    let pair = asked().await?;
+    *of.slack(&mut known) = pair * COMB_STEP_DEG;
+    keep(file, &known)?;
+    output::line(&format!(
+        "{}: {:.3} degrees of backlash",
+        file.display(),
+        pair * COMB_STEP_DEG
+    ))?;
+    hold(station, Some(known)).await
+}
+
+async fn draw(
+    station: &mut StationClient,
+    commands: Vec<dobot_wire::Command>,
+) -> Result<(), Failure> {
+    let job = NewJob {
+        title: "comb".into(),
+        kind: JobKind::Program,
+        commands,
+        lift_mm: 0.0,
+        pauses: Vec::new(),
+        program: JobProgram::default(),
+    };
+    let reply = request_at_rest(station, Request::SubmitJob { job }).await?;
+    let Reply::Job { job } = reply else {
+        return Err(anyhow!("the station answers {reply:?} to a new job").into());
+    };
+    follow::start(station, job.job, false, |_| {}).await?;
+    Ok(())
+}
+
+/// What a person enters, until it is a pair.
+async fn asked() -> Result<f64, Failure> {
+    loop {
+        let Some(line) = crate::control::line_entered().await else {
+            return Err(anyhow!("nothing was entered, so nothing is kept").into());
+        };
+        match pair(&line) {
+            Ok(pair) => return Ok(pair),
+            Err(why) => output::line(&why.to_string())?,
+        }
+    }
+}
