@@ -124,6 +124,23 @@ test("a recording plays by itself, and is handed out as the file that it is", as
   await page.click("#recorded-end");
 });
 
+test("a long recording is told coarsely at first, and finely around the moment that is chosen", async () => {
+  const name = await page.getAttribute("[data-recording]", "data-recording");
+  const { samples } = await bench.ask(`api/v1/recordings/${name}/states?most=5000`);
+  const far = samples.reduce((far, it) => (it.y_mm > far.y_mm ? it : far));
+  // As of many hours: nothing but where it began and ended.
+  await page.route(/states\?most=/, async (route) => {
+    const answer = await route.fetch();
+    const states = await answer.json();
+    await route.fulfill({ json: { ...states, spacing_s: 9, samples: [states.samples[0], states.samples.at(-1)] } });
+  });
+  await page.click("[data-recording] [data-act=show]");
+  await page.waitForSelector("#player");
+  await page.fill("#player-time", String(far.at_s));
+  await page.waitForFunction((y_mm) => document.querySelector("[data-pose=y_mm]").textContent === y_mm, far.y_mm.toFixed(1));
+  await page.click("#recorded-end");
+});
+
 /** Jogs by a key on the stage, until the tip has moved. */
 async function jog(key) {
   await page.focus("#stage");

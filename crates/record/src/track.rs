@@ -182,7 +182,7 @@ mod tests {
         let ends = [found.samples[0], found.samples[found.samples.len() - 1]];
         assert_eq!(ends.map(|it| it.status.x_mm), [0.0, 9_999.0]);
         for pair in found.samples.windows(2) {
-            let gap = pair[1].at - pair[0].at;
+            let gap = pair[1].at.saturating_sub(pair[0].at);
             assert!(gap <= found.spacing * 2, "{gap:?} with {:?}", found.spacing);
         }
     }

@@ -91,7 +91,7 @@ pub enum Refusal {
     #[error("there is no job {0}")]
     NoSuchJob(u64),
     /// A job is not in a phase that allows this.
-    #[error("job {job} is {found:?}; this takes one that is {allowed}", found = format!("{found:?}").to_lowercase())]
+    #[error("job {job} is {found}; this takes one that is {allowed}", found = format!("{found:?}").to_lowercase())]
     JobPhase {
         /// Its number.
         job: u64,

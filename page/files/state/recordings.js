@@ -5,6 +5,7 @@
 /** @typedef {Schemas["RecordingView"]} RecordingView */
 /** @typedef {Schemas["RecordedStates"]} RecordedStates */
 /** @typedef {Schemas["SampleView"]} Sample */
+/** What was read finely, and from when to when. @typedef {{ from_s: number, to_s: number, samples: readonly Sample[] }} Stretch */
 
 /**
  * @typedef {object} Recordings
@@ -12,19 +13,21 @@
  * @property {Problem | null} problem Why the last thing that was asked for came to nothing.
  * @property {string | null} chosen
  * @property {RecordedStates | null} states Where the arm was; nothing until they are read.
+ * @property {Stretch | null} near The same around the moment that is shown, where the whole is told coarsely only.
  * @property {number} at_s Which moment is shown, by the times of the recording.
  * @property {number | null} played_ms When the moment was set forward last while it plays, by the clock of this page.
  * @property {number} speed How many times as fast as it was.
  */
 
 /** @type {Recordings} */
-export const NO_RECORDINGS = { all: null, problem: null, chosen: null, states: null, at_s: 0, played_ms: null, speed: 1 };
+export const NO_RECORDINGS = { all: null, problem: null, chosen: null, states: null, near: null, at_s: 0, played_ms: null, speed: 1 };
 export const SPEEDS = /** @type {const} */ ([1, 4, 16, 64]);
 
 /** @typedef {{ type: "recordings", all: readonly RecordingView[] }
  * | { type: "recordings_refused", problem: Problem | null }
  * | { type: "recording_chosen", name: string | null }
  * | { type: "recording_read", name: string, states: RecordedStates }
+ * | { type: "recording_near", name: string, near: Stretch }
  * | { type: "recording_at", at_s: number }
  * | { type: "recording_plays", now_ms: number | null }
  * | { type: "recording_passed", now_ms: number }
@@ -41,12 +44,14 @@ export function reduceRecordings(recordings, message) {
     case "recordings_refused":
       return { ...recordings, problem: message.problem, chosen: message.problem ? null : recordings.chosen };
     case "recording_chosen":
-      return { ...recordings, chosen: message.name, states: null, at_s: 0, played_ms: null, problem: null };
+      return { ...recordings, chosen: message.name, states: null, near: null, at_s: 0, played_ms: null, problem: null };
     case "recording_read": {
       if (message.name !== recordings.chosen) return recordings;
       const read = { ...recordings, states: message.states };
       return { ...read, at_s: extent(read).from_s };
     }
+    case "recording_near":
+      return message.name === recordings.chosen ? { ...recordings, near: message.near } : recordings;
     case "recording_at":
       return { ...recordings, at_s: message.at_s, played_ms: null };
     case "recording_plays": {
@@ -70,7 +75,7 @@ export function reduceRecordings(recordings, message) {
 }
 
 /** @param {Recordings} recordings @returns {Recordings} */
-const close = (recordings) => ({ ...recordings, chosen: null, states: null, played_ms: null });
+const close = (recordings) => ({ ...recordings, chosen: null, states: null, near: null, played_ms: null });
 
 /** @param {Recordings} recordings @param {number} now_ms @returns {Recordings} */
 function passed(recordings, now_ms) {
@@ -104,5 +109,14 @@ function firstAfter(samples, at_s) {
   return low;
 }
 
+/** Whether a stretch holds a moment. @param {Stretch | null} near @param {number} at_s @returns {near is Stretch} */
+const holds = (near, at_s) => near !== null && near.from_s <= at_s && at_s <= near.to_s;
+
+/** Whether what is known of the moment that is shown is coarse only. @param {Recordings} recordings */
+export const isCoarse = ({ states, near, at_s }) => states !== null && states.spacing_s > 0 && !holds(near, at_s);
+
 /** What the stage shows instead of the arm, or nothing where it shows the arm. @param {Recordings} recordings @returns {Sample | null} */
-export const recorded = ({ states, at_s }) => (states ? sampleAt(states.samples, at_s) : null);
+export function recorded({ states, near, at_s }) {
+  const fine = holds(near, at_s) && near.samples.length ? near : null;
+  return states && sampleAt((fine ?? states).samples, at_s);
+}

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_RECORDINGS, extent, recorded, reduceRecordings, sampleAt } from "./recordings.js";
+import { NO_RECORDINGS, extent, isCoarse, recorded, reduceRecordings, sampleAt } from "./recordings.js";
 
 const sample = (at_s, x_mm) => ({ at_s, x_mm, y_mm: 0, z_mm: 50, rotation_deg: 0, base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 0, suction: x_mm > 205, gripper_deg: 0 });
 const SAMPLES = [sample(1, 200), sample(3, 200), sample(4, 210)];
@@ -28,6 +28,14 @@ test("a recording plays from its first moment to its last one, and then begins a
 test("the arm is shown again when a person says so, goes to another tab, or moves the arm", () => {
   assert.equal(recorded(PLAYER)?.x_mm, 200);
   for (const message of [{ type: "recording_chosen", name: null }, { type: "tab", tab: "move" }, { type: "jog_held", axis: "x_plus" }]) assert.equal(recorded(after([message], PLAYER)), null, message.type);
+});
+
+test("of a long recording the moment that is shown is told finely as soon as that is read", () => {
+  const coarse = after([{ type: "recording_read", name: "a.mcap", states: { begin_ms: 0, spacing_s: 2, samples: SAMPLES } }, { type: "recording_at", at_s: 3.5 }], PLAYER);
+  assert.deepEqual([isCoarse(PLAYER), isCoarse(coarse), recorded(coarse)?.x_mm], [false, true, 205]);
+  const fine = after([{ type: "recording_near", name: "a.mcap", near: { from_s: 3, to_s: 4, samples: [sample(3, 200), sample(3.5, 201), sample(4, 210)] } }], coarse);
+  assert.deepEqual([isCoarse(fine), recorded(fine)?.x_mm], [false, 201]);
+  assert.equal(isCoarse(after([{ type: "recording_at", at_s: 2 }], fine)), true);
 });
 
 test("what was read of another recording than the chosen one is not shown", () => {

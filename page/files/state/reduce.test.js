@@ -90,3 +90,14 @@ test("a view has the same objects for what did not change", () => {
   for (const part of ["arm", "ghost", "limits", "keepOuts", "tool"]) assert.equal(one[part], two[part], part);
   assert.notEqual(viewOf(told({ at_s: 2 }, page), words).arm, one.arm);
 });
+
+test("while a recording is shown the stage is grey, and nothing that holds now stands beside the arm of then", () => {
+  const states = { begin_ms: 0, spacing_s: 0, samples: [{ ...ARM, at_s: 0, base_deg: 30 }, { ...ARM, at_s: 2, base_deg: 50 }] };
+  const page = after([{ type: "tab", tab: "jobs" }, { type: "planned", planned: [[0, 0, 0]] }, { type: "recording_chosen", name: "a" }, { type: "recording_read", name: "a", states }, { type: "recording_at", at_s: 1 }], OPEN);
+  const viewOf = createViewOf();
+  const words = { dark: false, note: "", label: "" };
+  const view = viewOf(page, words);
+  assert.deepEqual([view.arm.base_deg, view.old, view.draggable, view.planned, view.ghost], [40, true, false, null, null]);
+  const live = viewOf(after([{ type: "recording_chosen", name: null }], page), words);
+  assert.deepEqual([live.arm.base_deg, live.old, live.draggable, live.planned?.length], [0, false, true, 1]);
+});

@@ -1,5 +1,6 @@
 // Reads recordings, hands them to a person as files, and lets time pass while one is played.
 
+import { isCoarse } from "../state/recordings.js";
 import { saveAs } from "../parts/save.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
@@ -9,6 +10,11 @@ import { saveAs } from "../parts/save.js";
 /** How many places of the arm are read of a recording, however long it is. */
 const MOST = 5000;
 
+/** A stretch that is read finely: so long, in seconds, and a third of it before the moment that is shown. */
+const NEAR_S = 60;
+/** A person who scrubs rests so long before that is read. */
+const RESTS_MS = 150;
+
 /** @param {string} name */
 const pathOf = (name) => `api/v1/recordings/${encodeURIComponent(name)}`;
 
@@ -16,6 +22,7 @@ const pathOf = (name) => `api/v1/recordings/${encodeURIComponent(name)}`;
 export function createRecordings(store, http) {
   const { send } = store;
   let pictures = 0;
+  /** @type {number | undefined} */ let timer;
 
   async function list() {
     const { value, problem } = await http.ask("GET", "api/v1/recordings");
@@ -28,9 +35,26 @@ export function createRecordings(store, http) {
     send({ type: "recording_passed", now_ms: Date.now() });
   }
 
+  /** Reads finely what lies around the moment that is shown. */
+  async function look() {
+    const { chosen, at_s } = store.page.recordings;
+    const from_s = Math.max(0, at_s - NEAR_S / 3);
+    const to_s = from_s + NEAR_S;
+    /** @type {Schemas["RecordedStates"] | undefined} */
+    const states = chosen ? await http.json(`${pathOf(chosen)}/states?from_s=${from_s}&to_s=${to_s}&most=${MOST}`) : undefined;
+    timer = undefined;
+    if (chosen && states) send({ type: "recording_near", name: chosen, near: { from_s, to_s, samples: states.samples } });
+  }
+
   store.listen((page, message) => {
     const opened = message.type === "tab" && message.tab === "jobs";
     if (opened || (message.type === "hello" && page.tab === "jobs")) void list();
+    if (message.type === "recording_at") {
+      clearTimeout(timer);
+      timer = undefined;
+    }
+    const moved = message.type === "recording_at" || message.type === "recording_passed";
+    if (moved && isCoarse(page.recordings)) timer ??= setTimeout(() => void look(), RESTS_MS);
     if (page.recordings.played_ms !== null) pictures ||= requestAnimationFrame(pass);
   });
 

@@ -45,14 +45,22 @@ pub(super) struct App {
     began: Instant,
 }
 
+/// Where lies what requests read and change.
+#[derive(Debug)]
+pub(super) struct AppFiles {
+    /// The file with the policy.
+    pub(super) policy: PathBuf,
+    /// The folder with the recordings.
+    pub(super) recordings: PathBuf,
+}
+
 impl App {
     pub(super) fn new(
         handle: Handle,
         tokens: Tokens,
         without_token: Option<Role>,
         names: Vec<String>,
-        policy_file: PathBuf,
-        recordings: PathBuf,
+        files: AppFiles,
         virtual_arm: Option<OwnVirtualArm>,
         ending: watch::Receiver<bool>,
     ) -> Arc<Self> {
@@ -61,12 +69,12 @@ impl App {
             tokens: Mutex::new(tokens),
             without_token,
             names,
-            policy_file,
+            policy_file: files.policy,
             virtual_arm,
             faults: Mutex::default(),
             http_leases: HttpLeases::default(),
             drawings: Drawings::default(),
-            recordings: Recordings::new(recordings),
+            recordings: Recordings::new(files.recordings),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,

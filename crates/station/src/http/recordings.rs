@@ -14,6 +14,7 @@ use dobot_record::{RecordedFile, Recording, Sample, Track, is_being_written, rec
 use dobot_wire::Status;
 use futures_util::Stream;
 use futures_util::stream::try_unfold;
+use jiff::Timestamp;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tokio::sync::Semaphore;
@@ -82,9 +83,12 @@ impl Recordings {
     /// All of them, the oldest first.
     pub(super) async fn list(&self) -> Result<Vec<RecordingView>, Problem> {
         let folder = self.folder.clone();
-        let listed = beside(move || recordings(&folder)).await?;
-        let files = listed.map_err(|error| unreadable(&error))?;
-        Ok(files.iter().filter_map(view).collect())
+        let views = move || {
+            let files = recordings(&folder)?;
+            Ok(files.iter().filter_map(view).collect())
+        };
+        let listed = beside(views).await?;
+        listed.map_err(|error: io::Error| unreadable(&error))
     }
 
     /// The file itself, as an answer.
@@ -200,7 +204,7 @@ fn read(found: &RecordedFile, stretch: Stretch) -> io::Result<RecordedStates> {
             status: *status,
         });
     Ok(RecordedStates {
-        begin_ms: recording.start().map(|it| it.as_millisecond()),
+        begin_ms: recording.start().map(Timestamp::as_millisecond),
         spacing_s: track.spacing.as_secs_f64(),
         samples: samples.collect(),
     })

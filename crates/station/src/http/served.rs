@@ -10,7 +10,7 @@ use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-use super::app::App;
+use super::app::{App, AppFiles};
 use super::listen;
 use super::tls::{Certificate, TlsError};
 use super::tokens::{Tokens, TokensError};
@@ -104,8 +104,10 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
         tokens,
         without_token,
         web.names.clone(),
-        web.policy_file.clone(),
-        web.folders.recordings(),
+        AppFiles {
+            policy: web.policy_file.clone(),
+            recordings: web.folders.recordings(),
+        },
         web.virtual_arm.clone(),
         ending,
     );

@@ -35,7 +35,7 @@ use serde_json::Value;
 use tokio::sync::watch;
 use tower::ServiceExt;
 
-use super::app::{App, Peer};
+use super::app::{App, AppFiles, Peer};
 use super::fake::{Asked, FakeNews, driver};
 use super::listen::ConnectionSlots;
 use super::tokens::{Token, Tokens};
@@ -92,8 +92,10 @@ impl Harness {
             tokens,
             without_token,
             vec!["arm.local".into()],
-            folder.path().join("policy.toml"),
-            folder.path().join("recordings"),
+            AppFiles {
+                policy: folder.path().join("policy.toml"),
+                recordings: folder.path().join("recordings"),
+            },
             Some(own_virtual_arm()),
             ending,
         );

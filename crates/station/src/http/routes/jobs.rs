@@ -21,6 +21,11 @@ use super::super::route::Route;
 use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
 
 pub(super) fn all() -> Vec<Route> {
+    [kept(), carried_out()].concat()
+}
+
+/// What is done with the list of jobs.
+fn kept() -> Vec<Route> {
     vec![
         Route::new(
             GET,
@@ -88,6 +93,12 @@ pub(super) fn all() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the job is forgotten")
         .problems(&[NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
+    ]
+}
+
+/// What is done with the job that the arm is at, or is to be at.
+fn carried_out() -> Vec<Route> {
+    vec![
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/start",

@@ -11,6 +11,7 @@ use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
+use super::super::super::app::AppFiles;
 use super::super::super::fake::{Asked, FakeNews, driver};
 use super::super::super::tokens::Tokens;
 use super::*;
@@ -68,8 +69,10 @@ impl Harness {
                 tokens,
                 Some(Role::Admin),
                 Vec::new(),
-                "policy.toml".into(),
-                "recordings".into(),
+                AppFiles {
+                    policy: "policy.toml".into(),
+                    recordings: "recordings".into(),
+                },
                 None,
                 ending,
             ),
