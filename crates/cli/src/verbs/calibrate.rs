@@ -50,6 +50,10 @@ stands on the point, each time from the right and from above, so that the play o
 Four points are enough for a result, nine for its full accuracy. Nothing is kept that was not shown. What is kept holds
 for this arm at once, and whenever it is there again: moves, programs, drawings and the policy speak of true places then.
 After a reset of the arm its base counts anew: the touches before are forgotten.")]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command line"
+)]
 pub(crate) struct Args {
     /// What is known of the arm, a TOML file; it may be new
     #[arg(required_unless_present_any = ["sheet", "forget", "angles", "test"])]

@@ -40,6 +40,12 @@ const TOOL_ONLY: Calibration = Calibration {
     fore_deg: 0.0,
     ..TRUTH
 };
+/// What a calibration tells of its joints.
+const ZEROS: Calibration = Calibration {
+    reach_mm: 0.0,
+    left_mm: 0.0,
+    ..TRUTH
+};
 const HARBOUR: &str = include_str!("../../../../examples/drawings/harbour.svg");
 
 #[test]
@@ -89,7 +95,7 @@ fn a_person_reads_the_backlash_of_each_joint_from_its_comb() {
     for (joint, wanted) in joints.into_iter().zip(slack) {
         let mut arm = OldArm::new(Personality::Firmware11, slack);
         let level = |_| -44.0;
-        let commands = comb(joint, &arm.zeros(), level, TOOL).unwrap();
+        let commands = comb(joint, &ZEROS, level, TOOL).unwrap();
         // Where the two lines of each pair are, by the joint that came to them.
         let mut lines = Vec::new();
         for command in commands {
@@ -119,15 +125,6 @@ fn a_person_reads_the_backlash_of_each_joint_from_its_comb() {
 }
 
 impl OldArm {
-    /// What is wrong with it, as a calibration tells.
-    fn zeros(&self) -> Calibration {
-        Calibration {
-            reach_mm: 0.0,
-            left_mm: 0.0,
-            ..TRUTH
-        }
-    }
-
     fn new(personality: Personality, backlash_deg: [f64; 3]) -> Self {
         let power_up = PowerUp::new(personality);
         let joints = ["base", "rear", "fore"];
@@ -195,6 +192,11 @@ impl OldArm {
     /// Draws the harbour; tells how far the true ink is from where the file wants it.
     fn draw(&mut self, known: Option<CalibrationFile>) -> Deviation {
         let wanted = prepared(self.personality, None).wanted();
+        // The rules know it too: they judge true places, and take no job that is meant for another arm.
+        let calibration = known.clone().map(Box::new);
+        self.station
+            .ask(self.client, Request::Calibrate { calibration })
+            .unwrap();
         let Prepared { plan, .. } = prepared(self.personality, known);
         #[expect(clippy::cast_possible_truncation, reason = "as a job holds it")]
         let job = NewJob {

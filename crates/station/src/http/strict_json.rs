@@ -14,7 +14,7 @@ use serde_json::Value;
 
 use super::drawings::NewDrawing;
 use super::programs::EditProgram;
-use super::routes::{NewFaults, Touches};
+use super::routes::{NewFaults, NewTouches};
 
 /// Reads a body or a message.
 ///
@@ -127,7 +127,7 @@ static LISTS: LazyLock<Vec<String>> = LazyLock::new(|| {
     collect_lists(schema_for!(EditProgram).as_value(), &mut lists);
     collect_lists(schema_for!(NewDrawing).as_value(), &mut lists);
     collect_lists(schema_for!(NewFaults).as_value(), &mut lists);
-    collect_lists(schema_for!(Touches).as_value(), &mut lists);
+    collect_lists(schema_for!(NewTouches).as_value(), &mut lists);
     lists
 });
 

@@ -59,7 +59,7 @@ pub(super) fn all() -> Vec<Route> {
                 further point would tell most. Nothing is kept",
             fit_touches,
         )
-        .brings::<Body<Touches>>()
+        .brings::<Body<NewTouches>>()
         .example(FIT_EXAMPLE)
         .gives::<FitReport>(200, "what they tell")
         .problems(&[BAD_TOUCHES]),
@@ -98,7 +98,7 @@ struct NewCalibration {
 /// Points that the tool has touched.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in super::super) struct Touches {
+pub(in super::super) struct NewTouches {
     /// What the arm said at each, in the order in which they were touched.
     #[schemars(length(max = 100))]
     touches: Vec<TouchedPoint>,
@@ -171,7 +171,7 @@ async fn sheet() -> Response {
     ([(CONTENT_TYPE, "image/svg+xml")], sheet_svg()).into_response()
 }
 
-async fn fit_touches(Body(asked): Body<Touches>) -> Result<Json<FitReport>, NotDone> {
+async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, NotDone> {
     let bad = |why: &dyn std::fmt::Display| BAD_TOUCHES.problem(why.to_string());
     if let Some(bar_mm) = asked.bar_mm {
         check_bar(bar_mm).map_err(|why| bad(&why))?;
