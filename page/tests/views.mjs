@@ -40,6 +40,15 @@ export const VIEWS = {
     await page.fill("#draw-text", "Hello");
     await page.waitForSelector("#preview");
   },
+  teach: async (page) => {
+    await page.click("#first-close");
+    await confirm(page);
+    await page.click("#tab-teach");
+    await page.click("#capture");
+    await page.waitForSelector("#step-0");
+    await page.click("#teach-pause");
+    await page.waitForSelector("#step-1");
+  },
   jobs: async (page) => {
     await page.evaluate(async () => {
       const go = { type: "move_to", x_mm: 200, y_mm: 0, z_mm: 50, rotation_deg: 0, suction: false, mode: "movj", gripper_deg: 0, pause_s: 0 };
