@@ -70,9 +70,10 @@ fn content_type(path: &str) -> io::Result<&'static str> {
         Some("css") => Ok("text/css; charset=utf-8"),
         Some("js") => Ok("text/javascript; charset=utf-8"),
         Some("json") => Ok("application/json"),
+        Some("toml") => Ok("application/toml; charset=utf-8"),
         None => Ok("text/plain; charset=utf-8"),
         Some(other) => Err(io::Error::other(format!(
-            "page/files/{path}: a name ends with .html, .css, .js, .json or has no end; say in page/build.rs what the type of .{other} is"
+            "page/files/{path}: a name ends with .html, .css, .js, .json, .toml or has no end; say in page/build.rs what the type of .{other} is"
         ))),
     }
 }

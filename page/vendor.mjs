@@ -12,6 +12,8 @@ const PACKAGES = new URL("node_modules/", import.meta.url);
 
 const LIT = ["directive", "directive-helpers", "async-directive", "directives/class-map", "directives/if-defined", "directives/live", "directives/ref", "directives/repeat"];
 
+const TOML = ["date", "error", "extract", "parse", "primitive", "stringify", "struct", "util"];
+
 /** A row for each file: where it comes from, where it goes to, and its types, for those that the page imports. */
 const ROWS = [
   { from: "three/build/three.module.min.js", to: "three/three.js", types: 'export * from "three";\n' },
@@ -24,6 +26,9 @@ const ROWS = [
   { from: "uplot/dist/uPlot.iife.min.js", to: "uplot/uplot.js", end: "\nexport default uPlot;\n", types: 'export { default } from "uplot";\n' },
   { from: "uplot/dist/uPlot.min.css", to: "uplot/uplot.css" },
   { from: "uplot/LICENSE", to: "uplot/LICENSE" },
+  ...TOML.map((it) => ({ from: `smol-toml/dist/${it}.js`, to: `smol-toml/${it}.js` })),
+  { from: "smol-toml/dist/index.js", to: "smol-toml/index.js", types: 'export * from "smol-toml";\n' },
+  { from: "smol-toml/LICENSE", to: "smol-toml/LICENSE" },
   { from: "uqr/dist/index.mjs", to: "uqr/uqr.js", types: 'export * from "uqr";\n' },
   { from: "uqr/LICENSE", to: "uqr/LICENSE" },
 ];

@@ -23,10 +23,11 @@ const RUN_DOWN_STATES = 12;
  * @param {import("./station/http.js").Http} outside.http
  * @param {import("./station/set_up.js").SetUpRequests} outside.setUp
  * @param {import("./station/recordings.js").RecordingRequests} outside.recordings
+ * @param {import("./station/lessons.js").Lessons} outside.lessons
  * @param {(takeIfFree: () => void) => import("./station/jobs.js").JobRequests} outside.createJobs
  * @param {(takeIfFree: () => void) => import("./station/teach.js").TeachRequests} outside.createTeach
  */
-export function createActions({ store, socket, http, setUp, recordings, createJobs, createTeach }) {
+export function createActions({ store, socket, http, setUp, recordings, lessons, createJobs, createTeach }) {
   const { send } = store;
   /** How often the arm was stopped, by this page or another. */
   let stops = 0;
@@ -101,7 +102,7 @@ export function createActions({ store, socket, http, setUp, recordings, createJo
   }
 
   return {
-    send, ask, takeIfFree, command, stop, arming_s, setUp, recordings, jobs: createJobs(takeIfFree), teach: createTeach(takeIfFree),
+    send, ask, takeIfFree, command, stop, arming_s, setUp, recordings, lessons, jobs: createJobs(takeIfFree), teach: createTeach(takeIfFree),
 
     /** Asks a person before something is done. @param {Question} question */
     question: (question) => send({ type: "question", question }),

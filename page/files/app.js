@@ -20,6 +20,7 @@ import { createStore } from "./state/store.js";
 import { followAround } from "./station/around.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createJobs } from "./station/jobs.js";
+import { createLessons } from "./station/lessons.js";
 import { followPackets } from "./station/packets.js";
 import { createRecordings } from "./station/recordings.js";
 import { createSetUp } from "./station/set_up.js";
@@ -31,6 +32,7 @@ import { render } from "./vendor/lit-html/lit-html.js";
 import { banners, question, toasts } from "./views/banners.js";
 import { first } from "./views/first.js";
 import { foot } from "./views/foot.js";
+import { learn, point } from "./views/learn.js";
 import { cameras, pose } from "./views/pose.js";
 import { strip } from "./views/strip.js";
 import { tabs } from "./views/tabs.js";
@@ -67,7 +69,7 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, recordings: createRecordings(store, http), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, recordings: createRecordings(store, http), lessons: createLessons(store), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));
@@ -93,11 +95,12 @@ function draw() {
   render(toasts(context), part("toasts"));
   render(pose(context), part("numbers"));
   render(cameras(context), part("cameras"));
-  render(first(context), part("first"));
+  render(page.learn.lesson || page.learn.chooses ? learn(context) : first(context), part("first"));
   render(tabs(context), part("tabs"));
   render(foot(context), part("foot"));
   drawPanel(context);
   drawQuestion(context);
+  point(page);
   drawStage(page, say);
 }
 

@@ -33,6 +33,7 @@
  * | import("./recordings.js").RecordingsMessage
  * | import("./packets.js").PacketsMessage
  * | import("./draw.js").DrawMessage
+ * | import("./learn.js").LearnMessage
  * | import("./set_up.js").SetUpMessage
  * | import("./target.js").TargetMessage
  * | import("./teach.js").TeachMessage} Message

@@ -4,6 +4,7 @@ import { reduceDraw } from "./draw.js";
 import { reduceHistory } from "./history.js";
 import { reduceJobs } from "./jobs.js";
 import { reduceJog } from "./jog.js";
+import { reduceLearn } from "./learn.js";
 import { reducePackets } from "./packets.js";
 import { reduceRecordings } from "./recordings.js";
 import { reduceSetUp } from "./set_up.js";
@@ -22,14 +23,15 @@ export function reduce(page, message) {
   const jog = reduceJog(next.jog, message);
   const target = reduceTarget(next.target, message, next.station?.arm ?? null);
   const draw = reduceDraw(next.draw, message);
+  const learn = reduceLearn(next.learn, message);
   const set_up = reduceSetUp(next.set_up, message);
   const teach = reduceTeach(next.teach, message);
   const jobs = reduceJobs(next.jobs, message);
   const recordings = reduceRecordings(next.recordings, message);
   const packets = reducePackets(next.packets, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && draw === next.draw && set_up === next.set_up && teach === next.teach && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
-  return isSame ? next : { ...next, jog, target, draw, set_up, teach, jobs, recordings, packets, history };
+  const isSame = jog === next.jog && target === next.target && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
+  return isSame ? next : { ...next, jog, target, draw, learn, set_up, teach, jobs, recordings, packets, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

@@ -4,6 +4,7 @@ import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
 import { NO_JOBS } from "./jobs.js";
 import { NO_JOG } from "./jog.js";
+import { NO_LEARN } from "./learn.js";
 import { NO_PACKETS } from "./packets.js";
 import { NO_RECORDINGS } from "./recordings.js";
 import { NO_SET_UP } from "./set_up.js";
@@ -47,6 +48,7 @@ import { NO_TEACH } from "./teach.js";
  * @property {import("./teach.js").Teach} teach
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./draw.js").Draw} draw
+ * @property {import("./learn.js").Learn} learn
  * @property {import("./jobs.js").Jobs} jobs
  * @property {import("./recordings.js").Recordings} recordings
  * @property {import("./packets.js").Packets} packets
@@ -80,6 +82,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   teach: { ...NO_TEACH, text: program },
   set_up: NO_SET_UP,
   draw: NO_DRAW,
+  learn: NO_LEARN,
   jobs: NO_JOBS,
   recordings: NO_RECORDINGS,
   packets: NO_PACKETS,

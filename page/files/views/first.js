@@ -15,6 +15,7 @@ export function first({ page, say, act }) {
       <p><strong id="first-title">${say("first.title")}</strong> ${say("first.text")}</p>
       <div class="row">
         <button id="first-jog" type="button" class="small strong" @click=${() => choose("move")}>${say("first.jog")}</button>
+        <button id="first-tour" type="button" class="small" @click=${() => { act.send({ type: "greeted" }); void act.lessons.open("tour"); }}>${say("learn.tour")}</button>
         <button id="first-real" type="button" class="small" @click=${() => choose("set_up")}>${say("first.real")}</button>
         <button id="first-close" type="button" class="small" @click=${() => act.send({ type: "greeted" })}>${say("close")}</button>
       </div>

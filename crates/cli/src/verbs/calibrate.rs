@@ -187,8 +187,11 @@ async fn tell_angles(station: &mut StationClient, to: &To) -> Result<(), Failure
         servo_deg,
         ..
     } = arm.status;
-    let ahead = MoveJoints::to([0.0, rear_deg, fore_deg, servo_deg]).with_mode(MovingMode::MovJ);
-    carry_out(station, ahead.into()).await?;
+    // From the right, so that the play of the joints is on the side on which they were touched.
+    for base_deg in [-RUN_UP_DEG, 0.0] {
+        let turned = MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]);
+        carry_out(station, turned.with_mode(MovingMode::MovJ).into()).await?;
+    }
     request_at_rest(station, Request::TellAngles).await?;
     control::rest(station).await?;
     Ok(output::line(
@@ -260,3 +263,6 @@ fn backlash(text: &str) -> anyhow::Result<[f64; 3]> {
         _ => bail!("expected three angles from 0 to 5 degrees, as in 0.25,0.2,0.2"),
     }
 }
+
+/// More than any joint is slack.
+const RUN_UP_DEG: f32 = 6.0;

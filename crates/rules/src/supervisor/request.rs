@@ -167,7 +167,7 @@ impl Supervisor {
         if joints.base.0.abs() > STRAIGHT_DEG {
             return Err(Refusal::OutOfRange {
                 name: "the true base angle",
-                found: joints.base.0,
+                found: (joints.base.0 * 100.0).round() / 100.0,
                 allowed: format!(
                     "-{STRAIGHT_DEG} to {STRAIGHT_DEG} degrees: turn the base straight ahead first"
                 ),

@@ -22,6 +22,7 @@ export function looks({ page, say, act }) {
         <legend>${say("set.theme")}</legend>
         ${THEMES.map((it) => html`<label><input type="radio" name="theme" value=${it} .checked=${live(it === page.theme)} @change=${() => act.send({ type: "theme", theme: it })}><span>${say(`set.${it}`)}</span></label>`)}
       </fieldset>
+      <p><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${say("learn.open")}</button></p>
       <p class="quiet">${say("set.version", { version: page.version })}</p>
     </section>`;
 }

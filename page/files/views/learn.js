@@ -1,0 +1,49 @@
+// A lesson: what to do now, and the list of all of them.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { live } from "../vendor/lit-html/directives/live.js";
+import { LESSONS, stepNow } from "../state/learn.js";
+
+/** @typedef {import("./context.js").Context} Context */
+
+/** @param {Context} context */
+export function learn(context) {
+  const { page, say, act } = context;
+  if (page.learn.chooses) return list(context);
+  const step = stepNow(page), lesson = page.learn.lesson;
+  if (!lesson || !step) return nothing;
+  return html`
+    <section id="lesson" class="first" aria-labelledby="lesson-title">
+      <p class="quiet"><span id="lesson-title">${lesson.title[page.language]}</span> · ${say("learn.step", { step: page.learn.step + 1, steps: lesson.steps.length })}</p>
+      <p id="lesson-text" role="status">${step.text[page.language]}</p>
+      ${step.until?.answer ? answer(context) : nothing}
+      <div class="row">
+        ${step.until ? nothing : html`<button id="lesson-next" type="button" class="small strong" @click=${() => act.lessons.next()}>${say(page.learn.step + 1 < lesson.steps.length ? "learn.next" : "learn.done")}</button>`}
+        ${step.until ? html`<button id="lesson-skip" type="button" class="small" @click=${() => act.lessons.next()}>${say("learn.skip")}</button>` : nothing}
+        <button id="lesson-end" type="button" class="small" @click=${() => act.lessons.end()}>${say("learn.end")}</button>
+      </div>
+    </section>`;
+}
+
+/** @param {Context} context */
+const answer = ({ page, say, act }) => html`
+  <label class="answer">${say("learn.answer")} <input id="lesson-answer" inputmode="decimal" autocomplete="off" .value=${live(page.learn.answer)} @input=${(/** @type {Event} */ event) => act.send({ type: "lesson_answer", text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`;
+
+/** @param {Context} context */
+const list = ({ say, act }) => html`
+  <section id="lessons" class="first" aria-labelledby="lessons-title">
+    <p><strong id="lessons-title">${say("learn")}</strong></p>
+    <div class="row">
+      ${LESSONS.map((name) => html`<button type="button" class="small" data-lesson=${name} @click=${() => void act.lessons.open(name)}>${say(`learn.${name}`)}</button>`)}
+      <button id="lessons-close" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: false })}>${say("close")}</button>
+    </div>
+  </section>`;
+
+/** Marks where to look, and nothing else. @param {import("../state/state.js").Page} page */
+export function point(page) {
+  const wanted = page.learn.chooses ? undefined : stepNow(page)?.show;
+  const now = document.querySelector("[data-look]"), next = wanted ? document.querySelector(wanted) : null;
+  if (now === next) return;
+  now?.removeAttribute("data-look");
+  next?.setAttribute("data-look", "");
+}
