@@ -98,6 +98,13 @@ impl Calibration {
         }
     }
 
+    /// Whether another one means the same: written as text and read again, a number may differ in its last digit.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        let numbers = self.to_numbers().into_iter().zip(other.to_numbers());
+        numbers.into_iter().all(|(a, b)| (a - b).abs() < SAME)
+    }
+
     /// The same arm when it has been told its true joint angles.
     #[must_use]
     pub const fn without_zeros(self) -> Self {
@@ -239,6 +246,8 @@ impl Calibration {
     }
 }
 
+/// Far less than anybody can measure, in degrees and mm.
+const SAME: f64 = 1e-6;
 /// What turns less than this does not turn.
 const STILL_DEG: f64 = 1e-3;
 

@@ -361,7 +361,7 @@ fn check_made_for(job: &Job, model: &Model) -> Result<(), Refusal> {
             job.dialect, model.dialect
         )));
     }
-    if job.calibration != model.calibration {
+    if !job.calibration.is_same(&model.calibration) {
         return Err(Refusal::CannotResume(
             "it was made for the arm as it was calibrated then, and another calibration holds now, or the arm was told its angles since: make it anew".into(),
         ));

@@ -82,7 +82,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 fn calibration(args: &Args, arm: &PlannedFor) -> Result<Option<CalibrationFile>, Failure> {
     let told = args.calibration.as_deref().map(calibrate::read);
     match (told.transpose()?, &arm.calibration) {
-        (Some(told), Some(known)) if told.arm() != known.arm() => Err(Failure::new(
+        (Some(told), Some(known)) if !told.arm().is_same(&known.arm()) => Err(Failure::new(
             anyhow!("the arm is known by another calibration than that of --calibration"),
             "leave it out; or `dobot calibrate FILE --use` puts that of a file in place",
         )),
