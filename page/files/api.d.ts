@@ -2626,7 +2626,7 @@ export interface components {
             calibration?: components["schemas"]["CalibrationFile"] | null;
         };
         /** @description Points that the tool has touched. */
-        Touches: {
+        NewTouches: {
             /** @description What the arm said at each, in the order in which they were touched. */
             touches: components["schemas"]["TouchedPoint"][];
             /**
@@ -8288,7 +8288,7 @@ export interface operations {
                  *       ]
                  *     }
                  */
-                "application/json": components["schemas"]["Touches"];
+                "application/json": components["schemas"]["NewTouches"];
             };
         };
         responses: {
