@@ -739,6 +739,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/programs/convert": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Turns a file of the vendor's programs (`PlayBackPoints.xml`, `.play`) into the text of a program, or the text into such a file; what the other form cannot carry is told */
+        post: operations["post_programs_convert"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/programs/jobs": {
         parameters: {
             query?: never;
@@ -3246,6 +3263,32 @@ export interface components {
              * @description How many steps it has.
              */
             steps: number;
+        };
+        /** @description A program in one form that is wanted in another. */
+        ConvertProgram: {
+            /**
+             * @description Its text; a file of the vendor's programs has bytes instead.
+             * @default null
+             */
+            text: string | null;
+            /**
+             * @description The bytes of a file, in base64.
+             * @default null
+             */
+            data: string | null;
+            /** @description What the bytes are; a text is a program. */
+            from?: components["schemas"]["ProgramForm"];
+            /** @description What it is to be. */
+            to: components["schemas"]["ProgramForm"];
+        };
+        /** @description A form of programs. */
+        ProgramForm: "toml" | "xml" | "play";
+        /** @description A program in the form that was asked for. */
+        ConvertedProgram: {
+            /** @description The text. */
+            text: string;
+            /** @description What was surprising, and what the form cannot carry. */
+            warnings: string[];
         };
         /** @description A program that is to become a job. */
         NewProgram: {
@@ -10574,6 +10617,141 @@ export interface operations {
             /**
              * @description - `bad-program`: the program cannot be done
              *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_programs_convert: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "text": "[[steps]]\ngo = { base = 0, rear = 40, fore = 45 }\n",
+                 *       "to": "xml"
+                 *     }
+                 */
+                "application/json": components["schemas"]["ConvertProgram"];
+            };
+        };
+        responses: {
+            /** @description the text */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ConvertedProgram"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-program`: the program cannot be done
              *     - `invalid`: a field is not as it has to be
              */
             422: {

@@ -1,5 +1,6 @@
 // A program is shown to the arm on the page, and judged on where the arm goes.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { open, passed, pose, rest, takeControl } from "./bench.mjs";
 
@@ -114,12 +115,24 @@ test("a program is kept when the page is loaded again, and is the same after it 
   const path = await download.path();
   await page.click("#teach-new");
   await page.waitForFunction(() => document.querySelector("#teach-text").value === "");
-  await page.setInputFiles("#teach-file", { name: "again.toml", mimeType: "text/plain", buffer: await (await import("node:fs/promises")).readFile(path) });
+  await page.setInputFiles("#teach-file", { name: "again.toml", mimeType: "text/plain", buffer: await readFile(path) });
   await page.waitForFunction((text) => document.querySelector("#teach-text").value === text, text);
   await page.waitForFunction((text) => localStorage.getItem("dobot.program") === text, text);
   await page.reload();
   await page.click("#tab-teach");
   await count(2);
+});
+
+test("a file of the vendor's program is opened as a program, and written again", async () => {
+  const vendor = await readFile(new URL("../../crates/teach/tests/data/PlayBackPoints.xml", import.meta.url));
+  await page.setInputFiles("#teach-file", { name: "PlayBackPoints.xml", mimeType: "text/xml", buffer: vendor });
+  await page.waitForFunction(() => document.querySelector("#teach-title").textContent.includes("PlayBackPoints.toml"));
+  await page.waitForSelector("#step-0");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#teach-xml")]);
+  const again = await readFile(await download.path(), "utf8");
+  const points = (text) => (String(text).match(/<point>/g) ?? []).length;
+  assert.ok(points(vendor) > 2);
+  assert.equal(points(again), points(vendor), again);
 });
 
 test("a program of ten thousand steps shows few rows at once, and any of them when it is scrolled to", async () => {

@@ -4,8 +4,8 @@ import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
 import { hindrance, kept } from "../state/select.js";
-import { saveAs } from "../parts/save.js";
 import { rowAt, rowsOf, stepsIn } from "../state/teach.js";
+import { saveAs } from "../parts/save.js";
 import { sentence } from "../views/banners.js";
 import { span } from "../words/words.js";
 
@@ -176,13 +176,19 @@ function files({ page, say, act }) {
     field.value = "";
   };
   const save = () => saveAs(new Blob([page.teach.text], { type: "text/plain" }), page.teach.name);
+  const exportAs = async (/** @type {"xml" | "play"} */ to) => {
+    const text = await act.teach.exported(to);
+    if (text !== null) saveAs(new Blob([text], { type: "text/plain" }), to === "xml" ? "PlayBackPoints.xml" : page.teach.name.replace(/\.[^.]*$/, ".play"));
+  };
   return html`
     <section class="card" aria-labelledby="teach-files-title">
       <h2 id="teach-files-title">${say("teach.files")}</h2>
       <div class="row">
         <button id="teach-save" type="button" class="small" ?disabled=${!page.teach.text} @click=${save}>${say("teach.save")}</button>
-        <input id="teach-file" type="file" accept=".toml,text/plain" hidden aria-label=${say("teach.open")} @change=${choose}>
+        <input id="teach-file" type="file" accept=".toml,.xml,.play,text/plain" hidden aria-label=${say("teach.open")} @change=${choose}>
         <button id="teach-open" type="button" class="small" @click=${() => document.getElementById("teach-file")?.click()}>${say("teach.open")}</button>
+        <button id="teach-xml" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("xml")}>.xml</button>
+        <button id="teach-play" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => void exportAs("play")}>.play</button>
         <button id="teach-new" type="button" class="small" ?disabled=${!page.teach.text} @click=${() => act.send({ type: "teach_text", text: "", name: "program.toml", chosen: null })}>${say("teach.new")}</button>
       </div>
       <p class="quiet">${say("teach.files.hint")}</p>

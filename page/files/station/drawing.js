@@ -1,5 +1,6 @@
 // Has the station plan what is to be drawn, a moment after it was changed. What is not wanted any more is given up.
 
+import { base64 } from "../parts/base64.js";
 import { timelineOf } from "../preview/timeline.js";
 import { MOST_BYTES, hasSubject, optionsOf, wrongField } from "../state/draw.js";
 
@@ -8,16 +9,6 @@ import { MOST_BYTES, hasSubject, optionsOf, wrongField } from "../state/draw.js"
 /** @typedef {import("../state/types.js").Problem} Problem */
 
 const PLAN_MS = 250;
-
-/** What a file holds, in Base64. @param {File} file @returns {Promise<string | null>} nothing where it cannot be read */
-function base64(file) {
-  const reader = new FileReader();
-  return new Promise((done) => {
-    reader.onload = () => done(String(reader.result).split(",")[1] ?? "");
-    reader.onerror = () => done(null);
-    reader.readAsDataURL(file);
-  });
-}
 
 /** @param {Store} store @param {import("./http.js").Http} http */
 export function followDrawing(store, http) {

@@ -1,5 +1,6 @@
 // Has the station check a program a moment after it was changed, change its steps, and make jobs of it.
 
+import { base64 } from "../parts/base64.js";
 import { rowsOf, stepOf, titled } from "../state/teach.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
@@ -130,9 +131,20 @@ export function createTeach(store, http, socket, takeIfFree) {
       const job = waits ? teach.job : await makeJob(from, null);
       if (job !== null) await ask({ type: "step_job", job });
     },
-    /** @param {File} file */
+    /** A program, or a file of the vendor's programs. @param {File} file */
     async open(file) {
-      send({ type: "teach_text", text: await file.text(), name: file.name, chosen: null });
+      const from = /\.(xml|play)$/i.exec(file.name)?.[1]?.toLowerCase();
+      if (!from) return send({ type: "teach_text", text: await file.text(), name: file.name, chosen: null });
+      const { value, problem } = await http.ask("POST", "api/v1/programs/convert", { data: await base64(file), from, to: "toml" });
+      if (problem) return send({ type: "teach_refused", problem });
+      const { text } = /** @type {Schemas["ConvertedProgram"]} */ (value);
+      send({ type: "teach_text", text, name: file.name.replace(/\.[^.]*$/, ".toml"), chosen: null });
+    },
+    /** The program as a file of the vendor's programs. @param {Schemas["ProgramForm"]} to @returns {Promise<string | null>} */
+    async exported(to) {
+      const { value, problem } = await http.ask("POST", "api/v1/programs/convert", { text: store.page.teach.text, to });
+      send({ type: "teach_refused", problem: problem ?? null });
+      return problem ? null : /** @type {Schemas["ConvertedProgram"]} */ (value).text;
     },
   };
 }

@@ -406,7 +406,7 @@ export const en = {
   "teach.save": "Save…",
   "teach.open": "Open…",
   "teach.new": "New",
-  "teach.files.hint": "The program stays in this browser until you save it. dobot play runs the same file in a terminal; dobot convert reads those of the vendor.",
+  "teach.files.hint": "The program stays in this browser until you save it. dobot play runs the same file in a terminal. PlayBackPoints.xml and .play files of the vendor's programs can be opened, and written where the points are joint angles.",
   "tab.jobs": "Jobs",
   "jobs": "Jobs",
   "jobs.none": "No jobs yet. Draw and Teach make some, and so do other programs.",

@@ -407,7 +407,7 @@ export const zh = {
   "teach.save": "保存…",
   "teach.open": "打开…",
   "teach.new": "新建",
-  "teach.files.hint": "程序保留在此浏览器中,直到您保存它。终端中的 dobot play 运行同一文件;dobot convert 读取厂商的文件。",
+  "teach.files.hint": "程序保留在此浏览器中,直到您保存它。终端中的 dobot play 运行同一文件。可以打开厂商的 PlayBackPoints.xml 和 .play 文件;若各点为关节角,也可导出。",
   "tab.jobs": "任务",
   "jobs": "任务",
   "jobs.none": "还没有任务。绘图和示教会产生任务，其他程序也会。",

@@ -7,6 +7,7 @@ use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::draw_step;
 use dobot_rules::PlannedFor;
+use dobot_teach::vendor;
 use dobot_teach::{
     Action, Compiled, Drawing, Files, Point, Program, ProgramDocument, ProgramError, RecordedPlace,
     Report, Times, ToolState, check, path_steps, simplified,
@@ -172,6 +173,89 @@ pub(super) struct EditedProgram {
     text: String,
     /// How many steps it has.
     steps: usize,
+}
+
+/// A program in one form that is wanted in another.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ConvertProgram {
+    /// Its text; a file of the vendor's programs has bytes instead.
+    #[serde(default)]
+    text: Option<String>,
+    /// The bytes of a file, in base64.
+    #[serde(default)]
+    data: Option<String>,
+    /// What the bytes are; a text is a program.
+    #[serde(default)]
+    from: ProgramForm,
+    /// What it is to be.
+    to: ProgramForm,
+}
+
+/// A form of programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum ProgramForm {
+    /// The text of a program.
+    #[default]
+    Toml,
+    /// `PlayBackPoints.xml`.
+    Xml,
+    /// `.play`.
+    Play,
+}
+
+/// A program in the form that was asked for.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub(super) struct ConvertedProgram {
+    /// The text.
+    text: String,
+    /// What was surprising, and what the form cannot carry.
+    warnings: Vec<String>,
+}
+
+/// A program in another form.
+pub(super) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Problem> {
+    let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
+    let bytes = match (&asked.text, &asked.data) {
+        (Some(text), None) => text.clone().into_bytes(),
+        (None, Some(data)) => data_encoding::BASE64
+            .decode(data.as_bytes())
+            .map_err(|error| BAD_PROGRAM.problem(format!("data is not base64: {error}")))?,
+        _ => return Err(BAD_PROGRAM.problem("one of text and data says what it is")),
+    };
+    let points = match asked.from {
+        ProgramForm::Toml => None,
+        ProgramForm::Xml => Some(vendor::read_points(&bytes)),
+        ProgramForm::Play => Some(vendor::read_play(&bytes)),
+    };
+    let (program, mut warnings) = match points {
+        Some(read) => {
+            let read = read.map_err(bad)?;
+            (vendor::program_of(&read.it), read.warnings)
+        }
+        None => {
+            let text = String::from_utf8(bytes)
+                .map_err(|_| BAD_PROGRAM.problem("it is not text in UTF-8, so it is no program"))?;
+            (Program::from_toml(&text).map_err(bad)?, Vec::new())
+        }
+    };
+    if asked.to == ProgramForm::Toml {
+        let text = program.to_toml();
+        return Ok(ConvertedProgram { text, warnings });
+    }
+    let (points, lost) = vendor::points_of(&program);
+    if points.is_empty() {
+        return Err(BAD_PROGRAM.problem(
+            "the program has no point that this form can carry: it knows joint angles alone",
+        ));
+    }
+    warnings.extend(lost);
+    let text = match asked.to {
+        ProgramForm::Play => vendor::write_play(&points),
+        _ => vendor::write_points(&points),
+    };
+    Ok(ConvertedProgram { text, warnings })
 }
 
 /// Looks at a whole program.

@@ -14,7 +14,8 @@ use super::super::answer::{Body, JOB, NotDone, beside};
 use super::super::app::App;
 use super::super::calls::Asker;
 use super::super::programs::{
-    self, EditProgram, EditedProgram, NewProgram, ProgramReport, ProgramText,
+    self, ConvertProgram, ConvertedProgram, EditProgram, EditedProgram, NewProgram, ProgramReport,
+    ProgramText,
 };
 use super::super::route::Route;
 use super::POST;
@@ -43,6 +44,17 @@ pub(super) fn all() -> Vec<Route> {
         .problems(&[BAD_PROGRAM, OUT_OF_RANGE, ENDING]),
         Route::new(
             POST,
+            "/api/v1/programs/convert",
+            "Turns a file of the vendor's programs (`PlayBackPoints.xml`, `.play`) into the text of a program, or the text \
+                into such a file; what the other form cannot carry is told",
+            convert,
+        )
+        .brings::<Body<ConvertProgram, JOB>>()
+        .example(CONVERT_EXAMPLE)
+        .gives::<ConvertedProgram>(200, "the text")
+        .problems(&[BAD_PROGRAM, ENDING]),
+        Route::new(
+            POST,
             "/api/v1/programs/jobs",
             "Queues a program as a job, unless something is wrong with it",
             submit,
@@ -57,6 +69,8 @@ pub(super) fn all() -> Vec<Route> {
 const CHECK_EXAMPLE: &str =
     r#"{"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"}"#;
 const EDIT_EXAMPLE: &str = r#"{"text": "[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n", "edits": [{"type": "insert", "at": 1, "step": {"suction": true, "pause": 0.5}}]}"#;
+const CONVERT_EXAMPLE: &str =
+    r#"{"text": "[[steps]]\ngo = { base = 0, rear = 40, fore = 45 }\n", "to": "xml"}"#;
 const JOB_EXAMPLE: &str = r#"{"program": {"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"}, "times": {"count": 3}}"#;
 
 async fn check(
@@ -69,6 +83,12 @@ async fn check(
 
 async fn edit(Body(asked): Body<EditProgram, JOB>) -> Result<Json<EditedProgram>, NotDone> {
     Ok(Json(beside(move || programs::edit(asked)).await??))
+}
+
+async fn convert(
+    Body(asked): Body<ConvertProgram, JOB>,
+) -> Result<Json<ConvertedProgram>, NotDone> {
+    Ok(Json(beside(move || programs::convert(&asked)).await??))
 }
 
 async fn submit(

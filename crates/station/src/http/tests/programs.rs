@@ -195,3 +195,34 @@ async fn a_program_becomes_a_job_as_often_and_from_where_it_is_asked() {
     }
     assert_eq!(harness.asked().len(), 1);
 }
+
+#[tokio::test]
+async fn a_vendor_file_becomes_a_program_and_one_again() {
+    let harness = Harness::near();
+    let text = "[[steps]]\ngo = { base = 0, rear = 40, fore = 45 }\n\n[[steps]]\ngo = { x = 200, y = 0, z = 30 }\n";
+    let ask = async |body: serde_json::Value| {
+        let path = "/api/v1/programs/convert";
+        harness.json("POST", path, body.to_string()).await
+    };
+    for form in ["xml", "play"] {
+        let answer = ask(json!({"text": text, "to": form})).await;
+        let file = answer.is(200).value();
+        // Such a file knows joint angles alone.
+        assert_eq!(file["warnings"].as_array().unwrap().len(), 1, "{file}");
+        let bytes = file["text"].as_str().unwrap().as_bytes();
+        let data = data_encoding::BASE64.encode(bytes);
+        let answer = ask(json!({"data": data, "from": form, "to": "toml"})).await;
+        let back = answer.is(200).value();
+        let back = back["text"].as_str().unwrap();
+        assert!(back.contains("rear = 40"), "{back}");
+    }
+    for wrong in [
+        json!({"to": "xml"}),
+        json!({"data": "%", "from": "xml", "to": "toml"}),
+        json!({"text": "nonsense", "to": "xml"}),
+        json!({"text": "[[steps]]\npause = 1\n", "to": "play"}),
+    ] {
+        let answer = ask(wrong).await;
+        assert_eq!(answer.is(422).problem().0, "bad-program");
+    }
+}
