@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use dobot_draw::{Settings, prepare_passes, simplify};
 use dobot_geometry::{PathDistance, Stroke, deviation, steps};
-use dobot_plan::{ChainVector, Cornering, DrawingTool, Machine, MoveKind, Pass, Plan};
+use dobot_plan::{ChainVector, DrawingTool, Machine, MoveKind, Pass, Plan};
 
 mod curves;
 
@@ -100,7 +100,7 @@ impl Case {
             tolerance_mm: self.tolerance_mm,
             machine: Machine {
                 acceleration_mm_s2: self.acceleration_mm_s2,
-                corner_deviation_mm: self.tolerance_mm,
+                corner_deviation_mm: 2.0 * self.tolerance_mm,
                 // What is measured is the curve, not where it lies before the arm.
                 joint_speed_deg_s: 10_000.0,
                 has_ticks,
@@ -117,27 +117,10 @@ impl Case {
         let chain: Vec<ChainVector> = curve
             .segments()
             .filter(|(a, b)| a != b)
-            .map(|(a, b)| {
-                let (way, length_mm) = (b - a, a.distance(b));
-                ChainVector {
-                    direction: [way.x / length_mm, way.y / length_mm, 0.0],
-                    length_mm,
-                    limit_mm_s: self.speed_mm_s,
-                    corner_mm_s: f64::INFINITY,
-                }
-            })
+            .map(|(a, b)| ChainVector::of([b.x - a.x, b.y - a.y, 0.0], self.speed_mm_s))
             .collect();
-        let cornering = Cornering {
-            acceleration_mm_s2: self.acceleration_mm_s2,
-            deviation_mm: self.tolerance_mm,
-            window_s: 0.08,
-        };
-        let mut junctions = Vec::new();
-        cornering.speeds(0.0, &chain, &mut junctions);
-        let pairs = junctions.windows(2).zip(&chain);
-        pairs
-            .map(|(pair, run)| cornering.duration_s(&pair[0], run, &pair[1]))
-            .sum()
+        let cornering = self.settings(false).machine.cornering();
+        cornering.durations_s(&chain).iter().sum()
     }
 
     /// How long the link takes for the fewest vectors, in s.
