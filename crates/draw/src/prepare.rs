@@ -19,10 +19,10 @@ use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
-use crate::simplify::simplify;
+use crate::simplify::{simplify, simplify_at};
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
-use dobot_plan::{DrawingTool, Pass, Plan, PlanError};
+use dobot_plan::{DrawingTool, Pace, Pass, Plan, PlanError};
 use dobot_source::{Artwork, Layer};
 use dobot_source::{ReadOptions, Source, SourceError, Warning};
 
@@ -430,12 +430,18 @@ fn ordered(
     }
 }
 
-/// The same pass with the fewest vectors.
+/// The same pass with the vectors that are the fastest; of a laser, which burns at an even speed, with the
+/// fewest.
 fn simplified(pass: &Pass, settings: &Settings) -> Result<Pass, PrepareError> {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
+    let pace = Pace::of(&settings.machine, &pass.tool);
     let strokes = pass.strokes.iter().map(|it| {
         settings.give_up.check()?;
-        let simple = simplify(it, tolerance_mm);
+        let simple = if pass.tool.burns() {
+            simplify(it, tolerance_mm)
+        } else {
+            simplify_at(it, tolerance_mm, &pace)
+        };
         Ok(shortened(simple, &settings.paper))
     });
     let strokes: Result<_, PrepareError> = strokes.collect();
