@@ -1,5 +1,7 @@
 //! How long a way takes, estimated without planning it.
 
+use dobot_arm::TICK_S;
+
 use crate::link::Credit;
 use crate::lookahead::{ChainVector, Cornering};
 use crate::{DrawingTool, LinkRate, Machine};
@@ -13,6 +15,8 @@ pub struct Pace {
     pub speed_mm_s: f64,
     /// How fast vectors come.
     pub link: LinkRate,
+    /// How much longer a vector takes in the mean because it is cut into whole ticks, in s.
+    pub lost_s: f64,
 }
 
 impl Pace {
@@ -23,6 +27,11 @@ impl Pace {
             cornering: machine.cornering(),
             speed_mm_s: tool.speed_mm_s(),
             link: machine.link,
+            lost_s: if machine.has_ticks {
+                LOST_TICKS * TICK_S
+            } else {
+                0.0
+            },
         }
     }
 
@@ -44,7 +53,7 @@ impl Pace {
             period_s: BRAKING * self.link.period_s,
         });
         let took_s = durations_s.iter().map(|&arm_s| {
-            let took_s = arm_s.max(credit.least_s());
+            let took_s = (arm_s + self.lost_s).max(credit.least_s());
             credit.take(took_s);
             took_s
         });
@@ -53,6 +62,8 @@ impl Pace {
 }
 
 const BRAKING: f64 = 1.15;
+/// A vector takes whole ticks, and rather more of them than less.
+const LOST_TICKS: f64 = 0.9;
 
 #[cfg(test)]
 mod tests {
