@@ -111,10 +111,10 @@ impl<'a> Corridor<'a> {
         let sides = [(unit, 0.0, length), (across, -radius, radius)];
         for (axis, low, high) in sides {
             let (here, speed) = ((from - a).dot(axis), along.dot(axis));
-            let (t, u) = ((low - here) / speed, (high - here) / speed);
+            let [one, other] = [low, high].map(|side| (side - here) / speed);
             if speed.abs() > HAIR {
-                enter = enter.max(t.min(u));
-                leave = leave.min(t.max(u));
+                enter = enter.max(one.min(other));
+                leave = leave.min(one.max(other));
             } else if here < low || here > high {
                 return None;
             }

@@ -26,7 +26,7 @@ pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Cor
     let mut best = Attempt::new(&corridor, pace)?;
     let mut here = best.clone();
     while here.time_s <= best.time_s * WORTH_MORE {
-        let curved = here.is_curved();
+        let curved = here.is_curved(&corridor, most_mm / NARROWEST);
         best = best.or(here);
         if !curved {
             break;
@@ -89,9 +89,14 @@ impl Attempt {
         })
     }
 
-    /// Whether a vector passes points at which another could end.
-    fn is_curved(&self) -> bool {
-        self.path.windows(2).any(passes_points)
+    /// Whether a vector passes points at which another could end, so far off that it might.
+    fn is_curved(&self, corridor: &Corridor<'_>, off_mm: f64) -> bool {
+        self.path.windows(2).any(|pair| {
+            let (from, way) = (pair[0].at, pair[1].at - pair[0].at);
+            let passed = &corridor.points[pair[0].passed + 1..=pair[1].passed];
+            let mut across = passed.iter().map(|p| (*p - from).cross(way).abs());
+            passes_points(pair) && across.any(|it| it > off_mm * way.length())
+        })
     }
 
     /// The faster of both; the one in the narrower corridor if they are about as fast.
