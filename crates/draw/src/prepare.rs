@@ -454,17 +454,21 @@ fn simplified(pass: &Pass, settings: &Settings) -> Result<Pass, PrepareError> {
     })
 }
 
-/// A stroke of a pen with the vectors that the plan takes the least time for: those of its pace, or of one
-/// at which the link is slower, or the fewest.
+/// A stroke of a pen with the vectors that the plan takes the least time for: those of its pace, the fewest, or
+/// what lies between: those of a pace at which the link is slower, and on an arm with ticks the fewest within
+/// half of the tolerance.
 fn faster(stroke: &Stroke, fewest: Stroke, tool: DrawingTool, settings: &Settings) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let paced = SLOWER_LINKS.map(|share| {
-        let mut pace = Pace::of(&settings.machine, &tool);
-        pace.link.period_s *= share;
-        simplify_at(stroke, tolerance_mm, &pace)
-    });
-    let mut ways: Vec<Stroke> = paced.into();
-    ways.push(fewest.clone());
+    let pace = Pace::of(&settings.machine, &tool);
+    let mut slower = pace;
+    slower.link.period_s *= SLOWER_LINK;
+    let other = if settings.machine.has_ticks {
+        simplify(stroke, 0.5 * tolerance_mm)
+    } else {
+        simplify_at(stroke, tolerance_mm, &slower)
+    };
+    let paced = simplify_at(stroke, tolerance_mm, &pace);
+    let mut ways = vec![paced, other, fewest.clone()];
     ways.dedup();
     if ways.len() == 1 {
         return fewest;
@@ -486,8 +490,8 @@ fn planned_s(stroke: &Stroke, tool: DrawingTool, settings: &Settings) -> f64 {
     plan.map_or(f64::INFINITY, |it| it.duration_s())
 }
 
-/// How many times slower than it is the link is taken to be: its vectors are fewer then.
-const SLOWER_LINKS: [f64; 2] = [1.0, 1.15];
+/// How many times slower than it is the link is taken to be, for fewer vectors.
+const SLOWER_LINK: f64 = 1.15;
 /// Fewer vectors, which are farther from the curve, are taken if so much faster.
 const WORTH_FEWER: f64 = 0.995;
 /// Where a file has too many corners even like this, it would on the paper.
