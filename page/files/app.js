@@ -22,6 +22,7 @@ import { createHttp, takeToken } from "./station/http.js";
 import { createJobs } from "./station/jobs.js";
 import { followPackets } from "./station/packets.js";
 import { createRecordings } from "./station/recordings.js";
+import { createCalibrate } from "./station/calibrate.js";
 import { createSetUp } from "./station/set_up.js";
 import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
@@ -67,7 +68,7 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, recordings: createRecordings(store, http), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));
