@@ -1,5 +1,6 @@
 // What a person can do on the page: each is a message to the state, a request to the station, or both.
 
+import { rests } from "./state/select.js";
 import { commandOf } from "./station/target.js";
 import { NO_CONNECTION } from "./station/socket.js";
 
@@ -15,6 +16,11 @@ const STOP_ANSWER_MS = 300;
 const PEN_SCENE = "[pen]\n";
 /** For so many states a command waits until the arm has run down. */
 const RUN_DOWN_STATES = 12;
+/** After a refusal the arm is asked again so many seconds later, by the clock of the station: each refusal makes a state of its own. */
+const AGAIN_S = 0.2;
+
+/** @param {import("./state/types.js").Problem | undefined} problem */
+const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? false;
 
 /**
  * @param {object} outside
@@ -22,12 +28,13 @@ const RUN_DOWN_STATES = 12;
  * @param {import("./station/socket.js").Socket} outside.socket
  * @param {import("./station/http.js").Http} outside.http
  * @param {import("./station/set_up.js").SetUpRequests} outside.setUp
+ * @param {import("./station/calibrate.js").CalibrateRequests} outside.calibrate
  * @param {import("./station/recordings.js").RecordingRequests} outside.recordings
  * @param {import("./station/lessons.js").Lessons} outside.lessons
  * @param {(takeIfFree: () => void) => import("./station/jobs.js").JobRequests} outside.createJobs
  * @param {(takeIfFree: () => void) => import("./station/teach.js").TeachRequests} outside.createTeach
  */
-export function createActions({ store, socket, http, setUp, recordings, lessons, createJobs, createTeach }) {
+export function createActions({ store, socket, http, setUp, calibrate, recordings, lessons, createJobs, createTeach }) {
   const { send } = store;
   /** How often the arm was stopped, by this page or another. */
   let stops = 0;
@@ -50,6 +57,9 @@ export function createActions({ store, socket, http, setUp, recordings, lessons,
     if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
 
+  /** The next state, or the end of the connection. @returns {Promise<void>} */
+  const nextState = () => new Promise((heard) => waiting.push(heard));
+
   /**
    * A command. While the arm runs down it is asked for again with each state, for a second, unless somebody stops the arm.
    * @param {Command} command
@@ -58,13 +68,39 @@ export function createActions({ store, socket, http, setUp, recordings, lessons,
     takeIfFree();
     const before = stops;
     let { problem } = await socket.ask({ type: "command", command });
-    for (let states = 0; problem?.type?.endsWith("/still-moving") && states < RUN_DOWN_STATES; states += 1) {
-      await new Promise((heard) => waiting.push(() => heard(null)));
+    for (let states = 0; isStillMoving(problem) && states < RUN_DOWN_STATES; states += 1) {
+      await nextState();
       if (stops !== before) return false;
       ({ problem } = await socket.ask({ type: "command", command }));
     }
     if (problem) send({ type: "problem", problem });
     return problem === undefined;
+  }
+
+  /** To these joints, with the tool as it is. @param {{ base_deg?: number, rear_deg?: number, fore_deg?: number, servo_deg?: number, gripper_deg?: number }} to */
+  async function moveJoints(to) {
+    const arm = store.page.station?.arm;
+    if (!arm) return false;
+    const { base_deg, rear_deg, fore_deg, servo_deg, suction, gripper_deg } = arm;
+    return command({ type: "move_joints", base_deg, rear_deg, fore_deg, servo_deg, suction, gripper_deg, mode: "movj", pause_s: 0, ...to });
+  }
+
+  /** Turns the base of a calibrated arm straight ahead, and once it rests there tells the arm its true angles, unless somebody stops it. */
+  async function tellAngles() {
+    const before = stops;
+    if (!(await moveJoints({ base_deg: 0 }))) return;
+    /** @type {import("./state/types.js").Answer | null} */ let answer;
+    let asked_s = 0;
+    do {
+      await nextState();
+      const { station } = store.page;
+      if (stops !== before || !station) return;
+      // A state that was on its way before the arm turned says that it rests: the station knows better, and refuses.
+      const isTime = rests(station) && station.at_s > asked_s + AGAIN_S;
+      if (isTime) asked_s = station.at_s;
+      answer = isTime ? await socket.ask({ type: "tell_angles" }) : null;
+    } while (!answer || isStillMoving(answer.problem));
+    if (answer.problem) send({ type: "problem", problem: answer.problem });
   }
 
   /** Stops the arm by every way there is. */
@@ -94,6 +130,10 @@ export function createActions({ store, socket, http, setUp, recordings, lessons,
       case "detect":
         takeIfFree();
         return setUp.detect();
+      case "forget_calibration":
+        return calibrate.forget();
+      case "tell_angles":
+        return tellAngles();
       case "remove_token":
         return setUp.removeToken(String(values?.name));
       default:
@@ -102,7 +142,7 @@ export function createActions({ store, socket, http, setUp, recordings, lessons,
   }
 
   return {
-    send, ask, takeIfFree, command, stop, arming_s, setUp, recordings, lessons, jobs: createJobs(takeIfFree), teach: createTeach(takeIfFree),
+    send, ask, takeIfFree, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs: createJobs(takeIfFree), teach: createTeach(takeIfFree),
 
     /** Asks a person before something is done. @param {Question} question */
     question: (question) => send({ type: "question", question }),
@@ -124,23 +164,13 @@ export function createActions({ store, socket, http, setUp, recordings, lessons,
     },
 
     /** To where a stock arm stands when it is switched on. */
-    home() {
-      const { station } = store.page;
-      if (!station?.arm) return;
-      const { suction, gripper_deg } = station.arm;
-      void command({ type: "move_joints", base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 0, suction, gripper_deg, mode: "movj", pause_s: 0 });
-    },
+    home: () => void moveJoints({ base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 0 }),
 
     /** @param {boolean} on */
     suction: (on) => command({ type: "joint_jog", axis: on ? "suction_on" : "suction_off", speed_percent: 0 }),
 
     /** A target that is the place itself. @param {number} gripper_deg */
-    grip(gripper_deg) {
-      const { station } = store.page;
-      if (!station?.arm) return;
-      const { base_deg, rear_deg, fore_deg, servo_deg, suction } = station.arm;
-      void command({ type: "move_joints", base_deg, rear_deg, fore_deg, servo_deg, suction, gripper_deg, mode: "movj", pause_s: 0 });
-    },
+    grip: (gripper_deg) => void moveJoints({ gripper_deg }),
 
     /** A file to be drawn, or a timeline to be looked at. @param {File} file */
     takeFile(file) {

@@ -23,6 +23,7 @@ import { createJobs } from "./station/jobs.js";
 import { createLessons } from "./station/lessons.js";
 import { followPackets } from "./station/packets.js";
 import { createRecordings } from "./station/recordings.js";
+import { createCalibrate } from "./station/calibrate.js";
 import { createSetUp } from "./station/set_up.js";
 import { followDrawing } from "./station/drawing.js";
 import { createSocket } from "./station/socket.js";
@@ -69,7 +70,7 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, recordings: createRecordings(store, http), lessons: createLessons(store), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));

@@ -73,6 +73,16 @@ export const VIEWS = {
     await page.locator("#packets-pause").scrollIntoViewIfNeeded();
   },
   set_up: tab("set_up"),
+  calibrate: async (page) => {
+    await tab("set_up")(page);
+    await confirm(page);
+    await page.click("#calibrate-begin");
+    await page.fill("#calibrate-bar", "200");
+    await page.click("#calibrate-next");
+    // Anywhere: what the touches tell is a problem then, which is shown, too.
+    for (let touch = 0; touch < 4; touch += 1) await page.click("#calibrate-touch");
+    await page.waitForSelector("#calibrate .told");
+  },
   stopped: async (page) => {
     await page.click("#first-close");
     await page.keyboard.press("Escape");

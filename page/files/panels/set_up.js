@@ -3,10 +3,11 @@
 import { html } from "../vendor/lit-html/lit-html.js";
 import { isVirtual } from "../state/select.js";
 import { armGuide } from "./set_up/arm.js";
+import { calibrateGuide } from "./set_up/calibrate.js";
 import { looks } from "./set_up/looks.js";
 import { policy } from "./set_up/policy.js";
 import { tokens } from "./set_up/tokens.js";
 import { virtualArm } from "./set_up/virtual_arm.js";
 
 /** @param {import("../views/context.js").Context} context */
-export const setUp = (context) => html`${looks(context)}${armGuide(context)}${policy(context)}${tokens(context)}${isVirtual(context.page) ? virtualArm(context) : ""}`;
+export const setUp = (context) => html`${looks(context)}${armGuide(context)}${calibrateGuide(context)}${policy(context)}${tokens(context)}${isVirtual(context.page) ? virtualArm(context) : ""}`;

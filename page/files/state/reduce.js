@@ -1,5 +1,6 @@
 // How a message changes the state. Pure: no clock, no document, no network.
 
+import { reduceCalibrate } from "./calibrate.js";
 import { reduceDraw } from "./draw.js";
 import { reduceHistory } from "./history.js";
 import { reduceJobs } from "./jobs.js";
@@ -22,6 +23,7 @@ export function reduce(page, message) {
   const next = reduceOwn(page, message);
   const jog = reduceJog(next.jog, message);
   const target = reduceTarget(next.target, message, next.station?.arm ?? null);
+  const calibrate = reduceCalibrate(next.calibrate, message);
   const draw = reduceDraw(next.draw, message);
   const learn = reduceLearn(next.learn, message);
   const set_up = reduceSetUp(next.set_up, message);
@@ -30,8 +32,8 @@ export function reduce(page, message) {
   const recordings = reduceRecordings(next.recordings, message);
   const packets = reducePackets(next.packets, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
-  return isSame ? next : { ...next, jog, target, draw, learn, set_up, teach, jobs, recordings, packets, history };
+  const isSame = jog === next.jog && target === next.target && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
+  return isSame ? next : { ...next, jog, target, calibrate, draw, learn, set_up, teach, jobs, recordings, packets, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

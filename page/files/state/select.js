@@ -31,6 +31,9 @@ export function hindrance({ connection, station, me, role }) {
 /** Whether this page has control. @param {Page} page */
 export const hasControl = ({ station, me }) => station?.lease != null && station.lease.client === me;
 
+/** Whether the arm rests, and nothing waits for it. @param {import("./types.js").Station} station */
+export const rests = ({ arm, queue }) => arm !== null && !arm.moving && queue.waiting + queue.under_way === 0;
+
 /** Whether the arm is one of the station's own, without hardware. @param {Page} page */
 export const isVirtual = ({ station }) => station?.link.address === "virtual:";
 

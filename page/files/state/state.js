@@ -1,5 +1,6 @@
 // The state of the page: one tree, changed by `reduce` alone.
 
+import { NO_CALIBRATE } from "./calibrate.js";
 import { NO_DRAW } from "./draw.js";
 import { NO_HISTORY } from "./history.js";
 import { NO_JOBS } from "./jobs.js";
@@ -22,7 +23,7 @@ import { NO_TEACH } from "./teach.js";
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
 /** @typedef {"move" | "draw" | "teach" | "jobs" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
-/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "remove_token", values?: Record<string, string | number> }} Question */
+/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "forget_calibration" | "tell_angles" | "remove_token", values?: Record<string, string | number> }} Question */
 /** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
 
 /**
@@ -47,6 +48,7 @@ import { NO_TEACH } from "./teach.js";
  * @property {import("./target.js").Target} target
  * @property {import("./teach.js").Teach} teach
  * @property {import("./set_up.js").SetUp} set_up
+ * @property {import("./calibrate.js").Calibrate} calibrate
  * @property {import("./draw.js").Draw} draw
  * @property {import("./learn.js").Learn} learn
  * @property {import("./jobs.js").Jobs} jobs
@@ -81,6 +83,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   target: NO_TARGET,
   teach: { ...NO_TEACH, text: program },
   set_up: NO_SET_UP,
+  calibrate: NO_CALIBRATE,
   draw: NO_DRAW,
   learn: NO_LEARN,
   jobs: NO_JOBS,

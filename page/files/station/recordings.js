@@ -1,7 +1,7 @@
 // Reads recordings, hands them to a person as files, and lets time pass while one is played.
 
 import { isCoarse } from "../state/recordings.js";
-import { saveAs } from "../parts/save.js";
+import { saveFrom } from "../parts/save.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -69,9 +69,7 @@ export function createRecordings(store, http) {
     },
     /** Gives a person the file: with the token, which a link would not carry. @param {string} name */
     async save(name) {
-      const answer = await http.get(pathOf(name));
-      if (!answer?.ok) return void list();
-      saveAs(await answer.blob(), name);
+      if (!(await saveFrom(http, pathOf(name), name))) void list();
     },
   };
 }

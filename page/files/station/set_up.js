@@ -5,6 +5,7 @@ import { isChanged } from "../state/set_up.js";
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {ReturnType<typeof createSetUp>} SetUpRequests */
+/** @typedef {SetUpRequests["change"]} Change */
 
 const CHECK_MS = 150;
 
@@ -44,7 +45,7 @@ export function createSetUp(store, http, socket) {
     if (page.set_up.draft !== null) timer = setTimeout(() => void check(), CHECK_MS);
   });
 
-  /** Asks for a change, and keeps what is said against it. @template T @param {import("../state/set_up.js").Place} place @param {"POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @returns {Promise<T | undefined>} */
+  /** Asks for a change, and keeps what is said against it. @template T @param {import("../state/set_up.js").Place} place @param {"GET" | "POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @returns {Promise<T | undefined>} */
   async function change(place, method, path, body) {
     const { problem, value } = await http.ask(method, path, body);
     send({ type: "set_up_refused", place, problem: problem ?? null });
@@ -52,6 +53,7 @@ export function createSetUp(store, http, socket) {
   }
 
   return {
+    change,
     async keepPolicy() {
       const text = store.page.set_up.draft;
       if (text === null || !isChanged(store.page.set_up)) return;

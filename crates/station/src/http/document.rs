@@ -13,6 +13,7 @@ use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
 use super::calls::LEASE;
+use super::packets::PacketView;
 use super::page;
 use super::route::{Gives, Query, Route, Takes};
 use super::routes::ROUTES;
@@ -34,6 +35,7 @@ pub(super) fn document() -> Value {
     }
     // Nothing refers to them: they go over the WebSocket.
     schemas.subschema_for::<ToClient>();
+    schemas.subschema_for::<PacketView>();
     schemas.subschema_for::<FromClient>();
     schemas.subschema_for::<Problem>();
     json!({

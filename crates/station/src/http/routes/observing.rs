@@ -2,7 +2,7 @@
 
 use super::super::events::{self, ServerSentEvent};
 use super::super::metrics;
-use super::super::packets::{self, PacketView};
+use super::super::packets;
 use super::super::route::Route;
 use super::super::socket::WATCH_QUERIES;
 use super::GET;
@@ -44,7 +44,7 @@ pub(super) fn all() -> Vec<Route> {
                 `packet`, or `lost` with how many came too fast for the one who listens",
             packets::packets,
         )
-        .gives_as::<PacketView>(200, "text/event-stream", "the packets")
+        .gives_as::<ServerSentEvent>(200, "text/event-stream", "the packets")
         .problems(&[TOO_MANY_CLIENTS, ENDING]),
     ]
 }

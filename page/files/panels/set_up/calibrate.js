@@ -1,0 +1,201 @@
+// From a printed sheet to an arm that knows where it is: what is known, the points to touch, what they tell, what is kept.
+
+import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
+import { live } from "../../vendor/lit-html/directives/live.js";
+import { LEAST_TOUCHES, nextPoint, numbersOf, touchHindrance, touchesOf } from "../../state/calibrate.js";
+import { hindrance } from "../../state/select.js";
+import { sentence } from "../../views/banners.js";
+import { refusal } from "./arm.js";
+
+/** @typedef {import("../../views/context.js").Context} Context */
+/** @typedef {import("../../state/types.js").Problem} Problem */
+/** @typedef {import("../../state/types.js").Schemas} Schemas */
+
+/** The sheet, A4 and landscape, whose near edge is so far from the axis of the base. */
+const SHEET = { wide_mm: 297, high_mm: 210, near_mm: 95 };
+const TONES = { good: "good", unchecked: "warn", doubtful: "bad" };
+/** What a person sees of a calibration before all of it is shown. */
+const MAIN = new Set(["base", "rear", "fore", "out", "left"]);
+
+/** @param {number} value */
+const number = (value) => value.toFixed(2).replace("-", "−");
+/** @param {number} value */
+const change = (value) => (value < 0 ? number(value) : `+${number(value)}`);
+
+/** Where a place is on the sheet, from its upper left corner: forward is up. @param {readonly number[]} place */
+const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_mm + SHEET.near_mm - x_mm];
+
+/** What is drawn next has the focus, where that which had it is gone. @param {string} id */
+const focusOn = (id) => requestAnimationFrame(() => document.getElementById(id)?.focus());
+
+/** @param {Problem | null} problem */
+const told = (problem) => (problem ? html`<p class="told" data-tone="bad" role="alert">${sentence(problem.detail)}.</p>` : nothing);
+
+/** @param {Context} context */
+export function calibrateGuide(context) {
+  const { page, say } = context;
+  const { known, sheet, bar_mm } = page.calibrate;
+  if (!known) return nothing;
+  const part = !sheet ? choices : bar_mm === null ? printing : touching;
+  return html`
+    <section id="calibrate" class="card" aria-labelledby="calibrate-title">
+      <h2 id="calibrate-title">${say("calibrate")}</h2>
+      ${whatIsKnown(context, known)}
+      ${part(context)}
+      ${refusal(context, "calibrate")}
+    </section>`;
+}
+
+/** @param {Context} context @param {ReturnType<typeof numbersOf>} rows */
+const numbers = ({ say }, rows) => html`
+  <dl class="list">${rows.map(({ name, unit, value, by }) => html`<div><dt>${say(`calibrate.number.${name}`)}</dt><dd data-number=${name}>${number(value)}${unit}${by === null ? "" : ` (${change(by)})`}</dd></div>`)}</dl>`;
+
+/** @param {Context} context @param {Schemas["Calibrations"]} known */
+function whatIsKnown(context, { calibration }) {
+  const { page, say } = context;
+  if (!calibration) return html`<p id="calibrate-known">${say("calibrate.as_drawn")}</p>`;
+  const { touched } = calibration;
+  return html`
+    <div id="calibrate-known">
+      <p>${say("calibrate.known")}</p>
+      ${numbers(context, numbersOf(calibration).filter(({ name }) => MAIN.has(name)))}
+      ${touched ? html`<p class="quiet">${say("calibrate.agreed", { points: touched.points, typical: number(touched.typical_mm), largest: number(touched.largest_mm) })}</p>` : nothing}
+      ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${say("calibrate.angles_told")}</p>` : nothing}
+    </div>`;
+}
+
+/** @param {Context} context */
+function choices({ page, say, act }) {
+  const { known } = page.calibrate;
+  const mayKeep = page.role === "admin";
+  const begin = () => act.calibrate.begin().then(() => focusOn("calibrate-bar"));
+  const mayTell = known?.calibration && page.station?.calibrated?.zeros_told === false;
+  return html`
+    <p class="quiet">${say(mayKeep ? "calibrate.hint" : "policy.admin")}</p>
+    <div class="row">
+      <button id="calibrate-begin" type="button" class="small strong" @click=${begin}>${say("calibrate.begin")}</button>
+      <button id="calibrate-before" type="button" class="small" ?disabled=${!known?.before || !mayKeep} @click=${() => act.calibrate.bringBack()}>${say("calibrate.before")}</button>
+      <button id="calibrate-forget" type="button" class="small" ?disabled=${!known?.calibration || !mayKeep} @click=${() => act.question({ about: "forget_calibration" })}>${say("calibrate.forget")}</button>
+      ${mayTell ? html`<button id="calibrate-angles" type="button" class="small" ?disabled=${hindrance(page) !== null} @click=${() => act.question({ about: "tell_angles" })}>${say("calibrate.angles")}</button>` : nothing}
+    </div>`;
+}
+
+/** @param {Context} context */
+function leave({ say, act }) {
+  const end = () => {
+    act.send({ type: "calibrate_ended" });
+    focusOn("calibrate-begin");
+  };
+  return html`<button id="calibrate-leave" type="button" class="small end" @click=${end}>${say("calibrate.leave")}</button>`;
+}
+
+/** The first step: a sheet, and whether the printer has scaled it. @param {Context} context */
+function printing(context) {
+  const { page, say, act } = context;
+  const { bar, bar_refused } = page.calibrate;
+  const take = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    void act.calibrate.takeBar().then(() => focusOn("calibrate-touch"));
+  };
+  return html`
+    <h3>${say("calibrate.print")}</h3>
+    <p class="quiet">${say("calibrate.print.hint")}</p>
+    <div class="row"><button id="calibrate-sheet" type="button" class="small" @click=${() => act.calibrate.saveSheet()}>${say("calibrate.sheet")}</button></div>
+    <form class="row" @submit=${take}>
+      <label for="calibrate-bar">${say("calibrate.bar")}</label>
+      <input id="calibrate-bar" class="length" type="number" step="any" required placeholder="200" .value=${live(bar)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_bar_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
+      <button id="calibrate-next" type="submit" class="small strong">${say("calibrate.next")}</button>
+      ${leave(context)}
+    </form>
+    ${told(bar_refused)}`;
+}
+
+/** The sheet as it lies before the arm, with the point that is next. @param {Context} context */
+function picture({ page, say }) {
+  const { sheet, visits } = page.calibrate;
+  const next = nextPoint(page.calibrate);
+  const touched = new Set(touchesOf(page.calibrate).map(({ point }) => point));
+  const mark = (/** @type {readonly number[]} */ place, /** @type {number} */ point) => {
+    const [right, down] = onSheet(place);
+    return svg`<g class=${point === next ? "is-next" : touched.has(point) ? "is-touched" : ""}><circle cx=${right} cy=${down} r="11"/><text x=${right} y=${down} dy="5">${point + 1}</text></g>`;
+  };
+  return svg`
+    <svg class="sheet-points" viewBox="0 0 297 230" role="img" aria-label=${say("calibrate.picture", { point: next + 1, touched: touched.size, visits: visits.length })}>
+      <rect x="1" y="1" width="295" height="208" rx="2"/>
+      <path d="M148.5 180 V 226 M 141 218 L 148.5 227 L 156 218"/>
+      ${(sheet?.points_mm ?? []).map(mark)}
+    </svg>`;
+}
+
+/** The second step: one point after the other. @param {Context} context */
+function touching(context) {
+  const { page, say, act } = context;
+  const { sheet, visits, fit, shown, problem, lost } = page.calibrate;
+  const point = nextPoint(page.calibrate);
+  const [x, y] = sheet?.points_mm[point] ?? [];
+  const why = touchHindrance(page);
+  return html`
+    <h3 id="calibrate-point" aria-live="polite">${say("calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
+    ${picture(context)}
+    <p class="quiet">${say("calibrate.point.hint")}</p>
+    <div class="row">
+      <button id="calibrate-touch" type="button" class="small strong" ?disabled=${why !== null} aria-describedby="calibrate-why" @click=${() => act.calibrate.touch()}>${say("calibrate.touch")}</button>
+      <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", told_deg: null })}>${say("calibrate.skip")}</button>
+      <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${say("calibrate.back")}</button>
+      ${leave(context)}
+    </div>
+    <p id="calibrate-why" class="quiet">${why ? say(`hindrance.${why}`) : ""}</p>
+    ${lost ? html`<p id="calibrate-lost" class="told" data-tone="warn" role="alert">${say("calibrate.lost", { lost })}</p>` : nothing}
+    ${told(problem)}
+    ${touches(context)}
+    ${fit ? result(context, fit) : nothing}
+    ${shown ? review(context, shown) : nothing}`;
+}
+
+/** What was touched, and how far each touch is from where it should be. @param {Context} context */
+function touches({ page, say }) {
+  const { fit } = page.calibrate;
+  const all = touchesOf(page.calibrate);
+  const away = (/** @type {number} */ n) => (fit ? say("calibrate.away", { mm: number(fit.away_mm[n] ?? 0) }) : "–");
+  const missing = LEAST_TOUCHES - all.length;
+  return html`
+    <dl id="calibrate-touches" class="list">${all.map(({ point }, n) => html`<div><dt>${say("calibrate.touched", { point: point + 1 })}</dt>
+      <dd>${away(n)} ${fit?.left_out === n ? html`<b class="chip" data-tone="bad">${say("calibrate.left_out")}</b>` : nothing}</dd></div>`)}</dl>
+    ${missing > 0 ? html`<p class="quiet">${say("calibrate.missing", { missing })}</p>` : nothing}`;
+}
+
+/** @param {Context} context @param {Schemas["FitReport"]} fit */
+function result(context, fit) {
+  const { page, say, act } = context;
+  const { calibration, expected_mm, trust, unsure, advice } = fit;
+  const before = page.calibrate.known?.calibration ?? null;
+  const best = advice && page.calibrate.sheet?.points_mm.findIndex((it) => String(it) === String(advice.place_mm));
+  const show = () => {
+    act.send({ type: "calibrate_shown" });
+    focusOn("calibrate-keep");
+  };
+  return html`
+    <div id="calibrate-result" role="status">
+      <p><b id="calibrate-trust" class="chip" data-tone=${TONES[trust]}>${say(`calibrate.trust.${trust}`)}</b> ${say("calibrate.expected", { mm: number(expected_mm) })}</p>
+      <p class="quiet">${say(`calibrate.trust.${trust}.text`)}</p>
+      ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${say("calibrate.unsure", { what, by: number(by), unit })}</p>`)}
+      ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${say("calibrate.advice", { point: best + 1 })}</p>` : nothing}
+    </div>
+    ${numbers(context, numbersOf(calibration, before).filter(({ name }) => MAIN.has(name)))}
+    ${before ? html`<p class="quiet">${say("calibrate.since")}</p>` : nothing}
+    <div class="row"><button id="calibrate-show" type="button" class="small" @click=${show}>${say("calibrate.show")}</button></div>`;
+}
+
+/** The last step: all that is kept. @param {Context} context @param {Schemas["CalibrationFile"]} shown */
+function review(context, shown) {
+  const { page, say, act } = context;
+  const keep = () => act.calibrate.keep().then(() => focusOn("calibrate-begin"));
+  const mayKeep = page.role === "admin";
+  return html`
+    <section id="calibrate-shown" class="made" aria-labelledby="calibrate-shown-title">
+      <h3 id="calibrate-shown-title">${say("calibrate.shown")}</h3>
+      ${numbers(context, numbersOf(shown))}
+      <p class="quiet">${say(mayKeep ? "calibrate.shown.hint" : "policy.admin")}</p>
+      <div class="row"><button id="calibrate-keep" type="button" class="strong" ?disabled=${!mayKeep} @click=${keep}>${say("calibrate.keep")}</button></div>
+    </section>`;
+}

@@ -1,0 +1,138 @@
+// How the arm differs from the drawing of it, and the procedure that finds it: one point of the sheet after the other.
+
+import { rests, silence_ms } from "./select.js";
+
+/** @typedef {import("./types.js").Problem} Problem */
+/** @typedef {import("./types.js").Schemas} Schemas */
+/** @typedef {Schemas["CalibrationFile"]} CalibrationFile */
+/** A point that was the next one: what the arm said there, or nothing where it was left out. @typedef {{ point: number, told_deg: readonly number[] | null }} Visit */
+/** A touched point. @typedef {{ point: number, told_deg: readonly number[] }} Touch */
+/** Why no touch can be taken now: a key of the words. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchHindrance */
+
+/** From so many touches on the station is asked what they tell. */
+export const LEAST_TOUCHES = 4;
+
+/**
+ * @typedef {object} Calibrate
+ * @property {Schemas["Calibrations"] | null} known
+ * @property {Schemas["SheetPoints"] | null} sheet What is to be touched; nothing while nobody calibrates.
+ * @property {string} bar How long the bar of the print is, as it was typed.
+ * @property {number | null} bar_mm The same, once the station has found it good.
+ * @property {Problem | null} bar_refused Why it has not.
+ * @property {readonly Visit[]} visits
+ * @property {number} asked How often they changed: what was told of earlier ones is not taken.
+ * @property {Schemas["FitReport"] | null} fit What the touches tell.
+ * @property {Problem | null} problem Why they tell nothing.
+ * @property {CalibrationFile | null} shown What is kept when a person says so.
+ * @property {number} lost How many touches the last reset of the arm has made worthless.
+ */
+
+/** @type {Calibrate} */
+export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, bar_refused: null, visits: [], asked: 0, fit: null, problem: null, shown: null, lost: 0 };
+
+/** @typedef {{ type: "calibrations", known: Schemas["Calibrations"] }
+ * | { type: "calibrate_begun", sheet: Schemas["SheetPoints"] }
+ * | { type: "calibrate_ended" }
+ * | { type: "calibrate_bar_typed", text: string }
+ * | { type: "calibrate_bar", bar_mm: number, problem: Problem | null }
+ * | { type: "calibrate_visited", told_deg: readonly number[] | null }
+ * | { type: "calibrate_back" }
+ * | { type: "calibrate_fitted", asked: number, fit: Schemas["FitReport"] | null, problem: Problem | null }
+ * | { type: "calibrate_shown" }} CalibrateMessage */
+
+/** The point to touch next, counted from 0; after the last one of the sheet the first again. @param {Calibrate} calibrate */
+export const nextPoint = ({ visits, sheet }) => visits.length % (sheet?.points_mm.length ?? 1);
+
+/** @param {Calibrate} calibrate @returns {Touch[]} */
+export const touchesOf = ({ visits }) => visits.flatMap(({ point, told_deg }) => (told_deg ? [{ point, told_deg }] : []));
+
+/** What the station is asked about the touches. @param {Calibrate} calibrate */
+export function questionOf(calibrate) {
+  const { sheet, bar_mm, known } = calibrate;
+  const touches = touchesOf(calibrate).map(({ point, told_deg }) => ({ place_mm: sheet?.points_mm[point], told_deg }));
+  // What was measured of the backlash stays known.
+  return { touches, bar_mm, backlash: known?.calibration?.backlash };
+}
+
+/** A number of a calibration: the end of its word. @typedef {"base" | "rear" | "fore" | "out" | "left" | "axis_x" | "axis_y" | "paper" | "slope_x" | "slope_y" | "slack_base" | "slack_rear" | "slack_fore"} NumberName */
+
+/** The numbers of a calibration; those of the paper are not in every one. @type {readonly [name: NumberName, unit: string, of: (file: CalibrationFile) => number | null][]} */
+const NUMBERS = [
+  ["base", "°", (it) => it.zeros.base],
+  ["rear", "°", (it) => it.zeros.rear],
+  ["fore", "°", (it) => it.zeros.fore],
+  ["out", " mm", (it) => it.tool.out_mm],
+  ["left", " mm", (it) => it.tool.left_mm],
+  ["axis_x", " mm", (it) => it.axis.x_mm],
+  ["axis_y", " mm", (it) => it.axis.y_mm],
+  ["paper", " mm", (it) => it.paper && it.paper.z_mm],
+  ["slope_x", " %", (it) => it.paper && it.paper.slope_x * 100],
+  ["slope_y", " %", (it) => it.paper && it.paper.slope_y * 100],
+  ["slack_base", "°", (it) => it.backlash.base],
+  ["slack_rear", "°", (it) => it.backlash.rear],
+  ["slack_fore", "°", (it) => it.backlash.fore],
+];
+
+/**
+ * The numbers of a calibration, and by how much each differs from the one before, where there is one.
+ * @param {CalibrationFile} file @param {CalibrationFile | null} [before] @returns {{ name: NumberName, unit: string, value: number, by: number | null }[]}
+ */
+export function numbersOf(file, before = null) {
+  return NUMBERS.flatMap(([name, unit, of]) => {
+    const value = of(file), was = before && of(before);
+    return value === null ? [] : [{ name, unit, value, by: was === null ? null : value - was }];
+  });
+}
+
+/** @param {import("./state.js").Page} page @returns {TouchHindrance | null} */
+export function touchHindrance(page) {
+  const { connection, station } = page;
+  if (connection !== "open" || !station || silence_ms(page) > 0) return "no_connection";
+  if (station.link.phase !== "up" || !station.arm) return "no_arm";
+  if (!station.trust.trusted) return "not_confirmed";
+  return rests(station) ? null : "moving";
+}
+
+/** What the arm itself says of its joints, whatever is known to be wrong with it. @param {import("./types.js").Arm} arm */
+export function toldDegrees(arm) {
+  const { base_deg, rear_deg, fore_deg } = arm.told ?? arm;
+  return [base_deg, rear_deg, fore_deg];
+}
+
+/** After other visits all that was told of the ones before is void. @param {Calibrate} calibrate @param {readonly Visit[]} visits @returns {Calibrate} */
+const visited = (calibrate, visits) => ({ ...calibrate, visits, asked: calibrate.asked + 1, fit: null, problem: null, shown: null, lost: 0 });
+
+/** An arm whose pose is not trusted counts its base anew. @param {Calibrate} calibrate @param {import("./types.js").Station} station */
+function heard(calibrate, station) {
+  const lost = touchesOf(calibrate).length;
+  return station.trust.trusted || lost === 0 ? calibrate : { ...visited(calibrate, []), lost };
+}
+
+/** @param {Calibrate} calibrate @param {import("./message.js").Message} message @returns {Calibrate} */
+export function reduceCalibrate(calibrate, message) {
+  const { known, asked, visits } = calibrate;
+  switch (message.type) {
+    case "calibrations":
+      return { ...calibrate, known: message.known };
+    case "calibrate_begun":
+      return { ...NO_CALIBRATE, known, asked: asked + 1, sheet: message.sheet };
+    case "calibrate_ended":
+      return { ...NO_CALIBRATE, known, asked: asked + 1 };
+    case "calibrate_bar_typed":
+      return { ...calibrate, bar: message.text, bar_refused: null };
+    case "calibrate_bar":
+      return { ...calibrate, bar_mm: message.problem ? null : message.bar_mm, bar_refused: message.problem };
+    case "calibrate_visited":
+      return visited(calibrate, [...visits, { point: nextPoint(calibrate), told_deg: message.told_deg }]);
+    case "calibrate_back":
+      return visits.length ? visited(calibrate, visits.slice(0, -1)) : calibrate;
+    case "calibrate_fitted":
+      return message.asked === asked ? { ...calibrate, fit: message.fit, problem: message.problem } : calibrate;
+    case "calibrate_shown":
+      return { ...calibrate, shown: calibrate.fit?.calibration ?? null };
+    case "state":
+      return heard(calibrate, message.station);
+    default:
+      return calibrate;
+  }
+}

@@ -1,0 +1,93 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { NO_CALIBRATE, nextPoint, numbersOf, questionOf, reduceCalibrate, toldDegrees, touchHindrance, touchesOf } from "./calibrate.js";
+
+const SHEET = { points_mm: [[215, 0], [155, 100], [275, 100]], bar_mm: 200 };
+const FILE = { zeros: { base: 3, rear: -4, fore: 2 }, tool: { out_mm: 1, left_mm: 0 }, axis: { x_mm: 0, y_mm: 0 }, paper: null, backlash: { base: 0.2, rear: 0, fore: 0 }, touched: null };
+const FIT = { calibration: FILE, away_mm: [0.1], left_out: null, expected_mm: 0.2, unsure: [], advice: null, trust: "good" };
+const ARM = { base_deg: 1, rear_deg: 45, fore_deg: 45, moving: false, told: null };
+const STATION = { link: { phase: "up" }, arm: ARM, trust: { trusted: true }, queue: { waiting: 0, under_way: 0 } };
+
+const after = (messages, calibrate = NO_CALIBRATE) => messages.reduce(reduceCalibrate, calibrate);
+const touched = (base_deg) => ({ type: "calibrate_visited", told_deg: [base_deg, 45, 45] });
+const SKIPPED = { type: "calibrate_visited", told_deg: null };
+const BEGUN = after([{ type: "calibrate_begun", sheet: SHEET }, { type: "calibrate_bar", bar_mm: 200, problem: null }]);
+
+/** The state after what is told of the touches as they are. */
+const fitted = (calibrate) => after([{ type: "calibrate_fitted", asked: calibrate.asked, fit: FIT, problem: null }], calibrate);
+
+test("each touch and each point that is left out leads to the next one, and both can be taken back", () => {
+  const all = after([touched(1), SKIPPED, touched(2)], BEGUN);
+  assert.equal(nextPoint(all), 0);
+  assert.deepEqual(touchesOf(all).map(({ point }) => point), [0, 2]);
+  const back = after([{ type: "calibrate_back" }, { type: "calibrate_back" }], all);
+  assert.equal(nextPoint(back), 1);
+  assert.equal(after([{ type: "calibrate_back" }], BEGUN), BEGUN);
+});
+
+test("the station is asked about the touches with their places, the bar, and the backlash that is known", () => {
+  const known = after([{ type: "calibrations", known: { calibration: FILE, before: null } }, SKIPPED, touched(2)], BEGUN);
+  assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], told_deg: [2, 45, 45] }], bar_mm: 200, backlash: FILE.backlash });
+});
+
+test("a bar that is refused leads nowhere, and another one is asked for again", () => {
+  const problem = { title: "", detail: "it is 194 mm long" };
+  const refused = after([{ type: "calibrate_bar", bar_mm: 194, problem }], BEGUN);
+  assert.deepEqual([refused.bar_mm, refused.bar_refused], [null, problem]);
+  assert.equal(after([{ type: "calibrate_bar_typed", text: "200" }], refused).bar_refused, null);
+});
+
+test("what is kept was shown: another touch takes the view of it away, and so does taking one back", () => {
+  const shown = after([{ type: "calibrate_shown" }], fitted(after([touched(1)], BEGUN)));
+  assert.equal(shown.shown, FILE);
+  for (const message of [touched(2), { type: "calibrate_back" }, SKIPPED]) assert.deepEqual([after([message], shown).shown, after([message], shown).fit], [null, null]);
+  assert.equal(after([{ type: "calibrate_shown" }], BEGUN).shown, null);
+});
+
+test("what is told of earlier touches is not taken", () => {
+  const late = { type: "calibrate_fitted", asked: BEGUN.asked, fit: FIT, problem: null };
+  assert.equal(after([touched(1), late], BEGUN).fit, null);
+  assert.equal(after([{ type: "calibrate_ended" }, late], BEGUN).fit, null);
+});
+
+test("a pose that is not trusted any more makes the touches worthless, which is told until the next one", () => {
+  const state = (trusted) => ({ type: "state", station: { ...STATION, trust: { trusted } } });
+  const all = fitted(after([touched(1), touched(2)], BEGUN));
+  assert.equal(after([state(true)], all), all);
+  const reset = after([state(false), state(false)], all);
+  assert.deepEqual([reset.visits, reset.fit, reset.lost, nextPoint(reset)], [[], null, 2, 0]);
+  assert.equal(after([touched(1)], reset).lost, 0);
+  assert.equal(after([state(false)], BEGUN), BEGUN);
+});
+
+test("leaving forgets all but what is known", () => {
+  const known = { calibration: FILE, before: null };
+  const left = after([{ type: "calibrations", known }, touched(1), { type: "calibrate_ended" }], BEGUN);
+  assert.deepEqual({ ...left, asked: 0 }, { ...NO_CALIBRATE, known });
+});
+
+test("numbers are told with what changed, and those that a calibration does not have are left out", () => {
+  const before = { ...FILE, zeros: { base: 2, rear: -4, fore: 2 } };
+  const [base] = numbersOf(FILE, before);
+  assert.deepEqual(base, { name: "base", unit: "°", value: 3, by: 1 });
+  assert.deepEqual(numbersOf(FILE).map(({ by }) => by), Array(10).fill(null));
+  const paper = numbersOf({ ...FILE, paper: { z_mm: -40, slope_x: 0.01, slope_y: 0 } }, FILE).find(({ name }) => name === "slope_x");
+  assert.deepEqual(paper, { name: "slope_x", unit: " %", value: 1, by: null });
+});
+
+test("a touch is what the arm itself says, whatever is known of it", () => {
+  assert.deepEqual(toldDegrees(ARM), [1, 45, 45]);
+  assert.deepEqual(toldDegrees({ ...ARM, told: { base_deg: -2, rear_deg: 49, fore_deg: 43 } }), [-2, 49, 43]);
+});
+
+test("a touch is taken while the arm rests and its pose is trusted", () => {
+  const why = (change, page = {}) => touchHindrance({ connection: "open", heard_ms: 0, now_ms: 0, station: { ...STATION, ...change }, ...page });
+  assert.equal(why({}), null);
+  assert.equal(why({ arm: { ...ARM, moving: true } }), "moving");
+  assert.equal(why({ queue: { waiting: 0, under_way: 1 } }), "moving");
+  assert.equal(why({ trust: { trusted: false } }), "not_confirmed");
+  assert.equal(why({ arm: null }), "no_arm");
+  assert.equal(why({}, { connection: "closed" }), "no_connection");
+  assert.equal(why({}, { now_ms: 900 }), "no_connection");
+});

@@ -1,0 +1,79 @@
+// Asks the station what is known of the arm, what touches tell, and has it keep what a person was shown.
+
+import { saveFrom } from "../parts/save.js";
+import { LEAST_TOUCHES, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
+
+/** @typedef {import("../state/store.js").Store} Store */
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {ReturnType<typeof createCalibrate>} CalibrateRequests */
+
+const KNOWN = "api/v1/calibration";
+
+/** @param {Store} store @param {import("./http.js").Http} http @param {import("./set_up.js").Change} change */
+export function createCalibrate(store, http, change) {
+  const { send } = store;
+  let seen = store.page.calibrate.asked;
+
+  async function read() {
+    /** @type {Schemas["Calibrations"] | undefined} */
+    const known = await http.json(KNOWN);
+    if (known) send({ type: "calibrations", known });
+  }
+
+  /** @param {object} question */
+  const ask = (question) => http.ask("POST", `${KNOWN}/fit`, question);
+
+  async function fit() {
+    const { asked } = store.page.calibrate;
+    const { value, problem } = await ask(questionOf(store.page.calibrate));
+    send({ type: "calibrate_fitted", asked, fit: /** @type {Schemas["FitReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
+  }
+
+  store.listen(({ tab, calibrate }, message) => {
+    const news = message.type === "hello" || message.type === "tab" || (message.type === "notice" && message.notice.type === "calibrated");
+    if (news && tab === "set_up") void read();
+    if (calibrate.asked === seen) return;
+    seen = calibrate.asked;
+    if (touchesOf(calibrate).length >= LEAST_TOUCHES) void fit();
+  });
+
+  /** @param {Schemas["CalibrationFile"] | null} calibration */
+  async function hold(calibration) {
+    /** @type {Extract<Schemas["Reply"], { type: "calibrated" }> | undefined} */
+    const reply = await change("calibrate", "PUT", KNOWN, { calibration });
+    if (reply) send({ type: "calibrations", known: reply.calibrations });
+    return reply !== undefined;
+  }
+
+  return {
+    async begin() {
+      /** @type {Schemas["SheetPoints"] | undefined} */
+      const sheet = await change("calibrate", "GET", `${KNOWN}/points`);
+      if (sheet) send({ type: "calibrate_begun", sheet });
+    },
+    /** Gives a person the sheet: with the token, which a link would not carry. */
+    saveSheet: () => saveFrom(http, `${KNOWN}/sheet`, "sheet.svg"),
+    /** Has the bar of the print looked at. Without touches the station always refuses: what it says with a bar, and not without one, is about the bar. */
+    async takeBar() {
+      const bar_mm = Number(store.page.calibrate.bar);
+      const [given, without] = await Promise.all([ask({ touches: [], bar_mm }), ask({ touches: [] })]);
+      const isGood = given.problem?.detail === without.problem?.detail;
+      send({ type: "calibrate_bar", bar_mm, problem: isGood ? null : given.problem ?? null });
+    },
+    /** The tip stands on the point. */
+    touch() {
+      const arm = store.page.station?.arm;
+      if (arm && !touchHindrance(store.page)) send({ type: "calibrate_visited", told_deg: toldDegrees(arm) });
+    },
+    /** Keeps what was shown, and nothing else. */
+    async keep() {
+      const { shown } = store.page.calibrate;
+      if (shown && (await hold(shown))) send({ type: "calibrate_ended" });
+    },
+    bringBack() {
+      const before = store.page.calibrate.known?.before;
+      if (before) void hold(before);
+    },
+    forget: () => hold(null),
+  };
+}
