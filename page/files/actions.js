@@ -18,6 +18,8 @@ const PEN_SCENE = "[pen]\n";
 const RUN_DOWN_STATES = 12;
 /** After a refusal the arm is asked again so many seconds later, by the clock of the station: each refusal makes a state of its own. */
 const AGAIN_S = 0.2;
+/** More than any joint is slack. */
+const RUN_UP_DEG = 6;
 
 /** @param {import("./state/types.js").Problem | undefined} problem */
 const isStillMoving = (problem) => problem?.type?.endsWith("/still-moving") ?? false;
@@ -88,7 +90,8 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   /** Turns the base of a calibrated arm straight ahead, and once it rests there tells the arm its true angles, unless somebody stops it. */
   async function tellAngles() {
     const before = stops;
-    if (!(await moveJoints({ base_deg: 0 }))) return;
+    // From the right, so that the play of the joints is on the side on which they were touched.
+    if (!(await moveJoints({ base_deg: -RUN_UP_DEG })) || !(await moveJoints({ base_deg: 0 }))) return;
     /** @type {import("./state/types.js").Answer | null} */ let answer;
     let asked_s = 0;
     do {

@@ -1966,40 +1966,22 @@ export interface components {
         };
         /** @description One event, as its lines say it; for the document only. */
         ServerSentEvent: {
-            /** @description `state` or `notice`. */
+            /** @description What it tells: `state` or `notice`; `packet` or `lost`. */
             event: string;
-            /** @description The number of a notice; states have none. */
+            /** @description The number of a notice; nothing else has one. */
             id?: string | null;
-            /** @description A message as in `ToClient`, as text. */
+            /** @description A message as in `ToClient`, or a packet as in `PacketView`, as text. */
             data: string;
         };
-        /** @description A packet that has passed between the station and the arm. */
-        PacketView: {
-            /** @constant */
-            direction: "to_arm";
+        /** @description A command to be sent. */
+        NewCommand: {
+            /** @description The command. */
+            command: components["schemas"]["Command"];
             /**
-             * Format: double
-             * @description When, in seconds since the station started.
+             * @description Answer when the command is over, instead of as soon as it waits for its turn.
+             * @default false
              */
-            at_s: number;
-            /** @description Its 42 bytes, as hex digits. */
-            bytes: string;
-            /** @description What it means, by the dialect of the arm; nothing where it means nothing. */
-            command?: components["schemas"]["Command"] | null;
-            /** @description Why it means nothing. */
-            problem?: string | null;
-        } | {
-            /** @constant */
-            direction: "from_arm";
-            /**
-             * Format: double
-             * @description When, in seconds since the station started.
-             */
-            at_s: number;
-            /** @description Its 42 bytes, as hex digits. */
-            bytes: string;
-            /** @description What it means. */
-            status?: components["schemas"]["Status"] | null;
+            wait: boolean;
         };
         /** @description Everything that a client can say (Table 2.2). */
         Command: {
@@ -2320,16 +2302,6 @@ export interface components {
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
         /** @description What is mounted at the end of the arm (state 9, mode 4; Table 3.9). */
         EndEffector: "suction_cup" | "gripper" | "laser";
-        /** @description A command to be sent. */
-        NewCommand: {
-            /** @description The command. */
-            command: components["schemas"]["Command"];
-            /**
-             * @description Answer when the command is over, instead of as soon as it waits for its turn.
-             * @default false
-             */
-            wait: boolean;
-        };
         /** @description The answer to a request that was granted. */
         Reply: {
             /** @constant */
@@ -4514,6 +4486,34 @@ export interface components {
              */
             dead_man_s: number;
         };
+        /** @description A packet that has passed between the station and the arm. */
+        PacketView: {
+            /** @constant */
+            direction: "to_arm";
+            /**
+             * Format: double
+             * @description When, in seconds since the station started.
+             */
+            at_s: number;
+            /** @description Its 42 bytes, as hex digits. */
+            bytes: string;
+            /** @description What it means, by the dialect of the arm; nothing where it means nothing. */
+            command?: components["schemas"]["Command"] | null;
+            /** @description Why it means nothing. */
+            problem?: string | null;
+        } | {
+            /** @constant */
+            direction: "from_arm";
+            /**
+             * Format: double
+             * @description When, in seconds since the station started.
+             */
+            at_s: number;
+            /** @description Its 42 bytes, as hex digits. */
+            bytes: string;
+            /** @description What it means. */
+            status?: components["schemas"]["Status"] | null;
+        };
         /** @description What a client sends over the WebSocket. */
         FromClient: {
             /**
@@ -5608,7 +5608,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/event-stream": components["schemas"]["PacketView"];
+                    "text/event-stream": components["schemas"]["ServerSentEvent"];
                 };
             };
             /** @description - `malformed`: the request cannot be understood */

@@ -27,11 +27,11 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 #[derive(JsonSchema)]
 #[expect(dead_code, reason = "only its schema is used")]
 pub(super) struct ServerSentEvent {
-    /// `state` or `notice`.
+    /// What it tells: `state` or `notice`; `packet` or `lost`.
     event: String,
-    /// The number of a notice; states have none.
+    /// The number of a notice; nothing else has one.
     id: Option<String>,
-    /// A message as in `ToClient`, as text.
+    /// A message as in `ToClient`, or a packet as in `PacketView`, as text.
     data: String,
 }
 
