@@ -14,10 +14,10 @@ import { NO_CONNECTION } from "./station/socket.js";
 const ARM_S = 300;
 const STOP_ANSWER_MS = 300;
 const PEN_SCENE = "[pen]\n";
-/** For so many states a command waits until the arm has run down. */
-const RUN_DOWN_STATES = 12;
-/** After a refusal the arm is asked again so many seconds later, by the clock of the station: each refusal makes a state of its own. */
-const AGAIN_S = 0.2;
+/** For so long a command waits until the arm has run down, by the clock of the station. */
+const RUN_DOWN_S = 1;
+/** What was refused is asked for again so much later: a status comes each 0.08 s. States do not count, for each refusal makes one. */
+const AGAIN_S = 0.07;
 /** More than any joint is slack. */
 const RUN_UP_DEG = 6;
 
@@ -59,20 +59,30 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     if (store.page.station && !store.page.station.lease) void ask({ type: "take_lease" });
   }
 
+  /** The time of the station. */
+  const at_s = () => store.page.station?.at_s ?? 0;
+
   /** The next state, or the end of the connection. @returns {Promise<void>} */
   const nextState = () => new Promise((heard) => waiting.push(heard));
 
+  /** Waits a moment. @param {number} before how often the arm had been stopped @returns {Promise<boolean>} whether nobody has stopped it since */
+  async function isFreeLater(before) {
+    const again_s = at_s() + AGAIN_S;
+    do await nextState();
+    while (stops === before && at_s() < again_s);
+    return stops === before;
+  }
+
   /**
-   * A command. While the arm runs down it is asked for again with each state, for a second, unless somebody stops the arm.
+   * A command. While the arm runs down it is asked for again with each status, for a second, unless somebody stops the arm.
    * @param {Command} command
    */
   async function command(command) {
     takeIfFree();
-    const before = stops;
+    const before = stops, until_s = at_s() + RUN_DOWN_S;
     let { problem } = await socket.ask({ type: "command", command });
-    for (let states = 0; isStillMoving(problem) && states < RUN_DOWN_STATES; states += 1) {
-      await nextState();
-      if (stops !== before) return false;
+    while (isStillMoving(problem) && at_s() < until_s) {
+      if (!(await isFreeLater(before))) return false;
       ({ problem } = await socket.ask({ type: "command", command }));
     }
     if (problem) send({ type: "problem", problem });
@@ -93,15 +103,11 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     // From the right, so that the play of the joints is on the side on which they were touched.
     if (!(await moveJoints({ base_deg: -RUN_UP_DEG })) || !(await moveJoints({ base_deg: 0 }))) return;
     /** @type {import("./state/types.js").Answer | null} */ let answer;
-    let asked_s = 0;
     do {
-      await nextState();
+      if (!(await isFreeLater(before))) return;
       const { station } = store.page;
-      if (stops !== before || !station) return;
       // A state that was on its way before the arm turned says that it rests: the station knows better, and refuses.
-      const isTime = rests(station) && station.at_s > asked_s + AGAIN_S;
-      if (isTime) asked_s = station.at_s;
-      answer = isTime ? await socket.ask({ type: "tell_angles" }) : null;
+      answer = station && rests(station) ? await socket.ask({ type: "tell_angles" }) : null;
     } while (!answer || isStillMoving(answer.problem));
     if (answer.problem) send({ type: "problem", problem: answer.problem });
   }

@@ -229,16 +229,13 @@ pub(super) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
         ProgramForm::Xml => Some(vendor::read_points(&bytes)),
         ProgramForm::Play => Some(vendor::read_play(&bytes)),
     };
-    let (program, mut warnings) = match points {
-        Some(read) => {
-            let read = read.map_err(bad)?;
-            (vendor::program_of(&read.it), read.warnings)
-        }
-        None => {
-            let text = String::from_utf8(bytes)
-                .map_err(|_| BAD_PROGRAM.problem("it is not text in UTF-8, so it is no program"))?;
-            (Program::from_toml(&text).map_err(bad)?, Vec::new())
-        }
+    let (program, mut warnings) = if let Some(read) = points {
+        let read = read.map_err(bad)?;
+        (vendor::program_of(&read.it), read.warnings)
+    } else {
+        let text = String::from_utf8(bytes)
+            .map_err(|_| BAD_PROGRAM.problem("it is not text in UTF-8, so it is no program"))?;
+        (Program::from_toml(&text).map_err(bad)?, Vec::new())
     };
     if asked.to == ProgramForm::Toml {
         let text = program.to_toml();

@@ -17,10 +17,10 @@ const TONES = { good: "good", unchecked: "warn", doubtful: "bad" };
 /** What a person sees of a calibration before all of it is shown. */
 const MAIN = new Set(["base", "rear", "fore", "out", "left"]);
 
+/** To two decimals, without a sign at nothing. @param {number} value */
+const number = (value) => value.toFixed(2).replace(/^-0\.00$/, "0.00").replace("-", "−");
 /** @param {number} value */
-const number = (value) => value.toFixed(2).replace("-", "−");
-/** @param {number} value */
-const change = (value) => (value < 0 ? number(value) : `+${number(value)}`);
+const change = (value) => (number(value).startsWith("−") ? number(value) : `+${number(value)}`);
 
 /** Where a place is on the sheet, from its upper left corner: forward is up. @param {readonly number[]} place */
 const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_mm + SHEET.near_mm - x_mm];
