@@ -230,6 +230,8 @@ run_example() {
 step_api() {
   local folder address station
   needs_venv
+  needs_command curl curl
+  needs_command node nodejs
   build_all
   folder=$(mktemp -d)
   "$(built)/dobot" up --virtual --http 127.0.0.1:0 --raw off --data "$folder" >"$folder/log" &
@@ -244,6 +246,7 @@ step_api() {
   # The library through a station; `examples` runs the same without one.
   run_example "move_and_jog -- '$address'"
   run_example "draw -- examples/drawings/square.svg '$address'"
+  tests/api/examples.sh "$address"
   EXAMPLES=${EXAMPLES:-20} tests/api/schemathesis.sh "$address"
   kill -INT "$station"
   wait "$station"
