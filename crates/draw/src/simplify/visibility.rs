@@ -10,16 +10,14 @@ use super::corridor::{Corner, Corridor};
 pub(super) struct Visibility<'a> {
     corridor: &'a Corridor<'a>,
     pub(super) from: Corner,
-    /// How far off a disc still counts as hit.
-    slack: f64,
+    /// How far off a disc counts as hit.
+    radius: f64,
     /// The directions that hit all discs so far; `None` while every direction does.
     pub(super) cone: Option<Cone>,
     /// The last point that was passed.
     pub(super) passed: usize,
-    /// The squared length of the longest tangent to a disc so far.
+    /// The squared distance of the farthest point so far.
     reach2: f64,
-    /// The radius of that disc.
-    reach_radius: f64,
     /// The stroke came back a little: the order in which the discs are hit has to be looked at.
     wavering: bool,
     /// How many looks in a row found them out of order.
@@ -32,15 +30,14 @@ pub(super) struct Visibility<'a> {
 }
 
 impl<'a> Visibility<'a> {
-    pub(super) const fn from(corridor: &'a Corridor<'a>, from: Corner, slack: f64) -> Self {
+    pub(super) const fn from(corridor: &'a Corridor<'a>, from: Corner, radius: f64) -> Self {
         Self {
             corridor,
             from,
-            slack,
+            radius,
             cone: None,
             passed: from.passed,
             reach2: 0.0,
-            reach_radius: 0.0,
             wavering: false,
             misses: 0,
             looked: false,
@@ -52,17 +49,14 @@ impl<'a> Visibility<'a> {
     /// Narrows the view to what passes the next point; false if nothing does.
     pub(super) fn pass(&mut self, i: usize) -> bool {
         self.work += 1;
-        let radius = self.corridor.radii[i] + self.slack;
+        let radius = self.radius;
         let way = self.corridor.points[i] - self.from.at;
         let distance2 = way.hypot2();
-        let tangent2 = distance2 - radius * radius;
-        if tangent2 >= self.reach2 {
-            self.reach2 = tangent2;
-            self.reach_radius = radius;
-        } else if self.reach2 > 0.0 {
+        if distance2 >= self.reach2 {
+            self.reach2 = distance2;
+        } else if self.reach2 > radius * radius {
             self.wavering = true;
-            let reach = (self.reach2 + self.reach_radius * self.reach_radius).sqrt();
-            if distance2.sqrt() + radius + self.reach_radius < reach {
+            if distance2.sqrt() + 2.0 * radius < self.reach2.sqrt() {
                 return false;
             }
         }
@@ -91,7 +85,8 @@ impl<'a> Visibility<'a> {
             return false;
         }
         // Discs ever farther out are hit in order, and no later than their tangents are long.
-        if !self.wavering && length2 >= self.reach2 {
+        let radius = self.corridor.radius;
+        if !self.wavering && length2 >= self.reach2 - radius * radius {
             return true;
         }
         self.in_order(at, i)
