@@ -37,7 +37,7 @@ test("the tour leads from the first motion to a drawing and a refusal", async ()
   }
   await page.click("#lesson-next");
   await at(2);
-  assert.ok(await page.evaluate(() => document.querySelector("#tab-move").hasAttribute("data-look")));
+  assert.ok(await page.evaluate(() => document.querySelector("#tab-move").hasAttribute("data-here")));
   await steps("y_plus", 2);
   await at(3);
   await page.keyboard.press("Space");

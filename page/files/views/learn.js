@@ -42,8 +42,8 @@ const list = ({ say, act }) => html`
 /** Marks where to look, and nothing else. @param {import("../state/state.js").Page} page */
 export function point(page) {
   const wanted = page.learn.chooses ? undefined : stepNow(page)?.show;
-  const now = document.querySelector("[data-look]"), next = wanted ? document.querySelector(wanted) : null;
+  const now = document.querySelector("[data-here]"), next = wanted ? document.querySelector(wanted) : null;
   if (now === next) return;
-  now?.removeAttribute("data-look");
-  next?.setAttribute("data-look", "");
+  now?.removeAttribute("data-here");
+  next?.setAttribute("data-here", "");
 }
