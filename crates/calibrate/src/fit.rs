@@ -1,11 +1,11 @@
 //! From touches to a calibration, with its residuals and how far it can be trusted.
 
-use dobot_arm::{Calibration, Position, Tool};
+use dobot_arm::{Calibration, Plane, Position, Tool};
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::solve::{Numbers, Paper, Solved, Suspect, TOUCH_MM, solve};
+use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, solve};
 use crate::{FitError, SHEET_POINTS, Touch};
 
 /// A calibration, and how well it explains the touches.
@@ -14,7 +14,7 @@ pub struct Fit {
     /// What is wrong with the arm.
     pub arm: Calibration,
     /// Where the paper lies.
-    pub paper: Paper,
+    pub paper: Plane,
     /// How far each touch is from where it should be, in mm: X, Y, Z, in the order of the touches.
     pub residuals_mm: Vec<[f64; 3]>,
     /// The touch that was left out because it contradicts all others, by its index.
@@ -216,7 +216,7 @@ fn why_contradicting(touches: &[Touch], tool: Tool, plain: &Solved, typical_mm: 
     }
 }
 
-fn check_arm(arm: &Calibration, paper: &Paper) -> Result<(), FitError> {
+fn check_arm(arm: &Calibration, paper: &Plane) -> Result<(), FitError> {
     let slope_deg = paper.slope_x.hypot(paper.slope_y).atan().to_degrees();
     let found = [
         ("a zero of the base", arm.base_deg, 45.0, "degrees"),

@@ -35,6 +35,5 @@ pub use fit::{Advice, Fit, Trust, Unsure, fit};
 pub use procedure::Procedure;
 pub use repeatability::{Repeatability, repeatability};
 pub use sheet::{BAR_MM, SHEET_POINTS, ScaledBar, check_bar, sheet_svg};
-pub use solve::Paper;
 pub use touch::Touch;
 pub use why::FitError;

@@ -13,6 +13,7 @@ const ARM: Calibration = Calibration {
     left_mm: 2.0,
     axis_mm: [0.0, 0.0],
     backlash_deg: [0.0; 3],
+    table: None,
 };
 
 /// The paper rises by two degrees to the front.

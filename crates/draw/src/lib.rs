@@ -59,6 +59,7 @@ mod step;
 mod timeline;
 mod trace;
 
+pub use calibrated::known_paper;
 pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_reach};
 pub use copies::Grid;

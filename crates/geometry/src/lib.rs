@@ -14,6 +14,7 @@ mod box_tree;
 mod curve;
 mod deviation;
 mod direction;
+mod height_map;
 mod segment_index;
 mod stroke;
 
@@ -23,6 +24,7 @@ pub use box_tree::BoxTree;
 pub use curve::{chords, corners};
 pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};
 pub use direction::direction;
+pub use height_map::HeightMap;
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};
 

@@ -11,6 +11,7 @@ use dobot_wire::Dialect;
 
 use super::check::check;
 use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
+use crate::calibrated::known_paper;
 use crate::card::Card;
 use crate::cutting::Cutting;
 use crate::give_up::GiveUp;
@@ -192,7 +193,7 @@ impl DrawingRequest {
             Some(&[ax, ay, az, bx, by, bz, cx, cy, cz]) => {
                 Paper::through([[ax, ay, az], [bx, by, bz], [cx, cy, cz]])?
             }
-            _ => self.height(standing_z_mm),
+            _ => self.height(standing_z_mm)?,
         };
         let paper = paper.raised(place.offset);
         let tool = self.settings.tool.end_effector();
@@ -204,12 +205,12 @@ impl DrawingRequest {
 
     /// The paper of which no points are told: at the height told, as calibrated, or where the arm
     /// stands.
-    fn height(&self, standing_z_mm: f64) -> Paper {
-        let known = &self.settings.calibration;
-        let calibrated = known.as_ref().and_then(|it| it.paper);
+    fn height(&self, standing_z_mm: f64) -> Result<Paper, OptionsError> {
+        let known = self.settings.calibration.as_ref();
+        let calibrated = known.and_then(|it| it.paper.as_ref());
         match (self.options.place.pen_down, calibrated) {
-            (None, Some(it)) => Paper::sloping(it.z_mm, it.slope_x, it.slope_y),
-            (told, _) => Paper::level(told.unwrap_or(standing_z_mm)),
+            (None, Some(it)) => known_paper(it),
+            (told, _) => Ok(Paper::level(told.unwrap_or(standing_z_mm))),
         }
     }
 }

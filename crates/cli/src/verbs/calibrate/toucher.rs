@@ -218,6 +218,7 @@ mod tests {
         left_mm: 1.0,
         axis_mm: [0.0, 0.0],
         backlash_deg: [0.0; 3],
+        table: None,
     };
 
     fn toucher(known: Option<CalibrationFile>) -> Toucher {

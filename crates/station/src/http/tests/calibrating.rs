@@ -15,6 +15,7 @@ const ARM: Calibration = Calibration {
     left_mm: -2.0,
     axis_mm: [0.0; 2],
     backlash_deg: [0.0; 3],
+    table: None,
 };
 
 /// What that arm says at a point of paper that is 45 mm below.
