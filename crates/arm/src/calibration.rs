@@ -56,7 +56,11 @@ impl Calibration {
     #[must_use]
     pub fn is_none(&self) -> bool {
         let table = self.table;
-        *self == Self { table, ..Self::NONE }
+        *self
+            == Self {
+                table,
+                ..Self::NONE
+            }
     }
 
     /// How high a true place of the wrist is above where the pen touches the table, in mm; `None` where nobody knows

@@ -88,7 +88,7 @@ impl Arm {
                 left_mm: up_to(10.0),
                 axis_mm: [up_to(1.0), up_to(1.0)],
                 backlash_deg: [0.0; 3],
-    table: None,
+                table: None,
             },
             backlash_deg: [0; 3].map(|_| up_to(0.25) + 0.25),
             paper: Plane {

@@ -1,6 +1,7 @@
 //! From touches to a calibration, with its residuals and how far it can be trusted.
 
 use dobot_arm::{Calibration, Plane, Position, Tool};
+use dobot_geometry::{Point, least_width};
 
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -146,17 +147,8 @@ fn check(touches: &[Touch]) -> Result<(), FitError> {
 
 /// How wide the strip is in which all points lie, seen from above, in mm.
 fn width(touches: &[Touch]) -> f64 {
-    let across = |deg: f64| {
-        let (sin, cos) = deg.to_radians().sin_cos();
-        let along = touches
-            .iter()
-            .map(|it| it.place_mm[0] * cos + it.place_mm[1] * sin);
-        let (least, most) = along.fold((f64::MAX, f64::MIN), |(a, b), it| (a.min(it), b.max(it)));
-        most - least
-    };
-    (0..180)
-        .map(|deg| across(f64::from(deg)))
-        .fold(f64::MAX, f64::min)
+    let place = |it: &Touch| Point::from((it.place_mm[0], it.place_mm[1]));
+    least_width(&touches.iter().map(place).collect::<Vec<_>>())
 }
 
 /// The touch without which the others agree far better, where there are enough others.

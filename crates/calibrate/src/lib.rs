@@ -22,6 +22,8 @@
 mod comb;
 mod file;
 mod fit;
+mod paper;
+mod picture;
 mod procedure;
 mod repeatability;
 mod sheet;
@@ -32,6 +34,8 @@ mod why;
 pub use comb::{COMB_PAIRS, COMB_STEP_DEG, SlackJoint, comb};
 pub use file::{FileError, found, read_calibration, write_calibration};
 pub use fit::{Advice, Fit, Trust, Unsure, fit};
+pub use paper::{PaperTouchError, TouchedPaper, paper};
+pub use picture::residuals_svg;
 pub use procedure::Procedure;
 pub use repeatability::{Repeatability, repeatability};
 pub use sheet::{BAR_MM, SHEET_POINTS, ScaledBar, check_bar, sheet_svg};

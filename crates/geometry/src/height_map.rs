@@ -67,7 +67,9 @@ impl HeightMap {
         let place = Point::new(place.x.clamp(x0, x1), place.y.clamp(y0, y1));
         let [z0, slope_x, slope_y] = self.plane;
         let bent = self.places.iter().zip(&self.weights);
-        let bent: f64 = bent.map(|(it, weight)| weight * bend(it.distance(place))).sum();
+        let bent: f64 = bent
+            .map(|(it, weight)| weight * bend(it.distance(place)))
+            .sum();
         z0 + slope_x * place.x + slope_y * place.y + bent
     }
 }
@@ -93,7 +95,8 @@ mod tests {
     #[test]
     fn a_bent_board_that_was_touched_in_a_grid_is_known_between_the_places() {
         let board = |x: f64, y: f64| 2.0 * (x / 200.0).powi(2) - 1.5 * (y / 120.0).powi(2) + 0.3;
-        let grid = (0..5).flat_map(|i| (0..4).map(move |j| [f64::from(i) * 50.0, f64::from(j) * 40.0]));
+        let grid =
+            (0..5).flat_map(|i| (0..4).map(move |j| [f64::from(i) * 50.0, f64::from(j) * 40.0]));
         let known: Vec<_> = grid.map(|[x, y]| [x, y, board(x, y)]).collect();
         let map = HeightMap::through(&known).unwrap();
         for (x, y) in [(25.0, 20.0), (110.0, 75.0), (190.0, 10.0)] {
@@ -104,7 +107,12 @@ mod tests {
 
     #[test]
     fn beyond_the_places_it_stays_as_high_as_on_its_edge() {
-        let known = [[0.0, 0.0, 0.0], [10.0, 0.0, 1.0], [0.0, 10.0, 0.0], [10.0, 10.0, 1.0]];
+        let known = [
+            [0.0, 0.0, 0.0],
+            [10.0, 0.0, 1.0],
+            [0.0, 10.0, 0.0],
+            [10.0, 10.0, 1.0],
+        ];
         let map = HeightMap::through(&known).unwrap();
         let edge = map.z_at(Point::new(10.0, 5.0));
         assert_eq!(map.z_at(Point::new(500.0, 5.0)).to_bits(), edge.to_bits());
@@ -115,7 +123,12 @@ mod tests {
         assert_eq!(HeightMap::through(&[[0.0; 3], [1.0, 0.0, 0.0]]), None);
         let line = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 2.0, 1.0]];
         assert_eq!(HeightMap::through(&line), None);
-        let twice = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 2.0, 1.0]];
+        let twice = [
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [2.0, 0.0, 1.0],
+            [0.0, 2.0, 1.0],
+        ];
         assert_eq!(HeightMap::through(&twice), None);
         assert_eq!(HeightMap::through(&[[f64::NAN; 3]; 4]), None);
     }

@@ -19,7 +19,7 @@ mod segment_index;
 mod stroke;
 
 pub use area::{Area, FillRule};
-pub use bounds::{bounds, bounds_of_strokes};
+pub use bounds::{bounds, bounds_of_strokes, least_width};
 pub use box_tree::BoxTree;
 pub use curve::{chords, corners};
 pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dobot_arm::{Calibration, Plane, Position, Tool};
-use dobot_geometry::{HeightMap, Point};
+use dobot_geometry::{HeightMap, Point, least_width};
 use thiserror::Error;
 
 /// Where the paper lies, as Z of the wrist in the base frame where the tool is right: where the pen
@@ -28,32 +28,28 @@ impl Paper {
         })
     }
 
-    /// The plane through three points that the tool has touched: X, Y, Z in mm.
+    /// The plane through three points that the tool has touched, or nearest to more of them: X, Y, Z in mm.
     ///
     /// # Errors
     ///
     /// [`PaperError`] where the points lie on one line or nearly so (seen from above), or the plane
     /// is steeper than 10 degrees.
-    pub fn through([a, b, c]: [[f64; 3]; 3]) -> Result<Self, PaperError> {
-        let [[ux, uy, uz], [vx, vy, vz]] = [b, c].map(|p| [0, 1, 2].map(|i| p[i] - a[i]));
-        let area2 = ux * vy - uy * vx;
-        let sides2 = [ux * ux + uy * uy, vx * vx + vy * vy];
-        let width_mm = area2.abs() / sides2[0].max(sides2[1]).sqrt();
-        if width_mm.is_nan() || width_mm < LEAST_WIDTH_MM {
+    pub fn through(touched: &[[f64; 3]]) -> Result<Self, PaperError> {
+        let places: Vec<Point> = touched.iter().map(|[x, y, _]| Point::new(*x, *y)).collect();
+        let width_mm = if places.len() < 3 {
+            0.0
+        } else {
+            least_width(&places)
+        };
+        if !(LEAST_WIDTH_MM..f64::INFINITY).contains(&width_mm) {
             return Err(PaperError::Collinear(width_mm));
         }
-        let slope_x = (uz * vy - uy * vz) / area2;
-        let slope_y = (ux * vz - uz * vx) / area2;
-        let slope_deg = slope_x.hypot(slope_y).atan().to_degrees();
+        let plane = nearest(touched);
+        let slope_deg = plane.slope_x.hypot(plane.slope_y).atan().to_degrees();
         if slope_deg.is_nan() || slope_deg > STEEPEST_DEG {
             return Err(PaperError::TooSteep(slope_deg));
         }
-        let z0_mm = a[2] - slope_x * a[0] - slope_y * a[1];
-        Ok(Self::sloping(Plane {
-            z0_mm,
-            slope_x,
-            slope_y,
-        }))
+        Ok(Self::sloping(plane))
     }
 
     /// Paper on a plane.
@@ -64,6 +60,12 @@ impl Paper {
             bent: None,
             seen_by: None,
         }
+    }
+
+    /// The plane on which it lies.
+    #[must_use]
+    pub const fn plane(&self) -> Plane {
+        self.plane
     }
 
     /// The same paper, higher than the plane by so much.
@@ -107,7 +109,10 @@ impl Paper {
     pub fn raised(self, offset_mm: f64) -> Self {
         let z0_mm = self.plane.z0_mm + offset_mm;
         Self {
-            plane: Plane { z0_mm, ..self.plane },
+            plane: Plane {
+                z0_mm,
+                ..self.plane
+            },
             ..self
         }
     }
@@ -171,9 +176,9 @@ impl Default for Paper {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PaperError {
-    /// The points do not span a plane: the third is so many mm from the line through the others.
+    /// The points do not span a plane: they lie in a strip so many mm wide.
     #[error(
-        "the three touched points lie within {0:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
+        "the touched points lie within {0:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
     )]
     Collinear(f64),
     /// The plane is too steep, by its slope in degrees.
@@ -184,6 +189,30 @@ pub enum PaperError {
     /// The height, in mm, is not a number.
     #[error("the paper is at {0} mm; it must be a finite number")]
     Height(f64),
+}
+
+/// The plane with the least sum of squares to points that span one.
+fn nearest(touched: &[[f64; 3]]) -> Plane {
+    let [mut xx, mut xy, mut yy, mut xz, mut yz] = [0.0; 5];
+    #[expect(clippy::cast_precision_loss, reason = "few points")]
+    let count = touched.len() as f64;
+    let middle = [0, 1, 2].map(|axis| touched.iter().map(|it| it[axis]).sum::<f64>() / count);
+    for point in touched {
+        let [x, y, z] = [0, 1, 2].map(|axis| point[axis] - middle[axis]);
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        xz += x * z;
+        yz += y * z;
+    }
+    let area2 = xx * yy - xy * xy;
+    let slope_x = (xz * yy - yz * xy) / area2;
+    let slope_y = (yz * xx - xz * xy) / area2;
+    Plane {
+        z0_mm: middle[2] - slope_x * middle[0] - slope_y * middle[1],
+        slope_x,
+        slope_y,
+    }
 }
 
 const ROUNDS: usize = 10;
@@ -204,13 +233,13 @@ mod tests {
             [150.0, 80.0, -39.5],
             [270.0, 0.0, -42.0],
         ];
-        let paper = Paper::through(touched).unwrap();
+        let paper = Paper::through(&touched).unwrap();
         for [x, y, z] in touched {
             let found = paper.z_at(Point::new(x, y));
             assert!((found - z).abs() < 1e-9, "{found} instead of {z}");
             assert!(paper.height_mm(Position::new(x, y, z + 2.0)) - 2.0 < 1e-9);
         }
-        let raised = paper.raised(0.25).z_at(Point::new(150.0, 80.0));
+        let raised = paper.clone().raised(0.25).z_at(Point::new(150.0, 80.0));
         assert!((raised + 39.25).abs() < 1e-9);
         assert!(!paper.is_level());
     }
@@ -223,8 +252,8 @@ mod tests {
             [250.0, 0.0, -40.0],
         ];
         assert_eq!(
-            Paper::through(on_a_line).unwrap_err().to_string(),
-            "the three touched points lie within 1.0 mm of one line; touch three corners of the \
+            Paper::through(&on_a_line).unwrap_err().to_string(),
+            "the touched points lie within 1.0 mm of one line; touch three corners of the \
              paper, at least 10 mm off the line"
         );
         let steep = [
@@ -233,10 +262,10 @@ mod tests {
             [150.0, 50.0, -40.0],
         ];
         assert_eq!(
-            Paper::through(steep).unwrap_err().to_string(),
+            Paper::through(&steep).unwrap_err().to_string(),
             "the paper through the touched points slopes by 11.3 degrees; at most 10 are allowed: \
              touch them again"
         );
-        assert!(Paper::through([[f64::NAN; 3]; 3]).is_err());
+        assert!(Paper::through(&[[f64::NAN; 3]; 3]).is_err());
     }
 }

@@ -102,7 +102,9 @@ impl Policy {
             .iter()
             .filter(|path| path.time_at(0.0) < path.time_at(1.0))
             .try_for_each(|path| walk.along(path))
-            .map_err(|breach| Violation::of_breach(&breach, |limit| worst(limit, &model.calibration, place)))
+            .map_err(|breach| {
+                Violation::of_breach(&breach, |limit| worst(limit, &model.calibration, place))
+            })
     }
 
     /// Where nothing moves: the place that the arm is told to believe in, with the tool that it is

@@ -1,6 +1,8 @@
 //! `dobot calibrate`: find what is wrong with an arm.
 
 mod comb;
+mod kept;
+mod paper;
 mod screen;
 mod test;
 mod toucher;
@@ -17,6 +19,7 @@ use dobot_rules::StationClient;
 use dobot_wire::{MoveJoints, MovingMode, Status};
 
 use self::comb::{CombOf, read_slack};
+use self::paper::PaperToucher;
 use self::toucher::Toucher;
 use crate::connect::To;
 use crate::control::{self, carry_out, check_pose, request_at_rest, take_control};
@@ -35,6 +38,7 @@ Examples:
                                             draw where the sheet says
   dobot arm --calibration arm.toml          a virtual arm with the same zeros and the same backlash
   dobot calibrate arm.toml --use            the calibration of a file holds for the arm from now on
+  dobot calibrate arm.toml --paper          touch the paper: three places tell its plane, nine how it is bent
   dobot calibrate arm.toml --comb base      draws lines that tell how slack the base is
   dobot calibrate --test 30                 how well the arm finds the same place again
   dobot calibrate --angles                  tells the arm its true angles, until it is switched off
@@ -87,6 +91,12 @@ pub(crate) struct Args {
     /// is switched off, and its own limits hold where they should
     #[arg(long, conflicts_with_all = ["file", "sheet", "bar", "backlash", "undo", "use_file", "forget"])]
     angles: bool,
+    /// Touch the paper at three places and more, wherever it lies: drawings and the policy's table follow it
+    #[arg(long, conflicts_with_all = ["sheet", "bar", "backlash", "undo", "use_file", "forget", "angles", "comb", "test"])]
+    paper: bool,
+    /// Write a picture of how far each touch is from where it should be, when the result is kept
+    #[arg(long, value_name = "OUT.svg", conflicts_with_all = ["sheet", "undo", "use_file", "forget", "angles", "comb", "test", "paper"])]
+    picture: Option<PathBuf>,
     #[command(flatten)]
     pad: PadArgs,
     #[command(flatten)]
@@ -139,10 +149,27 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     )?;
     let before = known(file)?;
     let touch = async |station: &mut StationClient| {
-        let panel = |pendant| Toucher::new(pendant, file.to_owned(), before.clone(), args.backlash);
-        let status = with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?;
+        let file = file.to_owned();
+        let before = before.clone();
+        let status = if args.paper {
+            hold_for_paper(station, before.as_ref()).await?;
+            let panel = |pendant| PaperToucher::new(pendant, file.clone(), before.clone());
+            with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?
+        } else {
+            let picture = args.picture.clone();
+            let panel = |pendant| {
+                Toucher::new(
+                    pendant,
+                    file.clone(),
+                    before.clone(),
+                    args.backlash,
+                    picture.clone(),
+                )
+            };
+            with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?
+        };
         // What was kept holds for this arm from now on.
-        if let Some(kept) = known(file)?.filter(|it| before.as_ref() != Some(it)) {
+        if let Some(kept) = known(&file)?.filter(|it| before.as_ref() != Some(it)) {
             hold(station, Some(kept)).await?;
         }
         Ok(status)
@@ -168,6 +195,24 @@ async fn hold(
     };
     request_at_rest(station, Request::Calibrate { calibration }).await?;
     Ok(output::line(&text)?)
+}
+
+/// Has the arm say true places, as the paper is touched at them.
+async fn hold_for_paper(
+    station: &mut StationClient,
+    known: Option<&CalibrationFile>,
+) -> Result<(), Failure> {
+    if let Some(known) = known {
+        return hold(station, Some(known.clone())).await;
+    }
+    let (arm, _) = control::arm(station).await?;
+    if arm.told.is_some() {
+        return Err(Failure::new(
+            anyhow!("the arm is calibrated, and the file that says how is not there"),
+            "name the file of its calibration, or take the arm to be as drawn: `dobot calibrate --forget`",
+        ));
+    }
+    Ok(())
 }
 
 /// Turns the base straight ahead, and tells the arm its true angles.

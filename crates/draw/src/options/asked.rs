@@ -191,7 +191,7 @@ impl DrawingRequest {
         let place = &self.options.place;
         let paper = match place.paper.as_deref() {
             Some(&[ax, ay, az, bx, by, bz, cx, cy, cz]) => {
-                Paper::through([[ax, ay, az], [bx, by, bz], [cx, cy, cz]])?
+                Paper::through(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz]])?
             }
             _ => self.height(standing_z_mm)?,
         };

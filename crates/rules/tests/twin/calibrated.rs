@@ -246,7 +246,11 @@ impl OldArm {
 }
 
 fn prepared(personality: Personality, calibration: Option<CalibrationFile>) -> Prepared {
-    let paper = Paper::sloping(Plane { z0_mm: Z0_MM, slope_x: SLOPE_X, slope_y: SLOPE_Y });
+    let paper = Paper::sloping(Plane {
+        z0_mm: Z0_MM,
+        slope_x: SLOPE_X,
+        slope_y: SLOPE_Y,
+    });
     let paper = match &calibration {
         Some(known) => {
             let found = known.paper.as_ref().unwrap();

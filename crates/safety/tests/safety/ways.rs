@@ -76,7 +76,8 @@ fn the_table_follows_the_paper_however_it_slopes() {
     // 2 mm below the paper at x = 225.
     assert_near(told.nearest.expect("a place")[0], 225.0, 1.1);
     // A gripper that is longer than the pen by 10 mm has to stay higher by as much.
-    let lengths = "[tool_length]\nsuction_cup_mm = 40\ngripper_mm = 50\n[table]\nbelow_paper_mm = 2";
+    let lengths =
+        "[tool_length]\nsuction_cup_mm = 40\ngripper_mm = 50\n[table]\nbelow_paper_mm = 2";
     let pose = Desk::at(200.0, 0.0, 0.0).model.place.pose;
     let place = ArmPlace::at_pose(pose, Tool::Gripper).expect("the arm can be there");
     let mut gripper = Desk::at(200.0, 0.0, 0.0).under(lengths);

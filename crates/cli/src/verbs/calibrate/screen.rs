@@ -8,11 +8,21 @@ use ratatui::style::Stylize;
 use ratatui::text::Line;
 
 use super::toucher::Toucher;
-use crate::pendant::{alarm, answer, held, key_line, move_lines};
+use crate::pendant::{Pendant, alarm, answer, held, key_line, move_lines};
 use crate::verbs::watch::panels;
 
 /// Draws everything.
 pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
+    draw_touching(frame, &it.pendant, "calibration", lines(it));
+}
+
+/// Draws a procedure in which a person touches something: the arm, what the touches tell, the keys.
+pub(super) fn draw_touching(
+    frame: &mut Frame,
+    pendant: &Pendant,
+    title: &'static str,
+    told: Vec<Line<'static>>,
+) {
     let rows = [
         Constraint::Length(1),
         Constraint::Length(1),
@@ -22,13 +32,13 @@ pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
         Constraint::Length(1),
     ];
     let [top, alarm_row, arm, touches, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held(&it.pendant), top);
-    frame.render_widget(alarm(&it.pendant), alarm_row);
-    if let Some(state) = it.pendant.state() {
+    frame.render_widget(held(pendant), top);
+    frame.render_widget(alarm(pendant), alarm_row);
+    if let Some(state) = pendant.state() {
         panels::arm(frame, arm, state);
     }
-    panels::panel(frame, touches, "calibration", lines(it));
-    let mut help = move_lines(&it.pendant);
+    panels::panel(frame, touches, title, told);
+    let mut help = move_lines(pendant);
     help.push(key_line(&[
         ("Enter", "touched"),
         ("n", "skip"),
@@ -37,7 +47,7 @@ pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
         ("q", "leave"),
     ]));
     panels::panel(frame, keys, "keys", help);
-    frame.render_widget(answer(&it.pendant), bottom);
+    frame.render_widget(answer(pendant), bottom);
 }
 
 fn lines(it: &Toucher) -> Vec<Line<'static>> {
@@ -45,7 +55,7 @@ fn lines(it: &Toucher) -> Vec<Line<'static>> {
     let next = format!("touch point {number} ({x_mm}, {y_mm}), from the right and from above");
     let mut lines = vec![Line::from(next).bold()];
     match &it.outcome {
-        Ok(fit) => lines.extend(result(fit, it.known.as_ref())),
+        Ok(fit) => lines.extend(result(fit, it.kept.known.as_ref())),
         Err(why) => {
             let texts = wrapped(&why.to_string());
             lines.extend(texts.into_iter().map(Line::from));
@@ -114,7 +124,7 @@ fn trust(fit: &Fit) -> Line<'static> {
 }
 
 /// A long text in lines that fit on the screen.
-fn wrapped(text: &str) -> Vec<String> {
+pub(super) fn wrapped(text: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split(' ') {
         let last = lines.last_mut().expect("there is one");

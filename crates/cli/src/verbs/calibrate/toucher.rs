@@ -1,6 +1,5 @@
 //! Calibrating as an engine: the pendant, the touches, and what they tell.
 
-use std::collections::VecDeque;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -8,10 +7,11 @@ use std::time::Duration;
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use dobot_api::{Backlash, CalibrationFile, State};
 use dobot_arm::{Joints, Tool};
-use dobot_calibrate::{Fit, FitError, Procedure, found, read_calibration, write_calibration};
+use dobot_calibrate::{Fit, FitError, Procedure, found, residuals_svg};
 use ratatui::Frame;
 
-use super::{before, screen};
+use super::kept::Kept;
+use super::screen;
 use crate::pendant::{Panel, Pendant};
 
 /// Lets a person touch the points of the sheet.
@@ -21,22 +21,19 @@ pub(crate) struct Toucher {
     pub(super) procedure: Procedure,
     /// What the touches tell now.
     pub(super) outcome: Result<Fit, FitError>,
-    /// What was known of the arm before.
-    pub(super) known: Option<CalibrationFile>,
+    pub(super) kept: Kept,
     backlash: Backlash,
-    file: PathBuf,
-    /// What was shown and waits for the second key.
-    shown: Option<CalibrationFile>,
-    files: VecDeque<(PathBuf, String)>,
+    picture: Option<PathBuf>,
 }
 
 impl Toucher {
-    /// Keeps what is found in a file.
+    /// Keeps what is found in a file, and how well the touches agree in a picture.
     pub(crate) fn new(
         pendant: Pendant,
         file: PathBuf,
         known: Option<CalibrationFile>,
         backlash_deg: Option<[f64; 3]>,
+        picture: Option<PathBuf>,
     ) -> Self {
         let procedure = Procedure::new(Tool::SuctionCup);
         let of_before = known.as_ref().map(|it| it.backlash).unwrap_or_default();
@@ -49,17 +46,17 @@ impl Toucher {
             pendant,
             outcome: procedure.outcome(),
             procedure,
-            known,
+            kept: Kept::new(file, known),
             backlash,
-            file,
-            shown: None,
-            files: VecDeque::new(),
+            picture,
         }
     }
 
     fn handle_key(&mut self, key: TouchKey) {
         self.pendant.let_go();
-        let shown = self.shown.take();
+        if key != TouchKey::Keep {
+            self.kept.forget_shown();
+        }
         match key {
             TouchKey::Touch => match self.joints() {
                 Ok(told) => {
@@ -71,7 +68,7 @@ impl Toucher {
             TouchKey::Undo if self.procedure.undo() => self.judge(),
             TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
             TouchKey::Skip => self.procedure.skip(),
-            TouchKey::Keep => self.keep(shown.as_ref()),
+            TouchKey::Keep => self.keep(),
         }
     }
 
@@ -97,22 +94,21 @@ impl Toucher {
     }
 
     /// What was shown is kept; what was not is shown first.
-    fn keep(&mut self, shown: Option<&CalibrationFile>) {
-        let found = match &self.outcome {
-            Ok(fit) => found(fit, self.backlash),
-            Err(why) => return self.pendant.tell(format!("nothing to keep: {why}")),
+    fn keep(&mut self) {
+        let told = match &self.outcome {
+            Ok(fit) => {
+                let told = self.kept.keep(found(fit, self.backlash));
+                if let Some(picture) = self.picture.clone().filter(|_| told.is_none()) {
+                    let text = residuals_svg(self.procedure.touches(), fit);
+                    self.kept.write(picture, text);
+                }
+                told
+            }
+            Err(why) => Some(format!("nothing to keep: {why}")),
         };
-        if shown != Some(&found) {
-            self.shown = Some(found);
-            let text = "this is what would be kept; w again keeps it, any other key does not";
-            return self.pendant.tell(text.into());
+        if let Some(text) = told {
+            self.pendant.tell(text);
         }
-        if let Some(known) = &self.known {
-            self.files
-                .push_back((before(&self.file), write_calibration(known)));
-        }
-        self.files
-            .push_back((self.file.clone(), write_calibration(&found)));
     }
 }
 
@@ -135,7 +131,7 @@ impl Panel for Toucher {
                     }
                     return;
                 }
-                self.shown = None;
+                self.kept.forget_shown();
             }
             _ => {}
         }
@@ -153,29 +149,19 @@ impl Panel for Toucher {
     }
 
     fn poll_file(&mut self) -> Option<(PathBuf, String)> {
-        self.files.pop_front()
+        self.kept.poll_file()
     }
 
     fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
-        match saved {
-            Ok(()) if self.files.is_empty() => {
-                self.known = read_calibration(&text).ok();
-                self.pendant
-                    .tell(format!("kept in {}", self.file.display()));
-            }
-            Ok(()) => {}
-            Err(error) => {
-                // Without the one before it nothing is replaced.
-                self.files.clear();
-                self.pendant.tell(format!("not kept: {error}"));
-            }
+        if let Some(told) = self.kept.handle_saved(&text, saved) {
+            self.pendant.tell(told);
         }
     }
 }
 
 /// What a key means for the procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum TouchKey {
+pub(super) enum TouchKey {
     /// The tip is on the point.
     Touch,
     /// The arm does not get to the point.
@@ -187,7 +173,7 @@ enum TouchKey {
 }
 
 /// The meaning of a key; `None` where it is one of the pendant.
-fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
+pub(super) fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
     if key.modifiers.contains(KeyModifiers::CONTROL) {
         return None;
     }
@@ -205,7 +191,7 @@ fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
 mod tests {
     use dobot_api::ClientId;
     use dobot_arm::{Calibration, Position};
-    use dobot_calibrate::SHEET_POINTS;
+    use dobot_calibrate::{SHEET_POINTS, read_calibration};
 
     use super::*;
     use crate::pendant::{Drive, KeyReports, STATE};
@@ -224,7 +210,7 @@ mod tests {
     fn toucher(known: Option<CalibrationFile>) -> Toucher {
         let dead_man = Duration::from_millis(150);
         let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
-        let mut it = Toucher::new(pendant, "arm.toml".into(), known, None);
+        let mut it = Toucher::new(pendant, "arm.toml".into(), known, None, None);
         it.handle_state(serde_json::from_str(STATE).unwrap());
         it
     }
