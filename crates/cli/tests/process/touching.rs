@@ -1,17 +1,22 @@
 //! A person at a terminal who calibrates an arm with the keys alone, and draws with it.
 
 use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
 
-use dobot_arm::{Calibration, Joints, Tool};
+use data_encoding::BASE64;
+use dobot_arm::{Calibration, Joints, Position, Tool};
 use dobot_calibrate::SHEET_POINTS;
 use dobot_geometry::{Point, Stroke, bounds_of_strokes, deviation};
 use dobot_wire::Status;
-use serde_json::Value;
+use serde_json::{Value, json};
+use tempfile::TempDir;
 
 use crate::going::Going;
 use crate::program::{command, dobot, example};
+use crate::stations::Up;
 use crate::terminal::{Keyboard, Terminal};
 use crate::wire::{Passed, wire};
 
@@ -143,9 +148,8 @@ fn tip(status: &Status) -> [f64; 3] {
 fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_should() {
     let folder = tempfile::tempdir().expect("there is room");
     let in_folder = |name: &str| folder.path().join(name).display().to_string();
-    let [truth, scene, found] = ["truth.toml", "scene.toml", "arm.toml"].map(in_folder);
+    let [truth, found] = ["truth.toml", "arm.toml"].map(in_folder);
     fs::write(&truth, TRUTH).expect("there is room");
-    fs::write(&scene, SCENE).expect("there is room");
 
     let mut arm = Going::new(command(&[
         "arm",
@@ -188,8 +192,141 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
     let kept = fs::read_to_string(&found).expect("the calibration was kept");
     assert!(kept.contains("points = 5"), "{kept}");
 
-    let after = deviation(&wanted(), &ink(&truth, &scene, &["--calibration", &found])).largest_mm();
+    let arm = DrawingArm::new();
+    let harbour = example("harbour.svg");
+    let draw = [
+        "draw",
+        &harbour,
+        "--to",
+        &arm.address,
+        "--dialect",
+        "specification",
+    ];
+    dobot(&[&draw[..], &["--pose-confirmed", "--calibration", &found]].concat()).succeeds();
+    let after = deviation(&wanted(), &arm.ink()).largest_mm();
     assert!(after < 0.3, "{after} mm after the calibration");
+}
+
+#[test]
+fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should() {
+    let arm = DrawingArm::new();
+    let at = ["--arm", arm.address.as_str(), "--dialect", "specification"];
+    let up = Up::with_arm(&at, &[]);
+    let api = Api::new(&up.page);
+    api.asks("POST", "pose/confirm", &json!({}));
+    let touches = SHEET_POINTS.map(|[x, y]| {
+        let there = Position::new(x, y, PAPER_MM);
+        let on = ZEROS.told_joints(there, Tool::SuctionCup).expect("it reaches the sheet");
+        let above = [on.base.0 - 3.0, on.rear.0 - 1.0, on.fore.0 - 1.0];
+        for [base, rear, fore] in [above, [on.base.0, on.rear.0, on.fore.0]] {
+            let command = json!({
+                "type": "move_joints", "base_deg": base, "rear_deg": rear, "fore_deg": fore, "servo_deg": 0.0,
+                "suction": false, "gripper_deg": 0.0, "mode": "movj", "pause_s": 0.0,
+            });
+            api.asks("POST", "commands", &json!({"command": command, "wait": true}));
+        }
+        let arm = &api.asks("GET", "state", &Value::Null)["arm"];
+        json!({"place_mm": [x, y], "told_deg": [arm["base_deg"], arm["rear_deg"], arm["fore_deg"]]})
+    });
+    let touches = json!({"touches": touches, "bar_mm": 200});
+    let fit = api.asks("POST", "calibration/fit", &touches);
+    assert_eq!(fit["trust"], "good", "{fit}");
+    api.asks(
+        "PUT",
+        "calibration",
+        &json!({"calibration": fit["calibration"]}),
+    );
+
+    // The pen left marks where it touched.
+    let marks = arm.ink().len();
+    let file = fs::read(example("harbour.svg")).expect("it is there");
+    let options = json!({"tool": {}, "place": {}, "way": {}, "what": {}});
+    let drawing = json!({"name": "harbour.svg", "file": BASE64.encode(&file), "options": options});
+    let drawing = api.asks("POST", "drawings", &drawing)["drawing"].to_string();
+    while api.asks("GET", &format!("drawings/{drawing}"), &Value::Null)["phase"] != "planned" {}
+    let job = api.asks(
+        "POST",
+        &format!("drawings/{drawing}/jobs"),
+        &json!({"part": "whole"}),
+    );
+    let job = job["job"]["job"].to_string();
+    api.asks("POST", &format!("jobs/{job}/start"), &json!({}));
+    api.hears(|state| state["job"].is_null() || state["job"]["phase"] != "running");
+    let jobs = api.asks("GET", "jobs", &Value::Null);
+    assert_eq!(jobs[0]["phase"], "done", "{jobs}");
+    let after = deviation(&wanted(), &arm.ink()[marks..]).largest_mm();
+    assert!(after < 0.3, "{after} mm after the calibration");
+}
+
+/// The API of a station, with control of its arm.
+struct Api {
+    address: String,
+    lease: String,
+}
+
+impl Api {
+    fn new(page: &str) -> Self {
+        let address = page.replace("http://", "").trim_end_matches('/').to_owned();
+        let mut api = Self {
+            address,
+            lease: String::new(),
+        };
+        let lease = api.asks("POST", "lease", &json!({}));
+        let token = lease["token"].as_str();
+        token
+            .unwrap_or_else(|| panic!("{lease}"))
+            .clone_into(&mut api.lease);
+        api
+    }
+
+    /// Listens until it tells such a state.
+    fn hears(&self, is_it: impl Fn(&Value) -> bool) {
+        let Self { address, .. } = self;
+        let mut way = TcpStream::connect(address).expect("the station listens");
+        write!(
+            way,
+            "GET /api/v1/events?states=2 HTTP/1.0\r\nHost: {address}\r\n\r\n"
+        )
+        .expect("it is sent");
+        let lines = BufReader::new(way).lines().map_while(Result::ok);
+        let data = lines.filter_map(|it| it.strip_prefix("data:").map(read_json));
+        let mut states = data.filter(|it| it["state"].is_object());
+        assert!(
+            states.any(|it| is_it(&it["state"])),
+            "the station tells no more"
+        );
+    }
+
+    /// What it answers, which is no problem.
+    fn asks(&self, method: &str, path: &str, body: &Value) -> Value {
+        let Self { address, lease } = self;
+        let body = if body.is_null() {
+            String::new()
+        } else {
+            body.to_string()
+        };
+        let lease = if lease.is_empty() {
+            String::new()
+        } else {
+            format!("Dobot-Lease: {lease}\r\n")
+        };
+        let mut way = TcpStream::connect(address).expect("the station listens");
+        write!(
+            way,
+            "{method} /api/v1/{path} HTTP/1.0\r\nHost: {address}\r\nContent-Type: application/json\r\n\
+             Content-Length: {}\r\n{lease}\r\n{body}",
+            body.len()
+        )
+        .expect("it is sent");
+        let mut answer = String::new();
+        way.read_to_string(&mut answer).expect("it answers");
+        let (head, body) = answer.split_once("\r\n\r\n").expect("a head and a body");
+        assert!(head.starts_with("HTTP/1.0 20"), "{method} {path}: {answer}");
+        match body {
+            "" => Value::Null,
+            text => read_json(text),
+        }
+    }
 }
 
 /// The harbour where it is to be on the paper: as it is exported, turned into the frame of the arm.
@@ -207,9 +344,9 @@ fn wanted() -> Vec<Stroke> {
         "--export",
         &export,
     ];
-    let report = json(&dobot(&plan).succeeds().stdout);
+    let report = read_json(&dobot(&plan).succeeds().stdout);
     let exported = fs::read_to_string(&export).expect("it was written");
-    let strokes = strokes(&json(&exported)["strokes"], "points");
+    let strokes = strokes(&read_json(&exported)["strokes"], "points");
     let page = bounds_of_strokes(&strokes);
     let [far_mm, left_mm] = [2, 3].map(|it| report["ink_mm"][it].as_f64().expect("a number"));
     let placed = |it: &Point| Point::new(far_mm - (it.y - page.y0), left_mm - (it.x - page.x0));
@@ -222,39 +359,50 @@ fn wanted() -> Vec<Stroke> {
         .collect()
 }
 
-/// The harbour as such an arm draws it.
-fn ink(truth: &str, scene: &str, draw: &[&str]) -> Vec<Stroke> {
-    let arm = [
-        "arm",
-        "--tcp",
-        "127.0.0.1:0",
-        "--calibration",
-        truth,
-        "--speed",
-        "50",
-    ];
-    let world = ["--world", scene, "--world-port", "127.0.0.1:0"];
-    let mut arm = Going::new(command(&[&arm[..], &world].concat()));
-    let (to, world) = (arm.address(), arm.address());
-    let harbour = example("harbour.svg");
-    let to = [
-        "draw",
-        &harbour,
-        "--to",
-        &to,
-        "--dialect",
-        "specification",
-        "--pose-confirmed",
-    ];
-    dobot(&[&to, draw].concat()).succeeds();
-    let state = dobot(&["world", "--json", "--from", &world])
-        .succeeds()
-        .stdout;
-    strokes(&json(&state)["strokes"], "points_mm")
+/// An arm with wrong zeros and a pen, on paper; its time passes fifty times as fast as a clock.
+struct DrawingArm {
+    _served: Going,
+    _folder: TempDir,
+    address: String,
+    world: String,
 }
 
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).expect("it is JSON")
+impl DrawingArm {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().expect("there is room");
+        let in_folder = |name: &str| folder.path().join(name).display().to_string();
+        let [truth, scene] = ["truth.toml", "scene.toml"].map(in_folder);
+        fs::write(&truth, TRUTH).expect("there is room");
+        fs::write(&scene, SCENE).expect("there is room");
+        let arm = [
+            "arm",
+            "--tcp",
+            "127.0.0.1:0",
+            "--calibration",
+            &truth,
+            "--speed",
+            "50",
+        ];
+        let world = ["--world", &scene, "--world-port", "127.0.0.1:0"];
+        let mut served = Going::new(command(&[&arm[..], &world].concat()));
+        let (address, world) = (served.address(), served.address());
+        Self {
+            _served: served,
+            _folder: folder,
+            address,
+            world,
+        }
+    }
+
+    /// What it has drawn.
+    fn ink(&self) -> Vec<Stroke> {
+        let state = dobot(&["world", "--json", "--from", &self.world]).succeeds();
+        strokes(&read_json(&state.stdout)["strokes"], "points_mm")
+    }
+}
+
+fn read_json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
 fn strokes(all: &Value, points: &str) -> Vec<Stroke> {
