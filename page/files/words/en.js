@@ -451,6 +451,8 @@ export const en = {
   "teach.redo": "Redo",
   "teach.up": "Move the step up",
   "teach.down": "Move the step down",
+  "teach.carry": "Drag it to where the step belongs",
+  "teach.moved": "The step is now step {step} of {steps}.",
   "teach.retake": "Retake here",
   "teach.remove": "Remove",
   "teach.line": "Line {line}:",

@@ -452,6 +452,8 @@ export const zh = {
   "teach.redo": "重做",
   "teach.up": "上移该步",
   "teach.down": "下移该步",
+  "teach.carry": "拖动可调整步骤的位置",
+  "teach.moved": "该步骤现在是第 {step} 步，共 {steps} 步。",
   "teach.retake": "改为此处",
   "teach.remove": "删除",
   "teach.line": "第 {line} 行:",

@@ -113,6 +113,7 @@ impl DrawingRequest {
             hatch: hatch(&options.what, &material),
             shading: shading(&options),
             crops: !options.what.no_crop,
+            hides: options.what.hide,
             clips: options.place.clip,
             join_mm: options.way.join,
             drops_doubles: options.way.drop_doubles,

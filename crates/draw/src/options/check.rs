@@ -25,6 +25,7 @@ pub(super) fn check(
         option,
         fits,
         is: match kind {
+            SourceKind::Svg => format!("{title} is an SVG file"),
             SourceKind::Lines => format!("{title} is a file of lines"),
             SourceKind::Picture => format!("{title} is a picture"),
             SourceKind::Text => "this is a text".to_owned(),
@@ -166,7 +167,9 @@ fn together(options: &Options) -> Result<(), OptionsError> {
 /// What kind of thing is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum SourceKind {
-    /// A file of lines and areas.
+    /// An SVG file: lines and areas on a page, painted over each other.
+    Svg,
+    /// Another file of lines and areas.
     Lines,
     Picture,
     Text,
@@ -177,6 +180,7 @@ impl SourceKind {
     const fn of(source: Option<&Source>) -> Self {
         match source {
             None => Self::Card,
+            Some(Source::Svg(_)) => Self::Svg,
             Some(Source::Text(_)) => Self::Text,
             Some(Source::Picture(_)) => Self::Picture,
             Some(_) => Self::Lines,
@@ -195,18 +199,26 @@ const LINED: Purpose = Purpose(
 const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
 const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
 const AREAS: Purpose = Purpose(
-    &[SourceKind::Lines, SourceKind::Text],
+    &[SourceKind::Svg, SourceKind::Lines, SourceKind::Text],
     "the areas of drawings and texts (`--shade hatch` is for pictures)",
 );
-const FILES: Purpose = Purpose(&[SourceKind::Lines], "files of lines");
-const LAYERS: Purpose = Purpose(&[SourceKind::Lines], "the layers of drawings");
+const SVG_FILES: Purpose = Purpose(&[SourceKind::Svg], "SVG files");
+const LAYERS: Purpose = Purpose(
+    &[SourceKind::Svg, SourceKind::Lines],
+    "the layers of drawings",
+);
 const DRAWINGS: Purpose = Purpose(
-    &[SourceKind::Lines, SourceKind::Picture, SourceKind::Text],
+    &[
+        SourceKind::Svg,
+        SourceKind::Lines,
+        SourceKind::Picture,
+        SourceKind::Text,
+    ],
     "drawings, pictures and texts",
 );
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 26] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 27] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -223,7 +235,8 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 26] {
         ("--card-label", what.card_label.is_some(), CARDS),
         ("--hatch", what.hatch.is_some(), AREAS),
         ("--layers", what.layers.is_some(), LAYERS),
-        ("--no-crop", what.no_crop, FILES),
+        ("--no-crop", what.no_crop, SVG_FILES),
+        ("--hide", what.hide, SVG_FILES),
         ("--fit", place.fit, DRAWINGS),
         ("--paper-size", place.paper_size.is_some(), DRAWINGS),
         ("--mirror", place.mirror, DRAWINGS),
@@ -257,7 +270,7 @@ mod tests {
         for (json, told) in [
             (
                 r#"{"what": {"shade": "lines"}}"#,
-                "--shade is for PNG and JPEG pictures, and a.svg is a file of lines",
+                "--shade is for PNG and JPEG pictures, and a.svg is an SVG file",
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,

@@ -41,6 +41,8 @@ pub struct Settings {
     pub tools: Vec<(String, DrawingTool)>,
     /// Whether what lies beyond the page of an SVG file is cut off.
     pub crops: bool,
+    /// Whether the filled shapes of an SVG file hide what lies under them.
+    pub hides: bool,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,
     /// How near to each other strokes end that are joined, in mm; the tolerance if not given.
@@ -114,6 +116,7 @@ impl Default for Settings {
             only: Vec::new(),
             tools: Vec::new(),
             crops: true,
+            hides: false,
             clips: false,
             join_mm: None,
             drops_doubles: false,

@@ -21,6 +21,8 @@ pub(crate) struct TreeRenderer<'a> {
     groups: &'a HashMap<String, String>,
     /// Inside one of them.
     in_group: bool,
+    /// Inside a group that is not opaque.
+    is_faint: bool,
 }
 
 impl<'a> TreeRenderer<'a> {
@@ -34,6 +36,7 @@ impl<'a> TreeRenderer<'a> {
             tolerance_mm,
             groups,
             in_group: false,
+            is_faint: false,
         }
     }
 
@@ -76,9 +79,12 @@ impl<'a> TreeRenderer<'a> {
         if let Some(clip) = group.clip_path() {
             self.regions(clip, transform, clips)?;
         }
+        let was_faint = self.is_faint;
+        self.is_faint |= group.opacity().get() < 1.0;
         for child in group.children() {
             self.node(child, transform, clips)?;
         }
+        self.is_faint = was_faint;
         clips.truncate(outer);
         Ok(())
     }
@@ -111,7 +117,7 @@ impl<'a> TreeRenderer<'a> {
         if !path.is_visible() || ink == Ink::default() {
             return Ok(());
         }
-        if ink.is_paper() {
+        if ink.is_paper() && !self.page.hides {
             self.page.warn(WarningKind::Paper, 1);
             return Ok(());
         }
@@ -128,7 +134,7 @@ impl<'a> TreeRenderer<'a> {
         }
         Ink {
             line: line.map(read_line),
-            fill: fill.map(read_fill),
+            fill: fill.map(|it| read_fill(it, self.is_faint)),
         }
     }
 
@@ -227,10 +233,11 @@ fn read_line(line: &usvg::Stroke) -> LinePaint {
     }
 }
 
-fn read_fill(fill: &usvg::Fill) -> FillPaint {
+fn read_fill(fill: &usvg::Fill, is_faint: bool) -> FillPaint {
     FillPaint {
         color: InkColor(rgb(fill.paint())),
         rule: rule(fill.rule()),
+        is_opaque: fill.opacity().get() == 1.0 && !is_faint,
     }
 }
 

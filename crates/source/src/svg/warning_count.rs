@@ -35,6 +35,8 @@ pub(crate) enum WarningKind {
     Paper,
     /// A fill that crosses itself too often to be clipped.
     Entangled,
+    /// What lies under so many shapes that it is not worked out what of it shows.
+    Stacked,
     /// Text that flows into a shape, as Inkscape wrote it before SVG 2.
     FlowedText,
     /// A piece of text and no font at all.
@@ -55,6 +57,10 @@ impl WarningKind {
             Self::Entangled => (
                 "filled shape",
                 "not hatched, it crosses itself too often to be clipped",
+            ),
+            Self::Stacked => (
+                "line or area",
+                "drawn whole, too many shapes lie over it to find what of it shows",
             ),
             Self::FlowedText => (
                 "flowed text",
