@@ -482,6 +482,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/calibration/paper": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** How the paper lies that the tool has touched at true places: three tell its plane, more how it is bent. Nothing is kept: put it into the calibration */
+        post: operations["post_calibration_paper"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/calibration/picture": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** What touches of the sheet tell, as a picture: how far each is from where it should be */
+        post: operations["post_calibration_picture"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/calibration/points": {
         parameters: {
             query?: never;
@@ -1561,7 +1595,8 @@ export interface components {
             /**
              * @description What the tool tip may not go into.
              * @default {
-             *       "z_mm": -103
+             *       "z_mm": -103,
+             *       "below_paper_mm": 5
              *     }
              */
             table: components["schemas"]["Table"];
@@ -1745,6 +1780,12 @@ export interface components {
              * @default -103
              */
             z_mm: number;
+            /**
+             * Format: double
+             * @description How far below the paper a tool tip may be where a calibration knows how the paper lies, in mm: 0 to 300.
+             * @default 5
+             */
+            below_paper_mm: number;
         };
         /** @description How far the tip of each tool hangs below the wrist, in mm: 0 to 200. */
         ToolLengths: {
@@ -2459,7 +2500,10 @@ export interface components {
              */
             y_mm: number;
         };
-        /** @description The plane of the paper, as Z of the wrist where the tool touches it. */
+        /**
+         * @description Where the paper lies, as Z of the wrist where the tool touches it: a plane, and what it rises above the plane at the
+         *     places that were touched.
+         */
         PaperPlane: {
             /**
              * Format: double
@@ -2476,6 +2520,11 @@ export interface components {
              * @description How much it rises for each mm to the left.
              */
             slope_y: number;
+            /**
+             * @description Places that were touched, in mm: forward, to the left, and how much higher than the plane the paper is there.
+             *     Between them it is bent evenly; without any it is flat.
+             */
+            heights?: number[][];
         };
         /** @description How far a motor turns in vain where its joint turns back. */
         Backlash: {
@@ -2710,6 +2759,23 @@ export interface components {
         };
         /** @description Whether to use a calibration. */
         Trust: "good" | "unchecked" | "doubtful";
+        /** @description Places of the paper that the tool has touched. */
+        PaperTouches: {
+            /** @description Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them. */
+            touches: number[][];
+        };
+        /** @description How the paper lies. */
+        PaperReport: {
+            /** @description What is to be kept of it. */
+            paper: components["schemas"]["PaperPlane"];
+            /** @description How much higher than the plane each touch is, in mm. */
+            away_mm: number[];
+            /**
+             * Format: double
+             * @description How steep the plane is, in degrees.
+             */
+            slope_deg: number;
+        };
         /** @description The points of the sheet. */
         SheetPoints: {
             /** @description Forward and to the left of the base's axis, in mm. */
@@ -3396,6 +3462,7 @@ export interface components {
              *         "layer": [],
              *         "only": [],
              *         "no_crop": false,
+             *         "hide": false,
              *         "hatch": null,
              *         "hatch_angle": 45,
              *         "cross": false,
@@ -3481,6 +3548,7 @@ export interface components {
              *       "layer": [],
              *       "only": [],
              *       "no_crop": false,
+             *       "hide": false,
              *       "hatch": null,
              *       "hatch_angle": 45,
              *       "cross": false,
@@ -3617,6 +3685,11 @@ export interface components {
              * @default false
              */
             no_crop: boolean;
+            /**
+             * @description Leave out what lies under the filled shapes of an SVG file, white ones too, as in a picture
+             * @default false
+             */
+            hide: boolean;
             /**
              * @description Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
              * @default null
@@ -8342,6 +8415,336 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["FitReport"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-touches`: the touches tell no calibration
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_calibration_paper: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "touches": [
+                 *         [
+                 *           160,
+                 *           -80,
+                 *           -42.1
+                 *         ],
+                 *         [
+                 *           160,
+                 *           80,
+                 *           -41.6
+                 *         ],
+                 *         [
+                 *           270,
+                 *           0,
+                 *           -43
+                 *         ]
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["PaperTouches"];
+            };
+        };
+        responses: {
+            /** @description how it lies */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PaperReport"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-touches`: the touches tell no calibration
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_calibration_picture: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "bar_mm": 200,
+                 *       "touches": [
+                 *         {
+                 *           "place_mm": [
+                 *             215,
+                 *             0
+                 *           ],
+                 *           "told_deg": [
+                 *             0,
+                 *             35.1,
+                 *             47.2
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             155,
+                 *             100
+                 *           ],
+                 *           "told_deg": [
+                 *             32.8,
+                 *             20.4,
+                 *             51
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             275,
+                 *             100
+                 *           ],
+                 *           "told_deg": [
+                 *             20,
+                 *             58.6,
+                 *             40.3
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             275,
+                 *             -100
+                 *           ],
+                 *           "told_deg": [
+                 *             -20,
+                 *             58.6,
+                 *             40.3
+                 *           ]
+                 *         }
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewTouches"];
+            };
+        };
+        responses: {
+            /** @description the sheet with the touches */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/svg+xml": string;
                 };
             };
             /** @description - `malformed`: the request cannot be understood */

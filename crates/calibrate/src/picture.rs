@@ -40,7 +40,7 @@ pub fn residuals_svg(touches: &[Touch], fit: &Fit) -> String {
                 r#"<g transform="translate({right:.2} {down:.2})"><circle r="1.2" fill="none" stroke="black"/>{cross}</g>"#,
                 r#"<path d="M{right:.2} {down:.2}L{to_right:.2} {to_down:.2}" stroke="{color}"/>"#,
                 r#"<circle cx="{to_right:.2}" cy="{to_down:.2}" r="1" fill="{color}"/>"#,
-                r#"<text x="{text:.2}" y="{below:.2}">{number}: {away:.2} mm, {dz:+.2} in height</text>"#,
+                r##"<text x="{text:.2}" y="{below:.2}" stroke="white" stroke-width="1" paint-order="stroke">{number}: {away:.2} mm, {dz:+.2} in height</text>"##,
             ),
             right = right,
             down = down,

@@ -140,8 +140,8 @@ mod tests {
             x in -400.0..400.0,
             y in -400.0..400.0,
         ) {
-            let place = |index: usize| [50.0 * (index % 4) as f64, 60.0 * (index / 4) as f64];
-            let known: Vec<_> = heights.iter().enumerate().map(|(index, z)| {
+            let place = |index: u32| [50.0 * f64::from(index % 4), 60.0 * f64::from(index / 4)];
+            let known: Vec<_> = (0..).zip(&heights).map(|(index, z)| {
                 let [x, y] = place(index);
                 [x, y, *z]
             }).collect();
