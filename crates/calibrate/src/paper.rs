@@ -88,7 +88,7 @@ fn same_place(touched: &[[f64; 3]]) -> Option<(usize, usize)> {
 pub enum PaperTouchError {
     /// There are too few.
     #[error(
-        "{0} places are touched; a plane needs 3, and paper that is bent needs 9 and more: touch more places of the paper"
+        "touched so far: {0}; a plane needs 3 places, and paper that is bent needs 9 and more: touch more places of it"
     )]
     TooFew(usize),
     /// A touch is no place, by its number, counted from 1.
@@ -150,7 +150,7 @@ mod tests {
             "{}",
             refused(&touched)
         );
-        assert!(refused(&touched[..2]).starts_with("2 places are touched; a plane needs 3"));
+        assert!(refused(&touched[..2]).starts_with("touched so far: 2; a plane needs 3 places"));
         let twice = [touched[0], touched[1], touched[0], touched[2]];
         assert!(refused(&twice).starts_with("touches 1 and 3 are at the same place"));
         let line = [touched[0], touched[5], touched[6]];
