@@ -83,6 +83,13 @@ export const VIEWS = {
     for (let touch = 0; touch < 4; touch += 1) await page.click("#calibrate-touch");
     await page.waitForSelector("#calibrate .told");
   },
+  paper: async (page) => {
+    await tab("set_up")(page);
+    await confirm(page);
+    await page.click("#paper-begin");
+    await page.click("#paper-touch");
+    await page.locator("#paper").scrollIntoViewIfNeeded();
+  },
   stopped: async (page) => {
     await page.click("#first-close");
     await page.keyboard.press("Escape");

@@ -12,7 +12,7 @@ import { createDrawing, createPlanned, createTrail } from "./lines.js";
 import { forward, inverse, rad } from "./links.js";
 import { lookOf } from "./look.js";
 import { createMarks } from "./marks.js";
-import { createPaper, createTable } from "./paper.js";
+import { createPaper, createPlane, createTable } from "./paper.js";
 import { createTarget } from "./target.js";
 import { createBeam } from "./tools.js";
 import { createWorld } from "./world.js";
@@ -59,9 +59,10 @@ export function createDeep(element, outside, card) {
   const arm = createArm(materials, { foot: true });
   const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
   const [keepOuts, limits, trail, planned, drawing, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createDrawing(), createTarget()];
+  const plane = createPlane();
   const beam = createBeam(0xff3b30);
   const onTable = new Group().add(table.group, paper.group, marks.group, world.group);
-  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, planned.group, drawing.group, target.group, beam.group);
+  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, plane.group, planned.group, drawing.group, target.group, beam.group);
 
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
@@ -119,7 +120,7 @@ export function createDeep(element, outside, card) {
     materials.accent.color.set(colors.accent);
     materials.pin.color.set(colors.pin);
     materials.rubber.color.set(colors.dark);
-    for (const it of [table, paper, keepOuts, limits, trail, planned]) it.paint(colors);
+    for (const it of [table, paper, plane, keepOuts, limits, trail, planned]) it.paint(colors);
     marks.paint(colors, tool.kind === "laser");
     target.paint(colors, ghost?.refused ?? false);
     beam.paint(colors.beam);
@@ -137,6 +138,7 @@ export function createDeep(element, outside, card) {
     onTable.position.z = next.table_z_mm;
     renderer.shadowMap.needsUpdate = true;
     if (differs("paper")) paper.show(next.paper);
+    if (differs("plane", "tool")) plane.show(next.plane, next.tool.length_mm);
     if (differs("things")) world.show(next.things);
     if (differs("keepOuts")) keepOuts.show(next.keepOuts);
     if (differs("planned", "tool")) planned.show(next.planned, next.tool.length_mm);
