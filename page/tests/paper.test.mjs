@@ -78,5 +78,5 @@ test("paper that is taken to be level is drawn on as before", async () => {
   await page.click("#paper-forget");
   await says("paper-known", "Nobody has touched");
   await page.click("#tab-draw");
-  await page.waitForFunction(() => document.querySelector("#draw-down").placeholder !== "as touched");
+  await page.waitForFunction(() => document.querySelector("#draw-down") && document.querySelector("#draw-down").placeholder !== "as touched");
 });

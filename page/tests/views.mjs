@@ -17,6 +17,10 @@ const confirm = async (page) => {
 /** A name, and what leads to it from the page as it was opened. */
 export const VIEWS = {
   first: async () => {},
+  tour: async (page) => {
+    await page.click("#first-tour");
+    await page.waitForSelector("#lesson-text");
+  },
   question: async (page) => {
     await page.click("#first-close");
     await page.click("#arm-laser, #confirm-pose");
