@@ -447,7 +447,7 @@ export const zh = {
   "paper.touch": "笔尖已触到",
   "paper.missing": "还差 {missing} 处。",
   "paper.found": "纸面在底座轴线处为 Z {z} mm，倾斜 {slope}°。机械臂画面上已显示。",
-  "paper.line": "三处在一条直线上或彼此太近，无法得知倾斜。请取回最后一处，另选一处触碰。",
+  "paper.line": "三处在一条直线上或彼此太近，无法得知倾斜。请撤回最后一处，另选一处触碰。",
   "paper.keep": "保存",
   "draw.touched": "按触碰结果",
   "tab.teach": "示教",
