@@ -54,6 +54,7 @@ console.log(`a step moved: seen after ${took[10].toFixed(0)} ms in the middle, $
 
 // As many changes as can be undone, typed into the text.
 await page.check("[name=teach-mode][value=text]", { force: true });
+await page.waitForSelector("#teach-text");
 await page.evaluate(async (count) => {
   const area = document.querySelector("#teach-text");
   const { value } = area;

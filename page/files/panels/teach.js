@@ -40,7 +40,7 @@ export function teach(context) {
       <h2 id="teach-title">${say("teach")} <small>${page.teach.name}${report?.once_s ? ` · ${span(say, report.once_s)}` : ""}</small></h2>
       <div class="row">
         <button id="capture" type="button" class="strong" ?disabled=${why === "no_connection" || why === "no_arm"} @click=${() => act.teach.capture()}>${say("teach.capture")}</button>
-        <fieldset class="segments grow">
+        <fieldset class="segments">
           <legend class="unseen">${say("target.path")}</legend>
           ${PATHS.map((it) => html`<label><input type="radio" name="teach-path" value=${it} .checked=${live(it === path)} @change=${() => act.send({ type: "teach_path", path: it })}><span>${it.toUpperCase()}</span></label>`)}
         </fieldset>

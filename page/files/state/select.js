@@ -77,6 +77,9 @@ export function kept(make) {
   };
 }
 
+/** @type {readonly import("../stage/view.js").Point[]} */
+const NONE = [];
+
 /** The rows of a program: those of a large one take a moment. */
 export const rowsIn = kept(rowsOf);
 const taughtAt = kept((/** @type {string} */ text, /** @type {number | null} */ chosen) => placeOfStep(text, chosen === null ? undefined : rowsIn(text)[chosen]));
@@ -102,6 +105,7 @@ export function createViewOf() {
     return place && { ...place, refused: target.refused };
   });
   const taughtOf = kept((/** @type {import("../stage/view.js").Pose} */ place, /** @type {boolean} */ refused) => ({ ...place, refused }));
+  const planeOf = kept((/** @type {Page["draw"]["paper"]} */ plane, /** @type {readonly import("../stage/view.js").Point[]} */ touches) => (plane || touches.length ? { z_mm: plane?.z_mm ?? NaN, slope_x: plane?.slope_x ?? 0, slope_y: plane?.slope_y ?? 0, touches } : null));
   const drawingOf = kept((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
   /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
   return (page, { dark, note, label }) => {
@@ -110,8 +114,10 @@ export function createViewOf() {
     // Where the arm was is grey, and nothing that holds now stands beside it.
     if (arm) return { ...common, arm, old: true };
     const taught = taughtPlace(page);
+    const { places, plane } = page.touch_paper;
     return {
       ...common,
+      plane: page.tab === "set_up" && places ? planeOf(plane, places) : page.tab === "set_up" || page.tab === "draw" ? planeOf(page.draw.paper, NONE) : null,
       planned: page.planned,
       drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
       arm: reported(page.station),

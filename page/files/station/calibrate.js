@@ -31,16 +31,16 @@ export function createCalibrate(store, http, change) {
 
   store.listen(({ tab, calibrate }, message) => {
     const news = message.type === "hello" || message.type === "tab" || (message.type === "notice" && message.notice.type === "calibrated");
-    if (news && tab === "set_up") void read();
+    if (news && (tab === "set_up" || tab === "draw")) void read();
     if (calibrate.asked === seen) return;
     seen = calibrate.asked;
     if (touchesOf(calibrate).length >= LEAST_TOUCHES) void fit();
   });
 
-  /** @param {Schemas["CalibrationFile"] | null} calibration */
-  async function hold(calibration) {
+  /** @param {Schemas["CalibrationFile"] | null} calibration @param {"calibrate" | "paper"} [place] where it was asked for */
+  async function hold(calibration, place = "calibrate") {
     /** @type {Extract<Schemas["Reply"], { type: "calibrated" }> | undefined} */
-    const reply = await change("calibrate", "PUT", KNOWN, { calibration });
+    const reply = await change(place, "PUT", KNOWN, { calibration });
     if (reply) send({ type: "calibrations", known: reply.calibrations });
     return reply !== undefined;
   }
@@ -75,5 +75,12 @@ export function createCalibrate(store, http, change) {
       if (before) void hold(before);
     },
     forget: () => hold(null),
+    /** The tip stands on the paper. */
+    touchPaper() {
+      const arm = store.page.station?.arm;
+      if (arm && !touchHindrance(store.page)) send({ type: "paper_touched", place: [arm.x_mm, arm.y_mm, arm.z_mm] });
+    },
+    /** Keeps how the paper lies, beside all else that is known. @param {Schemas["PaperPlane"] | null} paper */
+    keepPaper: (paper) => hold(/** @type {Schemas["CalibrationFile"]} */ ({ zeros: { base: 0, rear: 0, fore: 0 }, ...store.page.calibrate.known?.calibration, paper }), "paper"),
   };
 }
