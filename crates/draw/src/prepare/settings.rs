@@ -19,6 +19,10 @@ use crate::start::StartFrom;
 
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a setting of its own"
+)]
 pub struct Settings {
     /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 to 10.
     pub tolerance_mm: f64,
