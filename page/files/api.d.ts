@@ -3465,9 +3465,16 @@ export interface components {
              *         "hide": false,
              *         "hatch": null,
              *         "hatch_angle": 45,
+             *         "hatch_style": "lines",
+             *         "hatch_inset": 0,
              *         "cross": false,
              *         "shade": null,
              *         "spacing": null,
+             *         "brightness": 0,
+             *         "contrast": 0,
+             *         "gamma": 1,
+             *         "threshold": null,
+             *         "levels": null,
              *         "invert": false
              *       },
              *       "place": {
@@ -3551,9 +3558,16 @@ export interface components {
              *       "hide": false,
              *       "hatch": null,
              *       "hatch_angle": 45,
+             *       "hatch_style": "lines",
+             *       "hatch_inset": 0,
              *       "cross": false,
              *       "shade": null,
              *       "spacing": null,
+             *       "brightness": 0,
+             *       "contrast": 0,
+             *       "gamma": 1,
+             *       "threshold": null,
+             *       "levels": null,
              *       "invert": false
              *     }
              */
@@ -3702,12 +3716,24 @@ export interface components {
              */
             hatch_angle: number;
             /**
+             * @description What areas are hatched with: lines, concentric (the outline again and again, farther inside) or
+             *     spiral (the same in one line)
+             * @default lines
+             */
+            hatch_style: components["schemas"]["HatchStyle"];
+            /**
+             * Format: double
+             * @description How far the hatching stays away from the edge, in mm: half the width of the pen keeps the ink inside
+             * @default 0
+             */
+            hatch_inset: number;
+            /**
              * @description Hatch crosswise
              * @default false
              */
             cross: boolean;
             /**
-             * @description How a picture becomes ink: outline, lines, stipple or hatch
+             * @description How a picture becomes ink: hatch, lines, spiral, flow, stipple, tsp (one line from dot to dot) or outline
              * @default null
              */
             shade: components["schemas"]["ShadingStyle"] | null;
@@ -3717,6 +3743,36 @@ export interface components {
              * @default null
              */
             spacing: number | null;
+            /**
+             * Format: double
+             * @description Make a picture lighter, or darker below 0: from -100 to 100 percent
+             * @default 0
+             */
+            brightness: number;
+            /**
+             * Format: double
+             * @description Set the tones of a picture farther apart, or nearer below 0: from -100 to 100 percent
+             * @default 0
+             */
+            contrast: number;
+            /**
+             * Format: double
+             * @description Make the middle tones of a picture lighter above 1, darker below
+             * @default 1
+             */
+            gamma: number;
+            /**
+             * Format: double
+             * @description Make a picture black where it is darker than so much, and white elsewhere: between 0 (white) and 1
+             * @default null
+             */
+            threshold: number | null;
+            /**
+             * Format: uint8
+             * @description How many tones beside white --shade outline and hatch tell apart, from 1 to 8 (default: 4)
+             * @default null
+             */
+            levels: number | null;
             /**
              * @description Draw the light parts of a picture instead of the dark ones
              * @default false
@@ -3738,8 +3794,10 @@ export interface components {
         Spacing: number | components["schemas"]["Auto"];
         /** @description The word `auto`. */
         Auto: "auto";
+        /** @description The lines that an area is filled with. */
+        HatchStyle: "lines" | "concentric" | "spiral";
         /** @description What is drawn of a picture. */
-        ShadingStyle: "outline" | "lines" | "stipple" | "hatch";
+        ShadingStyle: "outline" | "lines" | "spiral" | "flow" | "stipple" | "tsp" | "hatch";
         /** @description Where it goes. */
         PlaceOptions: {
             /**

@@ -301,6 +301,11 @@ fn finished(
     let strokes = merge(strokes, settings.join_mm.unwrap_or(settings.tolerance_mm));
     let DrawingTool::Laser(laser) = tool else {
         let strokes = ordered(strokes, here, tool, settings);
+        let strokes = if settings.joins_dots() {
+            one_line(strokes)
+        } else {
+            strokes
+        };
         return strokes
             .into_iter()
             .map(|it| gone_over(it, settings.pen_passes))
@@ -314,7 +319,12 @@ fn finished(
     };
     let (mut all, mut here) = (Vec::new(), here);
     for group in groups {
-        all.append(&mut ordered(group, here, tool, settings));
+        let group = ordered(group, here, tool, settings);
+        all.append(&mut if settings.joins_dots() {
+            one_line(group)
+        } else {
+            group
+        });
         here = all.last().and_then(Stroke::last).unwrap_or(here);
     }
     let (all, small) = settings.cutting.finished(all);
@@ -349,6 +359,12 @@ fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
         stroke.points.extend(again.into_iter().skip(1));
     }
     stroke
+}
+
+/// All strokes as one, in their order.
+fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
+    let points: Vec<Point> = strokes.into_iter().flat_map(|it| it.points).collect();
+    vec![Stroke::open(points)]
 }
 
 /// The strokes in a good order, for a tool that comes from `here`.

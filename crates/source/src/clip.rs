@@ -47,8 +47,10 @@ impl Region {
             let shows = self.shows(stroke.points[0]);
             return Ok(if shows { vec![stroke] } else { Vec::new() });
         }
-        let each = |visit: &mut dyn FnMut(&ClipArea)| self.each_area(visit);
-        parts(&stroke, &each, |p| self.shows(p), budget)
+        let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
+            self.each_area(&mut |area| area.cuts(a, b, cuts));
+        };
+        parts(&stroke, cuts, |p| self.shows(p), budget)
     }
 
     pub(crate) fn shows(&self, p: Point) -> bool {
@@ -107,8 +109,10 @@ impl ClipArea {
             let covered = self.covers(stroke.points[0]);
             return Ok(if covered { Vec::new() } else { vec![stroke] });
         }
-        let each = |visit: &mut dyn FnMut(&Self)| self.each(visit);
-        parts(&stroke, &each, |p| !self.covers(p), budget)
+        let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
+            self.each(&mut |area| area.cuts(a, b, cuts));
+        };
+        parts(&stroke, cuts, |p| !self.covers(p), budget)
     }
 
     /// The corners of its outlines lie in this rectangle.
@@ -177,10 +181,11 @@ impl ClipArea {
     }
 }
 
-/// The parts of a stroke that are kept; what is kept changes at the edges of these areas only.
+/// The parts of a stroke that are kept, which changes only where its pieces are cut, told as shares of
+/// their length.
 fn parts(
     stroke: &Stroke,
-    each_area: &dyn Fn(&mut dyn FnMut(&ClipArea)),
+    find_cuts: impl Fn(Point, Point, &mut Vec<f64>),
     keeps: impl Fn(Point) -> bool,
     budget: &mut Budget,
 ) -> Result<Vec<Stroke>, OverBudget> {
@@ -190,7 +195,7 @@ fn parts(
     for (a, b) in stroke.segments() {
         cuts.clear();
         cuts.extend([0.0, 1.0]);
-        each_area(&mut |area| area.cuts(a, b, &mut cuts));
+        find_cuts(a, b, &mut cuts);
         cuts.sort_unstable_by(f64::total_cmp);
         cuts.dedup();
         budget.spend(cuts.len() - 2)?;

@@ -24,6 +24,8 @@ pub struct ReadOptions {
     pub crops: bool,
     /// Whether the filled shapes of an SVG file hide what lies under them.
     pub hides: bool,
+    /// Whether the areas of what is partly hidden are wanted, which takes most of the time.
+    pub fills: bool,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
     /// How the tones of a picture become lines or dots.
@@ -39,6 +41,7 @@ impl Default for ReadOptions {
             layers: LayersBy::default(),
             crops: true,
             hides: false,
+            fills: true,
             fonts: Arc::default(),
             shading: Shading::default(),
         }

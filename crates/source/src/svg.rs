@@ -11,6 +11,7 @@ mod ink;
 mod layers;
 mod page;
 mod renderer;
+mod single_line;
 mod substitutes;
 mod warning_count;
 
@@ -107,6 +108,7 @@ impl<'a> TreeWarnings<'a> {
                 let found = by_name(font, fonts);
                 let found = found.or_else(|| fonts.faces().next().map(|face| face.id));
                 match found {
+                    Some(_) if single_line::font(font).is_some() => {}
                     Some(id) => self.substitutes.note(font, fonts, id),
                     None => return count(&self.fontless),
                 }

@@ -354,7 +354,8 @@ fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
         // As a person behind the arm sees it: left to right is -Y.
         angle_deg: what.hatch_angle - 90.0,
         cross: what.cross,
-        ..Hatch::default()
+        style: what.hatch_style,
+        inset_mm: what.hatch_inset,
     })
 }
 
@@ -363,6 +364,11 @@ fn shading(options: &Options) -> Shading {
     let shading = what.shade.map_or_else(Shading::default, Shading::new);
     Shading {
         spacing_mm: what.spacing.unwrap_or(shading.spacing_mm),
+        brightness: what.brightness / 100.0,
+        contrast: what.contrast / 100.0,
+        darkness: 1.0 / what.gamma,
+        threshold: what.threshold,
+        levels: what.levels.unwrap_or(shading.levels),
         invert: what.invert,
         seed: options.way.seed,
         ..shading

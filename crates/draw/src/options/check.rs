@@ -61,9 +61,23 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
 /// Numbers that no arm and no paper has.
 fn ranges(options: &Options) -> Result<(), OptionsError> {
     let Options {
-        place, tool, way, ..
+        what,
+        place,
+        tool,
+        way,
     } = options;
     let numbers = [
+        ("--hatch-inset", Some(what.hatch_inset), 0.0, 20.0, "mm"),
+        (
+            "--brightness",
+            Some(what.brightness),
+            -100.0,
+            100.0,
+            "percent",
+        ),
+        ("--contrast", Some(what.contrast), -100.0, 100.0, "percent"),
+        ("--gamma", Some(what.gamma), 0.1, 10.0, "of gamma"),
+        ("--threshold", what.threshold, 0.01, 0.99, "of darkness"),
         ("--speed", tool.speed, 0.0, 1000.0, "mm/s"),
         ("--travel-speed", tool.travel_speed, 0.0, 1000.0, "mm/s"),
         (
@@ -117,6 +131,8 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let tries = way.tries != defaults.way.tries;
     let touched = place.paper.is_some();
     let cornered = place.corner.is_some();
+    let turned = what.hatch_angle != defaults.what.hatch_angle;
+    let winds = what.hatch_style != defaults.what.hatch_style;
     let exclusive = [
         ("--text", what.text.is_some(), "--card", what.card.is_some()),
         ("--fit", place.fit, "--scale", place.scale.is_some()),
@@ -125,11 +141,18 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         ("--corner", cornered, "--paper", touched),
         ("--pen", by_pen, "--laser", by_laser),
         ("--keep-order", way.keep_order, "--tries", tries),
+        (
+            "--levels",
+            what.levels.is_some(),
+            "--threshold",
+            what.threshold.is_some(),
+        ),
+        ("--hatch-angle", turned && winds, "--hatch-style", winds),
+        ("--cross", what.cross, "--hatch-style", winds),
     ];
     if let Some((option, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
         return Err(OptionsError::Both { option, other });
     }
-    let turned = what.hatch_angle != defaults.what.hatch_angle;
     let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
     let sheet = place.paper_size.is_some();
     let apart = place.gap != defaults.place.gap;
@@ -141,6 +164,13 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         ("--only", !what.only.is_empty(), "--layers", layered),
         ("--hatch-angle", turned, "--hatch", hatched),
         ("--cross", what.cross, "--hatch", hatched),
+        (
+            "--hatch-style",
+            what.hatch_style != defaults.what.hatch_style,
+            "--hatch",
+            hatched,
+        ),
+        ("--hatch-inset", what.hatch_inset != 0.0, "--hatch", hatched),
         (
             "--passes-by",
             tool.passes_by != defaults.tool.passes_by,
@@ -218,7 +248,7 @@ const DRAWINGS: Purpose = Purpose(
 );
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 27] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -226,6 +256,11 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 27] {
         ("--shade", what.shade.is_some(), PICTURES),
         ("--spacing", what.spacing.is_some(), LINED),
         ("--invert", what.invert, PICTURES),
+        ("--brightness", what.brightness != 0.0, PICTURES),
+        ("--contrast", what.contrast != 0.0, PICTURES),
+        ("--gamma", what.gamma != 1.0, PICTURES),
+        ("--threshold", what.threshold.is_some(), PICTURES),
+        ("--levels", what.levels.is_some(), PICTURES),
         ("--font", what.font.is_some(), TEXTS),
         ("--height", what.height.is_some(), TEXTS),
         ("--align", what.align.is_some(), TEXTS),

@@ -6,6 +6,8 @@ use dobot_source::{Align, LayersBy, ShadingStyle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::hatch::HatchStyle;
+
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
 #[expect(
@@ -70,15 +72,42 @@ pub struct ContentOptions {
         requires = "hatch"
     )]
     pub hatch_angle: f64,
+    /// What areas are hatched with: lines, concentric (the outline again and again, farther inside) or
+    /// spiral (the same in one line)
+    #[arg(
+        long,
+        value_name = "STYLE",
+        default_value = "lines",
+        requires = "hatch"
+    )]
+    pub hatch_style: HatchStyle,
+    /// How far the hatching stays away from the edge, in mm: half the width of the pen keeps the ink inside
+    #[arg(long, value_name = "MM", default_value_t = 0.0, requires = "hatch")]
+    pub hatch_inset: f64,
     /// Hatch crosswise
     #[arg(long, requires = "hatch")]
     pub cross: bool,
-    /// How a picture becomes ink: outline, lines, stipple or hatch
+    /// How a picture becomes ink: hatch, lines, spiral, flow, stipple, tsp (one line from dot to dot) or outline
     #[arg(long, value_name = "STYLE")]
     pub shade: Option<ShadingStyle>,
     /// How far the lines or dots of a picture lie apart, or the lines of the test card, in mm on the paper
     #[arg(long, value_name = "MM")]
     pub spacing: Option<f64>,
+    /// Make a picture lighter, or darker below 0: from -100 to 100 percent
+    #[arg(long, value_name = "PERCENT", default_value_t = 0.0)]
+    pub brightness: f64,
+    /// Set the tones of a picture farther apart, or nearer below 0: from -100 to 100 percent
+    #[arg(long, value_name = "PERCENT", default_value_t = 0.0)]
+    pub contrast: f64,
+    /// Make the middle tones of a picture lighter above 1, darker below
+    #[arg(long, value_name = "GAMMA", default_value_t = Self::default().gamma)]
+    pub gamma: f64,
+    /// Make a picture black where it is darker than so much, and white elsewhere: between 0 (white) and 1
+    #[arg(long, value_name = "DARKNESS")]
+    pub threshold: Option<f64>,
+    /// How many tones beside white --shade outline and hatch tell apart, from 1 to 8 (default: 4)
+    #[arg(long, value_name = "N", conflicts_with = "threshold")]
+    pub levels: Option<u8>,
     /// Draw the light parts of a picture instead of the dark ones
     #[arg(long)]
     pub invert: bool,
@@ -104,7 +133,14 @@ impl Default for ContentOptions {
             hide: false,
             hatch: None,
             hatch_angle: 45.0,
+            hatch_style: HatchStyle::Lines,
+            hatch_inset: 0.0,
             cross: false,
+            brightness: 0.0,
+            contrast: 0.0,
+            gamma: 1.0,
+            threshold: None,
+            levels: None,
             shade: None,
             spacing: None,
             invert: false,

@@ -19,6 +19,7 @@ pub(super) fn read(
         shading: settings.shading,
         crops: settings.crops,
         hides: settings.hides,
+        fills: settings.hatch.is_some(),
         fonts: Arc::clone(&settings.fonts),
         ..ReadOptions::default()
     };

@@ -6,7 +6,7 @@ use dobot_api::CalibrationFile;
 use dobot_geometry::Area;
 use dobot_plan::{DrawingTool, Machine, Paper};
 use dobot_source::fontdb;
-use dobot_source::{LayersBy, Shading};
+use dobot_source::{LayersBy, Shading, ShadingStyle};
 
 use super::PrepareError;
 use crate::cutting::Cutting;
@@ -19,6 +19,10 @@ use crate::start::StartFrom;
 
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a setting of its own"
+)]
 pub struct Settings {
     /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 to 10.
     pub tolerance_mm: f64,
@@ -85,15 +89,25 @@ impl Settings {
 
     /// How to look for a good order of the strokes that this tool draws.
     pub(super) fn search(&self, tool: DrawingTool) -> Option<Search> {
+        let by_time = Travel::Time {
+            speed_mm_s: tool.travel_speed_mm_s(),
+            acceleration_mm_s2: self.machine.acceleration_mm_s2,
+            least_s: self.machine.link.period_s,
+        };
         Some(Search {
-            travel: Travel::Time {
-                speed_mm_s: tool.travel_speed_mm_s(),
-                acceleration_mm_s2: self.machine.acceleration_mm_s2,
-                least_s: self.machine.link.period_s,
+            travel: if self.joins_dots() {
+                Travel::Length
+            } else {
+                by_time
             },
             kicks: self.tries?,
             seed: self.seed,
         })
+    }
+
+    /// Whether dots become one line.
+    pub(super) fn joins_dots(&self) -> bool {
+        self.shading.style == ShadingStyle::Tsp
     }
 
     /// The share of the tolerance that goes into reading curves.

@@ -175,3 +175,30 @@ fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
         "{length_mm} mm, not {lines_mm} mm"
     );
 }
+
+#[test]
+fn stipples_become_one_line_without_a_lift() {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 200, 100);
+    encoder.set_depth(png::BitDepth::One);
+    let row = [[0; 12].as_slice(), &[255; 13]].concat();
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&row.repeat(100)).unwrap();
+    drop(writer);
+    let mut settings = Settings::default();
+    settings.placement.size = Size::Fit;
+    settings.shading = dobot_source::Shading::new(dobot_source::ShadingStyle::Tsp);
+    settings.shading.spacing_mm = 4.0;
+    let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
+    let wanted = prepared.wanted();
+    assert_eq!(wanted.len(), 1);
+    // A good tour through points that are so dense is 0.7124 times the root of area and number.
+    let points = wanted[0].points.len();
+    let ink = dobot_geometry::bounds_of_strokes(&wanted);
+    let tour_mm = 0.7124 * (ink.area() * f64::from(u32::try_from(points).unwrap())).sqrt();
+    let length_mm = wanted[0].length_mm();
+    assert!(
+        points > 300 && length_mm < 1.6 * tour_mm,
+        "{points} {length_mm} {tour_mm}"
+    );
+}

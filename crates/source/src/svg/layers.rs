@@ -67,13 +67,21 @@ impl Layers {
     }
 
     /// What shows in each layer, and of how many lines and areas that is not known.
-    pub(crate) fn finish(self, budget: &mut Budget) -> Result<(Vec<Layer>, usize), OverBudget> {
+    /// Areas that are not wanted are left out there.
+    pub(crate) fn finish(
+        self,
+        budget: &mut Budget,
+        fills: bool,
+    ) -> Result<(Vec<Layer>, usize), OverBudget> {
         if self.covers.count() == 0 {
             return Ok((self.found, 0));
         }
         let mut sight = self.covers.sight();
         let mut layers = Vec::with_capacity(self.found.len());
         for (mut layer, heights) in self.found.into_iter().zip(&self.heights) {
+            if !fills {
+                layer.areas.clear();
+            }
             layer = sight.layer(layer, heights, budget)?;
             if !layer.is_empty() {
                 layers.push(layer);

@@ -31,6 +31,7 @@ pub(crate) struct SvgPage {
     pub(crate) layers: Layers,
     /// Filled shapes hide what lies under them.
     pub(crate) hides: bool,
+    fills: bool,
     warnings: BTreeMap<WarningKind, usize>,
 }
 
@@ -45,6 +46,7 @@ impl SvgPage {
             budget: Budget::new(MAX_SEGMENTS),
             layers: Layers::new(by),
             hides: options.hides,
+            fills: options.fills,
             warnings: BTreeMap::new(),
         }
     }
@@ -61,7 +63,7 @@ impl SvgPage {
 
     pub(crate) fn finish(mut self) -> Result<(Artwork, Vec<WarningCount>), SvgError> {
         let [width_mm, height_mm] = self.size_mm;
-        let (layers, entangled) = self.layers.finish(&mut self.budget)?;
+        let (layers, entangled) = self.layers.finish(&mut self.budget, self.fills)?;
         let artwork = Artwork {
             width_mm,
             height_mm,

@@ -4,11 +4,12 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use dobot_geometry::{Affine, FillRule, Stroke};
-use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Tree};
+use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Text, Tree};
 
 use super::flatten::flatten;
 use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint};
 use super::page::{SvgPage, place};
+use super::single_line::{self, Written};
 use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
@@ -98,13 +99,50 @@ impl<'a> TreeRenderer<'a> {
         match node {
             Node::Group(group) => self.group(group, transform, clips),
             Node::Path(path) => self.path(path, transform, clips),
-            Node::Text(text) => self.group(text.flattened(), transform, clips),
+            Node::Text(text) => self.text(text, transform, clips),
             Node::Image(image) => {
                 let is_visible = usize::from(image.is_visible());
                 self.page.warn(WarningKind::Image, is_visible);
                 Ok(())
             }
         }
+    }
+
+    /// In letters of single lines where the file wants them, in outlines otherwise.
+    fn text(
+        &mut self,
+        text: &Text,
+        transform: Affine,
+        clips: &mut Vec<Rc<Region>>,
+    ) -> Result<(), SvgError> {
+        let stretch = transform.spectral_norm().max(f64::MIN_POSITIVE);
+        let written = single_line::written(text, self.tolerance_mm / stretch);
+        let Some((letters, missing)) = written else {
+            return self.group(text.flattened(), transform, clips);
+        };
+        self.page.warn(WarningKind::MissingLetter, missing);
+        for Written { strokes, span } in letters {
+            let paint = span.stroke().map(usvg::Stroke::paint);
+            let Some(paint) = paint.or_else(|| span.fill().map(usvg::Fill::paint)) else {
+                continue;
+            };
+            if !span.is_visible() {
+                continue;
+            }
+            let line = LinePaint {
+                color: InkColor(rgb(paint)),
+                has_ends: true,
+                dashes: None,
+            };
+            let ink = Ink {
+                line: Some(line),
+                fill: None,
+            };
+            let corners = strokes.iter().map(|it| it.points.len()).sum();
+            self.page.budget.spend(corners)?;
+            self.page.shape(strokes, transform, &ink, clips)?;
+        }
+        Ok(())
     }
 
     fn path(

@@ -43,6 +43,8 @@ pub(crate) enum WarningKind {
     TextWithoutFont,
     /// A character that no font has.
     MissingGlyph,
+    /// A character that the letters of single lines lack.
+    MissingLetter,
 }
 
 impl WarningKind {
@@ -69,6 +71,10 @@ impl WarningKind {
             Self::TextWithoutFont => (
                 "text",
                 "left out, no font was found; install a font or convert it to paths",
+            ),
+            Self::MissingLetter => (
+                "character",
+                "not in the Hershey letters, left out; another font has it",
             ),
             Self::MissingGlyph => (
                 "character",
