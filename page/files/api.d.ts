@@ -2762,7 +2762,7 @@ export interface components {
         /** @description Places of the paper that the tool has touched. */
         PaperTouches: {
             /** @description Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them. */
-            touches: number[][];
+            places_mm: number[][];
         };
         /** @description How the paper lies. */
         PaperReport: {
@@ -8593,7 +8593,7 @@ export interface operations {
             content: {
                 /**
                  * @example {
-                 *       "touches": [
+                 *       "places_mm": [
                  *         [
                  *           160,
                  *           -80,

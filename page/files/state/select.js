@@ -114,7 +114,8 @@ export function createViewOf() {
     // Where the arm was is grey, and nothing that holds now stands beside it.
     if (arm) return { ...common, arm, old: true };
     const taught = taughtPlace(page);
-    const { places, plane } = page.touch_paper;
+    const { places, found } = page.touch_paper;
+    const plane = found?.paper ?? null;
     return {
       ...common,
       plane: page.tab === "set_up" && places ? planeOf(plane, places) : page.tab === "set_up" || page.tab === "draw" ? planeOf(page.draw.paper, NONE) : null,

@@ -1,42 +1,35 @@
-// How the paper lies: three places of it that the tool has touched tell its plane.
+// How the paper lies: places of it that the tool has touched; the station says what they tell.
 
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {import("../stage/view.js").Point} Point */
 
 /** So many touches tell a plane. */
 export const PLACES = 3;
-/** The triangle of the touches is at least so large, in mm²: a smaller one tells no slope. */
-const LEAST_MM2 = 500;
 
 /**
  * @typedef {object} TouchPaper
  * @property {readonly Point[] | null} places Where the arm stood; nothing while nobody touches the paper.
- * @property {Schemas["PaperPlane"] | null} plane How the paper lies by them.
+ * @property {Schemas["PaperReport"] | null} found How the paper lies by them.
+ * @property {import("./types.js").Problem | null} problem Why they do not tell it.
  */
 
 /** @type {TouchPaper} */
-export const NO_TOUCH_PAPER = { places: null, plane: null };
+export const NO_TOUCH_PAPER = { places: null, found: null, problem: null };
 
 /** @typedef {{ type: "paper_begun" }
  * | { type: "paper_ended" }
  * | { type: "paper_touched", place: Point }
- * | { type: "paper_back" }} TouchPaperMessage */
-
-/** The plane through three places, unless they lie in a line or near each other. @param {readonly Point[]} places @returns {Schemas["PaperPlane"] | null} */
-export function planeThrough([a, b, c]) {
-  if (!a || !b || !c) return null;
-  const [bx, by, bz, cx, cy, cz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2], c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-  const twice_mm2 = bx * cy - cx * by;
-  if (Math.abs(twice_mm2) < 2 * LEAST_MM2) return null;
-  const slope_x = (bz * cy - cz * by) / twice_mm2, slope_y = (bx * cz - cx * bz) / twice_mm2;
-  return { z_mm: a[2] - slope_x * a[0] - slope_y * a[1], slope_x, slope_y };
-}
+ * | { type: "paper_back" }
+ * | { type: "paper_judged", places: readonly Point[], found: Schemas["PaperReport"] | null, problem: import("./types.js").Problem | null }} TouchPaperMessage */
 
 /** How steep a plane is, in degrees. @param {Schemas["PaperPlane"]} plane */
 export const steep_deg = ({ slope_x, slope_y }) => (Math.atan(Math.hypot(slope_x, slope_y)) * 180) / Math.PI;
 
+/** From the lowest touch to the highest, seen from the plane, in mm. @param {Schemas["PaperReport"]} found */
+export const bent_mm = ({ away_mm }) => Math.max(...away_mm) - Math.min(...away_mm);
+
 /** @param {readonly Point[] | null} places @returns {TouchPaper} */
-const touched = (places) => ({ places, plane: places && planeThrough(places) });
+const touched = (places) => ({ places, found: null, problem: null });
 
 /** @param {TouchPaper} paper @param {import("./message.js").Message} message @returns {TouchPaper} */
 export function reduceTouchPaper(paper, message) {
@@ -47,9 +40,12 @@ export function reduceTouchPaper(paper, message) {
     case "paper_ended":
       return touched(null);
     case "paper_touched":
-      return places && places.length < PLACES ? touched([...places, message.place]) : paper;
+      return places ? touched([...places, message.place]) : paper;
     case "paper_back":
       return places?.length ? touched(places.slice(0, -1)) : paper;
+    case "paper_judged":
+      // An answer about other touches comes too late.
+      return message.places === places ? { places, found: message.found, problem: message.problem } : paper;
     case "state":
       // An arm whose pose is not trusted does not know where it stood.
       return places?.length && !message.station.trust.trusted ? touched([]) : paper;

@@ -2,6 +2,7 @@
 
 import { saveFrom } from "../parts/save.js";
 import { LEAST_TOUCHES, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
+import { PLACES } from "../state/touch_paper.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -13,6 +14,7 @@ const KNOWN = "api/v1/calibration";
 export function createCalibrate(store, http, change) {
   const { send } = store;
   let seen = store.page.calibrate.asked;
+  let touched = store.page.touch_paper.places;
 
   async function read() {
     /** @type {Schemas["Calibrations"] | undefined} */
@@ -29,9 +31,19 @@ export function createCalibrate(store, http, change) {
     send({ type: "calibrate_fitted", asked, fit: /** @type {Schemas["FitReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
   }
 
-  store.listen(({ tab, calibrate }, message) => {
+  /** @param {readonly import("../stage/view.js").Point[]} places */
+  async function judge(places) {
+    const { value, problem } = await http.ask("POST", `${KNOWN}/paper`, { places_mm: places });
+    send({ type: "paper_judged", places, found: /** @type {Schemas["PaperReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
+  }
+
+  store.listen(({ tab, calibrate, touch_paper: { places } }, message) => {
     const news = message.type === "hello" || message.type === "tab" || (message.type === "notice" && message.notice.type === "calibrated");
     if (news && (tab === "set_up" || tab === "draw")) void read();
+    if (places !== touched) {
+      touched = places;
+      if (places && places.length >= PLACES) void judge(places);
+    }
     if (calibrate.asked === seen) return;
     seen = calibrate.asked;
     if (touchesOf(calibrate).length >= LEAST_TOUCHES) void fit();

@@ -22,6 +22,9 @@ const number = (value) => value.toFixed(2).replace(/^-0\.00$/, "0.00").replace("
 /** @param {number} value */
 const change = (value) => (number(value).startsWith("−") ? number(value) : `+${number(value)}`);
 
+/** Whether only the paper of the arm is known, or nothing. @param {Schemas["CalibrationFile"]} calibration */
+const isAsDrawn = (calibration) => numbersOf(calibration).filter(({ name }) => MAIN.has(name)).every(({ value }) => value === 0);
+
 /** Where a place is on the sheet, from its upper left corner: forward is up. @param {readonly number[]} place */
 const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_mm + SHEET.near_mm - x_mm];
 
@@ -53,7 +56,7 @@ const numbers = ({ say }, rows) => html`
 /** @param {Context} context @param {Schemas["Calibrations"]} known */
 function whatIsKnown(context, { calibration }) {
   const { page, say } = context;
-  if (!calibration) return html`<p id="calibrate-known">${say("calibrate.as_drawn")}</p>`;
+  if (!calibration || isAsDrawn(calibration)) return html`<p id="calibrate-known">${say("calibrate.as_drawn")}</p>`;
   const { touched } = calibration;
   return html`
     <div id="calibrate-known">

@@ -1,8 +1,8 @@
-// How the paper lies: touched at three places, seen on the stage, kept for all drawings.
+// How the paper lies: touched at three places and more, seen on the stage, kept for all drawings.
 
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { touchHindrance } from "../../state/calibrate.js";
-import { PLACES, steep_deg } from "../../state/touch_paper.js";
+import { bent_mm, PLACES, steep_deg } from "../../state/touch_paper.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
@@ -45,7 +45,8 @@ function choices({ page, say, act }, isKnown) {
 /** @param {Context} context @param {readonly import("../../stage/view.js").Point[]} places */
 function touching(context, places) {
   const { page, say, act } = context;
-  const { plane } = page.touch_paper;
+  const { found, problem } = page.touch_paper;
+  const plane = found?.paper ?? null;
   const why = touchHindrance(page);
   const end = () => {
     act.send({ type: "paper_ended" });
@@ -54,20 +55,20 @@ function touching(context, places) {
   const keep = async () => {
     if (plane && (await act.calibrate.keepPaper(plane))) end();
   };
-  const missing = PLACES - places.length;
+  const missing = Math.max(0, PLACES - places.length);
   return html`
     <p class="quiet">${say("paper.touch.hint")}</p>
     <dl id="paper-touches" class="list">${places.map(([x, y, z], n) => html`<div><dt>${say("paper.place", { place: n + 1, x: x.toFixed(0), y: y.toFixed(0) })}</dt><dd>${number(z)} mm</dd></div>`)}</dl>
     <div class="row">
-      <button id="paper-touch" type="button" class="small strong" ?disabled=${why !== null || missing === 0} aria-describedby="paper-why" @click=${() => act.calibrate.touchPaper()}>${say("paper.touch")}</button>
+      <button id="paper-touch" type="button" class="small strong" ?disabled=${why !== null} aria-describedby="paper-why" @click=${() => act.calibrate.touchPaper()}>${say("paper.touch")}</button>
       <button id="paper-back" type="button" class="small" ?disabled=${places.length === 0} @click=${() => act.send({ type: "paper_back" })}>${say("calibrate.back")}</button>
       <button id="paper-leave" type="button" class="small end" @click=${end}>${say("calibrate.leave")}</button>
     </div>
     <p id="paper-why" class="quiet">${why ? say(`hindrance.${why}`) : missing > 0 ? say("paper.missing", { missing }) : ""}</p>
-    ${missing === 0 && !plane ? html`<p class="told" data-tone="bad" role="alert">${say("paper.line")}</p>` : nothing}
-    ${plane ? html`
+    ${problem ? html`<p id="paper-problem" class="told" data-tone="bad" role="alert">${problem.detail}</p>` : nothing}
+    ${found && plane ? html`
       <div class="made" role="status" id="paper-found">
-        <p>${say("paper.found", { z: number(plane.z_mm), slope: number(steep_deg(plane)) })}</p>
+        <p>${say("paper.found", { z: number(plane.z_mm), slope: number(steep_deg(plane)) })} ${say(places.length > PLACES ? "paper.bent" : "paper.flat", { mm: number(bent_mm(found)) })}</p>
         <div class="row"><button id="paper-keep" type="button" class="strong" ?disabled=${page.role !== "admin"} @click=${keep}>${say("paper.keep")}</button></div>
       </div>` : nothing}`;
 }

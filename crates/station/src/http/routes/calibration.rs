@@ -110,15 +110,15 @@ const FIT_EXAMPLE: &str = r#"{"bar_mm": 200, "touches": [
 ]}"#;
 
 const PAPER_EXAMPLE: &str =
-    r#"{"touches": [[160, -80, -42.1], [160, 80, -41.6], [270, 0, -43.0]]}"#;
+    r#"{"places_mm": [[160, -80, -42.1], [160, 80, -41.6], [270, 0, -43.0]]}"#;
 
 /// Places of the paper that the tool has touched.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct PaperTouches {
+pub(in super::super) struct PaperTouches {
     /// Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them.
     #[schemars(length(max = 400))]
-    touches: Vec<[f64; 3]>,
+    places_mm: Vec<[f64; 3]>,
 }
 
 /// How the paper lies.
@@ -217,7 +217,7 @@ async fn sheet() -> Response {
 }
 
 async fn fit_paper(Body(asked): Body<PaperTouches>) -> Result<Json<PaperReport>, NotDone> {
-    let found = paper(&asked.touches).map_err(|why| BAD_TOUCHES.problem(why.to_string()))?;
+    let found = paper(&asked.places_mm).map_err(|why| BAD_TOUCHES.problem(why.to_string()))?;
     Ok(Json(PaperReport {
         paper: found.paper,
         away_mm: found.away_mm,

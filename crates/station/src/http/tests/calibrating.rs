@@ -113,7 +113,7 @@ async fn touches_of_the_paper_tell_how_it_lies_and_that_may_be_kept() {
     let harness = Harness::near();
     let bent = |[x, y]: [f64; 2]| [x, y, -42.0 + 0.01 * x + (y / 100.0).powi(2)];
     let touches: Vec<[f64; 3]> = points(&harness).await.into_iter().map(bent).collect();
-    let body = json!({"touches": touches}).to_string();
+    let body = json!({"places_mm": touches}).to_string();
     let found = harness.json("POST", "/api/v1/calibration/paper", body);
     let found = found.await.is(200).value();
     assert_eq!(found["paper"]["heights"].as_array().unwrap().len(), 9);
@@ -130,7 +130,7 @@ async fn touches_of_the_paper_tell_how_it_lies_and_that_may_be_kept() {
     };
     assert_eq!(kept.paper.as_ref().unwrap().heights.len(), 9);
 
-    let two = json!({"touches": touches[..2]}).to_string();
+    let two = json!({"places_mm": touches[..2]}).to_string();
     let answer = harness.json("POST", "/api/v1/calibration/paper", two).await;
     let (kind, detail) = answer.is(422).problem();
     assert_eq!(kind, "bad-touches");
