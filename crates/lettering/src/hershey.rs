@@ -178,7 +178,7 @@ mod tests {
                 assert!(!letter.strokes.is_empty(), "{font:?} {character}");
                 let ink = bounds(letter.strokes.into_iter().flatten());
                 assert!(
-                    ink.y0 >= -CAPITAL - 6.0 && ink.y1 <= 8.0,
+                    ink.y0 >= -CAPITAL - 8.0 && ink.y1 <= 8.0,
                     "{font:?} {character} {ink:?}"
                 );
             }
@@ -189,7 +189,9 @@ mod tests {
     fn letters_that_look_alike_are_as_tall_in_all_alphabets() {
         for font in StrokeFont::ALL {
             for (latin, others) in [('H', "ΗН"), ('M', "ΜМ"), ('P', "ΡР"), ('T', "ΤТ")] {
-                for other in others.chars() {
+                // The Gothic P goes below the line.
+                let others = others.chars();
+                for other in others.filter(|_| font != StrokeFont::Gothic || latin != 'P') {
                     let height = |it| bounds(font.glyph(it).unwrap().strokes.concat()).height();
                     let off = (height(other) - height(latin)).abs();
                     assert!(off <= 2.0, "{font:?} {latin} {other}: {off}");

@@ -50,7 +50,7 @@ pub(super) fn spirals(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchEr
             while let Some(follower) = next[at.0][at.1] {
                 let inner = &levels[at.0 + 1][follower];
                 let inner = begun_near(inner, here[0]);
-                points.append(&mut coil(&here, &inner));
+                points.append(&mut coil(&here, &inner, hatch.spacing_mm));
                 at = (at.0 + 1, follower);
                 is_followed[at.0][at.1] = true;
                 here = inner;
@@ -92,8 +92,10 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
     if first_mm > 0.0 {
         shapes = shapes.outline_as::<i64>(&inwards(first_mm));
     }
-    let mut levels = Vec::new();
-    while !shapes.is_empty() {
+    let (mut levels, mut round) = (Vec::new(), 0.0);
+    // The narrower side is used up after so many, whatever becomes of tips that are thinner than numbers tell.
+    while !shapes.is_empty() && round <= rounds {
+        round += 1.0;
         let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
         let rings = shapes.iter().flatten();
         levels.push(rings.map(|ring| ring.iter().map(point).collect()).collect());
@@ -132,8 +134,8 @@ fn followers(levels: &[Vec<Vec<Point>>]) -> Vec<Vec<Option<usize>>> {
     next
 }
 
-/// Once around a ring, on the way to the one inside: at the end there.
-fn coil(ring: &[Point], inner: &[Point]) -> Vec<Point> {
+/// Once around a ring, on the way to the one inside, a spacing from it: at the end there.
+fn coil(ring: &[Point], inner: &[Point], spacing_mm: f64) -> Vec<Point> {
     let length_mm: f64 = edges(ring).map(|(a, b)| a.distance(b)).sum();
     let index = SegmentIndex::new(edges(inner).collect());
     let mut gone_mm = 0.0;
@@ -143,7 +145,10 @@ fn coil(ring: &[Point], inner: &[Point]) -> Vec<Point> {
             let (p, q) = index.segment(edge);
             nearest_on((p, q), a).0
         });
-        points.push(a.lerp(there, gone_mm / length_mm));
+        let moved = a.lerp(there, gone_mm / length_mm);
+        // Within a spacing of the ring inside all is area; beyond, as in a thin tip, only the ring itself is for sure.
+        let is_inside = moved.distance(there) <= spacing_mm;
+        points.push(if is_inside { moved } else { a });
         gone_mm += a.distance(b);
     }
     points

@@ -245,7 +245,7 @@ fn lines_leave_the_more_ink_the_darker_it_is() {
         }
         assert_eq!(ink_mm[0], 0.0, "{style:?}");
         assert!(
-            ink_mm.windows(2).all(|it| it[1] > 1.15 * it[0]),
+            ink_mm.windows(2).all(|it| it[1] > 1.05 * it[0]),
             "{style:?} {ink_mm:?}"
         );
     }

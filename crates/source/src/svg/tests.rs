@@ -430,7 +430,8 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
         fonts: Arc::new(fonts),
         ..options()
     };
-    for family in ["Hershey sans", "Hershey Sans 1-stroke", "HersheySans1"] {
+    // A name with a digit at the start of a word stands in quotes, as in CSS.
+    for family in ["Hershey sans", "'Hershey Sans 1-stroke'", "HersheySans1"] {
         for (anchor, least_x, most_x) in [("start", 30.0, 50.0), ("end", 10.0, 30.0)] {
             let text = page(&format!(
                 r#"<text x="30" y="30" font-size="20" font-family="{family}" text-anchor="{anchor}">II</text>"#
@@ -440,8 +441,8 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
             // Each I is one line, seven tenths of the size of the font tall, on the base line.
             assert_eq!(drawing.strokes.len(), 2);
             for stroke in drawing.strokes {
-                assert_eq!(stroke.points.len(), 2);
                 let ink = bounds_of_strokes(&[stroke]);
+                assert!(ink.width() < 0.1, "{ink:?}");
                 assert!(
                     (ink.height() - 14.0).abs() < 1e-3 && (ink.y1 - 30.0).abs() < 1e-3,
                     "{ink:?}"
