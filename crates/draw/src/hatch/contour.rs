@@ -88,18 +88,24 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
     };
     let plain = |ring: &Vec<Point>| ring.iter().map(|p| [p.x, p.y]).collect();
     let rings: Vec<Vec<[f64; 2]>> = area.rings.iter().map(plain).collect();
-    let mut shapes = rings.simplify_shape_as::<i64>(rule);
-    if first_mm > 0.0 {
-        shapes = shapes.outline_as::<i64>(&inwards(first_mm));
-    }
+    let whole = rings.simplify_shape_as::<i64>(rule);
     let (mut levels, mut round) = (Vec::new(), 0.0);
     // The narrower side is used up after so many, whatever becomes of tips that are thinner than numbers tell.
-    while !shapes.is_empty() && round <= rounds {
-        round += 1.0;
+    while round <= rounds + 1.0 {
+        // Each from the area itself: corners that are rounded again and again have ever more points.
+        let by_mm = first_mm + round * spacing_mm;
+        let shapes = if by_mm > 0.0 {
+            whole.outline_as::<i64>(&inwards(by_mm))
+        } else {
+            whole.clone()
+        };
+        if shapes.is_empty() {
+            break;
+        }
         let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
         let rings = shapes.iter().flatten();
         levels.push(rings.map(|ring| ring.iter().map(point).collect()).collect());
-        shapes = shapes.outline_as::<i64>(&inwards(spacing_mm));
+        round += 1.0;
     }
     Ok(levels)
 }
