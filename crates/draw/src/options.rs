@@ -18,7 +18,7 @@ pub use self::path::PathOptions;
 pub use self::place::PlaceOptions;
 pub use self::tool::{PassesBy, ToolOptions};
 
-/// What a person asks for. [`DrawingRequest::new`] makes [`Settings`] of it; `dobot draw` reads it from its
+/// What a person asks for. [`DrawingRequest::new`] makes [`Settings`](crate::Settings) of it; `dobot draw` reads it from its
 /// arguments, any other client from JSON:
 ///
 /// ```
