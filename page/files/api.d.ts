@@ -2418,6 +2418,8 @@ export interface components {
         };
         /** @description What is kept of an arm. */
         CalibrationFile: {
+            /** @description What people call the arm, at most 64 characters. */
+            name?: string | null;
             /** @description How much further each joint stands than the arm says, in degrees. */
             zeros: components["schemas"]["Zeros"];
             /**
@@ -3523,7 +3525,7 @@ export interface components {
             options: components["schemas"]["Options"];
         };
         /**
-         * @description What a person asks for. [`DrawingRequest::new`] makes [`Settings`] of it; `dobot draw` reads it from its
+         * @description What a person asks for. [`DrawingRequest::new`] makes [`Settings`](crate::Settings) of it; `dobot draw` reads it from its
          *     arguments, any other client from JSON:
          *
          *     ```

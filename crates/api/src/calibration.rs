@@ -8,6 +8,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CalibrationFile {
+    /// What people call the arm, at most 64 characters.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// How much further each joint stands than the arm says, in degrees.
     pub zeros: Zeros,
     /// Where the tool is, compared with the drawing of the arm.
@@ -181,12 +184,28 @@ impl CalibrationFile {
         [self.backlash.base, self.backlash.rear, self.backlash.fore]
     }
 
+    fn check_name(&self) -> Result<(), NoSuchArm> {
+        let characters = self.name.as_ref().map_or(1, |it| it.chars().count());
+        if (1..=LONGEST_NAME).contains(&characters) {
+            return Ok(());
+        }
+        Err(NoSuchArm {
+            key: "the number of characters of name",
+            #[expect(clippy::cast_precision_loss, reason = "a count")]
+            found: characters as f64,
+            least: 1.0,
+            #[expect(clippy::cast_precision_loss, reason = "a small count")]
+            most: LONGEST_NAME as f64,
+        })
+    }
+
     /// Whether an arm can be so.
     ///
     /// # Errors
     ///
     /// [`NoSuchArm`] with the first number that no arm can have.
     pub fn check(&self) -> Result<(), NoSuchArm> {
+        self.check_name()?;
         let paper = self.paper.clone().unwrap_or_default();
         paper.check_heights()?;
         let plane = paper.plane();
@@ -223,6 +242,8 @@ impl CalibrationFile {
 const FARTHEST_MM: f64 = 400.0;
 /// What is bent by more is no paper on a table.
 const MOST_BENT_MM: f64 = 20.0;
+/// What fits into a line beside other words, in characters.
+const LONGEST_NAME: usize = 64;
 /// More than any person touches.
 const MOST_HEIGHTS: usize = 400;
 
@@ -257,5 +278,59 @@ impl Calibrations {
         known
             .as_ref()
             .map_or(Calibration::NONE, CalibrationFile::arm)
+    }
+
+    /// Another calibration in place of the one that holds. The arm keeps its name, unless it is given one.
+    #[must_use]
+    pub fn replaced_by(self, calibration: Option<CalibrationFile>) -> Self {
+        let before = self.calibration;
+        let name = before.as_ref().and_then(|it| it.name.clone());
+        let calibration = calibration.map(|it| CalibrationFile {
+            name: it.name.or(name),
+            ..it
+        });
+        Self {
+            calibration,
+            before,
+        }
+    }
+
+    /// What people call the arm, if it is calibrated and has a name.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.calibration.as_ref()?.name.as_deref()
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn called(name: Option<&str>) -> CalibrationFile {
+        CalibrationFile {
+            name: name.map(str::to_owned),
+            ..CalibrationFile::default()
+        }
+    }
+
+    #[test]
+    fn an_arm_keeps_its_name_until_it_is_given_another() {
+        let known = Calibrations::default().replaced_by(Some(called(Some("desk 3"))));
+        let again = known.replaced_by(Some(called(None)));
+        assert_eq!(again.name(), Some("desk 3"));
+        let other = again.replaced_by(Some(called(Some("the old one"))));
+        assert_eq!(other.name(), Some("the old one"));
+        assert_eq!(other.before.unwrap().name.as_deref(), Some("desk 3"));
+    }
+
+    #[test]
+    fn a_name_that_fills_more_than_a_line_is_refused() {
+        called(Some(&"n".repeat(64))).check().unwrap();
+        let error = called(Some(&"n".repeat(65))).check().unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "the number of characters of name is 65; allowed are 1 to 64"
+        );
     }
 }

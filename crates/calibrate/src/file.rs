@@ -12,6 +12,7 @@ use crate::Fit;
 pub fn found(fit: &Fit, backlash: Backlash) -> CalibrationFile {
     let Fit { arm, paper, .. } = fit;
     CalibrationFile {
+        name: None,
         zeros: Zeros {
             base: arm.base_deg,
             rear: arm.rear_deg,

@@ -94,9 +94,14 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
     let numbers = solved.numbers;
     let typical_mm = typical(&counted, tool, &numbers);
     if typical_mm > MOST_TYPICAL_MM {
-        return Err(why_contradicting(touches, tool, &solved, typical_mm));
+        let contradiction = FitError::Contradiction {
+            typical_mm,
+            allowed_mm: MOST_TYPICAL_MM,
+        };
+        return Err(what_went_wrong(touches, tool, &solved).unwrap_or(contradiction));
     }
-    check_arm(&numbers.arm, &numbers.paper)?;
+    check_arm(&numbers.arm, &numbers.paper)
+        .map_err(|beyond| what_went_wrong(touches, tool, &solved).unwrap_or(beyond))?;
     let residuals_mm: Vec<_> = touches
         .iter()
         .map(|it| numbers.away_mm(it, tool, false))
@@ -187,24 +192,21 @@ fn typical(touches: &[Touch], tool: Tool, numbers: &Numbers) -> f64 {
     (squares.sum::<f64>() / count(touches.len())).sqrt()
 }
 
-/// Which of the things that go wrong with touches would explain these.
-fn why_contradicting(touches: &[Touch], tool: Tool, plain: &Solved, typical_mm: f64) -> FitError {
+/// Which of the things that go wrong with touches explains these far better than an arm does.
+fn what_went_wrong(touches: &[Touch], tool: Tool, plain: &Solved) -> Option<FitError> {
     let scaled = solve(touches, tool, Suspect::Scale);
     let steps = (1..touches.len()).map(|at| (at, solve(touches, tool, Suspect::StepBefore(at))));
     let step = steps.min_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
     let explains = |it: &Solved| it.cost < plain.cost / 4.0;
     match step {
-        Some((last, it)) if explains(&it) && it.cost < scaled.cost => FitError::Reset {
+        Some((last, it)) if explains(&it) && it.cost < scaled.cost => Some(FitError::Reset {
             last,
             deg: it.numbers.step_deg.abs(),
-        },
-        _ if explains(&scaled) => FitError::ScaledPrint {
+        }),
+        _ if explains(&scaled) => Some(FitError::ScaledPrint {
             percent: scaled.numbers.scale * 100.0,
-        },
-        _ => FitError::Contradiction {
-            typical_mm,
-            allowed_mm: MOST_TYPICAL_MM,
-        },
+        }),
+        _ => None,
     }
 }
 

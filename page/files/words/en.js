@@ -327,6 +327,7 @@ export const en = {
   "arm.ahead.picture": "The arm from above: the cable leaves at its back, the arm points ahead, along X.",
   "calibrate": "Calibrate",
   "calibrate.as_drawn": "The arm is taken to be as drawn: nothing is known of how it differs.",
+  "calibrate.name": "It is called {name}.",
   "calibrate.known": "This arm differs from the drawing of it. All places on this page are true ones.",
   "calibrate.agreed": "{points} touches agreed: typically {typical} mm off, {largest} mm at most.",
   "calibrate.angles_told": "The arm was told its true angles; they hold until it is switched off.",

@@ -328,6 +328,7 @@ export const zh = {
   "arm.ahead.picture": "俯视图:电缆从背面引出,机械臂沿 X 指向前方。",
   "calibrate": "校准",
   "calibrate.as_drawn": "按图纸看待机械臂:尚不知道它有何偏差。",
+  "calibrate.name": "它的名称是 {name}。",
   "calibrate.known": "此机械臂与图纸有偏差。本页所有位置均为真实位置。",
   "calibrate.agreed": "{points} 次触碰相互吻合:一般相差 {typical} 毫米,最大 {largest} 毫米。",
   "calibrate.angles_told": "已告知机械臂真实角度;断电前有效。",

@@ -187,8 +187,9 @@ async fn hold(
     let text = match &calibration {
         Some(known) => {
             let Zeros { base, rear, fore } = known.zeros;
+            let name = known.name.as_deref().unwrap_or("the arm");
             format!(
-                "the arm is calibrated: all places are true ones (zeros: base {base:.2}, rear {rear:.2}, fore {fore:.2} degrees)"
+                "{name} is calibrated: all places are true ones (zeros: base {base:.2}, rear {rear:.2}, fore {fore:.2} degrees)"
             )
         }
         None => "the arm is taken to be as drawn".to_owned(),
@@ -264,8 +265,17 @@ fn known(file: &Path) -> Result<Option<CalibrationFile>, Failure> {
             return Ok(read.with_context(|| format!("{} cannot be read", file.display()))?);
         }
     };
-    let known = read_calibration(&text);
-    Ok(Some(known.with_context(|| file.display().to_string())?))
+    let known = read_calibration(&text).with_context(|| file.display().to_string())?;
+    Ok(Some(named(known, file)))
+}
+
+/// An arm is called as its file, unless the file says its name.
+fn named(known: CalibrationFile, file: &Path) -> CalibrationFile {
+    let stem = file.file_stem().map(|it| it.to_string_lossy().into_owned());
+    CalibrationFile {
+        name: known.name.or(stem),
+        ..known
+    }
 }
 
 /// Keeps a calibration in place of the one before, which stays beside it.

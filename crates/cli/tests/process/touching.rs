@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
+use std::path::Path;
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
 
@@ -191,6 +192,10 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
     assert!(person.terminal.ends().success());
     let kept = fs::read_to_string(&found).expect("the calibration was kept");
     assert!(kept.contains("points = 5"), "{kept}");
+    // It is called as its file.
+    let stem = Path::new(&found).file_stem().expect("it is a file");
+    let name = stem.to_string_lossy();
+    assert!(kept.contains(&format!("name = \"{name}\"")), "{kept}");
 
     let arm = DrawingArm::new();
     let harbour = example("harbour.svg");

@@ -60,7 +60,7 @@ function whatIsKnown(context, { calibration }) {
   const { touched } = calibration;
   return html`
     <div id="calibrate-known">
-      <p>${say("calibrate.known")}</p>
+      <p>${say("calibrate.known")}${calibration.name ? ` ${say("calibrate.name", { name: calibration.name })}` : ""}</p>
       ${numbers(context, numbersOf(calibration).filter(({ name }) => MAIN.has(name)))}
       ${touched ? html`<p class="quiet">${say("calibrate.agreed", { points: touched.points, typical: number(touched.typical_mm), largest: number(touched.largest_mm) })}</p>` : nothing}
       ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${say("calibrate.angles_told")}</p>` : nothing}

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use dobot_api::CalibrationFile;
 use dobot_calibrate::{read_calibration, write_calibration};
 
-use super::before;
+use super::{before, named};
 
 /// Keeps a calibration in a file once it was shown.
 #[derive(Debug)]
@@ -37,6 +37,7 @@ impl Kept {
 
     /// What was shown is kept; what was not is shown first, in the words that come back.
     pub(super) fn keep(&mut self, found: CalibrationFile) -> Option<String> {
+        let found = named(found, &self.file);
         if self.shown.take().as_ref() != Some(&found) {
             self.shown = Some(found);
             return Some(
