@@ -1,7 +1,7 @@
 // Asks the station what is known of the arm, what touches tell, and has it keep what a person was shown.
 
 import { saveFrom } from "../parts/save.js";
-import { LEAST_TOUCHES, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
+import { LEAST_TOUCHES, pointHindrance, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
 import { PLACES } from "../state/touch_paper.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
@@ -75,7 +75,7 @@ export function createCalibrate(store, http, change) {
     /** The tip stands on the point. */
     touch() {
       const arm = store.page.station?.arm;
-      if (arm && !touchHindrance(store.page)) send({ type: "calibrate_visited", told_deg: toldDegrees(arm) });
+      if (arm && !pointHindrance(store.page)) send({ type: "calibrate_visited", told_deg: toldDegrees(arm) });
     },
     /** Keeps what was shown, and nothing else. */
     async keep() {

@@ -48,7 +48,7 @@ Examples:
 Lay the sheet in front of the arm as it says, and put the pen in. Jog with the keys of `dobot jog` until the tip
 stands on the point, each time from the right and from above, so that the play of the joints is on the same side.
   Enter      the tip is on the point        n   the arm does not get there: the next point
-  z          takes the last touch back
+  z          takes the last touch back         b   the tip is on the block, which stands on the point (--block)
   w  w       shows what would be kept, then keeps it; q leaves without
 
 Four points are enough for a result, nine for its full accuracy. Nothing is kept that was not shown. What is kept holds
@@ -68,6 +68,9 @@ pub(crate) struct Args {
     /// How long the bar of the printed sheet is, measured with a ruler, in millimetres
     #[arg(long, value_name = "MM")]
     bar: Option<f64>,
+    /// How high a block is that you put on points (the key b says so), in millimetres from 5 to 100
+    #[arg(long, value_name = "MM", value_parser = block, conflicts_with_all = ["sheet", "undo", "use_file", "forget", "angles", "comb", "test", "paper"])]
+    block: Option<f64>,
     /// How slack base, rear arm and forearm are, in degrees from 0 to 5
     #[arg(long, value_name = "BASE,REAR,FORE", value_parser = backlash)]
     backlash: Option<[f64; 3]>,
@@ -156,15 +159,11 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             let panel = |pendant| PaperToucher::new(pendant, file.clone(), before.clone());
             with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?
         } else {
-            let picture = args.picture.clone();
             let panel = |pendant| {
-                Toucher::new(
-                    pendant,
-                    file.clone(),
-                    before.clone(),
-                    args.backlash,
-                    picture.clone(),
-                )
+                Toucher::new(pendant, file.clone(), before.clone())
+                    .with_backlash(args.backlash)
+                    .with_block(args.block)
+                    .with_picture(args.picture.clone())
             };
             with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?
         };
@@ -305,6 +304,13 @@ fn before(file: &Path) -> PathBuf {
     let mut name = OsString::from(file);
     name.push(".before");
     name.into()
+}
+
+fn block(text: &str) -> anyhow::Result<f64> {
+    match text.trim().parse() {
+        Ok(height_mm) if (5.0..=100.0).contains(&height_mm) => Ok(height_mm),
+        _ => bail!("expected its height in millimetres, 5 to 100, as in 40"),
+    }
 }
 
 fn backlash(text: &str) -> anyhow::Result<[f64; 3]> {

@@ -164,7 +164,7 @@ impl OldArm {
             let beside = Joints::new(told.base.0 - 3.0, told.rear.0 - 0.8, told.fore.0 - 0.8, 0.0);
             self.go(beside);
             self.go(told);
-            procedure.touch(self.told());
+            procedure.touch(self.told(), 0.0);
         }
         let [base, rear, fore] = self.backlash_deg;
         found(&procedure.outcome().unwrap(), Backlash { base, rear, fore })

@@ -2,7 +2,7 @@
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
-import { LEAST_TOUCHES, nextPoint, numbersOf, touchHindrance, touchesOf } from "../../state/calibrate.js";
+import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointHindrance, touchesOf } from "../../state/calibrate.js";
 import { hindrance } from "../../state/select.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";
@@ -133,10 +133,10 @@ function picture({ page, say }) {
 /** The second step: one point after the other. @param {Context} context */
 function touching(context) {
   const { page, say, act } = context;
-  const { sheet, visits, fit, shown, problem, lost } = page.calibrate;
+  const { sheet, visits, fit, shown, problem, lost, block } = page.calibrate;
   const point = nextPoint(page.calibrate);
   const [x, y] = sheet?.points_mm[point] ?? [];
-  const why = touchHindrance(page);
+  const why = pointHindrance(page);
   return html`
     <h3 id="calibrate-point" aria-live="polite">${say("calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
     ${picture(context)}
@@ -146,6 +146,10 @@ function touching(context) {
       <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", told_deg: null })}>${say("calibrate.skip")}</button>
       <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${say("calibrate.back")}</button>
       ${leave(context)}
+    </div>
+    <div class="row">
+      <label for="calibrate-block">${say("calibrate.block")}</label>
+      <input id="calibrate-block" class="length" type="number" min="0" max=${HIGHEST_BLOCK_MM} step="any" placeholder="0" aria-describedby="calibrate-why" .value=${live(block)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_block_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
     </div>
     <p id="calibrate-why" class="quiet">${why ? say(`hindrance.${why}`) : ""}</p>
     ${lost ? html`<p id="calibrate-lost" class="told" data-tone="warn" role="alert">${say("calibrate.lost", { lost })}</p>` : nothing}
@@ -162,7 +166,7 @@ function touches({ page, say }) {
   const away = (/** @type {number} */ n) => (fit ? say("calibrate.away", { mm: number(fit.away_mm[n] ?? 0) }) : "–");
   const missing = LEAST_TOUCHES - all.length;
   return html`
-    <dl id="calibrate-touches" class="list">${all.map(({ point }, n) => html`<div><dt>${say("calibrate.touched", { point: point + 1 })}</dt>
+    <dl id="calibrate-touches" class="list">${all.map(({ point, height_mm }, n) => html`<div><dt>${say(height_mm ? "calibrate.touched.block" : "calibrate.touched", { point: point + 1, height: height_mm })}</dt>
       <dd>${away(n)} ${fit?.left_out === n ? html`<b class="chip" data-tone="bad">${say("calibrate.left_out")}</b>` : nothing}</dd></div>`)}</dl>
     ${missing > 0 ? html`<p class="quiet">${say("calibrate.missing", { missing })}</p>` : nothing}`;
 }
@@ -182,7 +186,7 @@ function result(context, fit) {
       <p><b id="calibrate-trust" class="chip" data-tone=${TONES[trust]}>${say(`calibrate.trust.${trust}`)}</b> ${say("calibrate.expected", { mm: number(expected_mm) })}</p>
       <p class="quiet">${say(`calibrate.trust.${trust}.text`)}</p>
       ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${say("calibrate.unsure", { what, by: number(by), unit })}</p>`)}
-      ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${say("calibrate.advice", { point: best + 1 })}</p>` : nothing}
+      ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${say(advice?.height_mm ? "calibrate.advice.block" : "calibrate.advice", { point: best + 1, height: advice?.height_mm ?? 0 })}</p>` : nothing}
     </div>
     ${numbers(context, numbersOf(calibration, before).filter(({ name }) => MAIN.has(name)))}
     ${before ? html`<p class="quiet">${say("calibrate.since")}</p>` : nothing}

@@ -61,6 +61,9 @@ impl PaperToucher {
             TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
             TouchKey::Skip => self.skipped += 1,
             TouchKey::Keep => self.keep(),
+            TouchKey::Block => self
+                .pendant
+                .tell("the paper itself is touched, not a block".into()),
         }
     }
 
@@ -139,7 +142,7 @@ impl Panel for PaperToucher {
     }
 
     fn draw(&self, frame: &mut Frame) {
-        screen::draw_touching(frame, &self.pendant, "paper", self.lines());
+        screen::draw_touching(frame, &self.pendant, "paper", self.lines(), &[]);
     }
 
     fn handle_event(&mut self, now: Duration, event: &Event) {

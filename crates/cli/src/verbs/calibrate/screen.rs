@@ -13,7 +13,8 @@ use crate::verbs::watch::panels;
 
 /// Draws everything.
 pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
-    draw_touching(frame, &it.pendant, "calibration", lines(it));
+    let more = [("b", "on the block")];
+    draw_touching(frame, &it.pendant, "calibration", lines(it), &more);
 }
 
 /// Draws a procedure in which a person touches something: the arm, what the touches tell, the keys.
@@ -22,6 +23,7 @@ pub(super) fn draw_touching(
     pendant: &Pendant,
     title: &'static str,
     told: Vec<Line<'static>>,
+    more_keys: &[(&'static str, &'static str)],
 ) {
     let rows = [
         Constraint::Length(1),
@@ -39,20 +41,26 @@ pub(super) fn draw_touching(
     }
     panels::panel(frame, touches, title, told);
     let mut help = move_lines(pendant);
-    help.push(key_line(&[
+    let keys_of_touching = [
         ("Enter", "touched"),
         ("n", "skip"),
         ("z", "undo"),
         ("w", "show, keep"),
         ("q", "leave"),
-    ]));
+    ];
+    help.push(key_line(&[&keys_of_touching, more_keys].concat()));
     panels::panel(frame, keys, "keys", help);
     frame.render_widget(answer(pendant), bottom);
 }
 
 fn lines(it: &Toucher) -> Vec<Line<'static>> {
     let (number, [x_mm, y_mm]) = it.procedure.next_point();
-    let next = format!("touch point {number} ({x_mm}, {y_mm}), from the right and from above");
+    let top = if it.on_block {
+        format!("the block of {} mm on ", it.height_mm())
+    } else {
+        String::new()
+    };
+    let next = format!("touch {top}point {number} ({x_mm}, {y_mm}), from the right and from above");
     let mut lines = vec![Line::from(next).bold()];
     match &it.outcome {
         Ok(fit) => lines.extend(result(fit, it.kept.known.as_ref())),
@@ -91,11 +99,11 @@ fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
         let more = fit.advice.map_or(String::new(), |it| {
             let [x_mm, y_mm] = it.place_mm;
             let block = if it.height_mm > 0.0 {
-                " on a block"
+                format!("a block of about {} mm on ", it.height_mm)
             } else {
-                ""
+                String::new()
             };
-            format!("; {x_mm}, {y_mm}{block} would tell most")
+            format!("; {block}{x_mm}, {y_mm} would tell most")
         });
         let Unsure { what, by, unit } = unsure;
         lines.push(Line::from(format!("{what} is known to {by:.1} {unit}{more}")).dim());

@@ -24,32 +24,61 @@ pub(crate) struct Toucher {
     pub(super) kept: Kept,
     backlash: Backlash,
     picture: Option<PathBuf>,
+    /// How high the block is that a person has, in mm.
+    block_mm: Option<f64>,
+    /// Whether it stands on the next point.
+    pub(super) on_block: bool,
 }
 
 impl Toucher {
-    /// Keeps what is found in a file, and how well the touches agree in a picture.
-    pub(crate) fn new(
-        pendant: Pendant,
-        file: PathBuf,
-        known: Option<CalibrationFile>,
-        backlash_deg: Option<[f64; 3]>,
-        picture: Option<PathBuf>,
-    ) -> Self {
+    /// Keeps what is found in a file, beside what was known before.
+    pub(super) fn new(pendant: Pendant, file: PathBuf, known: Option<CalibrationFile>) -> Self {
         let procedure = Procedure::new(Tool::SuctionCup);
-        let of_before = known.as_ref().map(|it| it.backlash).unwrap_or_default();
-        let backlash = backlash_deg.map_or(of_before, |[base, rear, fore]| Backlash {
-            base,
-            rear,
-            fore,
-        });
+        let backlash = known.as_ref().map(|it| it.backlash).unwrap_or_default();
         Self {
             pendant,
             outcome: procedure.outcome(),
             procedure,
             kept: Kept::new(file, known),
             backlash,
-            picture,
+            picture: None,
+            block_mm: None,
+            on_block: false,
         }
+    }
+
+    /// Base, rear arm and forearm are so slack, in degrees, if that is said; else as was known before.
+    pub(super) fn with_backlash(mut self, backlash_deg: Option<[f64; 3]>) -> Self {
+        if let Some([base, rear, fore]) = backlash_deg {
+            self.backlash = Backlash { base, rear, fore };
+        }
+        self
+    }
+
+    /// Writes how well the touches agree into a picture, when the result is kept.
+    pub(super) fn with_picture(mut self, picture: Option<PathBuf>) -> Self {
+        self.picture = picture;
+        self
+    }
+
+    /// A person has a block to put on points, so high in mm.
+    pub(super) const fn with_block(mut self, height_mm: Option<f64>) -> Self {
+        self.block_mm = height_mm;
+        self
+    }
+
+    /// How high above the paper the next touch is, in mm.
+    pub(super) fn height_mm(&self) -> f64 {
+        self.block_mm.filter(|_| self.on_block).unwrap_or(0.0)
+    }
+
+    /// The block is put on the next point, or taken away.
+    fn turn_to_block(&mut self) {
+        if self.block_mm.is_none() {
+            let text = "how high is the block? leave with q, and say it: --block 40";
+            return self.pendant.tell(text.into());
+        }
+        self.on_block = !self.on_block;
     }
 
     fn handle_key(&mut self, key: TouchKey) {
@@ -60,7 +89,8 @@ impl Toucher {
         match key {
             TouchKey::Touch => match self.joints() {
                 Ok(told) => {
-                    self.procedure.touch(told);
+                    self.procedure.touch(told, self.height_mm());
+                    self.on_block = false;
                     self.judge();
                 }
                 Err(why) => self.pendant.tell(format!("not touched: {why}")),
@@ -69,6 +99,7 @@ impl Toucher {
             TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
             TouchKey::Skip => self.procedure.skip(),
             TouchKey::Keep => self.keep(),
+            TouchKey::Block => self.turn_to_block(),
         }
     }
 
@@ -170,6 +201,8 @@ pub(super) enum TouchKey {
     Undo,
     /// The result is shown, then kept.
     Keep,
+    /// A block stands on the point, or no more.
+    Block,
 }
 
 /// The meaning of a key; `None` where it is one of the pendant.
@@ -182,6 +215,7 @@ pub(super) fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
         KeyCode::Char('n') => Some(TouchKey::Skip),
         KeyCode::Char('z') => Some(TouchKey::Undo),
         KeyCode::Char('w') => Some(TouchKey::Keep),
+        KeyCode::Char('b') => Some(TouchKey::Block),
         _ => None,
     }
 }
@@ -210,15 +244,18 @@ mod tests {
     fn toucher(known: Option<CalibrationFile>) -> Toucher {
         let dead_man = Duration::from_millis(150);
         let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
-        let mut it = Toucher::new(pendant, "arm.toml".into(), known, None, None);
+        let mut it = Toucher::new(pendant, "arm.toml".into(), known).with_block(Some(30.0));
         it.handle_state(serde_json::from_str(STATE).unwrap());
         it
     }
 
     /// The tip stands on a point of the sheet.
-    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
     fn on([x, y]: [f64; 2]) -> State {
-        let place = Position::new(x, y, -40.0);
+        at(Position::new(x, y, -40.0))
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
+    fn at(place: Position) -> State {
         let told = ARM.told_joints(place, Tool::SuctionCup).unwrap();
         let mut state: State = serde_json::from_str(STATE).unwrap();
         let status = &mut state.arm.as_mut().unwrap().status;
@@ -270,6 +307,23 @@ mod tests {
         let full = io::Error::other("the disk is full");
         it.handle_saved(text, Err(full));
         assert_eq!(it.poll_file(), None, "nothing is replaced without it");
+    }
+
+    #[test]
+    fn a_touch_of_a_block_counts_as_so_much_higher() {
+        let mut it = toucher(None);
+        touch_all(&mut it);
+        let flat = it.outcome.clone().unwrap();
+        press(&mut it, KeyCode::Char('b'));
+        let [x, y] = SHEET_POINTS[0];
+        it.handle_state(at(Position::new(x, y, -10.0)));
+        press(&mut it, KeyCode::Enter);
+        let found = it.outcome.clone().unwrap();
+        assert!(found.residual_mm(9) < 0.1, "{}", found.residual_mm(9));
+        assert_eq!(found.left_out, None);
+        assert!(found.unsure.len() <= flat.unsure.len());
+        // The next touch is on the paper again.
+        assert_eq!(it.height_mm(), 0.0);
     }
 
     #[test]
