@@ -150,11 +150,21 @@ export async function rest(page) {
   await page.waitForFunction(() => document.querySelector("#moving").textContent === "at rest");
 }
 
+/** Waits until what the station answers at a path is so. (`waitForFunction` takes the promise of an async function for true.) */
+export async function answered(page, path, isSo) {
+  const ask = (path) => page.evaluate(async (path) => (await fetch(path)).json(), path);
+  for (let tries = 0; tries < 600; tries += 1) {
+    const answer = await ask(path);
+    if (isSo(answer)) return answer;
+    await page.waitForTimeout(50);
+  }
+  throw new Error(`${path} never answers what was waited for: ${isSo}`);
+}
+
 /** Waits until so much of the station's time has passed. */
 export async function passed(page, seconds) {
-  const now = () => page.evaluate(async () => (await (await fetch("api/v1/state")).json()).at_s);
-  const until_s = (await now()) + seconds;
-  await page.waitForFunction(async (until_s) => (await (await fetch("api/v1/state")).json()).at_s > until_s, until_s);
+  const { at_s } = await answered(page, "api/v1/state", () => true);
+  await answered(page, "api/v1/state", (it) => it.at_s > at_s + seconds);
 }
 
 /** Presses the mouse button over a jog button. */

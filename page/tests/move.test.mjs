@@ -1,7 +1,7 @@
 // Everything by which a person moves the arm besides holding a button and going to a place, judged on what the arm was told.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { open, passed, pose, rest, takeControl } from "./bench.mjs";
+import { answered, open, passed, pose, rest, takeControl } from "./bench.mjs";
 
 let bench, page, told, from;
 
@@ -127,7 +127,7 @@ test("an angle beyond 90 degrees is not sent", async () => {
 
 test("the tool that is mounted is told to the arm", async () => {
   await page.click("[data-mount=gripper]");
-  await page.waitForFunction(async () => (await (await fetch("api/v1/state")).json()).queue.under_way === 0);
+  await answered(page, "api/v1/state", ({ queue }) => queue.under_way === 0);
   const configured = told.packets.slice(from).filter(({ floats: [state, mode] }) => state === 9 && mode === 4);
   assert.equal(configured.length, 1);
   await page.click("[data-mount=suction_cup]");
@@ -151,7 +151,7 @@ test("speeds that are set are told to the arm", async () => {
   await page.fill("#speed-percent", "60");
   await page.fill("#acceleration-percent", "70");
   await page.click("#speeds-set");
-  await page.waitForFunction(async () => (await (await fetch("api/v1/state")).json()).queue.under_way === 0);
+  await answered(page, "api/v1/state", ({ queue }) => queue.under_way === 0);
   const [adjusted] = told.packets.slice(from).filter(({ floats: [state] }) => state === 10);
   assert.deepEqual(adjusted.floats.slice(2, 4), [60, 70]);
 });

@@ -1,7 +1,7 @@
 // What a person sets up on the page, judged on what the station then does.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { open, takeControl } from "./bench.mjs";
+import { answered, open, takeControl } from "./bench.mjs";
 
 let real, virtual;
 
@@ -46,7 +46,7 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   await page.click("#tab-set_up");
   await page.click("[data-zone=zone_1] button");
   await page.click("#policy-keep");
-  await page.waitForFunction(async () => Object.keys((await (await fetch("api/v1/policy")).json()).keep_out).length === 0);
+  await answered(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
   await page.click("#tab-move");
   await type(page, THERE);
   await says(page, "target-told", "The whole way is free");
@@ -121,13 +121,13 @@ test("a world that is put there is around the arm", async () => {
   await page.click("#tab-set_up");
   await page.click("[data-world='world.cubes']");
   await page.click("#world-set");
-  await page.waitForFunction(async () => (await (await fetch("api/v1/world")).json()).objects.length === 2);
+  await answered(page, "api/v1/world", ({ objects }) => objects.length === 2);
   const { tool, objects } = await virtual.ask("api/v1/world");
   assert.equal(tool.kind.type, "suction_cup");
   assert.deepEqual(objects.map((it) => it.name), ["red cube", "blue cube"]);
   await page.click("[data-world='world.pen']");
   await page.click("#world-set");
-  await page.waitForFunction(async () => (await (await fetch("api/v1/world")).json()).tool.kind.type === "pen");
+  await answered(page, "api/v1/world", ({ tool }) => tool.kind.type === "pen");
 });
 
 test("the language is changed at once, and kept for the next visit", async () => {

@@ -23,9 +23,15 @@ impl Policy {
     ///
     /// [`Violation`] with the rule, the place on the way and the nearest that is allowed.
     pub fn check(&self, model: &Model, command: &Command) -> Result<Trajectory, Violation> {
-        self.judge(model, command).map_err(|violation| Violation {
-            nearest: violation.nearest.or_else(|| self.nearest(model, command)),
-            ..violation
+        self.judge(model, command).map_err(|violation| {
+            let nearest = match command {
+                Command::MoveTo(target) => self.nearest(model, target, violation.nearest),
+                _ => violation.nearest,
+            };
+            Violation {
+                nearest,
+                ..violation
+            }
         })
     }
 
@@ -49,35 +55,53 @@ impl Policy {
         Ok(trajectory)
     }
 
-    /// How far towards a target the arm may go, where no way leads to the target itself.
-    fn nearest(&self, model: &Model, command: &Command) -> Option<[f64; 3]> {
-        let Command::MoveTo(target) = command else {
-            return None;
-        };
+    /// How far towards a target the arm may go, in tenths of a millimetre as people type them: the place before which the
+    /// way is free, or, where that cannot be gone to, one on the line to the target.
+    fn nearest(
+        &self,
+        model: &Model,
+        target: &MoveTo,
+        on_the_way: Option<[f64; 3]>,
+    ) -> Option<[f64; 3]> {
         let from = model.place.pose.position;
-        let to = Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into());
-        let place = |share: f64| from + (to - from) * share;
-        let is_allowed = |share: f64| {
-            let command = Command::from(MoveTo {
-                x_mm: single(place(share).x.0),
-                y_mm: single(place(share).y.0),
-                z_mm: single(place(share).z.0),
-                ..*target
-            });
-            self.judge(model, &command).is_ok()
+        let told = |[x, y, z]: [f64; 3]| {
+            let place = Position::new(x, y, z);
+            model.calibration.told_place(place, model.tool).ok()
         };
-        let (mut allowed, mut forbidden) = (0.0, 1.0);
-        for _ in 0..NEAREST_HALVINGS {
-            let middle = f64::midpoint(allowed, forbidden);
-            if is_allowed(middle) {
-                allowed = middle;
-            } else {
-                forbidden = middle;
+        let is_allowed = |told: Position| {
+            let command = MoveTo {
+                x_mm: single(told.x.0),
+                y_mm: single(told.y.0),
+                z_mm: single(told.z.0),
+                ..*target
+            };
+            self.judge(model, &command.into()).is_ok()
+        };
+        // Rounding leads away from what was allowed, so some places before it are tried as well.
+        let rounded = |end: Position| {
+            let back = (from - end) * (TENTH_MM / end.distance(from).0.max(TENTH_MM));
+            (0..TENTHS_BACK).find_map(|tenths| {
+                let place = end + back * f64::from(tenths);
+                let place = model.calibration.true_place(place, model.tool).ok()?;
+                let place = [place.x.0, place.y.0, place.z.0].map(to_tenths);
+                told(place).is_some_and(is_allowed).then_some(place)
+            })
+        };
+        let on_the_way = on_the_way.and_then(told).and_then(rounded);
+        on_the_way.or_else(|| {
+            let to = Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into());
+            let place = |share: f64| from + (to - from) * share;
+            let (mut allowed, mut forbidden) = (0.0, 1.0);
+            for _ in 0..NEAREST_HALVINGS {
+                let middle = f64::midpoint(allowed, forbidden);
+                if is_allowed(place(middle)) {
+                    allowed = middle;
+                } else {
+                    forbidden = middle;
+                }
             }
-        }
-        let told = Some(place(allowed)).filter(|_| allowed > 0.0)?;
-        let at = model.calibration.true_place(told, model.tool).ok()?;
-        Some([at.x.0, at.y.0, at.z.0])
+            (allowed > 0.0).then(|| rounded(place(allowed))).flatten()
+        })
     }
 
     fn check_way(
@@ -171,5 +195,13 @@ fn paths(trajectory: &Trajectory) -> [Path<'_>; 3] {
 
 /// How often a forbidden way is looked at to tell how far out it leads.
 const LOOKS: u32 = 256;
+/// In whole tenths; negative zero is zero.
+fn to_tenths(mm: f64) -> f64 {
+    (mm * 10.0).round() / 10.0 + 0.0
+}
+
+const TENTH_MM: f64 = 0.1;
+/// How many tenths before the nearest place are tried.
+const TENTHS_BACK: u32 = 12;
 /// How often the way to the nearest place is halved: a hundredth of a millimetre of 400.
 const NEAREST_HALVINGS: u32 = 16;
