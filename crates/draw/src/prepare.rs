@@ -2,6 +2,7 @@
 
 mod layers;
 mod settings;
+mod vectors;
 
 use std::fmt;
 use std::sync::Arc;
@@ -11,8 +12,9 @@ use thiserror::Error;
 
 pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
+use self::vectors::simplified;
 use crate::backlash::taken_up;
-use crate::calibrated::{shortened, told_passes, told_strokes};
+use crate::calibrated::{told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::cutting::inner_first;
 use crate::doubles::without_doubles;
@@ -20,7 +22,6 @@ use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
-use crate::simplify::simplify;
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
 use dobot_plan::{DrawingTool, Pass, Plan, PlanError};
@@ -432,24 +433,6 @@ fn ordered(
         Some(search) => order(strokes, here, &search),
         None => strokes,
     }
-}
-
-/// The same pass with the fewest vectors.
-fn simplified(pass: &Pass, settings: &Settings) -> Result<Pass, PrepareError> {
-    let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let strokes = pass.strokes.iter().map(|it| {
-        settings.give_up.check()?;
-        let simple = simplify(it, tolerance_mm);
-        Ok(shortened(simple, &settings.paper))
-    });
-    let strokes: Result<_, PrepareError> = strokes.collect();
-    Ok(Pass {
-        name: pass.name.clone(),
-        color: pass.color,
-        tool: pass.tool,
-        strokes: strokes?,
-        message: pass.message.clone(),
-    })
 }
 
 /// Where a file has too many corners even like this, it would on the paper.

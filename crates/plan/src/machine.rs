@@ -4,7 +4,8 @@ use dobot_arm::TICK_S;
 use dobot_wire::Dialect;
 
 use crate::error::{not_negative, positive};
-use crate::{DrawingTool, PlanError};
+use crate::seen::WINDOW_S;
+use crate::{Cornering, DrawingTool, PlanError};
 
 /// What arm and link can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,8 +16,9 @@ pub struct Machine {
     /// takes them many degrees, near the axis of the base or with the arm stretched, the tool is
     /// planned slower.
     pub joint_speed_deg_s: f64,
-    /// How far an imagined arc may cut a corner, in mm; best the tolerance of the drawing. See
-    /// [`Cornering`](crate::Cornering).
+    /// How far an imagined arc may cut a corner, in mm; best twice the tolerance of the drawing: where
+    /// vectors stand for a curve their corners lie outside of it by up to the tolerance, and the
+    /// arc then lies inside of it by no more. See [`Cornering`](crate::Cornering).
     pub corner_deviation_mm: f64,
     /// How fast vectors come.
     pub link: LinkRate,
@@ -33,6 +35,16 @@ impl Machine {
             link: LinkRate::of(dialect),
             has_ticks: !dialect.uses_start_speed,
             ..Self::default()
+        }
+    }
+
+    /// How its corners are measured.
+    #[must_use]
+    pub const fn cornering(&self) -> Cornering {
+        Cornering {
+            acceleration_mm_s2: self.acceleration_mm_s2,
+            deviation_mm: self.corner_deviation_mm,
+            window_s: WINDOW_S,
         }
     }
 
@@ -67,7 +79,7 @@ impl Default for Machine {
         Self {
             acceleration_mm_s2: 100.0,
             joint_speed_deg_s: 100.0,
-            corner_deviation_mm: 0.05,
+            corner_deviation_mm: 0.1,
             link: LinkRate::default(),
             has_ticks: false,
         }
