@@ -64,6 +64,29 @@ impl Machine {
         }
     }
 
+    /// How long a vector from rest to rest has to be, in mm: where the arm has ticks a shorter one would
+    /// not accelerate at all, and with the little speed that is kept from before it might never end
+    /// (note N51).
+    pub(super) fn least_from_rest_mm(&self) -> f64 {
+        if self.has_ticks {
+            // The peak is half of what a tick changes, and a bit: a length of a t2 / 4.
+            FROM_REST * self.acceleration_mm_s2 * TICK_S * TICK_S / 4.0
+        } else {
+            0.0
+        }
+    }
+
+    /// The largest speed for a vector from rest to rest, in mm/s: where the arm has ticks the next below
+    /// this one with which as many ticks are faster as are slower.
+    pub(super) fn rest_to_rest_mm_s(&self, wanted_mm_s: f64) -> f64 {
+        if !self.has_ticks {
+            return wanted_mm_s;
+        }
+        let step_mm_s = self.acceleration_mm_s2 * TICK_S;
+        let steps = (wanted_mm_s / step_mm_s - KEPT_STEPS).floor().max(1.0);
+        (steps + KEPT_STEPS) * step_mm_s
+    }
+
     pub(super) fn check(&self) -> Result<(), PlanError> {
         positive("acceleration", self.acceleration_mm_s2, "mm/s2")?;
         positive("joint speed", self.joint_speed_deg_s, "deg/s")?;
@@ -71,6 +94,11 @@ impl Machine {
         self.link.check()
     }
 }
+
+const FROM_REST: f64 = 1.2;
+/// How much above whole steps of a tick's change a largest speed is, so that it is rounded to these
+/// whatever less than a step the arm has kept from before.
+const KEPT_STEPS: f64 = 0.45;
 
 impl Default for Machine {
     /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2, and 100 deg/s

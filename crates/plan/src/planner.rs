@@ -102,7 +102,7 @@ impl<'a> Planner<'a> {
         #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
         let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
         let way = [x_mm, y_mm, z_mm].map(f64::from);
-        if length(way) < LEAST_VECTOR_MM {
+        if length(way) < self.least_vector_mm(kind) {
             return;
         }
         self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
@@ -120,6 +120,17 @@ impl<'a> Planner<'a> {
             stroke: self.stroke,
             pass: self.pass,
         });
+    }
+
+    /// What is shorter is left to the next vector. A laser is switched however short the way is; its
+    /// ways do not begin at rest.
+    fn least_vector_mm(&self, kind: MoveKind) -> f64 {
+        match kind {
+            MoveKind::Travel | MoveKind::Lower | MoveKind::Draw | MoveKind::Lift => {
+                LEAST_VECTOR_MM.max(self.machine.least_from_rest_mm())
+            }
+            _ => LEAST_VECTOR_MM,
+        }
     }
 
     /// The chain ends: its speeds can be planned.

@@ -186,7 +186,9 @@ impl TickTarget {
                 return fit;
             }
         }
-        let max_mm_s = single(self.speeds.limit_mm_s).min(self.most_mm_s);
+        // With less than half a step it would keep for ever what it has.
+        let max_mm_s = single(self.speeds.limit_mm_s).max(1.5 * change);
+        let max_mm_s = max_mm_s.min(self.most_mm_s);
         TickFit {
             end_mm_s: 0.0,
             max_mm_s,
@@ -248,17 +250,24 @@ mod tests {
     proptest! {
         #[test]
         fn every_vector_is_as_long_as_it_should_be(
-            length_mm in 0.002..150.0_f32,
-            stored in 0.0..60.0_f32,
+            length_mm in 0.012..150.0_f32,
+            stored in prop_oneof![0.0..60.0_f32, (-9.0..0.0_f32).prop_map(|it| 10.0_f32.powf(it))],
             end in 0.0..60.0_f64,
-            max in 1.0..80.0_f64,
+            max in 0.1..80.0_f64,
             rests: bool,
         ) {
             let max = max.max(stored.into()).max(end);
-            let fit = target(length_mm, [stored.into(), end, max], rests).fits(stored)[0];
+            // As the ticker limits it: less could not be begun from rest.
+            let most_mm_s = single(max.max(3.0));
+            let wanted = target(length_mm, [stored.into(), end, max], rests);
+            let fit = TickTarget { most_mm_s, ..wanted }.fits(stored)[0];
             prop_assert!(fit.cut.is_true(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
-            prop_assert!(fit.max_mm_s > 0.0 && fit.max_mm_s <= single(max), "{fit:?}");
+            prop_assert!(fit.max_mm_s > 0.0 && fit.max_mm_s <= most_mm_s, "{fit:?}");
+            // No slower than what is wanted, or than a tenth of what a tick changes.
+            let slowest_mm_s = wanted.speeds.max_mm_s.min(0.2);
+            let most_s = f64::from(length_mm) / slowest_mm_s + 2.0;
+            prop_assert!(f64::from(fit.cut.ticks()) * 0.02 <= most_s, "{fit:?}");
         }
     }
 }

@@ -261,12 +261,13 @@ fn length(vector: &WriteVector) -> f32 {
     (x * x + y * y + z * z).sqrt()
 }
 
+/// Whether a stock arm accelerates on it a hundredfold (note N48).
+pub(super) fn is_rapid(vector: &WriteVector) -> bool {
+    vector.mode == WriteMode::Laser && !vector.laser
+}
+
 fn factor(vector: &WriteVector) -> f32 {
-    if vector.mode == WriteMode::Laser && !vector.laser {
-        RAPID_FACTOR
-    } else {
-        1.0
-    }
+    if is_rapid(vector) { RAPID_FACTOR } else { 1.0 }
 }
 
 /// With the laser off, laser mode accelerates that much faster (note N48).
