@@ -19,12 +19,16 @@ use crate::ticker::is_rapid;
 /// A largest speed of less than half a step would leave the arm at the speed that it has kept, for
 /// minutes or for ever (note N51): so the least is one step, and what is between is rounded down.
 /// A vector in laser mode with the laser off cannot speed up at all. So the one before it does not rest.
+/// What is planned from rest to rest stays as it is at a share of 1.
 #[must_use]
 pub fn rest_each(vectors: &[WriteVector], share: f64, machine: &Machine) -> Vec<WriteVector> {
     let next = vectors.iter().skip(1).map(Some).chain([None]);
     let pairs = vectors.iter().zip(next);
     pairs
         .map(|(vector, next)| {
+            if share >= 1.0 && rests(vector) {
+                return *vector;
+            }
             let wanted_mm_s = f64::from(vector.max_speed_mm_s) * share.min(1.0);
             let max_speed_mm_s = if is_rapid(vector) {
                 single(wanted_mm_s)
@@ -40,6 +44,11 @@ pub fn rest_each(vectors: &[WriteVector], share: f64, machine: &Machine) -> Vec<
             }
         })
         .collect()
+}
+
+/// Whether it begins and ends at rest as it is.
+fn rests(vector: &WriteVector) -> bool {
+    vector.start_speed_mm_s == 0.0 && vector.end_speed_mm_s == 0.0
 }
 
 #[cfg(test)]
@@ -105,6 +114,12 @@ mod tests {
     }
 
     #[test]
+    fn what_is_planned_from_rest_to_rest_stays_as_it_is() {
+        let planned = [WriteVector::by(3.0, 1.0, 0.0, 41.0)];
+        assert_eq!(rest_each(&planned, 1.0, &STOCK), planned);
+    }
+
+    #[test]
     fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_told() {
         let vector = WriteVector::by(1.6, 0.0, 0.0, 6.0);
         let slow = rest_each(&[vector], 0.1, &Machine::default())[0];
@@ -123,8 +138,12 @@ mod tests {
         ) {
             let machine = Machine { acceleration_mm_s2, ..STOCK };
             let step_mm_s = single(acceleration_mm_s2) * 0.02;
-            let planned: Vec<_> =
-                lengths_mm.iter().map(|it| WriteVector::by(*it, 0.0, 0.0, max_mm_s)).collect();
+            // From the middle of a stroke.
+            let vector = |it: &f32| WriteVector {
+                start_speed_mm_s: 1.0,
+                ..WriteVector::by(*it, 0.0, 0.0, max_mm_s)
+            };
+            let planned: Vec<_> = lengths_mm.iter().map(vector).collect();
             let vectors = rest_each(&planned, share, &machine);
             for (vector, cut) in vectors.iter().zip(cuts(&vectors, kept * step_mm_s, &machine)) {
                 // What is kept is kept on a short way if it is more than a tenth of the largest speed.
