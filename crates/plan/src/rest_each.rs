@@ -101,6 +101,8 @@ mod tests {
         let burn = WriteVector {
             mode: WriteMode::Laser,
             laser: true,
+            start_speed_mm_s: 10.0,
+            end_speed_mm_s: 10.0,
             ..WriteVector::by(5.0, 0.0, 0.0, 10.0)
         };
         let out = WriteVector {
