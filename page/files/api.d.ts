@@ -482,6 +482,40 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/calibration/paper": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** How the paper lies that the tool has touched at true places: three tell its plane, more how it is bent. Nothing is kept: put it into the calibration */
+        post: operations["post_calibration_paper"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/calibration/picture": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** What touches of the sheet tell, as a picture: how far each is from where it should be */
+        post: operations["post_calibration_picture"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/calibration/points": {
         parameters: {
             query?: never;
@@ -1561,7 +1595,8 @@ export interface components {
             /**
              * @description What the tool tip may not go into.
              * @default {
-             *       "z_mm": -103
+             *       "z_mm": -103,
+             *       "below_paper_mm": 5
              *     }
              */
             table: components["schemas"]["Table"];
@@ -1745,6 +1780,12 @@ export interface components {
              * @default -103
              */
             z_mm: number;
+            /**
+             * Format: double
+             * @description How far below the paper a tool tip may be where a calibration knows how the paper lies, in mm: 0 to 300.
+             * @default 5
+             */
+            below_paper_mm: number;
         };
         /** @description How far the tip of each tool hangs below the wrist, in mm: 0 to 200. */
         ToolLengths: {
@@ -2377,6 +2418,8 @@ export interface components {
         };
         /** @description What is kept of an arm. */
         CalibrationFile: {
+            /** @description What people call the arm, at most 64 characters. */
+            name?: string | null;
             /** @description How much further each joint stands than the arm says, in degrees. */
             zeros: components["schemas"]["Zeros"];
             /**
@@ -2459,7 +2502,10 @@ export interface components {
              */
             y_mm: number;
         };
-        /** @description The plane of the paper, as Z of the wrist where the tool touches it. */
+        /**
+         * @description Where the paper lies, as Z of the wrist where the tool touches it: a plane, and what it rises above the plane at the
+         *     places that were touched.
+         */
         PaperPlane: {
             /**
              * Format: double
@@ -2476,6 +2522,11 @@ export interface components {
              * @description How much it rises for each mm to the left.
              */
             slope_y: number;
+            /**
+             * @description Places that were touched, in mm: forward, to the left, and how much higher than the plane the paper is there.
+             *     Between them it is bent evenly; without any it is flat.
+             */
+            heights?: number[][];
         };
         /** @description How far a motor turns in vain where its joint turns back. */
         Backlash: {
@@ -2710,6 +2761,23 @@ export interface components {
         };
         /** @description Whether to use a calibration. */
         Trust: "good" | "unchecked" | "doubtful";
+        /** @description Places of the paper that the tool has touched. */
+        PaperTouches: {
+            /** @description Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them. */
+            places_mm: number[][];
+        };
+        /** @description How the paper lies. */
+        PaperReport: {
+            /** @description What is to be kept of it. */
+            paper: components["schemas"]["PaperPlane"];
+            /** @description How much higher than the plane each touch is, in mm. */
+            away_mm: number[];
+            /**
+             * Format: double
+             * @description How steep the plane is, in degrees.
+             */
+            slope_deg: number;
+        };
         /** @description The points of the sheet. */
         SheetPoints: {
             /** @description Forward and to the left of the base's axis, in mm. */
@@ -3396,11 +3464,19 @@ export interface components {
              *         "layer": [],
              *         "only": [],
              *         "no_crop": false,
+             *         "hide": false,
              *         "hatch": null,
              *         "hatch_angle": 45,
+             *         "hatch_style": "lines",
+             *         "hatch_inset": 0,
              *         "cross": false,
              *         "shade": null,
              *         "spacing": null,
+             *         "brightness": 0,
+             *         "contrast": 0,
+             *         "gamma": 1,
+             *         "threshold": null,
+             *         "levels": null,
              *         "invert": false
              *       },
              *       "place": {
@@ -3449,7 +3525,7 @@ export interface components {
             options: components["schemas"]["Options"];
         };
         /**
-         * @description What a person asks for. [`DrawingRequest::new`] makes [`Settings`] of it; `dobot draw` reads it from its
+         * @description What a person asks for. [`DrawingRequest::new`] makes [`Settings`](crate::Settings) of it; `dobot draw` reads it from its
          *     arguments, any other client from JSON:
          *
          *     ```
@@ -3481,11 +3557,19 @@ export interface components {
              *       "layer": [],
              *       "only": [],
              *       "no_crop": false,
+             *       "hide": false,
              *       "hatch": null,
              *       "hatch_angle": 45,
+             *       "hatch_style": "lines",
+             *       "hatch_inset": 0,
              *       "cross": false,
              *       "shade": null,
              *       "spacing": null,
+             *       "brightness": 0,
+             *       "contrast": 0,
+             *       "gamma": 1,
+             *       "threshold": null,
+             *       "levels": null,
              *       "invert": false
              *     }
              */
@@ -3618,6 +3702,11 @@ export interface components {
              */
             no_crop: boolean;
             /**
+             * @description Leave out what lies under the filled shapes of an SVG file, white ones too, as in a picture
+             * @default false
+             */
+            hide: boolean;
+            /**
              * @description Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
              * @default null
              */
@@ -3629,12 +3718,24 @@ export interface components {
              */
             hatch_angle: number;
             /**
+             * @description What areas are hatched with: lines, concentric (the outline again and again, farther inside) or
+             *     spiral (the same in one line)
+             * @default lines
+             */
+            hatch_style: components["schemas"]["HatchStyle"];
+            /**
+             * Format: double
+             * @description How far the hatching stays away from the edge, in mm: half the width of the pen keeps the ink inside
+             * @default 0
+             */
+            hatch_inset: number;
+            /**
              * @description Hatch crosswise
              * @default false
              */
             cross: boolean;
             /**
-             * @description How a picture becomes ink: outline, lines, stipple or hatch
+             * @description How a picture becomes ink: hatch, lines, spiral, flow, stipple, tsp (one line from dot to dot) or outline
              * @default null
              */
             shade: components["schemas"]["ShadingStyle"] | null;
@@ -3644,6 +3745,36 @@ export interface components {
              * @default null
              */
             spacing: number | null;
+            /**
+             * Format: double
+             * @description Make a picture lighter, or darker below 0: from -100 to 100 percent
+             * @default 0
+             */
+            brightness: number;
+            /**
+             * Format: double
+             * @description Set the tones of a picture farther apart, or nearer below 0: from -100 to 100 percent
+             * @default 0
+             */
+            contrast: number;
+            /**
+             * Format: double
+             * @description Make the middle tones of a picture lighter above 1, darker below
+             * @default 1
+             */
+            gamma: number;
+            /**
+             * Format: double
+             * @description Make a picture black where it is darker than so much, and white elsewhere: between 0 (white) and 1
+             * @default null
+             */
+            threshold: number | null;
+            /**
+             * Format: uint8
+             * @description How many tones beside white --shade outline and hatch tell apart, from 1 to 8 (default: 4)
+             * @default null
+             */
+            levels: number | null;
             /**
              * @description Draw the light parts of a picture instead of the dark ones
              * @default false
@@ -3665,8 +3796,10 @@ export interface components {
         Spacing: number | components["schemas"]["Auto"];
         /** @description The word `auto`. */
         Auto: "auto";
+        /** @description The lines that an area is filled with. */
+        HatchStyle: "lines" | "concentric" | "spiral";
         /** @description What is drawn of a picture. */
-        ShadingStyle: "outline" | "lines" | "stipple" | "hatch";
+        ShadingStyle: "outline" | "lines" | "spiral" | "flow" | "stipple" | "tsp" | "hatch";
         /** @description Where it goes. */
         PlaceOptions: {
             /**
@@ -8342,6 +8475,336 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["FitReport"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-touches`: the touches tell no calibration
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_calibration_paper: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "places_mm": [
+                 *         [
+                 *           160,
+                 *           -80,
+                 *           -42.1
+                 *         ],
+                 *         [
+                 *           160,
+                 *           80,
+                 *           -41.6
+                 *         ],
+                 *         [
+                 *           270,
+                 *           0,
+                 *           -43
+                 *         ]
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["PaperTouches"];
+            };
+        };
+        responses: {
+            /** @description how it lies */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PaperReport"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-touches`: the touches tell no calibration
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_calibration_picture: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "bar_mm": 200,
+                 *       "touches": [
+                 *         {
+                 *           "place_mm": [
+                 *             215,
+                 *             0
+                 *           ],
+                 *           "told_deg": [
+                 *             0,
+                 *             35.1,
+                 *             47.2
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             155,
+                 *             100
+                 *           ],
+                 *           "told_deg": [
+                 *             32.8,
+                 *             20.4,
+                 *             51
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             275,
+                 *             100
+                 *           ],
+                 *           "told_deg": [
+                 *             20,
+                 *             58.6,
+                 *             40.3
+                 *           ]
+                 *         },
+                 *         {
+                 *           "place_mm": [
+                 *             275,
+                 *             -100
+                 *           ],
+                 *           "told_deg": [
+                 *             -20,
+                 *             58.6,
+                 *             40.3
+                 *           ]
+                 *         }
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewTouches"];
+            };
+        };
+        responses: {
+            /** @description the sheet with the touches */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/svg+xml": string;
                 };
             };
             /** @description - `malformed`: the request cannot be understood */

@@ -14,7 +14,7 @@ import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
-import { createViewOf, isVeryOld, silence_ms } from "./state/select.js";
+import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/select.js";
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
 import { followAround } from "./station/around.js";
@@ -168,8 +168,9 @@ store.listen((page, message) => {
   }
 });
 part("stage").addEventListener("target", (event) => {
-  const { x_mm, y_mm, z_mm, rotation_deg } = /** @type {CustomEvent<import("./stage/view.js").Target>} */ (event).detail;
-  store.send({ type: "target_placed", place: { x_mm, y_mm, z_mm, rotation_deg } });
+  const { x_mm, y_mm, z_mm, rotation_deg, phase } = /** @type {CustomEvent<import("./stage/view.js").Target>} */ (event).detail;
+  const place = { x_mm, y_mm, z_mm, rotation_deg };
+  store.send(taughtPlace(store.page) ? { type: "teach_placed", place, phase } : { type: "target_placed", place });
 });
 dark.addEventListener("change", changed);
 setInterval(() => {

@@ -85,6 +85,19 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   await says("calibrate-result", "typically");
   assert.equal(await page.textContent("#calibrate-trust"), "good");
   assert.equal(await page.locator("#calibrate-touches dt").count(), 8);
+  // There is no block on the point, so the touch is far below where its top would be, and is named.
+  await page.fill("#calibrate-block", "-3");
+  await says("calibrate-why", "0 to 100 mm");
+  assert.equal(await page.isDisabled("#calibrate-touch"), true);
+  await page.fill("#calibrate-block", "40");
+  await says("calibrate-point", "point 9 ");
+  await stand(points_mm[8]);
+  await page.click("#calibrate-touch");
+  await says("calibrate-touches", "Point 9, 40 mm higher");
+  await says("calibrate-touches", "left out");
+  assert.equal(await page.inputValue("#calibrate-block"), "");
+  await page.click("#calibrate-back");
+  await says("calibrate-result", "typically");
   assert.deepEqual(await known(), { calibration: null, before: null });
   assert.equal(await page.locator("#calibrate-keep").count(), 0);
   await page.click("#calibrate-show");

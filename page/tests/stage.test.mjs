@@ -96,16 +96,20 @@ test("marks are added to what is there, and nothing is lost", async () => {
   assert.equal(await picture(), whole);
 });
 
-test("nothing is drawn while nothing changes", async () => {
-  await show({ marks: null });
-  const frames = await page.evaluate(async () => {
+test("nothing is drawn while nothing changes, however often an arm that rests says so", async () => {
+  const resting = { rear_deg: 30, fore_deg: 45, servo_deg: 0, base_deg: 20, suction: false, gripper_deg: 0 };
+  await show({ marks: null, arm: { ...resting, at_s: 50 } });
+  await show({ arm: { ...resting, at_s: 50.08 } });
+  await drawn();
+  const frames = await page.evaluate(async (resting) => {
     let asked = 0;
     const kept = window.requestAnimationFrame;
     window.requestAnimationFrame = (action) => (asked += 1, kept.call(window, action));
+    for (let n = 1; n <= 5; n += 1) window.show({ arm: { ...resting, at_s: 51 + n * 0.08 }, tool: { kind: "suction_cup", length_mm: 40 } });
     await new Promise((done) => setTimeout(done, 400));
     window.requestAnimationFrame = kept;
     return asked;
-  });
+  }, resting);
   assert.equal(frames, 0);
 });
 

@@ -17,6 +17,10 @@ const confirm = async (page) => {
 /** A name, and what leads to it from the page as it was opened. */
 export const VIEWS = {
   first: async () => {},
+  tour: async (page) => {
+    await page.click("#first-tour");
+    await page.waitForSelector("#lesson-text");
+  },
   question: async (page) => {
     await page.click("#first-close");
     await page.click("#arm-laser, #confirm-pose");
@@ -82,6 +86,13 @@ export const VIEWS = {
     // Anywhere: what the touches tell is a problem then, which is shown, too.
     for (let touch = 0; touch < 4; touch += 1) await page.click("#calibrate-touch");
     await page.waitForSelector("#calibrate .told");
+  },
+  paper: async (page) => {
+    await tab("set_up")(page);
+    await confirm(page);
+    await page.click("#paper-begin");
+    await page.click("#paper-touch");
+    await page.locator("#paper").scrollIntoViewIfNeeded();
   },
   stopped: async (page) => {
     await page.click("#first-close");

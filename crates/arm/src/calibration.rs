@@ -1,6 +1,8 @@
 //! How one arm differs from the drawing of it, and what follows for its places.
 
-use crate::{Degrees, Joints, Millimeters, Pose, Position, Tool, Unreachable, forward, inverse};
+use crate::{
+    Degrees, Joints, Millimeters, Plane, Pose, Position, Tool, Unreachable, forward, inverse,
+};
 
 /// What is wrong with one arm: where it really is, compared with where it says it is.
 ///
@@ -32,6 +34,9 @@ pub struct Calibration {
     pub axis_mm: [f64; 2],
     /// How slack base, rear arm and forearm are, in degrees.
     pub backlash_deg: [f64; 3],
+    /// The plane on which the paper lies, as Z of the wrist where the pen touches, where that is known: no part of the
+    /// paper is lower.
+    pub table: Option<Plane>,
 }
 
 impl Calibration {
@@ -44,15 +49,29 @@ impl Calibration {
         left_mm: 0.0,
         axis_mm: [0.0; 2],
         backlash_deg: [0.0; 3],
+        table: None,
     };
 
-    /// Whether nothing is wrong.
+    /// Whether nothing is wrong with the arm, wherever its table is.
     #[must_use]
     pub fn is_none(&self) -> bool {
-        *self == Self::NONE
+        let table = self.table;
+        *self
+            == Self {
+                table,
+                ..Self::NONE
+            }
     }
 
-    /// All of it as numbers, to be kept: the zeros of base, rear arm and forearm, how far the tool is out and to
+    /// How high a true place of the wrist is above where the pen touches the table, in mm; `None` where nobody knows
+    /// where that is.
+    #[must_use]
+    pub fn above_table_mm(&self, place: Position) -> Option<f64> {
+        let table = self.table?;
+        Some(place.z.0 - table.z_at([place.x.0, place.y.0]))
+    }
+
+    /// What is wrong with the arm as numbers, to be kept: the zeros of base, rear arm and forearm, how far the tool is out and to
     /// the left, where the axis stands, and the backlash of the three joints.
     #[must_use]
     pub const fn to_numbers(&self) -> [f64; 10] {
@@ -95,10 +114,11 @@ impl Calibration {
             left_mm,
             axis_mm: [axis_x, axis_y],
             backlash_deg: [slack_base, slack_rear, slack_fore],
+            table: None,
         }
     }
 
-    /// Whether another one means the same: written as text and read again, a number may differ in its last digit.
+    /// Whether another one means the same arm, wherever the table is: written as text and read again, a number may differ in its last digit.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
         let numbers = self.to_numbers().into_iter().zip(other.to_numbers());
@@ -271,6 +291,7 @@ mod tests {
         left_mm: -6.0,
         axis_mm: [1.0, -2.0],
         backlash_deg: [0.0; 3],
+        table: None,
     };
 
     #[test]

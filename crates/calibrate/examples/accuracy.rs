@@ -2,15 +2,15 @@
 //!
 //! It prints the table of `docs/calibration.md`, for a hundred random arms.
 
-use dobot_arm::{Calibration, Degrees, Joints, Position, Tool};
-use dobot_calibrate::{Fit, Paper, SHEET_POINTS, Touch, fit};
+use dobot_arm::{Calibration, Degrees, Joints, Plane, Position, Tool};
+use dobot_calibrate::{Fit, SHEET_POINTS, Touch, fit};
 use dobot_random::Random;
 
 /// An arm with all that may be wrong with one, and its paper.
 struct Arm {
     truth: Calibration,
     backlash_deg: [f64; 3],
-    paper: Paper,
+    paper: Plane,
 }
 
 fn main() {
@@ -88,9 +88,10 @@ impl Arm {
                 left_mm: up_to(10.0),
                 axis_mm: [up_to(1.0), up_to(1.0)],
                 backlash_deg: [0.0; 3],
+                table: None,
             },
             backlash_deg: [0; 3].map(|_| up_to(0.25) + 0.25),
-            paper: Paper {
+            paper: Plane {
                 z0_mm: -40.0 + up_to(10.0),
                 slope_x: slope * direction.cos(),
                 slope_y: slope * direction.sin(),

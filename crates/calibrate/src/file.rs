@@ -12,6 +12,7 @@ use crate::Fit;
 pub fn found(fit: &Fit, backlash: Backlash) -> CalibrationFile {
     let Fit { arm, paper, .. } = fit;
     CalibrationFile {
+        name: None,
         zeros: Zeros {
             base: arm.base_deg,
             rear: arm.rear_deg,
@@ -29,6 +30,7 @@ pub fn found(fit: &Fit, backlash: Backlash) -> CalibrationFile {
             z_mm: paper.z0_mm,
             slope_x: paper.slope_x,
             slope_y: paper.slope_y,
+            heights: Vec::new(),
         }),
         backlash,
         touched: Some(Touched {
@@ -90,6 +92,7 @@ mod tests {
                 z_mm: -42.5,
                 slope_x: 0.01,
                 slope_y: -0.02,
+                heights: vec![[200.0, 0.0, 0.5]],
             }),
             ..CalibrationFile::default()
         };

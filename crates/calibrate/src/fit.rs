@@ -1,11 +1,12 @@
 //! From touches to a calibration, with its residuals and how far it can be trusted.
 
-use dobot_arm::{Calibration, Position, Tool};
+use dobot_arm::{Calibration, Plane, Position, Tool};
+use dobot_geometry::{Point, least_width};
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::solve::{Numbers, Paper, Solved, Suspect, TOUCH_MM, solve};
+use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, solve};
 use crate::{FitError, SHEET_POINTS, Touch};
 
 /// A calibration, and how well it explains the touches.
@@ -14,7 +15,7 @@ pub struct Fit {
     /// What is wrong with the arm.
     pub arm: Calibration,
     /// Where the paper lies.
-    pub paper: Paper,
+    pub paper: Plane,
     /// How far each touch is from where it should be, in mm: X, Y, Z, in the order of the touches.
     pub residuals_mm: Vec<[f64; 3]>,
     /// The touch that was left out because it contradicts all others, by its index.
@@ -93,9 +94,14 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
     let numbers = solved.numbers;
     let typical_mm = typical(&counted, tool, &numbers);
     if typical_mm > MOST_TYPICAL_MM {
-        return Err(why_contradicting(touches, tool, &solved, typical_mm));
+        let contradiction = FitError::Contradiction {
+            typical_mm,
+            allowed_mm: MOST_TYPICAL_MM,
+        };
+        return Err(what_went_wrong(touches, tool, &solved).unwrap_or(contradiction));
     }
-    check_arm(&numbers.arm, &numbers.paper)?;
+    check_arm(&numbers.arm, &numbers.paper)
+        .map_err(|beyond| what_went_wrong(touches, tool, &solved).unwrap_or(beyond))?;
     let residuals_mm: Vec<_> = touches
         .iter()
         .map(|it| numbers.away_mm(it, tool, false))
@@ -146,17 +152,8 @@ fn check(touches: &[Touch]) -> Result<(), FitError> {
 
 /// How wide the strip is in which all points lie, seen from above, in mm.
 fn width(touches: &[Touch]) -> f64 {
-    let across = |deg: f64| {
-        let (sin, cos) = deg.to_radians().sin_cos();
-        let along = touches
-            .iter()
-            .map(|it| it.place_mm[0] * cos + it.place_mm[1] * sin);
-        let (least, most) = along.fold((f64::MAX, f64::MIN), |(a, b), it| (a.min(it), b.max(it)));
-        most - least
-    };
-    (0..180)
-        .map(|deg| across(f64::from(deg)))
-        .fold(f64::MAX, f64::min)
+    let place = |it: &Touch| Point::from((it.place_mm[0], it.place_mm[1]));
+    least_width(&touches.iter().map(place).collect::<Vec<_>>())
 }
 
 /// The touch without which the others agree far better, where there are enough others.
@@ -195,28 +192,25 @@ fn typical(touches: &[Touch], tool: Tool, numbers: &Numbers) -> f64 {
     (squares.sum::<f64>() / count(touches.len())).sqrt()
 }
 
-/// Which of the things that go wrong with touches would explain these.
-fn why_contradicting(touches: &[Touch], tool: Tool, plain: &Solved, typical_mm: f64) -> FitError {
+/// Which of the things that go wrong with touches explains these far better than an arm does.
+fn what_went_wrong(touches: &[Touch], tool: Tool, plain: &Solved) -> Option<FitError> {
     let scaled = solve(touches, tool, Suspect::Scale);
     let steps = (1..touches.len()).map(|at| (at, solve(touches, tool, Suspect::StepBefore(at))));
     let step = steps.min_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
     let explains = |it: &Solved| it.cost < plain.cost / 4.0;
     match step {
-        Some((last, it)) if explains(&it) && it.cost < scaled.cost => FitError::Reset {
+        Some((last, it)) if explains(&it) && it.cost < scaled.cost => Some(FitError::Reset {
             last,
             deg: it.numbers.step_deg.abs(),
-        },
-        _ if explains(&scaled) => FitError::ScaledPrint {
+        }),
+        _ if explains(&scaled) => Some(FitError::ScaledPrint {
             percent: scaled.numbers.scale * 100.0,
-        },
-        _ => FitError::Contradiction {
-            typical_mm,
-            allowed_mm: MOST_TYPICAL_MM,
-        },
+        }),
+        _ => None,
     }
 }
 
-fn check_arm(arm: &Calibration, paper: &Paper) -> Result<(), FitError> {
+fn check_arm(arm: &Calibration, paper: &Plane) -> Result<(), FitError> {
     let slope_deg = paper.slope_x.hypot(paper.slope_y).atan().to_degrees();
     let found = [
         ("a zero of the base", arm.base_deg, 45.0, "degrees"),

@@ -32,12 +32,12 @@ impl Procedure {
         (index + 1, SHEET_POINTS[index])
     }
 
-    /// Takes that the tool stands on the next point.
-    pub fn touch(&mut self, told: Joints) {
+    /// Takes that the tool stands on the next point, or on a block on it that is so high, in mm.
+    pub fn touch(&mut self, told: Joints, height_mm: f64) {
         let (_, place_mm) = self.next_point();
         self.touches.push(Touch {
             place_mm,
-            height_mm: 0.0,
+            height_mm,
             told,
         });
     }
@@ -82,7 +82,8 @@ mod tests {
     fn each_touch_leads_to_the_next_point_and_can_be_taken_back() {
         let mut procedure = Procedure::new(Tool::SuctionCup);
         assert_eq!(procedure.next_point(), (1, SHEET_POINTS[0]));
-        procedure.touch(Joints::new(0.0, 45.0, 45.0, 0.0));
+        procedure.touch(Joints::new(0.0, 45.0, 45.0, 0.0), 30.0);
+        assert_eq!(procedure.touches()[0].height_mm, 30.0);
         assert_eq!(procedure.next_point(), (2, SHEET_POINTS[1]));
         procedure.skip();
         assert_eq!(procedure.next_point(), (3, SHEET_POINTS[2]));

@@ -88,12 +88,12 @@ pub struct ScaledBar {
 }
 
 /// Where a true place is on the sheet, from its upper left corner: forward is up, left is left.
-fn on_sheet([x_mm, y_mm]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn on_sheet([x_mm, y_mm]: [f64; 2]) -> [f64; 2] {
     [WIDE_MM / 2.0 - y_mm, HIGH_MM + NEAR_EDGE_MM - x_mm]
 }
 
-const WIDE_MM: f64 = 297.0;
-const HIGH_MM: f64 = 210.0;
+pub(crate) const WIDE_MM: f64 = 297.0;
+pub(crate) const HIGH_MM: f64 = 210.0;
 /// From the base's axis to the near edge.
 const NEAR_EDGE_MM: f64 = 95.0;
 const BAR_TOLERANCE_MM: f64 = 0.5;

@@ -1,26 +1,16 @@
 //! Least squares that a wrong point cannot pull far, with what is known beforehand.
 
-use dobot_arm::{Calibration, Joints, Tool};
+use dobot_arm::{Calibration, Joints, Plane, Tool};
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use crate::Touch;
-
-/// The paper in the true frame, as Z of the wrist where the tool touches it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Paper {
-    /// Its height on the axis of X and Y, in mm.
-    pub z0_mm: f64,
-    /// How much it rises for each mm forward.
-    pub slope_x: f64,
-    /// How much it rises for each mm to the left.
-    pub slope_y: f64,
-}
 
 /// Everything that touches tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Numbers {
     pub(crate) arm: Calibration,
-    pub(crate) paper: Paper,
+    /// The paper in the true frame, as Z of the wrist where the tool touches it.
+    pub(crate) paper: Plane,
     /// How large the print is; 1 where it is true.
     pub(crate) scale: f64,
     /// How much further the base stands from some touch on.
@@ -53,14 +43,6 @@ pub(crate) const COUNT: usize = 12;
 /// How wrong a touch may be along each axis, in mm.
 pub(crate) const TOUCH_MM: f64 = 0.3;
 
-impl Paper {
-    /// Z of the wrist with the tool on the paper, at a true place, in mm.
-    #[must_use]
-    pub fn z_at(&self, [x_mm, y_mm]: [f64; 2]) -> f64 {
-        self.z0_mm + self.slope_x * x_mm + self.slope_y * y_mm
-    }
-}
-
 impl Numbers {
     fn of(scaled: &SVector<f64, COUNT>, middle: &SVector<f64, COUNT>, suspect: Suspect) -> Self {
         let n = scaled.component_mul(&SVector::from(BEFORE)) + middle;
@@ -73,8 +55,9 @@ impl Numbers {
                 left_mm: n[4],
                 axis_mm: [n[5], n[6]],
                 backlash_deg: [0.0; 3],
+                table: None,
             },
-            paper: Paper {
+            paper: Plane {
                 z0_mm: n[7],
                 slope_x: n[8],
                 slope_y: n[9],

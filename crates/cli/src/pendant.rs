@@ -39,6 +39,8 @@ pub(crate) struct Pendant {
     pad_share: f32,
     drive: Drive,
     frame: JogFrame,
+    /// How far a press moves the arm, in mm or degrees; `None` where it moves for as long as it is held.
+    step: Option<f32>,
     speed_percent: f32,
     state: Option<State>,
     asks: Option<Question>,
@@ -88,6 +90,7 @@ impl Pendant {
             pad_share: 1.0,
             drive,
             frame: JogFrame::Linear,
+            step: None,
             speed_percent: 50.0,
             state: None,
             asks: None,
@@ -246,7 +249,13 @@ impl Pendant {
         }
         match meaning {
             KeyMeaning::Stop => self.stop(),
-            KeyMeaning::Hold(button) => self.press(now, Source::Key(folded(key.code)), button),
+            KeyMeaning::Hold(button) => match self.step {
+                None => self.press(now, Source::Key(folded(key.code)), button),
+                Some(size) if key.kind == KeyEventKind::Press => self.step(button, size),
+                // A key that is held goes one step.
+                Some(_) => {}
+            },
+            KeyMeaning::Steps => self.change_step(),
             KeyMeaning::Speed(percent) => self.speed_percent = percent,
             KeyMeaning::Suction(on) => self.switch_suction(on),
             KeyMeaning::Frame => self.change_frame(),
@@ -297,6 +306,30 @@ impl Pendant {
         self.ask(Request::Command { command });
     }
 
+    /// Moves an arm that rests by one step.
+    fn step(&mut self, button: Button, size: f32) {
+        let untrusted = "the pose is not trusted; press r, look, and press y";
+        let command = match self.resting(untrusted) {
+            Ok(status) => button.step(status, size),
+            Err(why) => return self.tell(format!("no step: {why}")),
+        };
+        match command {
+            Some(command) => {
+                self.answer = None;
+                self.ask(Request::Command { command });
+            }
+            None => self.tell("no step: this key has to be held; . ends the steps".into()),
+        }
+    }
+
+    fn change_step(&mut self) {
+        self.step = match self.step {
+            None if matches!(self.drive, Drive::Jog) => Some(STEPS[0]),
+            Some(size) if size == STEPS[0] => Some(STEPS[1]),
+            _ => None,
+        };
+    }
+
     fn change_frame(&mut self) {
         self.frame = match self.frame {
             JogFrame::Linear if matches!(self.drive, Drive::Jog) => JogFrame::Joint,
@@ -335,6 +368,9 @@ impl Question {
         }
     }
 }
+
+/// How far a press moves the arm, in mm or degrees: the second to touch a point.
+const STEPS: [f32; 2] = [1.0, 0.1];
 
 /// An arm at rest, for tests.
 #[cfg(test)]
@@ -426,6 +462,49 @@ mod tests {
         assert_eq!(keyed(&mut it, Duration::ZERO, KeyCode::Up), [forward(30.0)]);
         keyed(&mut it, Duration::ZERO, KeyCode::Char('9'));
         assert_eq!(asked(&mut it, DEAD_MAN / 3), [forward(90.0)]);
+    }
+
+    #[test]
+    fn steps_move_the_arm_once_by_each_press_and_a_moving_arm_not_at_all() {
+        let mut it = pendant(Drive::Jog);
+        it.handle_state(state());
+        keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
+        keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
+        let asked = keyed(&mut it, Duration::ZERO, KeyCode::PageDown);
+        let [
+            Request::Command {
+                command: Command::MoveTo(target),
+            },
+        ] = &asked[..]
+        else {
+            panic!("{asked:?}");
+        };
+        assert_eq!(
+            [target.x_mm, target.y_mm, target.rotation_deg],
+            [220.0, 0.0, 15.0]
+        );
+        assert!((target.z_mm - 29.9).abs() < 1e-4);
+        // Joints too.
+        keyed(&mut it, Duration::ZERO, KeyCode::Tab);
+        let asked = keyed(&mut it, Duration::ZERO, KeyCode::Left);
+        let [
+            Request::Command {
+                command: Command::MoveJoints(target),
+            },
+        ] = &asked[..]
+        else {
+            panic!("{asked:?}");
+        };
+        assert!((target.base_deg - 0.1).abs() < 1e-6);
+        let mut moving = state();
+        moving.arm.as_mut().unwrap().moving = true;
+        it.handle_state(moving);
+        assert_eq!(keyed(&mut it, Duration::ZERO, KeyCode::Left), []);
+        // The third press ends it.
+        it.handle_state(state());
+        keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
+        let asked = keyed(&mut it, Duration::ZERO, KeyCode::Left);
+        assert!(matches!(asked[..], [Request::Jog { .. }]), "{asked:?}");
     }
 
     #[test]

@@ -62,9 +62,15 @@ impl Belief {
 
     /// The arm turns out to differ from the drawing of it so.
     pub(crate) fn set_calibration(&mut self, calibration: Calibration) {
+        let is_same_arm = calibration.is_same(&self.calibration);
         self.calibration = calibration;
         for model in self.over.iter_mut().chain(self.under_way.models()) {
-            model.calibration = calibration;
+            // An arm that was told its angles still knows them where only the paper lies elsewhere.
+            if is_same_arm {
+                model.calibration.table = calibration.table;
+            } else {
+                model.calibration = calibration;
+            }
         }
         self.plan_anew();
     }

@@ -168,6 +168,7 @@ mod tests {
 
     const SLACK: Calibration = Calibration {
         backlash_deg: [0.3, 0.25, 0.4],
+        table: None,
         ..Calibration::NONE
     };
 

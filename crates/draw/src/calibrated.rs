@@ -1,11 +1,27 @@
 //! A drawing in the own places of an arm that is not as drawn.
 
+use dobot_api::PaperPlane;
 use dobot_arm::Position;
-use dobot_geometry::{Point, Stroke, steps};
+use dobot_geometry::{HeightMap, Point, Stroke, steps};
 use dobot_plan::{DrawingTool, Paper, Pass};
 
+use crate::options::OptionsError;
 use crate::place::PlaceError;
 use crate::prepare::Settings;
+
+/// The paper as a calibration knows it.
+///
+/// # Errors
+///
+/// [`OptionsError::NoSurface`] where its heights span none.
+pub fn known_paper(known: &PaperPlane) -> Result<Paper, OptionsError> {
+    let paper = Paper::sloping(known.plane());
+    if known.heights.is_empty() {
+        return Ok(paper);
+    }
+    let heights = HeightMap::through(&known.heights).ok_or(OptionsError::NoSurface)?;
+    Ok(paper.bent(heights))
+}
 
 /// The passes as the arm has to be told them.
 pub(crate) fn told_passes(passes: Vec<Pass>, settings: &Settings) -> Result<Vec<Pass>, PlaceError> {
@@ -26,8 +42,9 @@ pub(crate) fn told_strokes(
         return Ok(strokes);
     };
     let arm = known.arm();
+    let paper = known.paper.as_ref().and_then(|it| known_paper(it).ok());
     let told = |p: Point| {
-        let z_mm = known.paper.map_or(0.0, |it| it.z_at([p.x, p.y]));
+        let z_mm = paper.as_ref().map_or(0.0, |it| it.z_at(p));
         let there = Position::new(p.x, p.y, z_mm);
         let told = arm.told_place(there, tool.end_effector());
         let told = told.map_err(|reason| PlaceError::OutOfReach {
@@ -63,8 +80,14 @@ pub(crate) fn shortened(stroke: Stroke, paper: &Paper) -> Stroke {
 /// Adds the way from `a`, which is there already, to `b`.
 fn halved(a: Point, b: Point, paper: &Paper, points: &mut Vec<Point>) {
     let middle = a.midpoint(b);
-    let off_mm = paper.z_at(middle) - f64::midpoint(paper.z_at(a), paper.z_at(b));
-    if off_mm.abs() > OFF_PAPER_MM && a.distance(b) > SHORTEST_MM {
+    let ends = [paper.z_at(a), paper.z_at(b)];
+    let is_off = |share: f64| {
+        let straight_mm = ends[0] + (ends[1] - ends[0]) * share;
+        (paper.z_at(a.lerp(b, share)) - straight_mm).abs() > OFF_PAPER_MM
+    };
+    // Paper that is bent both ways may be met in the middle.
+    let is_off = [0.25, 0.5, 0.75].into_iter().any(is_off);
+    if is_off && a.distance(b) > SHORTEST_MM {
         halved(a, middle, paper, points);
         halved(middle, b, paper, points);
     } else {

@@ -49,7 +49,11 @@ pub fn frame(
         name: "frame".to_owned(),
         ..Pass::new(DrawingTool::Pen(pen), vec![outline])
     };
-    let plan = Plan::new(&[pass], &paper.raised(highest_mm - LIFT_MM), machine)?;
+    let plan = Plan::new(
+        &[pass],
+        &paper.clone().raised(highest_mm - LIFT_MM),
+        machine,
+    )?;
     Ok(without_ink(plan, tool))
 }
 

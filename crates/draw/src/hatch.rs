@@ -1,19 +1,27 @@
 //! Areas become lines.
 
+mod contour;
 mod join;
 mod scan;
 
 #[cfg(test)]
 mod tests;
 
+use std::str::FromStr;
+
+use contour::{contours, spirals};
 use dobot_geometry::{Area, Point, Stroke, Vec2, direction};
 use join::Joined;
 use scan::Scan;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// How an area is filled with lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hatch {
+    /// Which kind of lines.
+    pub style: HatchStyle,
     /// How far apart the lines are, in mm; from 0.05 up.
     pub spacing_mm: f64,
     /// How the lines run: 0 along x, 90 along y.
@@ -29,6 +37,7 @@ impl Default for Hatch {
     /// 1 mm apart, at 45 degrees, not crossed, up to the border.
     fn default() -> Self {
         Self {
+            style: HatchStyle::Lines,
             spacing_mm: 1.0,
             angle_deg: 45.0,
             cross: false,
@@ -37,7 +46,7 @@ impl Default for Hatch {
     }
 }
 
-/// Fills an area with parallel lines. They lie on a grid that is the same for all areas, so that
+/// Fills an area with lines. Parallel ones lie on a grid that is the same for all areas, so that
 /// those of neighbours meet. Where the end of the next line is near, and the way there stays
 /// inside, the pen goes on without a lift:
 ///
@@ -54,11 +63,45 @@ impl Default for Hatch {
 /// [`HatchError`] where a setting is not a number or out of range, or where there would be too many lines.
 pub fn hatch(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
     hatch.check(area)?;
+    match hatch.style {
+        HatchStyle::Lines => parallel(area, hatch),
+        HatchStyle::Concentric => contours(area, hatch),
+        HatchStyle::Spiral => spirals(area, hatch),
+    }
+}
+
+fn parallel(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
     let mut strokes = lines(area, hatch, hatch.angle_deg)?;
     if hatch.cross {
         strokes.extend(lines(area, hatch, hatch.angle_deg + 90.0)?);
     }
     Ok(strokes)
+}
+
+/// The lines that an area is filled with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum HatchStyle {
+    /// Parallel lines.
+    #[default]
+    Lines,
+    /// The outline again and again, each time so much farther inside.
+    Concentric,
+    /// The same in one line, from the outside in.
+    Spiral,
+}
+
+impl FromStr for HatchStyle {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "lines" => Ok(Self::Lines),
+            "concentric" => Ok(Self::Concentric),
+            "spiral" => Ok(Self::Spiral),
+            _ => Err("allowed are lines, concentric and spiral"),
+        }
+    }
 }
 
 impl Hatch {
@@ -125,6 +168,16 @@ pub enum HatchError {
         /// How often lines would meet the border.
         crossings: f64,
         /// How often they may.
+        most: u32,
+    },
+    /// More than a drawing can hold.
+    #[error(
+        "the hatch has about {corners:.0} corners; at most {most} are allowed: choose a wider spacing"
+    )]
+    TooManyCorners {
+        /// How many there would be.
+        corners: f64,
+        /// How many there may be.
         most: u32,
     },
 }

@@ -59,6 +59,7 @@ mod step;
 mod timeline;
 mod trace;
 
+pub use calibrated::known_paper;
 pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_reach};
 pub use copies::Grid;
@@ -67,7 +68,7 @@ pub use estimate::{Estimate, PassFigures, ToolKind};
 pub use export::{ExportFormat, export};
 pub use frame::{FrameShape, frame};
 pub use give_up::GiveUp;
-pub use hatch::{Hatch, HatchError, hatch};
+pub use hatch::{Hatch, HatchError, HatchStyle, hatch};
 pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;

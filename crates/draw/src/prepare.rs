@@ -1,15 +1,16 @@
 //! The whole way from a source to a plan.
 
 mod layers;
+mod read;
 mod settings;
 mod vectors;
 
 use std::fmt;
-use std::sync::Arc;
 
 use dobot_arm::Position;
 use thiserror::Error;
 
+use self::read::read;
 pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
 use self::vectors::simplified;
@@ -25,8 +26,7 @@ use crate::place::{PlaceError, Placed, check_reach};
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
 use dobot_plan::{DrawingTool, Pass, Plan, PlanError};
-use dobot_source::{Artwork, Layer};
-use dobot_source::{ReadOptions, Source, SourceError, Warning};
+use dobot_source::{Layer, Source, SourceError, Warning};
 
 /// A drawing, ready to be sent.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,76 +156,6 @@ pub enum PrepareError {
     /// It cannot be planned.
     #[error(transparent)]
     Plan(#[from] PlanError),
-}
-
-/// The layers on the paper, within the share of the tolerance that is for curves.
-fn read(source: &Source, settings: &Settings) -> Result<(Placed, Vec<Warning>), PrepareError> {
-    let mut options = ReadOptions {
-        tolerance_mm: settings.flatten_mm(),
-        layers: settings.layers.unwrap_or_default(),
-        shading: settings.shading,
-        crops: settings.crops,
-        fonts: Arc::clone(&settings.fonts),
-        ..ReadOptions::default()
-    };
-    if let Some(page) = source.picture_page()? {
-        return read_picture(source, settings, options, page);
-    }
-    let (artwork, warnings) = read_coarsely(source, &mut options)?;
-    let placed = settings.placement.place(artwork)?;
-    // What counts is the size on the paper, which is known only now.
-    let tolerance_mm = (settings.flatten_mm() / placed.scale).max(1e-6);
-    if (options.tolerance_mm..options.tolerance_mm * MUCH).contains(&tolerance_mm) {
-        return Ok((placed, warnings));
-    }
-    options.scale = placed.scale;
-    options.tolerance_mm = tolerance_mm;
-    let (artwork, warnings) = source.read(&options)?;
-    Ok((settings.placement.place(artwork)?, warnings))
-}
-
-/// Reads a source as finely as its own size allows: a town in metres has too many corners for that, but
-/// not as a drawing on the paper.
-fn read_coarsely(
-    source: &Source,
-    options: &mut ReadOptions,
-) -> Result<(Artwork, Vec<Warning>), SourceError> {
-    loop {
-        match source.read(options) {
-            Err(error) if error.is_too_fine() && options.tolerance_mm < COARSEST_MM => {
-                options.tolerance_mm *= COARSER;
-            }
-            read => return read,
-        }
-    }
-}
-
-/// The lines of a picture depend on how large it becomes. Its page tells that, but what counts is
-/// the ink: where that is much smaller, it is read once more.
-fn read_picture(
-    source: &Source,
-    settings: &Settings,
-    mut options: ReadOptions,
-    page: Point,
-) -> Result<(Placed, Vec<Warning>), PrepareError> {
-    let corners = Layer {
-        strokes: vec![Stroke::open(vec![Point::default(), page])],
-        ..Layer::default()
-    };
-    let sheet = Artwork {
-        width_mm: page.x,
-        height_mm: page.y,
-        layers: vec![corners],
-    };
-    options.scale = settings.placement.place(sheet)?.scale;
-    let (artwork, warnings) = source.read(&options)?;
-    let placed = settings.placement.place(artwork)?;
-    if (placed.scale / options.scale - 1.0).abs() < SAME_SCALE {
-        return Ok((placed, warnings));
-    }
-    options.scale = placed.scale;
-    let (artwork, warnings) = source.read(&options)?;
-    Ok((settings.placement.place(artwork)?, warnings))
 }
 
 /// The layers as passes, each in a good order.
@@ -372,6 +302,11 @@ fn finished(
     let strokes = merge(strokes, settings.join_mm.unwrap_or(settings.tolerance_mm));
     let DrawingTool::Laser(laser) = tool else {
         let strokes = ordered(strokes, here, tool, settings);
+        let strokes = if settings.joins_dots() {
+            one_line(strokes)
+        } else {
+            strokes
+        };
         return strokes
             .into_iter()
             .map(|it| gone_over(it, settings.pen_passes))
@@ -385,7 +320,12 @@ fn finished(
     };
     let (mut all, mut here) = (Vec::new(), here);
     for group in groups {
-        all.append(&mut ordered(group, here, tool, settings));
+        let group = ordered(group, here, tool, settings);
+        all.append(&mut if settings.joins_dots() {
+            one_line(group)
+        } else {
+            group
+        });
         here = all.last().and_then(Stroke::last).unwrap_or(here);
     }
     let (all, small) = settings.cutting.finished(all);
@@ -422,6 +362,12 @@ fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
     stroke
 }
 
+/// All strokes as one, in their order.
+fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
+    let points: Vec<Point> = strokes.into_iter().flat_map(|it| it.points).collect();
+    vec![Stroke::open(points)]
+}
+
 /// The strokes in a good order, for a tool that comes from `here`.
 fn ordered(
     strokes: Vec<Stroke>,
@@ -435,194 +381,10 @@ fn ordered(
     }
 }
 
-/// Where a file has too many corners even like this, it would on the paper.
-const COARSEST_MM: f64 = 100.0;
-const COARSER: f64 = 30.0;
 /// So much beyond the edge of a sheet is on it.
 const ON_SHEET_MM: f64 = 0.5;
 /// No arm reaches farther.
 const MOST_REACH_MM: u32 = 400;
-/// What is read so many times finer than it need be is read once more.
-const MUCH: f64 = 4.0;
-/// How much larger than its page says the ink of a picture may become for its lines to stay.
-const SAME_SCALE: f64 = 0.05;
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
-mod tests {
-    use super::*;
-    use crate::place::Size;
-    use dobot_geometry::deviation;
-    use dobot_plan::{Laser, MoveKind};
-
-    const EXAMPLES: [&str; 3] = [
-        include_str!("../../../examples/drawings/harbour.svg"),
-        include_str!("../../../examples/drawings/rosette.svg"),
-        include_str!("../../../examples/drawings/square.svg"),
-    ];
-
-    fn anywhere(p: Position) -> Result<(), &'static str> {
-        if p.is_finite() {
-            Ok(())
-        } else {
-            Err("nowhere")
-        }
-    }
-
-    fn in_reach(p: Position) -> Result<(), String> {
-        let reach = p.reach().0;
-        if (129.0..=321.0).contains(&reach) {
-            Ok(())
-        } else {
-            Err(format!("reach is {reach}"))
-        }
-    }
-
-    #[test]
-    fn the_examples_are_planned_within_tolerance_and_reach() {
-        for svg in EXAMPLES {
-            let prepared = prepare(&svg.into(), &Settings::default(), in_reach).unwrap();
-            let planned = prepared.plan.paths(MoveKind::Draw);
-            let worst = deviation(&prepared.wanted(), &planned);
-            assert!(worst.largest_mm() <= 0.045 + 1e-5, "{worst:?}");
-            assert_eq!(prepared.warnings, []);
-        }
-    }
-
-    #[test]
-    fn an_enlarged_drawing_keeps_the_tolerance() {
-        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="2mm" height="2mm" viewBox="0 0 2 2">
-            <path d="M0 2C0 0 2 0 2 2" stroke="red" fill="none"/></svg>"#;
-        let mut settings = Settings::default();
-        settings.placement.size = Size::Fit;
-        let prepared = prepare(&svg.into(), &settings, anywhere).unwrap();
-        assert!((prepared.scale - 80.0).abs() < 0.1, "{}", prepared.scale);
-        // The curve is 2 mm wide and 1.5 mm high, its top at t = 1/2; the area is 120 mm deep.
-        let top = prepared.wanted()[0]
-            .points
-            .iter()
-            .fold(0.0, |top: f64, p| top.max(p.x));
-        assert!((top - 270.0).abs() < 0.01, "{top}");
-        let planned = prepared.plan.paths(MoveKind::Draw);
-        assert!(deviation(&prepared.wanted(), &planned).largest_mm() <= 0.0451);
-        assert!(prepared.wanted()[0].points.len() > 60);
-    }
-
-    #[test]
-    fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
-        // Arcs of 100 m whose corners at 5 micrometres would be 70,000, sixty times over.
-        let arcs = (0..60).map(|i| format!("0 ARC 8 0 10 {i} 20 0 40 100 50 0 51 359 "));
-        let arcs: Vec<String> = arcs.collect();
-        let arcs = arcs.concat().replace(' ', "\n");
-        let dxf = format!(
-            "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n\
-             0\nSECTION\n2\nENTITIES\n{arcs}0\nENDSEC\n0\nEOF\n"
-        );
-        let mut settings = Settings::default();
-        settings.placement.size = Size::Within;
-        settings.tries = None;
-        let prepared = prepare(&Source::Dxf(dxf.into_bytes()), &settings, in_reach).unwrap();
-        let planned = prepared.plan.paths(MoveKind::Draw);
-        let worst = deviation(&prepared.wanted(), &planned);
-        assert!(worst.largest_mm() <= 0.0451, "{worst:?}");
-        let corners: usize = prepared.wanted().iter().map(|it| it.points.len()).sum();
-        // Of a circle of some 75 mm radius, 5 micrometres from it: 272 each.
-        assert!((60 * 200..60 * 350).contains(&corners), "{corners}");
-    }
-
-    #[test]
-    fn a_material_that_is_cut_through_is_cut_inside_first() {
-        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80">
-            <g fill="none" stroke="red"><rect x="10" y="10" width="100" height="60"/><circle cx="30" cy="30" r="8"/>
-            <circle cx="80" cy="40" r="12"/><rect x="45" y="20" width="15" height="15"/></g></svg>"#;
-        let laser = |cuts| {
-            DrawingTool::Laser(Laser {
-                cuts,
-                ..Laser::default()
-            })
-        };
-        let lengths = |cuts| {
-            let settings = Settings {
-                tool: laser(cuts),
-                ..Settings::default()
-            };
-            let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
-            wanted
-                .iter()
-                .map(|it| it.length_mm().round())
-                .collect::<Vec<f64>>()
-        };
-        assert_eq!(lengths(true).last(), Some(&320.0));
-        // An engraving may go the shortest way.
-        assert_ne!(lengths(false).last(), Some(&320.0));
-    }
-
-    #[test]
-    fn a_pen_goes_over_each_line_as_often_as_asked_for() {
-        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
-            <g fill="none" stroke="red"><path d="M5 5H25"/><rect x="5" y="20" width="10" height="10"/></g></svg>"#;
-        let settings = Settings {
-            pen_passes: 3,
-            ..Settings::default()
-        };
-        let summary = prepare(&svg.into(), &settings, anywhere)
-            .unwrap()
-            .plan
-            .summary();
-        assert_eq!(summary.strokes, 2);
-        assert!(
-            (summary.drawn_mm - 180.0).abs() < 0.01,
-            "{}",
-            summary.drawn_mm
-        );
-    }
-
-    #[test]
-    fn a_tolerance_below_what_vectors_can_follow_is_refused() {
-        let settings = Settings {
-            tolerance_mm: 0.01,
-            ..Settings::default()
-        };
-        let error = prepare(&EXAMPLES[2].into(), &settings, anywhere).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "the tolerance is 0.01 mm; it must be a number from 0.02 to 10 mm"
-        );
-    }
-
-    #[test]
-    fn what_is_out_of_reach_is_refused() {
-        let mut settings = Settings::default();
-        settings.placement.center = Some(Point::new(320.0, 0.0));
-        let error = prepare(&EXAMPLES[2].into(), &settings, in_reach).unwrap_err();
-        assert!(
-            matches!(error, PrepareError::Place(PlaceError::OutOfReach { .. })),
-            "{error}"
-        );
-    }
-
-    #[test]
-    fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
-        // All black, with a white margin as wide as itself on the right.
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, 4800, 1600);
-        encoder.set_depth(png::BitDepth::One);
-        let row = [[0; 300], [255; 300]].concat();
-        let mut writer = encoder.write_header().unwrap();
-        writer.write_image_data(&row.repeat(1600)).unwrap();
-        drop(writer);
-        let mut settings = Settings::default();
-        settings.placement.size = Size::Fit;
-        settings.shading.levels = 1;
-        settings.tries = None;
-        let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
-        let wanted = prepared.wanted();
-        let length_mm: f64 = wanted.iter().map(Stroke::length_mm).sum();
-        // The ink is as deep as the area and half as wide again.
-        let lines_mm = 120.0 * 180.0 / settings.shading.spacing_mm;
-        assert!(
-            (length_mm / lines_mm - 1.0).abs() < 0.06,
-            "{length_mm} mm, not {lines_mm} mm"
-        );
-    }
-}
+mod tests;

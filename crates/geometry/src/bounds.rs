@@ -19,3 +19,15 @@ pub fn bounds(points: impl IntoIterator<Item = Point>) -> Rect {
 pub fn bounds_of_strokes(strokes: &[Stroke]) -> Rect {
     bounds(strokes.iter().flat_map(|s| s.points.iter().copied()))
 }
+
+/// How wide the narrowest strip is in which all points lie, to the nearest degree of its direction.
+#[must_use]
+pub fn least_width(points: &[Point]) -> f64 {
+    let across = |deg: i32| {
+        let (sin, cos) = f64::from(deg).to_radians().sin_cos();
+        let along = points.iter().map(|it| it.x * cos + it.y * sin);
+        let (least, most) = along.fold((f64::MAX, f64::MIN), |(a, b), it| (a.min(it), b.max(it)));
+        most - least
+    };
+    (0..180).map(across).fold(f64::MAX, f64::min)
+}

@@ -14,15 +14,17 @@ mod box_tree;
 mod curve;
 mod deviation;
 mod direction;
+mod height_map;
 mod segment_index;
 mod stroke;
 
 pub use area::{Area, FillRule};
-pub use bounds::{bounds, bounds_of_strokes};
+pub use bounds::{bounds, bounds_of_strokes, least_width};
 pub use box_tree::BoxTree;
 pub use curve::{chords, corners};
 pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};
 pub use direction::direction;
+pub use height_map::HeightMap;
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};
 

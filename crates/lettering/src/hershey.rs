@@ -59,6 +59,30 @@ impl StrokeFont {
         }
     }
 
+    /// The font that a file names, as `Hershey` and a name of ours, or as Inkscape calls it: such as `Hershey
+    /// script`, `Hershey Sans 1-stroke`, `HersheySerifMed`.
+    ///
+    /// ```
+    /// use dobot_lettering::StrokeFont;
+    ///
+    /// assert_eq!(StrokeFont::of_family("Hershey Script 1-stroke"), Some(StrokeFont::Script));
+    /// assert_eq!(StrokeFont::of_family("Helvetica"), None);
+    /// ```
+    #[must_use]
+    pub fn of_family(name: &str) -> Option<Self> {
+        let letters = name.chars().filter(char::is_ascii_alphanumeric);
+        let name = letters.collect::<String>().to_ascii_lowercase();
+        Some(match name.strip_prefix("hershey")? {
+            "" | "text" | "sans" | "sans1" | "sans1stroke" => Self::Sans,
+            "bold" | "sansmed" | "sansmedium" => Self::Bold,
+            "script" | "script1" | "script1stroke" | "scriptmed" | "scriptmedium" => Self::Script,
+            "serif" | "serifmed" | "serifmedium" | "serifbold" => Self::Serif,
+            "italic" | "serifmeditalic" | "serifmediumitalic" | "serifbolditalic" => Self::Italic,
+            "gothic" | "gothenglish" | "gothicenglish" => Self::Gothic,
+            _ => return None,
+        })
+    }
+
     /// How far its letters lean to the right for each unit up.
     pub(crate) const fn slant(self) -> f64 {
         match self {
@@ -67,11 +91,27 @@ impl StrokeFont {
         }
     }
 
-    /// A letter that the font itself has.
+    /// A letter that the font itself has; a Greek or Cyrillic one of the font that goes with it.
     pub(crate) fn glyph(self, character: char) -> Option<Letter> {
-        let number = u32::from(character).checked_sub(u32::from(' '))?;
-        let line = self.file().lines().nth(usize::try_from(number).ok()?)?;
-        parse(line.as_bytes())
+        let place = |alphabet: &str| alphabet.chars().position(|it| it == character);
+        let (file, number) = if let Some(number) = place(GREEK) {
+            (self.greek(), number)
+        } else if let Some(number) = place(CYRILLIC) {
+            (include_str!("hershey/cyrillic.jhf"), number)
+        } else {
+            let number = u32::from(character).checked_sub(u32::from(' '))?;
+            (self.file(), usize::try_from(number).ok()?)
+        };
+        parse(file.lines().nth(number)?.as_bytes())
+    }
+
+    const fn greek(self) -> &'static str {
+        match self {
+            Self::Sans | Self::Script => include_str!("hershey/greek.jhf"),
+            Self::Bold | Self::Serif | Self::Italic | Self::Gothic => {
+                include_str!("hershey/greek-serif.jhf")
+            }
+        }
     }
 
     const fn file(self) -> &'static str {
@@ -100,6 +140,10 @@ fn parse(line: &[u8]) -> Option<Letter> {
     })
 }
 
+/// The letters of the Greek files, in their order.
+const GREEK: &str = "ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩαβγδεζηθικλμνξοπρστυφχψω";
+/// The letters of the Cyrillic file, in their order.
+const CYRILLIC: &str = "АБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯабвгдежзийклмнопрстуфхцчшщъыьэюя";
 /// Where capitals stand on the grid.
 const BASE_LINE: f64 = 9.0;
 /// How tall capitals are on the grid.
@@ -122,6 +166,36 @@ mod tests {
                     character == ' ',
                     "{font:?} {character}"
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn every_font_has_the_greek_and_the_cyrillic_alphabet() {
+        for font in StrokeFont::ALL {
+            for character in GREEK.chars().chain(CYRILLIC.chars()) {
+                let letter = font.glyph(character).unwrap();
+                assert!(!letter.strokes.is_empty(), "{font:?} {character}");
+                let ink = bounds(letter.strokes.into_iter().flatten());
+                assert!(
+                    ink.y0 >= -CAPITAL - 8.0 && ink.y1 <= 8.0,
+                    "{font:?} {character} {ink:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn letters_that_look_alike_are_as_tall_in_all_alphabets() {
+        for font in StrokeFont::ALL {
+            for (latin, others) in [('H', "ΗН"), ('M', "ΜМ"), ('P', "ΡР"), ('T', "ΤТ")] {
+                // The Gothic P goes below the line.
+                let others = others.chars();
+                for other in others.filter(|_| font != StrokeFont::Gothic || latin != 'P') {
+                    let height = |it| bounds(font.glyph(it).unwrap().strokes.concat()).height();
+                    let off = (height(other) - height(latin)).abs();
+                    assert!(off <= 2.0, "{font:?} {latin} {other}: {off}");
+                }
             }
         }
     }

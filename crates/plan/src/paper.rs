@@ -1,20 +1,18 @@
 //! Where the paper lies.
 
-use dobot_arm::{Calibration, Position, Tool};
-use dobot_geometry::Point;
+use std::sync::Arc;
+
+use dobot_arm::{Calibration, Plane, Position, Tool};
+use dobot_geometry::{HeightMap, Point, least_width};
 use thiserror::Error;
 
-/// The plane of the paper, as Z of the wrist in the base frame where the tool is right: where the
-/// pen touches, or where the laser is in focus.
-///
-/// ```text
-///   z = z0 + slope_x x + slope_y y          X forward, Y to the left (Figure 3.1)
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Where the paper lies, as Z of the wrist in the base frame where the tool is right: where the pen
+/// touches, or where the laser is in focus. It is a plane, which may be bent.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Paper {
-    z0_mm: f64,
-    slope_x: f64,
-    slope_y: f64,
+    plane: Plane,
+    /// How much higher than the plane it is.
+    bent: Option<Arc<HeightMap>>,
     /// The arm by whose own places all of this is told, where it is not as drawn.
     seen_by: Option<(Calibration, Tool)>,
 }
@@ -23,58 +21,66 @@ impl Paper {
     /// Paper that is as high everywhere.
     #[must_use]
     pub const fn level(z_mm: f64) -> Self {
-        Self {
+        Self::sloping(Plane {
             z0_mm: z_mm,
             slope_x: 0.0,
             slope_y: 0.0,
-            seen_by: None,
-        }
+        })
     }
 
-    /// The plane through three points that the tool has touched: X, Y, Z in mm.
+    /// The plane through three points that the tool has touched, or nearest to more of them: X, Y, Z in mm.
     ///
     /// # Errors
     ///
     /// [`PaperError`] where the points lie on one line or nearly so (seen from above), or the plane
     /// is steeper than 10 degrees.
-    pub fn through([a, b, c]: [[f64; 3]; 3]) -> Result<Self, PaperError> {
-        let [[ux, uy, uz], [vx, vy, vz]] = [b, c].map(|p| [0, 1, 2].map(|i| p[i] - a[i]));
-        let area2 = ux * vy - uy * vx;
-        let sides2 = [ux * ux + uy * uy, vx * vx + vy * vy];
-        let width_mm = area2.abs() / sides2[0].max(sides2[1]).sqrt();
-        if width_mm.is_nan() || width_mm < LEAST_WIDTH_MM {
+    pub fn through(touched: &[[f64; 3]]) -> Result<Self, PaperError> {
+        let places: Vec<Point> = touched.iter().map(|[x, y, _]| Point::new(*x, *y)).collect();
+        let width_mm = if places.len() < 3 {
+            0.0
+        } else {
+            least_width(&places)
+        };
+        if !(LEAST_WIDTH_MM..f64::INFINITY).contains(&width_mm) {
             return Err(PaperError::Collinear(width_mm));
         }
-        let slope_x = (uz * vy - uy * vz) / area2;
-        let slope_y = (ux * vz - uz * vx) / area2;
-        let slope_deg = slope_x.hypot(slope_y).atan().to_degrees();
+        let plane = nearest(touched);
+        let slope_deg = plane.slope_x.hypot(plane.slope_y).atan().to_degrees();
         if slope_deg.is_nan() || slope_deg > STEEPEST_DEG {
             return Err(PaperError::TooSteep(slope_deg));
         }
-        let z0_mm = a[2] - slope_x * a[0] - slope_y * a[1];
-        Ok(Self {
-            z0_mm,
-            slope_x,
-            slope_y,
-            seen_by: None,
-        })
+        Ok(Self::sloping(plane))
     }
 
-    /// The plane that rises by so much for each mm forward and to the left.
+    /// Paper on a plane.
     #[must_use]
-    pub const fn sloping(z0_mm: f64, slope_x: f64, slope_y: f64) -> Self {
+    pub const fn sloping(plane: Plane) -> Self {
         Self {
-            z0_mm,
-            slope_x,
-            slope_y,
+            plane,
+            bent: None,
             seen_by: None,
+        }
+    }
+
+    /// The plane on which it lies.
+    #[must_use]
+    pub const fn plane(&self) -> Plane {
+        self.plane
+    }
+
+    /// The same paper, higher than the plane by so much.
+    #[must_use]
+    pub fn bent(self, heights: HeightMap) -> Self {
+        Self {
+            bent: Some(Arc::new(heights)),
+            ..self
         }
     }
 
     /// The same paper by the places that an arm with these faults says and takes: to it a plane
     /// is curved.
     #[must_use]
-    pub const fn seen_by(self, arm: Calibration, tool: Tool) -> Self {
+    pub fn seen_by(self, arm: Calibration, tool: Tool) -> Self {
         Self {
             seen_by: Some((arm, tool)),
             ..self
@@ -84,25 +90,29 @@ impl Paper {
     /// Z of the paper at a place, in mm.
     #[must_use]
     pub fn z_at(&self, place: Point) -> f64 {
-        let plane_mm = self.plane_z(place.x, place.y);
+        let true_mm = self.true_z(place);
         match &self.seen_by {
-            Some((arm, tool)) => self.told_z(place, plane_mm, arm, *tool),
-            None => plane_mm,
+            Some((arm, tool)) => self.told_z(place, true_mm, arm, *tool),
+            None => true_mm,
         }
     }
 
-    /// Whether lines that are straight to the arm leave it, as they leave a plane that an arm with
-    /// faults sees.
+    /// Whether lines that are straight to the arm leave it: where it is bent, and where an arm with
+    /// faults sees it.
     #[must_use]
     pub const fn is_curved(&self) -> bool {
-        self.seen_by.is_some()
+        self.seen_by.is_some() || self.bent.is_some()
     }
 
     /// The paper, higher by so much; a negative number is lower.
     #[must_use]
-    pub const fn raised(self, offset_mm: f64) -> Self {
+    pub fn raised(self, offset_mm: f64) -> Self {
+        let z0_mm = self.plane.z0_mm + offset_mm;
         Self {
-            z0_mm: self.z0_mm + offset_mm,
+            plane: Plane {
+                z0_mm,
+                ..self.plane
+            },
             ..self
         }
     }
@@ -116,39 +126,42 @@ impl Paper {
     /// Whether it is as high everywhere.
     #[must_use]
     pub const fn is_level(&self) -> bool {
-        self.slope_x == 0.0 && self.slope_y == 0.0 && self.seen_by.is_none()
+        self.plane.slope_x == 0.0 && self.plane.slope_y == 0.0 && !self.is_curved()
     }
 
-    /// The height at which the tool is truly on the plane (Newton's rule). Where the arm does not
-    /// get to it is the plane's own: whoever asks whether the place is in reach is told so.
-    fn told_z(&self, place: Point, plane_mm: f64, arm: &Calibration, tool: Tool) -> f64 {
+    /// The height at which the tool is truly on the paper (Newton's rule). Where the arm does not
+    /// get to it is the paper's own: whoever asks whether the place is in reach is told so.
+    fn told_z(&self, place: Point, true_mm: f64, arm: &Calibration, tool: Tool) -> f64 {
         let over_mm = |z_mm: f64| {
             let told = Position::new(place.x, place.y, z_mm);
             let there = arm.true_place(told, tool).ok()?;
-            Some(there.z.0 - self.plane_z(there.x.0, there.y.0))
+            Some(there.z.0 - self.true_z(Point::new(there.x.0, there.y.0)))
         };
-        let mut z_mm = plane_mm;
+        let mut z_mm = true_mm;
         for _ in 0..ROUNDS {
             let Some((here, above)) = over_mm(z_mm).zip(over_mm(z_mm + STEP_MM)) else {
-                return plane_mm;
+                return true_mm;
             };
             z_mm -= here * STEP_MM / (above - here);
             if here.abs() < EXACT_MM {
                 break;
             }
         }
-        if z_mm.is_finite() { z_mm } else { plane_mm }
+        if z_mm.is_finite() { z_mm } else { true_mm }
     }
 
-    const fn plane_z(&self, x_mm: f64, y_mm: f64) -> f64 {
-        self.z0_mm + self.slope_x * x_mm + self.slope_y * y_mm
+    /// Its true height at a true place.
+    fn true_z(&self, place: Point) -> f64 {
+        let bent_mm = self.bent.as_ref().map_or(0.0, |it| it.z_at(place));
+        self.plane.z_at([place.x, place.y]) + bent_mm
     }
 
     pub(super) fn check(&self) -> Result<(), PaperError> {
-        if self.z0_mm.is_finite() {
+        let z0_mm = self.plane.z0_mm;
+        if z0_mm.is_finite() {
             return Ok(());
         }
-        Err(PaperError::Height(self.z0_mm))
+        Err(PaperError::Height(z0_mm))
     }
 }
 
@@ -163,9 +176,9 @@ impl Default for Paper {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PaperError {
-    /// The points do not span a plane: the third is so many mm from the line through the others.
+    /// The points do not span a plane: they lie in a strip so many mm wide.
     #[error(
-        "the three touched points lie within {0:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
+        "the touched points lie within {0:.1} mm of one line; touch three corners of the paper, at least 10 mm off the line"
     )]
     Collinear(f64),
     /// The plane is too steep, by its slope in degrees.
@@ -176,6 +189,30 @@ pub enum PaperError {
     /// The height, in mm, is not a number.
     #[error("the paper is at {0} mm; it must be a finite number")]
     Height(f64),
+}
+
+/// The plane with the least sum of squares to points that span one.
+fn nearest(touched: &[[f64; 3]]) -> Plane {
+    let [mut xx, mut xy, mut yy, mut xz, mut yz] = [0.0; 5];
+    #[expect(clippy::cast_precision_loss, reason = "few points")]
+    let count = touched.len() as f64;
+    let middle = [0, 1, 2].map(|axis| touched.iter().map(|it| it[axis]).sum::<f64>() / count);
+    for point in touched {
+        let [x, y, z] = [0, 1, 2].map(|axis| point[axis] - middle[axis]);
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        xz += x * z;
+        yz += y * z;
+    }
+    let area2 = xx * yy - xy * xy;
+    let slope_x = (xz * yy - yz * xy) / area2;
+    let slope_y = (yz * xx - xz * xy) / area2;
+    Plane {
+        z0_mm: middle[2] - slope_x * middle[0] - slope_y * middle[1],
+        slope_x,
+        slope_y,
+    }
 }
 
 const ROUNDS: usize = 10;
@@ -196,13 +233,13 @@ mod tests {
             [150.0, 80.0, -39.5],
             [270.0, 0.0, -42.0],
         ];
-        let paper = Paper::through(touched).unwrap();
+        let paper = Paper::through(&touched).unwrap();
         for [x, y, z] in touched {
             let found = paper.z_at(Point::new(x, y));
             assert!((found - z).abs() < 1e-9, "{found} instead of {z}");
             assert!(paper.height_mm(Position::new(x, y, z + 2.0)) - 2.0 < 1e-9);
         }
-        let raised = paper.raised(0.25).z_at(Point::new(150.0, 80.0));
+        let raised = paper.clone().raised(0.25).z_at(Point::new(150.0, 80.0));
         assert!((raised + 39.25).abs() < 1e-9);
         assert!(!paper.is_level());
     }
@@ -215,8 +252,8 @@ mod tests {
             [250.0, 0.0, -40.0],
         ];
         assert_eq!(
-            Paper::through(on_a_line).unwrap_err().to_string(),
-            "the three touched points lie within 1.0 mm of one line; touch three corners of the \
+            Paper::through(&on_a_line).unwrap_err().to_string(),
+            "the touched points lie within 1.0 mm of one line; touch three corners of the \
              paper, at least 10 mm off the line"
         );
         let steep = [
@@ -225,10 +262,10 @@ mod tests {
             [150.0, 50.0, -40.0],
         ];
         assert_eq!(
-            Paper::through(steep).unwrap_err().to_string(),
+            Paper::through(&steep).unwrap_err().to_string(),
             "the paper through the touched points slopes by 11.3 degrees; at most 10 are allowed: \
              touch them again"
         );
-        assert!(Paper::through([[f64::NAN; 3]; 3]).is_err());
+        assert!(Paper::through(&[[f64::NAN; 3]; 3]).is_err());
     }
 }

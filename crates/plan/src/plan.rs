@@ -241,7 +241,7 @@ mod tests {
             [250.0, 0.0, -38.0],
             [150.0, 50.0, -41.0],
         ];
-        let paper = Paper::through(touched).unwrap();
+        let paper = Paper::through(&touched).unwrap();
         let strokes = vec![line(&[(150.0, 0.0), (250.0, 50.0)]), line(&[(200.0, 0.0)])];
         let pass = Pass::new(DrawingTool::default(), strokes);
         let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
@@ -314,7 +314,7 @@ mod tests {
             [250.0, 0.0, -38.0],
             [150.0, 50.0, -41.0],
         ];
-        let slope = Paper::through(touched).unwrap();
+        let slope = Paper::through(&touched).unwrap();
         let error = Plan::new(std::slice::from_ref(&laser), &slope, &Machine::default());
         assert_eq!(error, Err(PlanError::SlopingLaser(1)));
         let passes = [Pass::new(DrawingTool::default(), strokes), laser];

@@ -390,13 +390,9 @@ impl Driver {
                 "a calibration is kept for an arm, and none has been there yet".into(),
             ));
         };
-        let before = self.arms.calibrations(&address).calibration;
-        let calibrations = Calibrations {
-            before,
-            calibration,
-        };
+        let calibrations = self.arms.calibrations(&address).replaced_by(calibration);
         self.supervisor
-            .handle_calibration(now, client, calibrations.arm())?;
+            .handle_calibration(now, client, &calibrations)?;
         if let Err(error) = self.arms.calibrate(&address, calibrations.clone()) {
             let text = format!("the calibration of the arm cannot be kept: {error}");
             self.supervisor.handle_trouble(now, text);
@@ -564,7 +560,8 @@ impl Driver {
             self.supervisor.handle_known_dialect(dialect);
         }
         let calibrations = self.arms.calibrations(&address);
-        self.supervisor.set_calibration(calibrations.arm());
+        self.supervisor
+            .handle_known_calibration(&address, &calibrations);
         self.ends.change_rules(|it| it.calibrations = calibrations);
         self.supervisor.handle_link_up(now, &address);
         self.recording.heard(now, &found.bytes);

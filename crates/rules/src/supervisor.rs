@@ -22,7 +22,9 @@ mod urgent;
 
 use std::time::Duration;
 
-use dobot_api::{ArmView, ClientId, News, Notice, QueueView, Reply, State, TrustView};
+use dobot_api::{
+    ArmView, Calibrations, ClientId, News, Notice, QueueView, Reply, State, TrustView,
+};
 use dobot_arm::Calibration;
 use dobot_client::{SendError, Session};
 use dobot_safety::Policy;
@@ -127,10 +129,18 @@ impl Supervisor {
         }
     }
 
-    /// Takes how the arm differs from the drawing of it, before it is given anything.
-    pub fn set_calibration(&mut self, calibration: Calibration) {
-        self.arm.set_calibration(calibration);
+    /// Takes how the arm at an address differs from the drawing of it, before it is given anything. Another arm may have
+    /// been plugged in there, so people are told which one it is taken to be.
+    pub fn handle_known_calibration(&mut self, address: &str, known: &Calibrations) {
+        self.arm.set_calibration(known.arm());
         self.outbox.note_change();
+        if known.calibration.is_some() {
+            let name = known.name().unwrap_or("the arm that was calibrated there");
+            let text = format!(
+                "the arm at {address} is taken to be {name}; if it is another one, have its own calibration hold: `dobot calibrate ARM.toml --use`"
+            );
+            self.notify(News::Calibrated, text);
+        }
     }
 
     /// How the arm differs from what it says now: its zeros are right once it was told its angles.

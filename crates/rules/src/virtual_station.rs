@@ -241,13 +241,11 @@ impl VirtualStation {
                 }
                 // The virtual arm stays as it is: its faults say what it is like.
                 Request::Calibrate { calibration } => {
-                    let calibrations = Calibrations {
-                        before: self.calibrations.calibration.take(),
-                        calibration: calibration.map(|it| *it),
-                    };
-                    let arm = calibrations.arm();
+                    let calibrations = self.calibrations.clone();
+                    let calibrations = calibrations.replaced_by(calibration.map(|it| *it));
+                    self.supervisor
+                        .handle_calibration(now, client, &calibrations)?;
                     self.calibrations = calibrations.clone();
-                    self.supervisor.handle_calibration(now, client, arm)?;
                     self.settle();
                     return Ok(Reply::Calibrated {
                         calibrations: Box::new(calibrations),

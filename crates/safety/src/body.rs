@@ -36,10 +36,11 @@ pub(crate) enum Measure {
     Y,
     Z,
     Reach,
+    AboveTable,
 }
 
 /// The number of [`Measure`]s.
-pub(crate) const MEASURES: usize = 9;
+pub(crate) const MEASURES: usize = 10;
 
 impl Body {
     /// An arm that is truly at a place, which differs so from the drawing of it.
@@ -106,12 +107,13 @@ impl Measure {
             Self::Y => ("y", " mm"),
             Self::Z => ("z", " mm"),
             Self::Reach => ("reach", " mm"),
+            Self::AboveTable => ("height above the paper", " mm"),
         }
     }
 }
 
-/// All measures at a place, in the order of [`Measure`].
-pub(crate) fn measures(place: &ArmPlace) -> [f64; MEASURES] {
+/// All measures at a true place of an arm, in the order of [`Measure`].
+pub(crate) fn measures(place: &ArmPlace, arm: &Calibration) -> [f64; MEASURES] {
     let Joints {
         base,
         rear,
@@ -129,6 +131,7 @@ pub(crate) fn measures(place: &ArmPlace) -> [f64; MEASURES] {
         position.y.0,
         position.z.0,
         position.reach().0,
+        arm.above_table_mm(position).unwrap_or_default(),
     ]
 }
 

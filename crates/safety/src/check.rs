@@ -1,6 +1,6 @@
 //! The check of a command over its whole way.
 
-use dobot_arm::Position;
+use dobot_arm::{Calibration, Position};
 use dobot_trajectory::{ArmPlace, Button, Model, Trajectory, burns};
 use dobot_wire::{Command, Configuration, MoveTo, single};
 
@@ -102,7 +102,9 @@ impl Policy {
             .iter()
             .filter(|path| path.time_at(0.0) < path.time_at(1.0))
             .try_for_each(|path| walk.along(path))
-            .map_err(|breach| Violation::of_breach(&breach, |limit| worst(limit, place)))
+            .map_err(|breach| {
+                Violation::of_breach(&breach, |limit| worst(limit, &model.calibration, place))
+            })
     }
 
     /// Where nothing moves: the place that the arm is told to believe in, with the tool that it is
@@ -132,11 +134,15 @@ impl Policy {
 }
 
 /// The value of a limit's measure farthest from what it allows, on a way given by shares of it.
-pub(crate) fn worst(limit: &Limit, place: impl Fn(f64) -> Option<ArmPlace>) -> f64 {
+pub(crate) fn worst(
+    limit: &Limit,
+    arm: &Calibration,
+    place: impl Fn(f64) -> Option<ArmPlace>,
+) -> f64 {
     let excess = |value: f64| (value - limit.bounds.nearest(value)).abs();
     (0..=LOOKS)
         .filter_map(|look| place(f64::from(look) / f64::from(LOOKS)))
-        .map(|place| measures(&place)[limit.measure as usize])
+        .map(|place| measures(&place, arm)[limit.measure as usize])
         .max_by(|a, b| excess(*a).total_cmp(&excess(*b)))
         .unwrap_or(f64::NAN)
 }

@@ -80,7 +80,11 @@ impl<'a> Fence<'a> {
             now_mm: strict_mm,
         };
         Self {
-            limits: policy.limits(tool, burning).into_iter().map(gate).collect(),
+            limits: policy
+                .limits(tool, &arm, burning)
+                .into_iter()
+                .map(gate)
+                .collect(),
             keep_outs: policy.keep_out.iter().map(fenced).collect(),
             tool,
             tip_mm: policy.tool_length.of(tool),
@@ -95,7 +99,7 @@ impl<'a> Fence<'a> {
             share,
             told,
             place,
-            measures: measures(&place),
+            measures: measures(&place, &self.arm),
             body: Body::new(&place, self.tool, self.tip_mm, &self.arm),
         }
     }

@@ -65,7 +65,7 @@ impl Policy {
             .along(&path)
             .map_err(|breach| {
                 let place = |share: f64| Some(model.true_place(&path.place_at(share).ok()?));
-                let worst = |limit: &Limit| worst(limit, place);
+                let worst = |limit: &Limit| worst(limit, &model.calibration, place);
                 Violation::of_breach(&breach, worst).before_a_stop()
             })
     }

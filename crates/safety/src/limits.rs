@@ -1,6 +1,6 @@
 //! The rules that bound a measure, as the policy says them.
 
-use dobot_arm::Tool;
+use dobot_arm::{Calibration, Tool};
 
 use crate::body::Measure;
 use crate::{Area, Bounds, Policy};
@@ -16,10 +16,10 @@ pub(crate) struct Limit {
 
 impl Policy {
     /// The rules for an arm with this tool, those of a burning laser included or not.
-    pub(crate) fn limits(&self, tool: Tool, burning: bool) -> Vec<Limit> {
+    pub(crate) fn limits(&self, tool: Tool, arm: &Calibration, burning: bool) -> Vec<Limit> {
         let (joints, space) = (&self.joints, &self.workspace);
         let lowest_mm = self.table.z_mm + self.tool_length.of(tool);
-        let mut limits = Vec::with_capacity(13);
+        let mut limits = Vec::with_capacity(14);
         limits.extend([
             limit("joints.base", Measure::Base, joints.base_deg),
             limit("joints.rear", Measure::Rear, joints.rear_deg),
@@ -32,6 +32,13 @@ impl Policy {
             limit(TABLE, Measure::Z, Bounds::new(lowest_mm, HIGHEST_MM)),
             limit("workspace.reach", Measure::Reach, space.reach_mm),
         ]);
+        if arm.table.is_some() {
+            // The paper was touched with the pen.
+            let longer_mm = self.tool_length.of(tool) - self.tool_length.suction_cup_mm;
+            let lowest_mm = longer_mm - self.table.below_paper_mm;
+            let above = Bounds::new(lowest_mm, HIGHEST_MM);
+            limits.push(limit(BELOW_PAPER, Measure::AboveTable, above));
+        }
         if burning {
             limits.extend(burning_limits(&self.laser.area));
         }
@@ -53,7 +60,10 @@ const fn limit(key: &'static str, measure: Measure, bounds: Bounds) -> Limit {
 }
 
 /// What is above the table: more than the arm can reach, so that no other rule is meant.
-const HIGHEST_MM: f64 = 300.0;
+const HIGHEST_MM: f64 = 1000.0;
+
+/// The rule of the table below the paper.
+pub(crate) const BELOW_PAPER: &str = "table.below_paper";
 
 /// The rule of the table.
 pub(crate) const TABLE: &str = "table";

@@ -58,6 +58,8 @@ section! {
     Table {
         /// The height of its surface in the base frame, in mm: -300 to 136.
         z_mm: f64 = -103.0,
+        /// How far below the paper a tool tip may be where a calibration knows how the paper lies, in mm: 0 to 300.
+        below_paper_mm: f64 = 5.0,
     }
 }
 

@@ -39,7 +39,7 @@ impl Sweep {
         let turns = flat.turns(a, b, tool.reach().0)?;
         // To an arm that is not as drawn, no line of its own is straight.
         if arm.is_none() {
-            Some(flat.sweep(bend, &turns))
+            Some(flat.sweep(bend, &turns, arm))
         } else {
             turns.sweep(a, b, arm)
         }
@@ -129,6 +129,7 @@ impl Turns {
                 tool_mm,
                 flat_v2,
                 reach_mm,
+                flat_v2 + slope(arm) * tool_mm,
             ],
             elbow_mm: turned(
                 REAR_ARM.0,
@@ -216,7 +217,7 @@ impl Flat {
     }
 
     /// What follows for an arm as drawn, whose tool goes just so.
-    fn sweep(&self, bend: Bend, turns: &Turns) -> Sweep {
+    fn sweep(&self, bend: Bend, turns: &Turns, arm: &Calibration) -> Sweep {
         let degrees = f64::to_degrees;
         let tool_mm = if bend == Bend::Around {
             turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)
@@ -236,6 +237,7 @@ impl Flat {
                 tool_mm,
                 0.0,
                 self.reach_mm,
+                slope(arm) * tool_mm,
             ],
             elbow_mm: turned(REAR_ARM.0, elbow_mm, elbow_2_mm, self.base, self.base_2),
             wrist_mm: turned(
@@ -248,6 +250,11 @@ impl Flat {
             tool_mm,
         }
     }
+}
+
+/// How much the table rises for each mm of way along it, at most.
+fn slope(arm: &Calibration) -> f64 {
+    arm.table.map_or(0.0, |it| it.slope_x.hypot(it.slope_y))
 }
 
 /// The second derivative of a point at most `radius_mm` from the axis: it moves in the upright plane

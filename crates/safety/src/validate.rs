@@ -98,7 +98,7 @@ fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
 }
 
 /// Numbers and their ranges.
-fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
+fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 22] {
     let Policy {
         table,
         tool_length,
@@ -118,6 +118,11 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 21] {
     let length = within(0.0, 200.0);
     [
         ("table.z_mm", table.z_mm, within(-300.0, highest_mm)),
+        (
+            "table.below_paper_mm",
+            table.below_paper_mm,
+            within(0.0, 300.0),
+        ),
         (
             "tool_length.suction_cup_mm",
             tool_length.suction_cup_mm,

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::Bounds;
 use crate::fence::{Broken, PathPoint};
-use crate::limits::{Limit, TABLE};
+use crate::limits::{BELOW_PAPER, Limit, TABLE};
 use crate::path_check::Breach;
 
 /// Which rule forbids a command, where on its way, and what would be allowed.
@@ -69,7 +69,7 @@ impl Violation {
             than: allowed.nearest(found),
         };
         let least = Rounded(allowed.min);
-        let message = if rule == TABLE {
+        let message = if rule == TABLE || rule == BELOW_PAPER {
             format!(
                 "{name} would be {found_here}{unit}; {rule} allows {least}{unit} and more with this tool"
             )

@@ -47,45 +47,10 @@ impl Region {
             let shows = self.shows(stroke.points[0]);
             return Ok(if shows { vec![stroke] } else { Vec::new() });
         }
-        let mut pieces = self.pieces(&stroke, budget)?;
-        match &mut pieces[..] {
-            [only] => only.closed = stroke.closed && ends(only) == ends(&stroke),
-            [_, .., _] if stroke.closed => join_at_seam(&mut pieces, stroke.points[0]),
-            _ => {}
-        }
-        Ok(pieces)
-    }
-
-    fn pieces(&self, stroke: &Stroke, budget: &mut Budget) -> Result<Vec<Stroke>, OverBudget> {
-        let mut pieces: Vec<Stroke> = Vec::new();
-        let mut open = false;
-        let mut cuts = Vec::new();
-        for (a, b) in stroke.segments() {
-            self.cuts(a, b, &mut cuts);
-            budget.spend(cuts.len() - 2)?;
-            for t in cuts.windows(2) {
-                let shows = self.shows(a.lerp(b, f64::midpoint(t[0], t[1])));
-                if shows && !open {
-                    pieces.push(Stroke::open(vec![place(a, b, t[0])]));
-                }
-                if let Some(piece) = pieces.last_mut().filter(|_| shows) {
-                    piece.points.push(place(a, b, t[1]));
-                }
-                open = shows;
-            }
-        }
-        // Where an edge is only touched, no more than a speck shows.
-        pieces.retain(|piece| piece.length_mm() > 2.0 * ON_EDGE_MM);
-        Ok(pieces)
-    }
-
-    /// Where the segment meets an edge, as shares of its length in order, with 0 and 1.
-    fn cuts(&self, a: Point, b: Point, cuts: &mut Vec<f64>) {
-        cuts.clear();
-        cuts.extend([0.0, 1.0]);
-        self.each_area(&mut |area| area.cuts(a, b, cuts));
-        cuts.sort_unstable_by(f64::total_cmp);
-        cuts.dedup();
+        let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
+            self.each_area(&mut |area| area.cuts(a, b, cuts));
+        };
+        parts(&stroke, cuts, |p| self.shows(p), budget)
     }
 
     pub(crate) fn shows(&self, p: Point) -> bool {
@@ -95,16 +60,13 @@ impl Region {
     /// Whether an edge lies in these bounds.
     pub(crate) fn has_edge_in(&self, bounds: Rect) -> bool {
         let mut found = false;
-        self.each_area(&mut |area| area.edges.touching(bounds, &mut |_| found = true));
+        self.each_area(&mut |area| found |= area.has_edge_in(bounds));
         found
     }
 
     fn each_area(&self, visit: &mut dyn FnMut(&ClipArea)) {
         for area in &self.areas {
-            visit(area);
-            for region in &area.within {
-                region.each_area(visit);
-            }
+            area.each(visit);
         }
     }
 }
@@ -133,7 +95,53 @@ impl ClipArea {
         }
     }
 
-    fn polygons(&self) -> Option<Polygons> {
+    /// The parts of a stroke that this area does not cover. A line along its edge is not covered, as
+    /// half of its ink shows.
+    pub(crate) fn uncovered(
+        &self,
+        stroke: Stroke,
+        budget: &mut Budget,
+    ) -> Result<Vec<Stroke>, OverBudget> {
+        let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
+        let mut is_cut = false;
+        self.each(&mut |area| is_cut |= area.has_edge_in(bounds));
+        if stroke.points.len() == 1 || !is_cut {
+            let covered = self.covers(stroke.points[0]);
+            return Ok(if covered { Vec::new() } else { vec![stroke] });
+        }
+        let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
+            self.each(&mut |area| area.cuts(a, b, cuts));
+        };
+        parts(&stroke, cuts, |p| !self.covers(p), budget)
+    }
+
+    /// The corners of its outlines lie in this rectangle.
+    pub(crate) fn bounds(&self) -> Rect {
+        bounds(self.rings.iter().flatten().copied())
+    }
+
+    /// Whether an edge lies in these bounds.
+    pub(crate) fn has_edge_in(&self, bounds: Rect) -> bool {
+        let mut found = false;
+        self.edges.touching(bounds, &mut |_| found = true);
+        found
+    }
+
+    /// Whether nothing shows through there.
+    pub(crate) fn covers(&self, p: Point) -> bool {
+        self.is_inside(p) && !self.is_on_edge(p) && self.within.iter().all(|r| r.shows(p))
+    }
+
+    /// Itself, and all areas in which it is clipped.
+    pub(crate) fn each(&self, visit: &mut dyn FnMut(&Self)) {
+        visit(self);
+        for region in &self.within {
+            region.each_area(visit);
+        }
+    }
+
+    /// The same as polygons; `None` where they are too entangled.
+    pub(crate) fn polygons(&self) -> Option<Polygons> {
         let whole = Polygons::new(&self.rings, self.rule);
         let mut within = self.within.iter();
         within.try_fold(whole?, |shown, region| shown.and(region.polygons()?))
@@ -171,6 +179,45 @@ impl ClipArea {
             cuts.extend(meeting(a, b, self.edges.segment(edge)));
         });
     }
+}
+
+/// The parts of a stroke that are kept, which changes only where its pieces are cut, told as shares of
+/// their length.
+fn parts(
+    stroke: &Stroke,
+    find_cuts: impl Fn(Point, Point, &mut Vec<f64>),
+    keeps: impl Fn(Point) -> bool,
+    budget: &mut Budget,
+) -> Result<Vec<Stroke>, OverBudget> {
+    let mut pieces: Vec<Stroke> = Vec::new();
+    let mut open = false;
+    let mut cuts = Vec::new();
+    for (a, b) in stroke.segments() {
+        cuts.clear();
+        cuts.extend([0.0, 1.0]);
+        find_cuts(a, b, &mut cuts);
+        cuts.sort_unstable_by(f64::total_cmp);
+        cuts.dedup();
+        budget.spend(cuts.len() - 2)?;
+        for t in cuts.windows(2) {
+            let kept = keeps(a.lerp(b, f64::midpoint(t[0], t[1])));
+            if kept && !open {
+                pieces.push(Stroke::open(vec![place(a, b, t[0])]));
+            }
+            if let Some(piece) = pieces.last_mut().filter(|_| kept) {
+                piece.points.push(place(a, b, t[1]));
+            }
+            open = kept;
+        }
+    }
+    // Where an edge is only touched, no more than a speck shows.
+    pieces.retain(|piece| piece.length_mm() > 2.0 * ON_EDGE_MM);
+    match &mut pieces[..] {
+        [only] => only.closed = stroke.closed && ends(only) == ends(stroke),
+        [_, .., _] if stroke.closed => join_at_seam(&mut pieces, stroke.points[0]),
+        _ => {}
+    }
+    Ok(pieces)
 }
 
 /// +1 or -1 where the edge crosses the ray from `p` towards x, 0 where it does not.

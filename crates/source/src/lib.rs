@@ -21,6 +21,7 @@ mod dxf;
 mod error;
 mod fonts;
 mod gcode;
+mod hidden;
 mod hpgl;
 mod kind;
 mod limits;

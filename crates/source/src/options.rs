@@ -22,6 +22,10 @@ pub struct ReadOptions {
     pub layers: LayersBy,
     /// Whether what lies beyond the page of an SVG file is cut off.
     pub crops: bool,
+    /// Whether the filled shapes of an SVG file hide what lies under them.
+    pub hides: bool,
+    /// Whether the areas of what is partly hidden are wanted, which takes most of the time.
+    pub fills: bool,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
     /// How the tones of a picture become lines or dots.
@@ -29,13 +33,15 @@ pub struct ReadOptions {
 }
 
 impl Default for ReadOptions {
-    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, no fonts, pictures hatched.
+    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, nothing hidden, no fonts, pictures hatched.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.005,
             scale: 1.0,
             layers: LayersBy::default(),
             crops: true,
+            hides: false,
+            fills: true,
             fonts: Arc::default(),
             shading: Shading::default(),
         }

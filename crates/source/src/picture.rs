@@ -8,6 +8,7 @@
 mod contour;
 mod decode;
 mod exif;
+mod flow;
 mod hatch;
 mod levels;
 mod others;
@@ -16,6 +17,7 @@ mod resample;
 mod rows;
 pub(crate) mod shading;
 mod smooth;
+mod spiral;
 mod stipple;
 mod tone;
 mod waves;
@@ -96,7 +98,9 @@ fn strokes(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     match shading.style {
         ShadingStyle::Outline => outline::outlines(tone, shading, spacing_mm),
         ShadingStyle::Lines => waves::waves(tone, shading, spacing_mm),
-        ShadingStyle::Stipple => stipple::stippled(tone, shading, spacing_mm),
+        ShadingStyle::Spiral => spiral::spiral(tone, spacing_mm),
+        ShadingStyle::Flow => flow::flowing(tone, shading, spacing_mm),
+        ShadingStyle::Stipple | ShadingStyle::Tsp => stipple::stippled(tone, shading, spacing_mm),
         ShadingStyle::Hatch => hatch::hatched(tone, shading, spacing_mm),
     }
 }

@@ -33,6 +33,17 @@ impl Polygons {
         self.joined(other, OverlayRule::Union)
     }
 
+    /// What of it lies outside of all others.
+    pub(crate) fn without<'p>(self, others: impl IntoIterator<Item = &'p Self>) -> Option<Self> {
+        // The rings of each go around what they hold once, so that together they hold all of it.
+        let others = others.into_iter().flat_map(|it| it.0.iter().cloned());
+        self.joined(&Self(others.collect()), OverlayRule::Difference)
+    }
+
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     pub(crate) fn into_area(self) -> Area {
         let point = |[x, y]: [f64; 2]| Point::new(x, y);
         let ring = |ring: Vec<[f64; 2]>| ring.into_iter().map(point).collect();

@@ -11,6 +11,7 @@ mod ink;
 mod layers;
 mod page;
 mod renderer;
+mod single_line;
 mod substitutes;
 mod warning_count;
 
@@ -62,7 +63,7 @@ fn draw(
     let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
     let cut = page.cut();
-    let (artwork, mut warnings) = page.finish();
+    let (artwork, mut warnings) = page.finish()?;
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
         return Err(nothing_to_draw(&warnings, cut));
@@ -107,6 +108,7 @@ impl<'a> TreeWarnings<'a> {
                 let found = by_name(font, fonts);
                 let found = found.or_else(|| fonts.faces().next().map(|face| face.id));
                 match found {
+                    Some(_) if single_line::font(font).is_some() => {}
                     Some(id) => self.substitutes.note(font, fonts, id),
                     None => return count(&self.fontless),
                 }

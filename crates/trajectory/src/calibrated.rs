@@ -158,6 +158,7 @@ mod tests {
                     left_mm,
                     axis_mm: [1.0, -2.0],
                     backlash_deg: [0.0; 3],
+                    table: None,
                 },
             )
     }

@@ -76,7 +76,7 @@ function place(context) {
       </div>
       <div class="row">${check(context, "fit")}${check(context, "clip")}</div>
       <div class="fields">
-        ${field(context, "down", "mm", String(paperOf(page)))}
+        ${field(context, "down", "mm", page.draw.paper ? say("draw.touched") : String(paperOf(page)))}
         <button id="draw-here" type="button" class="small here" title=${say("draw.here.hint")} ?disabled=${!page.station?.arm} @click=${() => act.send({ type: "draw_set", set: { down: (page.station?.arm?.z_mm ?? 0).toFixed(1) } })}>${say("draw.here")}</button>
       </div>
     </section>`;

@@ -7,7 +7,8 @@ import { calibrateGuide } from "./set_up/calibrate.js";
 import { looks } from "./set_up/looks.js";
 import { policy } from "./set_up/policy.js";
 import { tokens } from "./set_up/tokens.js";
+import { touchPaper } from "./set_up/touch_paper.js";
 import { virtualArm } from "./set_up/virtual_arm.js";
 
 /** @param {import("../views/context.js").Context} context */
-export const setUp = (context) => html`${looks(context)}${armGuide(context)}${calibrateGuide(context)}${policy(context)}${tokens(context)}${isVirtual(context.page) ? virtualArm(context) : ""}`;
+export const setUp = (context) => html`${looks(context)}${armGuide(context)}${calibrateGuide(context)}${touchPaper(context)}${policy(context)}${tokens(context)}${isVirtual(context.page) ? virtualArm(context) : ""}`;

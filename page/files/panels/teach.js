@@ -3,8 +3,9 @@
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
-import { hindrance, kept } from "../state/select.js";
-import { rowAt, rowsOf, stepsIn } from "../state/teach.js";
+import { hindrance, kept, rowsIn } from "../state/select.js";
+import { rowAt, stepsIn } from "../state/teach.js";
+import { ROW_PX, carry } from "../hands/carry.js";
 import { saveAs } from "../parts/save.js";
 import { sentence } from "../views/banners.js";
 import { span } from "../words/words.js";
@@ -17,10 +18,10 @@ const MODES = ["table", "text", "time"];
 /** @type {readonly import("../state/types.js").Schemas["MovingMode"][]} */
 const PATHS = ["movj", "movl", "jump"];
 /** What is seen of a long program: so many rows of this height in pixels. */
-const SEEN = 40, ROW_PX = 34;
+const SEEN = 40;
 
-const rowsIn = kept(rowsOf);
-const timed = kept((/** @type {Context["page"]["teach"]} */ teach) => stepsIn(rowsIn(teach.text), teach.report));
+const timed = kept(stepsIn);
+const badIn = kept((/** @type {readonly Row[]} */ rows, /** @type {Context["page"]["teach"]["report"]} */ report) => new Set(report?.problems.map(({ line }) => rowAt(rows, line))));
 
 /** @param {Context} context */
 export function teach(context) {
@@ -39,7 +40,7 @@ export function teach(context) {
       <h2 id="teach-title">${say("teach")} <small>${page.teach.name}${report?.once_s ? ` · ${span(say, report.once_s)}` : ""}</small></h2>
       <div class="row">
         <button id="capture" type="button" class="strong" ?disabled=${why === "no_connection" || why === "no_arm"} @click=${() => act.teach.capture()}>${say("teach.capture")}</button>
-        <fieldset class="segments grow">
+        <fieldset class="segments">
           <legend class="unseen">${say("target.path")}</legend>
           ${PATHS.map((it) => html`<label><input type="radio" name="teach-path" value=${it} .checked=${live(it === path)} @change=${() => act.send({ type: "teach_path", path: it })}><span>${it.toUpperCase()}</span></label>`)}
         </fieldset>
@@ -60,38 +61,54 @@ export function teach(context) {
 
 /** @param {Context} context @param {readonly Row[]} rows */
 function table({ page, say, act }, rows) {
-  const { chosen, first, report } = page.teach;
+  const { chosen, first, report, carried } = page.teach;
   if (!rows.length) return html`<p class="drop quiet">${say("teach.empty")}</p>`;
-  const steps = timed(page.teach);
+  const steps = timed(rows, report);
   const job = page.station?.job;
   const runs = job?.program && job.job === page.teach.job ? rowAt(rows, report?.steps[job.program.step - 1]?.line) : null;
-  const bad = new Set(report?.problems.map(({ line }) => rowAt(rows, line)));
+  const bad = badIn(rows, report);
   const from = Math.max(0, Math.min(first - 5, rows.length - SEEN));
   const scroll = (/** @type {Event} */ event) => act.send({ type: "teach_scrolled", first: Math.floor(/** @type {Element} */ (event.target).scrollTop / ROW_PX) });
   const key = (/** @type {KeyboardEvent} */ event) => {
     const way = /** @type {Record<string, number>} */ ({ ArrowUp: -1, ArrowDown: 1 })[event.key];
     if (event.key === "Delete") act.teach.remove();
-    if (!way || chosen === null) return;
+    // What has the focus: the picture may be older than the key.
+    const row = /** @type {HTMLElement | null} */ (/** @type {Element} */ (event.target).closest("[data-row]"))?.dataset.row ?? chosen;
+    if (!way || row === null) return;
     event.preventDefault();
-    if (event.altKey) return act.teach.move(chosen, chosen + way);
-    const next = Math.max(0, Math.min(rows.length - 1, chosen + way));
-    act.send({ type: "teach_chosen", row: next });
+    const next = Math.max(0, Math.min(rows.length - 1, Number(row) + way));
     // When the row is there, it has the focus.
-    requestAnimationFrame(() => requestAnimationFrame(() => document.getElementById(`step-${next}`)?.focus()));
+    const focus = () => requestAnimationFrame(() => requestAnimationFrame(() => document.getElementById(`step-${next}`)?.focus()));
+    if (event.altKey) return void act.teach.move(Number(row), next).then(focus);
+    act.send({ type: "teach_chosen", row: next });
+    focus();
   };
+  /** Where a row lies that is carried over this one. @param {number} row */
+  const under = (row) => (carried?.from === row ? "is-carried" : carried?.to !== row ? "" : carried.from < row ? "takes-below" : "takes-above");
   const sized = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("height", `${rows.length * ROW_PX}px`);
   const placed = (/** @type {Element | undefined} */ list) => list && /** @type {HTMLElement} */ (list).style.setProperty("transform", `translateY(${from * ROW_PX}px)`);
   return html`
-    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} role="listbox" aria-label=${say("teach.table")} tabindex="-1">
+    <div id="steps" class="steps-seen" @scroll=${scroll} @keydown=${key} @pointerdown=${(/** @type {PointerEvent} */ event) => carry(event, rows.length, carrying(act))} role="listbox" aria-label=${say("teach.table")} tabindex="-1">
       <div ${ref(sized)}><div ${ref(placed)}>
         ${rows.slice(from, from + SEEN).map(({ says }, n) => {
           const row = from + n;
-          return html`<button type="button" role="option" id="step-${row}" class="step ${bad.has(row) ? "is-bad" : ""} ${runs === row ? "is-running" : ""}" aria-selected=${row === chosen ? "true" : "false"}
-            @click=${() => act.send({ type: "teach_chosen", row })}><span class="number">${row + 1}</span><span class="says" title=${says}>${steps[row]?.label}</span><span class="time">${steps[row]?.takes_s ? `${steps[row].takes_s.toFixed(1)} s` : ""}</span></button>`;
+          return html`<button type="button" role="option" id="step-${row}" class="step ${bad.has(row) ? "is-bad" : ""} ${runs === row ? "is-running" : ""} ${under(row)}" data-row=${row} aria-selected=${row === chosen ? "true" : "false"}
+            @click=${() => act.send({ type: "teach_chosen", row })}><span class="number">${row + 1}</span><span class="says" title=${says}>${steps[row]?.label}</span><span class="time">${steps[row]?.takes_s ? `${steps[row].takes_s.toFixed(1)} s` : ""}</span><span class="grip" title=${say("teach.carry")} aria-hidden="true"></span></button>`;
         })}
       </div></div>
-    </div>`;
+    </div>
+    <p class="unseen" id="teach-moved" role="status">${page.teach.moved ? say("teach.moved", { step: page.teach.moved.to + 1, steps: page.teach.moved.of }) : ""}</p>`;
 }
+
+/** What a row that is carried does. @param {Context["act"]} act @returns {import("../hands/carry.js").Carrying} */
+const carrying = (act) => ({
+  over: (from, to) => act.send({ type: "teach_carried", carried: { from, to } }),
+  drop(from, to) {
+    act.send({ type: "teach_carried", carried: null });
+    void act.teach.move(from, to);
+  },
+  giveUp: () => act.send({ type: "teach_carried", carried: null }),
+});
 
 /** @param {Context} context */
 const area = ({ page, say, act }) => html`
@@ -99,7 +116,7 @@ const area = ({ page, say, act }) => html`
 
 /** @param {Context} context */
 function timeline({ page, say, act }) {
-  const steps = timed(page.teach);
+  const steps = timed(rowsIn(page.teach.text), page.teach.report);
   const whole_s = steps.reduce((sum, { takes_s }) => sum + takes_s, 0);
   if (!whole_s) return html`<p class="drop quiet">${say("teach.untimed")}</p>`;
   let at_s = 0;
@@ -124,8 +141,8 @@ function edits({ page, say, act }, rows) {
     <div class="row">
       <button id="teach-undo" type="button" class="small" ?disabled=${!past.length} @click=${() => act.send({ type: "teach_undo" })}>${say("teach.undo")}</button>
       <button id="teach-redo" type="button" class="small" ?disabled=${!future.length} @click=${() => act.send({ type: "teach_redo" })}>${say("teach.redo")}</button>
-      <button id="teach-up" type="button" class="small" ?disabled=${none || chosen === 0} aria-label=${say("teach.up")} @click=${() => chosen !== null && act.teach.move(chosen, chosen - 1)}>↑</button>
-      <button id="teach-down" type="button" class="small" ?disabled=${none || chosen === rows.length - 1} aria-label=${say("teach.down")} @click=${() => chosen !== null && act.teach.move(chosen, chosen + 1)}>↓</button>
+      <button id="teach-up" type="button" class="small" ?disabled=${none || chosen === 0} aria-label=${say("teach.up")} @click=${() => chosen !== null && void act.teach.move(chosen, chosen - 1)}>↑</button>
+      <button id="teach-down" type="button" class="small" ?disabled=${none || chosen === rows.length - 1} aria-label=${say("teach.down")} @click=${() => chosen !== null && void act.teach.move(chosen, chosen + 1)}>↓</button>
       <button id="teach-retake" type="button" class="small" ?disabled=${none} @click=${() => act.teach.retake()}>${say("teach.retake")}</button>
       <button id="teach-remove" type="button" class="small" ?disabled=${none} @click=${() => act.teach.remove()}>${say("teach.remove")}</button>
     </div>`;

@@ -12,7 +12,7 @@ import { createDrawing, createPlanned, createTrail } from "./lines.js";
 import { forward, inverse, rad } from "./links.js";
 import { lookOf } from "./look.js";
 import { createMarks } from "./marks.js";
-import { createPaper, createTable } from "./paper.js";
+import { createPaper, createPlane, createTable } from "./paper.js";
 import { createTarget } from "./target.js";
 import { createBeam } from "./tools.js";
 import { createWorld } from "./world.js";
@@ -23,24 +23,30 @@ import { createWorld } from "./world.js";
 /** @typedef {import("./view.js").Point} Point */
 
 const SWING_S = 0.45;
+/** How fine shadows are, with a graphics card and without one. */
+const FINE_SHADOW_PX = 2048, COARSE_SHADOW_PX = 512;
+const NAMES = /** @type {const} */ (["base_deg", "rear_deg", "fore_deg", "servo_deg"]);
 const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
 
 /**
  * @param {HTMLElement} element
  * @param {{ changed(): void, target(pose: import("./view.js").Target): void, still: boolean }} outside
+ * @param {boolean} card whether a graphics card draws it
  */
-export function createDeep(element, outside) {
+export function createDeep(element, outside, card) {
   const canvas = document.createElement("canvas");
-  const renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+  const renderer = new WebGLRenderer({ canvas, antialias: card, powerPreference: "high-performance" });
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
+  // Only what moves changes its shadow: a camera that turns does not.
+  renderer.shadowMap.autoUpdate = false;
   renderer.toneMapping = NeutralToneMapping;
   element.prepend(canvas);
 
   const scene = new Scene();
   const lens = new PerspectiveCamera(LENS_DEG, 1, 20, 6000);
   lens.up.set(0, 0, 1);
-  const light = createLight();
+  const light = createLight(card ? FINE_SHADOW_PX : COARSE_SHADOW_PX);
   const materials = {
     metal: new MeshStandardMaterial({ roughness: 0.34 }),
     dark: new MeshStandardMaterial({ roughness: 0.52 }),
@@ -53,12 +59,14 @@ export function createDeep(element, outside) {
   const arm = createArm(materials, { foot: true });
   const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
   const [keepOuts, limits, trail, planned, drawing, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createDrawing(), createTarget()];
+  const plane = createPlane();
   const beam = createBeam(0xff3b30);
   const onTable = new Group().add(table.group, paper.group, marks.group, world.group);
-  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, planned.group, drawing.group, target.group, beam.group);
+  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, plane.group, planned.group, drawing.group, target.group, beam.group);
 
   /** @type {View | null} */ let view = null;
   /** @type {Joints | null} */ let drawn = null;
+  /** Whose shadow was drawn. @type {Joints | null} */ let shaded = null;
   let aspect = 1;
   let camera = preset("iso", aspect, [200, 0, 0]);
   /** @type {Preset | null} */ let kept = "iso";
@@ -112,7 +120,7 @@ export function createDeep(element, outside) {
     materials.accent.color.set(colors.accent);
     materials.pin.color.set(colors.pin);
     materials.rubber.color.set(colors.dark);
-    for (const it of [table, paper, keepOuts, limits, trail, planned]) it.paint(colors);
+    for (const it of [table, paper, plane, keepOuts, limits, trail, planned]) it.paint(colors);
     marks.paint(colors, tool.kind === "laser");
     target.paint(colors, ghost?.refused ?? false);
     beam.paint(colors.beam);
@@ -128,7 +136,9 @@ export function createDeep(element, outside) {
       target.mount(next.tool);
     }
     onTable.position.z = next.table_z_mm;
+    renderer.shadowMap.needsUpdate = true;
     if (differs("paper")) paper.show(next.paper);
+    if (differs("plane", "tool")) plane.show(next.plane, next.tool.length_mm);
     if (differs("things")) world.show(next.things);
     if (differs("keepOuts")) keepOuts.show(next.keepOuts);
     if (differs("planned", "tool")) planned.show(next.planned, next.tool.length_mm);
@@ -168,6 +178,8 @@ export function createDeep(element, outside) {
     if (joints) drawn = joints;
     else if (view) target.show(view, null);
     if (joints) pose(joints);
+    if (joints && NAMES.some((name) => joints[name] !== shaded?.[name])) renderer.shadowMap.needsUpdate = true;
+    shaded = joints;
     if (swing) {
       const share = outside.still ? 1 : Math.min(1, (now_s - swing.since_s) / SWING_S);
       camera = towards(swing.from, swing.to, share);
@@ -205,11 +217,10 @@ export function createDeep(element, outside) {
     turn: (/** @type {number} */ around, /** @type {number} */ up) => look(orbit(camera, around, up)),
     shift: (/** @type {number} */ right, /** @type {number} */ up) => look(pan(camera, right * perPixel(), up * perPixel())),
     near: (/** @type {number} */ times) => look(zoom(camera, times)),
-    /** Whether it is drawn by a graphics card. */
-    card: isCard(renderer),
     /** Mirrors cost the most, then shadows. @param {import("./pace.js").Quality} quality */
     refine({ mirrors, shadows }) {
       light.sun.castShadow = shadows;
+      renderer.shadowMap.needsUpdate = true;
       for (const [name, it] of Object.entries(materials)) {
         it.envMap = mirrors ? mirrored : null;
         // Metal with nothing to mirror is black.
@@ -231,11 +242,4 @@ export function createDeep(element, outside) {
     const { x_mm, y_mm, z_mm } = forward(drawn, view.tool.kind);
     return [x_mm, y_mm, z_mm - view.tool.length_mm / 2];
   }
-}
-
-/** @param {WebGLRenderer} renderer */
-function isCard(renderer) {
-  const gl = renderer.getContext(), named = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = String(named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : gl.getParameter(gl.RENDERER));
-  return !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

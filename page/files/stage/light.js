@@ -6,16 +6,14 @@ import {
 
 /** @typedef {import("../vendor/three/three.js").WebGLRenderer} WebGLRenderer */
 
-const SHADOW_PX = 2048;
-
-/** The sun, with a shadow over all that the arm reaches. */
-export function createLight() {
+/** The sun, with a shadow over all that the arm reaches. @param {number} shadow_px how fine it is */
+export function createLight(shadow_px) {
   const group = new Group();
   const sun = new DirectionalLight(0xfffdf9, 1);
   sun.position.set(180, -360, 620);
   sun.target.position.set(110, 0, -60);
   sun.castShadow = true;
-  sun.shadow.mapSize.set(SHADOW_PX, SHADOW_PX);
+  sun.shadow.mapSize.set(shadow_px, shadow_px);
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0006;
   sun.shadow.normalBias = 0.6;

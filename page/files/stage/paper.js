@@ -1,6 +1,6 @@
 // The table, and the paper on it.
 
-import { Group, Mesh, MeshLambertMaterial, PlaneGeometry, ShaderMaterial } from "../vendor/three/three.js";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, ShaderMaterial, SphereGeometry } from "../vendor/three/three.js";
 import { block } from "./solid.js";
 
 /** @typedef {import("./look.js").Look} Look */
@@ -51,6 +51,42 @@ export function createPaper() {
     },
     /** @param {Look} look */
     paint: (look) => material.color.set(look.paper),
+  };
+}
+
+/** How large a plane is shown, in mm, and around which place. */
+const PLANE = { x_mm: [140, 290], y_mm: [-110, 110] };
+
+/** How the paper was found to lie: a pane, and a pin at each place that was touched. */
+export function createPlane() {
+  const group = new Group();
+  const glass = new MeshBasicMaterial({ transparent: true, opacity: 0.28, side: DoubleSide, depthWrite: false });
+  const pins = new MeshBasicMaterial();
+  const ball = new SphereGeometry(2.4, 16, 12);
+  const pane = new Mesh(new BufferGeometry(), glass);
+  pane.renderOrder = 2;
+  return {
+    group,
+    /** @param {View["plane"]} plane @param {number} length_mm of the tool */
+    show(plane, length_mm) {
+      group.clear();
+      if (!plane) return;
+      for (const [x, y, z] of plane.touches) {
+        const pin = new Mesh(ball, pins);
+        pin.position.set(x, y, z - length_mm);
+        group.add(pin);
+      }
+      if (!Number.isFinite(plane.z_mm)) return;
+      const corners = PLANE.x_mm.flatMap((x) => PLANE.y_mm.map((y) => [x, y, plane.z_mm + plane.slope_x * x + plane.slope_y * y - length_mm + 0.6]));
+      pane.geometry.dispose();
+      pane.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(corners.flat()), 3)).setIndex([0, 2, 1, 1, 2, 3]);
+      group.add(pane);
+    },
+    /** @param {Look} look */
+    paint(look) {
+      glass.color.set(look.ghost);
+      pins.color.set(look.ghost);
+    },
   };
 }
 

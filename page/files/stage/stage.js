@@ -25,7 +25,7 @@ export function createStage(element) {
   let pace = createPace(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
-  let asked = 0;
+  let asked = 0, inked = 0;
   /** @type {ReturnType<typeof createDeep> | ReturnType<typeof createFlat>} */ let drawing;
 
   const outside = {
@@ -61,16 +61,16 @@ export function createStage(element) {
   /** @param {boolean} deep whether to try three dimensions */
   function build(deep) {
     drawing?.end();
-    drawing = deep && hasWebgl() ? createDeep(element, outside) : createFlat(element, outside);
+    const by = deep ? drawsBy() : "nothing";
+    drawing = by === "nothing" ? createFlat(element, outside) : createDeep(element, outside, by === "card");
     drawing.canvas.setAttribute("aria-hidden", "true");
-    pace = createPace(drawing.kind === "2d" || drawing.card);
+    pace = createPace(by !== "processor");
     if (drawing.kind === "3d") drawing.canvas.addEventListener("webglcontextlost", lost);
     element.dataset.shown = drawing.kind;
     if (view) drawing.show(view);
     resize();
     element.dispatchEvent(new CustomEvent("shown", { detail: drawing.kind }));
   }
-
 
   /** The graphics card was taken away: two dimensions until it is given back. @param {Event} event */
   function lost(event) {
@@ -111,12 +111,15 @@ export function createStage(element) {
     show(next) {
       if (next.arm && next.arm !== view?.arm) motion.hear({ at_s: next.arm.at_s, joints: next.arm }, performance.now() / 1000);
       if (!next.arm) motion.forget();
+      const ink = next.marks?.shades.length ?? 0;
+      const changed = ink !== inked || !isSame(view, next);
+      inked = ink;
       view = next;
       if (note.textContent !== next.note) note.textContent = next.note;
       note.hidden = next.note === "";
       element.classList.toggle("is-old", next.old);
       element.setAttribute("aria-label", next.label);
-      drawing.show(next);
+      if (changed) drawing.show(next);
     },
     end() {
       cancelAnimationFrame(asked);
@@ -128,9 +131,31 @@ export function createStage(element) {
   };
 }
 
-/** Whether the browser can draw in three dimensions. */
-function hasWebgl() {
-  const probe = document.createElement("canvas").getContext("webgl2");
-  probe?.getExtension("WEBGL_lose_context")?.loseContext();
-  return probe !== null;
+/** What draws in three dimensions here: a graphics card, the processor, or nothing. */
+function drawsBy() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return "nothing";
+  const named = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? "processor" : "card";
+}
+
+/** What is not drawn. */
+const UNSEEN = new Set(["arm", "note", "label"]);
+
+/** Whether two views look the same: an arm that rests reports the same again and again. @param {View | null} before @param {View} next */
+function isSame(before, next) {
+  if (!before || (before.arm === null) !== (next.arm === null)) return false;
+  const names = /** @type {(keyof View)[]} */ (Object.keys(next));
+  if (names.some((name) => !UNSEEN.has(name) && !isAlike(before[name], next[name]))) return false;
+  return isAlike({ ...before.arm, at_s: 0 }, { ...next.arm, at_s: 0 });
+}
+
+/** The same, or plain numbers and words that are the same. @param {unknown} a @param {unknown} b */
+function isAlike(a, b) {
+  if (a === b) return true;
+  if (typeof a !== "object" || typeof b !== "object" || !a || !b || Array.isArray(a)) return false;
+  const [left, right] = [Object.entries(a), /** @type {Record<string, unknown>} */ (b)];
+  return left.length === Object.keys(b).length && left.every(([name, value]) => value === right[name]);
 }

@@ -47,6 +47,11 @@
  * @typedef {{ ends_mm: Float32Array, inks: Int32Array, colors: readonly string[] }} Drawing
  */
 
+/**
+ * A plane, as heights of the wrist: at the axis of the base, and how much it rises with each mm ahead and to the left; and where
+ * the wrist was when it was touched. @typedef {{ z_mm: number, slope_x: number, slope_y: number, touches: readonly Point[] }} Plane
+ */
+
 /** @typedef {{ type: "box", size_mm: Point } | { type: "cylinder", diameter_mm: number, height_mm: number }} Shape */
 /** @typedef {{ name: string, shape: Shape, color: string, at_mm: Place, turn_deg: number, bottom_mm: number }} Thing */
 /** @typedef {{ box: { x_mm: Bounds, y_mm: Bounds, z_mm: Bounds } }} Box */
@@ -66,6 +71,7 @@
  * @property {"off" | "armed" | "burning"} laser
  * @property {number} table_z_mm
  * @property {{ from_mm: Place, to_mm: Place } | null} paper
+ * @property {Plane | null} plane How the paper was found to lie.
  * @property {Marks | null} marks
  * @property {readonly Thing[]} things
  * @property {readonly (Box | Cylinder)[]} keepOuts
@@ -93,6 +99,7 @@ export const EMPTY = {
   laser: "off",
   table_z_mm: -103,
   paper: null,
+  plane: null,
   marks: null,
   things: [],
   keepOuts: [],

@@ -5,12 +5,14 @@ import { rests, silence_ms } from "./select.js";
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {Schemas["CalibrationFile"]} CalibrationFile */
-/** A point that was the next one: what the arm said there, or nothing where it was left out. @typedef {{ point: number, told_deg: readonly number[] | null }} Visit */
-/** A touched point. @typedef {{ point: number, told_deg: readonly number[] }} Touch */
+/** A point that was the next one: what the arm said there, or nothing where it was left out. @typedef {{ point: number, told_deg: readonly number[] | null, height_mm: number }} Visit */
+/** A touched point, and how high the block was on it. @typedef {{ point: number, told_deg: readonly number[], height_mm: number }} Touch */
 /** Why no touch can be taken now: a key of the words. @typedef {"no_connection" | "no_arm" | "not_confirmed" | "moving"} TouchHindrance */
 
 /** From so many touches on the station is asked what they tell. */
 export const LEAST_TOUCHES = 4;
+/** A higher block is none that stands on a sheet, in mm. */
+export const HIGHEST_BLOCK_MM = 100;
 
 /**
  * @typedef {object} Calibrate
@@ -19,6 +21,7 @@ export const LEAST_TOUCHES = 4;
  * @property {string} bar How long the bar of the print is, as it was typed.
  * @property {number | null} bar_mm The same, once the station has found it good.
  * @property {Problem | null} bar_refused Why it has not.
+ * @property {string} block How high a block stands on the next point, as it was typed.
  * @property {readonly Visit[]} visits
  * @property {number} asked How often they changed: what was told of earlier ones is not taken.
  * @property {Schemas["FitReport"] | null} fit What the touches tell.
@@ -28,13 +31,14 @@ export const LEAST_TOUCHES = 4;
  */
 
 /** @type {Calibrate} */
-export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, bar_refused: null, visits: [], asked: 0, fit: null, problem: null, shown: null, lost: 0 };
+export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, bar_refused: null, block: "", visits: [], asked: 0, fit: null, problem: null, shown: null, lost: 0 };
 
 /** @typedef {{ type: "calibrations", known: Schemas["Calibrations"] }
  * | { type: "calibrate_begun", sheet: Schemas["SheetPoints"] }
  * | { type: "calibrate_ended" }
  * | { type: "calibrate_bar_typed", text: string }
  * | { type: "calibrate_bar", bar_mm: number, problem: Problem | null }
+ * | { type: "calibrate_block_typed", text: string }
  * | { type: "calibrate_visited", told_deg: readonly number[] | null }
  * | { type: "calibrate_back" }
  * | { type: "calibrate_fitted", asked: number, fit: Schemas["FitReport"] | null, problem: Problem | null }
@@ -44,12 +48,18 @@ export const NO_CALIBRATE = { known: null, sheet: null, bar: "", bar_mm: null, b
 export const nextPoint = ({ visits, sheet }) => visits.length % (sheet?.points_mm.length ?? 1);
 
 /** @param {Calibrate} calibrate @returns {Touch[]} */
-export const touchesOf = ({ visits }) => visits.flatMap(({ point, told_deg }) => (told_deg ? [{ point, told_deg }] : []));
+export const touchesOf = ({ visits }) => visits.flatMap(({ point, told_deg, height_mm }) => (told_deg ? [{ point, told_deg, height_mm }] : []));
+
+/** How high the block on the next point is, in mm; without one nothing. A text that is no height is not a number. @param {Calibrate} calibrate */
+function blockHeight({ block }) {
+  const height_mm = Number(block);
+  return height_mm >= 0 && height_mm <= HIGHEST_BLOCK_MM ? height_mm : NaN;
+}
 
 /** What the station is asked about the touches. @param {Calibrate} calibrate */
 export function questionOf(calibrate) {
   const { sheet, bar_mm, known } = calibrate;
-  const touches = touchesOf(calibrate).map(({ point, told_deg }) => ({ place_mm: sheet?.points_mm[point], told_deg }));
+  const touches = touchesOf(calibrate).map(({ point, told_deg, height_mm }) => ({ place_mm: sheet?.points_mm[point], told_deg, height_mm }));
   // What was measured of the backlash stays known.
   return { touches, bar_mm, backlash: known?.calibration?.backlash };
 }
@@ -93,6 +103,9 @@ export function touchHindrance(page) {
   return rests(station) ? null : "moving";
 }
 
+/** Why the next point of the sheet cannot be touched now: a key of the words. @param {import("./state.js").Page} page */
+export const pointHindrance = (page) => touchHindrance(page) ?? (Number.isNaN(blockHeight(page.calibrate)) ? "no_block" : null);
+
 /** What the arm itself says of its joints, whatever is known to be wrong with it. @param {import("./types.js").Arm} arm */
 export function toldDegrees(arm) {
   const { base_deg, rear_deg, fore_deg } = arm.told ?? arm;
@@ -123,7 +136,9 @@ export function reduceCalibrate(calibrate, message) {
     case "calibrate_bar":
       return { ...calibrate, bar_mm: message.problem ? null : message.bar_mm, bar_refused: message.problem };
     case "calibrate_visited":
-      return visited(calibrate, [...visits, { point: nextPoint(calibrate), told_deg: message.told_deg }]);
+      return { ...visited(calibrate, [...visits, { point: nextPoint(calibrate), told_deg: message.told_deg, height_mm: blockHeight(calibrate) }]), block: "" };
+    case "calibrate_block_typed":
+      return { ...calibrate, block: message.text };
     case "calibrate_back":
       return visits.length ? visited(calibrate, visits.slice(0, -1)) : calibrate;
     case "calibrate_fitted":

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_CALIBRATE, nextPoint, numbersOf, questionOf, reduceCalibrate, toldDegrees, touchHindrance, touchesOf } from "./calibrate.js";
+import { NO_CALIBRATE, nextPoint, numbersOf, pointHindrance, questionOf, reduceCalibrate, toldDegrees, touchHindrance, touchesOf } from "./calibrate.js";
 
 const SHEET = { points_mm: [[215, 0], [155, 100], [275, 100]], bar_mm: 200 };
 const FILE = { zeros: { base: 3, rear: -4, fore: 2 }, tool: { out_mm: 1, left_mm: 0 }, axis: { x_mm: 0, y_mm: 0 }, paper: null, backlash: { base: 0.2, rear: 0, fore: 0 }, touched: null };
@@ -28,7 +28,16 @@ test("each touch and each point that is left out leads to the next one, and both
 
 test("the station is asked about the touches with their places, the bar, and the backlash that is known", () => {
   const known = after([{ type: "calibrations", known: { calibration: FILE, before: null } }, SKIPPED, touched(2)], BEGUN);
-  assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], told_deg: [2, 45, 45] }], bar_mm: 200, backlash: FILE.backlash });
+  assert.deepEqual(questionOf(known), { touches: [{ place_mm: [155, 100], told_deg: [2, 45, 45], height_mm: 0 }], bar_mm: 200, backlash: FILE.backlash });
+});
+
+test("a block on a point counts for one touch, and a height that no block has hinders it", () => {
+  const typed = (text) => ({ type: "calibrate_block_typed", text });
+  const all = after([typed("40"), touched(1), touched(2)], BEGUN);
+  assert.deepEqual(questionOf(all).touches.map(({ height_mm }) => height_mm), [40, 0]);
+  const page = (text) => ({ connection: "open", station: STATION, heard_ms: 0, now_ms: 0, calibrate: after([typed(text)], BEGUN) });
+  for (const text of ["", "0", "40", "100"]) assert.equal(pointHindrance(page(text)), null, text);
+  for (const text of ["-1", "101"]) assert.equal(pointHindrance(page(text)), "no_block", text);
 });
 
 test("a bar that is refused leads nowhere, and another one is asked for again", () => {

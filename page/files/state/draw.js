@@ -22,6 +22,7 @@ import { paperOf } from "./paper.js";
  * @property {Problem | null} problem
  * @property {{ plan: Plan, title: string, lies: Lies } | null} planned The last plan, kept while the next one is awaited.
  * @property {{ timeline: import("../preview/timeline.js").Timeline } | null} timeline What is shown in time: of the plan, or of a file.
+ * @property {Schemas["PaperPlane"] | null} paper How the paper lies, where it was touched.
  * @property {readonly Schemas["MaterialView"][]} materials
  */
 
@@ -44,6 +45,7 @@ export const NO_DRAW = {
   problem: null,
   planned: null,
   timeline: null,
+  paper: null,
   materials: [],
 };
 
@@ -86,7 +88,8 @@ export function optionsOf(page) {
       rotate: number("rotate") ?? 0,
       ...(set.fit ? { fit: true } : scale === undefined ? {} : { scale: scale / 100 }),
       clip: set.clip,
-      pen_down: number("down") ?? paperOf(page),
+      // Where the paper was touched, the station knows how it lies.
+      pen_down: number("down") ?? (page.draw.paper ? undefined : paperOf(page)),
     },
     tool: { ...(burns ? { laser: set.tool } : { pen: set.tool }), speed: number("speed") },
     way: { tolerance: number("tolerance") ?? 0.05 },
@@ -134,6 +137,11 @@ export function reduceDraw(draw, message) {
     case "hello":
       // A station that began anew knows no drawing.
       return hasSubject(draw) ? changed(draw, { drawing: null }) : draw;
+    case "calibrations": {
+      const paper = message.known.calibration?.paper ?? null;
+      if (JSON.stringify(paper) === JSON.stringify(draw.paper)) return draw;
+      return hasSubject(draw) ? changed(draw, { paper }) : { ...draw, paper };
+    }
     case "materials":
       return { ...draw, materials: message.materials };
     default:

@@ -37,7 +37,8 @@
  * | import("./learn.js").LearnMessage
  * | import("./set_up.js").SetUpMessage
  * | import("./target.js").TargetMessage
- * | import("./teach.js").TeachMessage} Message
+ * | import("./teach.js").TeachMessage
+ * | import("./touch_paper.js").TouchPaperMessage} Message
  */
 
 export {};

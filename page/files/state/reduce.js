@@ -11,6 +11,7 @@ import { reduceRecordings } from "./recordings.js";
 import { reduceSetUp } from "./set_up.js";
 import { reduceTarget } from "./target.js";
 import { reduceTeach } from "./teach.js";
+import { reduceTouchPaper } from "./touch_paper.js";
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("./message.js").Message} Message */
@@ -28,12 +29,13 @@ export function reduce(page, message) {
   const learn = reduceLearn(next.learn, message);
   const set_up = reduceSetUp(next.set_up, message);
   const teach = reduceTeach(next.teach, message);
+  const touch_paper = reduceTouchPaper(next.touch_paper, message);
   const jobs = reduceJobs(next.jobs, message);
   const recordings = reduceRecordings(next.recordings, message);
   const packets = reducePackets(next.packets, message);
   const history = reduceHistory(next.history, message);
-  const isSame = jog === next.jog && target === next.target && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
-  return isSame ? next : { ...next, jog, target, calibrate, draw, learn, set_up, teach, jobs, recordings, packets, history };
+  const isSame = jog === next.jog && target === next.target && calibrate === next.calibrate && draw === next.draw && learn === next.learn && set_up === next.set_up && teach === next.teach && touch_paper === next.touch_paper && jobs === next.jobs && recordings === next.recordings && packets === next.packets && history === next.history;
+  return isSame ? next : { ...next, jog, target, calibrate, draw, learn, set_up, teach, touch_paper, jobs, recordings, packets, history };
 }
 
 /** @param {Page} page @param {Message} message @returns {Page} */

@@ -4,6 +4,7 @@ import { linesOf } from "../preview/look.js";
 import { EMPTY } from "../stage/view.js";
 import { recorded } from "./recordings.js";
 import { placeOf } from "./target.js";
+import { placeOfStep, rowAt, rowsOf } from "./teach.js";
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("../stage/view.js").View} View */
@@ -65,16 +66,29 @@ function ruled(policy) {
 }
 
 /**
- * Keeps the result of a function for as long as its argument is the same object: what is the same costs the stage nothing.
- * @template A, R @param {(of: A) => R} make @returns {(of: A) => R}
+ * Keeps the result of a function for as long as its arguments are the same objects: what is the same costs the stage nothing.
+ * @template {unknown[]} A @template R @param {(...of: A) => R} make @returns {(...of: A) => R}
  */
 export function kept(make) {
   /** @type {{ of: A, made: R } | null} */ let last = null;
-  return (of) => {
-    if (!last || last.of !== of) last = { of, made: make(of) };
+  return (...of) => {
+    if (!last || last.of.some((it, n) => it !== of[n])) last = { of, made: make(...of) };
     return last.made;
   };
 }
+
+/** @type {readonly import("../stage/view.js").Point[]} */
+const NONE = [];
+
+/** The rows of a program: those of a large one take a moment. */
+export const rowsIn = kept(rowsOf);
+const taughtAt = kept((/** @type {string} */ text, /** @type {number | null} */ chosen) => placeOfStep(text, chosen === null ? undefined : rowsIn(text)[chosen]));
+
+/** The place of the step that is chosen in the program, while somebody teaches. @param {Page} page */
+export const taughtPlace = ({ tab, teach }) => (tab === "teach" ? taughtAt(teach.text, teach.chosen) : null);
+
+/** Whether the station finds something wrong with the chosen step. @param {Page["teach"]} teach */
+const isChosenBad = ({ text, chosen, report }) => (report?.problems.length ?? 0) > 0 && report?.problems.some(({ line }) => rowAt(rowsIn(text), line) === chosen);
 
 /** The policy that the stage shows: that of a draft while somebody makes one. @param {Page} page */
 function shownPolicy({ tab, set_up, policy }) {
@@ -90,6 +104,8 @@ export function createViewOf() {
     const place = placeOf(target);
     return place && { ...place, refused: target.refused };
   });
+  const taughtOf = kept((/** @type {import("../stage/view.js").Pose} */ place, /** @type {boolean} */ refused) => ({ ...place, refused }));
+  const planeOf = kept((/** @type {Page["draw"]["paper"]} */ plane, /** @type {readonly import("../stage/view.js").Point[]} */ touches) => (plane || touches.length ? { z_mm: plane?.z_mm ?? NaN, slope_x: plane?.slope_x ?? 0, slope_y: plane?.slope_y ?? 0, touches } : null));
   const drawingOf = kept((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
   /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
   return (page, { dark, note, label }) => {
@@ -97,14 +113,19 @@ export function createViewOf() {
     const arm = then(page.recordings);
     // Where the arm was is grey, and nothing that holds now stands beside it.
     if (arm) return { ...common, arm, old: true };
+    const taught = taughtPlace(page);
+    const { places, found } = page.touch_paper;
+    const plane = found?.paper ?? null;
     return {
       ...common,
+      plane: page.tab === "set_up" && places ? planeOf(plane, places) : page.tab === "set_up" || page.tab === "draw" ? planeOf(page.draw.paper, NONE) : null,
       planned: page.planned,
       drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
       arm: reported(page.station),
       laser: laser(page),
-      ghost: ghostOf(page.target),
-      draggable: hindrance(page) === null,
+      ghost: taught ? taughtOf(taught, isChosenBad(page.teach) ?? false) : ghostOf(page.target),
+      // Who changes a program moves nothing.
+      draggable: taught !== null || hindrance(page) === null,
       old: silence_ms(page) > 0,
     };
   };

@@ -4,7 +4,7 @@
 /** @typedef {import("./types.js").Policy} Policy */
 /** @typedef {import("./types.js").Schemas} Schemas */
 
-/** Where something was asked for. @typedef {"arm" | "calibrate" | "policy" | "tokens" | "faults" | "world"} Place */
+/** Where something was asked for. @typedef {"arm" | "calibrate" | "paper" | "policy" | "tokens" | "faults" | "world"} Place */
 /** What the station says of a draft. @typedef {{ type: "unknown" } | { type: "good", policy: Policy } | { type: "bad", problem: Problem }} DraftCheck */
 
 /**

@@ -11,6 +11,7 @@ import { NO_RECORDINGS } from "./recordings.js";
 import { NO_SET_UP } from "./set_up.js";
 import { NO_TARGET } from "./target.js";
 import { NO_TEACH } from "./teach.js";
+import { NO_TOUCH_PAPER } from "./touch_paper.js";
 
 /** @typedef {import("./types.js").Station} Station */
 /** @typedef {import("./types.js").Problem} Problem */
@@ -47,6 +48,7 @@ import { NO_TEACH } from "./teach.js";
  * @property {import("./jog.js").Jog} jog
  * @property {import("./target.js").Target} target
  * @property {import("./teach.js").Teach} teach
+ * @property {import("./touch_paper.js").TouchPaper} touch_paper
  * @property {import("./set_up.js").SetUp} set_up
  * @property {import("./calibrate.js").Calibrate} calibrate
  * @property {import("./draw.js").Draw} draw
@@ -82,6 +84,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   jog: NO_JOG,
   target: NO_TARGET,
   teach: { ...NO_TEACH, text: program },
+  touch_paper: NO_TOUCH_PAPER,
   set_up: NO_SET_UP,
   calibrate: NO_CALIBRATE,
   draw: NO_DRAW,

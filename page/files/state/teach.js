@@ -5,26 +5,33 @@
 /** @typedef {Schemas["ProgramReport"]} Report */
 /** @typedef {"table" | "text" | "time"} Mode */
 
+/** What a change took out of the text at a place, and what it put there. @typedef {{ at: number, was: string, is: string }} Change */
+
+/** @typedef {import("../stage/view.js").Pose} Pose */
+
 /** A step as it stands in the text: its lines, counted from 1, and what it says. @typedef {{ line: number, last: number, says: string }} Row */
 
 /**
  * @typedef {object} Teach
  * @property {string} text
  * @property {string} name The name of the file that it came from, or is kept in.
- * @property {readonly string[]} past What was there before, the newest last.
- * @property {readonly string[]} future What was undone, the next one last.
+ * @property {readonly Change[]} past What was changed, the newest last.
+ * @property {readonly Change[]} future What was undone, the next one last.
  * @property {number} asked How often the text was changed: an answer to an earlier one is not taken.
  * @property {Report | null} report What the station says of the text.
  * @property {Problem | null} refused Why the last thing that was asked for came to nothing.
  * @property {number | null} chosen Which row.
  * @property {number} first The first row that is seen.
+ * @property {{ from: string, given_up: boolean } | null} dragged The text before the place of the chosen step was taken on the stage, until it is let go.
+ * @property {{ from: number, to: number } | null} carried Which row is carried, and where it lies if it is let go.
+ * @property {{ to: number, of: number } | null} moved Where the step went that was moved last.
  * @property {Mode} mode
  * @property {Schemas["MovingMode"]} path How captured points are gone to.
  * @property {number | null} job The job that was made of it last.
  */
 
 /** @type {Teach} */
-export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], asked: 0, report: null, refused: null, chosen: null, first: 0, mode: "table", path: "movj", job: null };
+export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], asked: 0, report: null, refused: null, chosen: null, first: 0, dragged: null, carried: null, moved: null, mode: "table", path: "movj", job: null };
 
 /** @typedef {{ type: "teach_text", text: string, chosen?: number | null, name?: string }
  * | { type: "teach_undo" }
@@ -33,6 +40,9 @@ export const NO_TEACH = { text: "", name: "program.toml", past: [], future: [], 
  * | { type: "teach_refused", problem: Problem | null }
  * | { type: "teach_chosen", row: number | null }
  * | { type: "teach_scrolled", first: number }
+ * | { type: "teach_placed", place: Pose, phase: "drag" | "drop" }
+ * | { type: "teach_carried", carried: { from: number, to: number } | null }
+ * | { type: "teach_moved", to: number, of: number }
  * | { type: "teach_mode", mode: Mode }
  * | { type: "teach_path", path: Schemas["MovingMode"] }
  * | { type: "teach_job", job: number }} TeachMessage */
@@ -42,6 +52,9 @@ const MOST_PAST = 1000;
 const HEADER = /^\s*\[\[steps\]\]\s*(#.*)?$/;
 const TABLE = /^\s*\[/;
 const OF_STEP = /^\s*\[\[?steps\./;
+const GO = /^\s*go\s*=\s*(?:\{([^}]*)\}|"([^"]*)")/;
+/** Places in a frame of their own, and angles, are not places of the stage. */
+const ELSEWHERE = /\b(frame|base|rear|fore|servo)\s*=/;
 
 /** The text with a title, which a job has to have: the name of its file where it says none. @param {string} text @param {string} name */
 export const titled = (text, name) => (/^\s*title\s*=/m.test(text) ? text : `title = ${JSON.stringify(name.replace(/\.toml$/, ""))}\n\n${text}`);
@@ -76,9 +89,77 @@ export function rowsOf(text) {
 /** Which row a line of the text belongs to. @param {readonly Row[]} rows @param {number | null | undefined} line */
 export function rowAt(rows, line) {
   if (line == null) return null;
-  const row = rows.findIndex((it) => it.line <= line && line <= it.last);
-  return row < 0 ? null : row;
+  let low = 0, high = rows.length;
+  // The last one that begins there or above.
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (/** @type {Row} */ (rows[middle]).line <= line) low = middle + 1;
+    else high = middle;
+  }
+  return low > 0 && line <= /** @type {Row} */ (rows[low - 1]).last ? low - 1 : null;
 }
+
+/** @param {string} table @param {string} name */
+const numberIn = (table, name) => new RegExp(`\\b${name}\\s*=\\s*([-+.\\w]+)`).exec(table)?.[1];
+
+/** The line, counted from 0, in which the place of a step stands: its own, or that of the point that it names. @param {readonly string[]} lines @param {Row} row */
+function lineOfPlace(lines, row) {
+  for (let n = row.line; n < row.last && !TABLE.test(lines[n] ?? ""); n += 1) {
+    const found = GO.exec(lines[n] ?? "");
+    if (found?.[1] !== undefined) return n;
+    if (found) return lineOfPoint(lines, found[2] ?? "");
+  }
+  return -1;
+}
+
+/** @param {readonly string[]} lines @param {string} name */
+function lineOfPoint(lines, name) {
+  let inPoints = false;
+  return lines.findIndex((line) => {
+    if (TABLE.test(line)) inPoints = /^\s*\[points\]/.test(line);
+    return inPoints && /^\s*"?([^"=]*?)"?\s*=\s*\{/.exec(line)?.[1] === name;
+  });
+}
+
+/** The place that a step goes to, if it is one of the stage. @param {string} text @param {Row | undefined} row @returns {Pose | null} */
+export function placeOfStep(text, row) {
+  if (!row) return null;
+  const lines = text.split("\n");
+  const table = /\{([^}]*)\}/.exec(lines[lineOfPlace(lines, row)] ?? "")?.[1] ?? "";
+  if (ELSEWHERE.test(table)) return null;
+  const [x_mm = NaN, y_mm = NaN, z_mm = NaN, rotation_deg = 0] = ["x", "y", "z", "rotation"].map((name) => {
+    const number = numberIn(table, name);
+    return number === undefined ? undefined : Number(number);
+  });
+  return [x_mm, y_mm, z_mm, rotation_deg].every(Number.isFinite) ? { x_mm, y_mm, z_mm, rotation_deg } : null;
+}
+
+/** The text with another place of a step; all else in it stays. @param {string} text @param {Row} row @param {Pose} place */
+export function withPlace(text, row, { x_mm, y_mm, z_mm, rotation_deg }) {
+  const lines = text.split("\n");
+  const at = lineOfPlace(lines, row);
+  lines[at] = (lines[at] ?? "").replace(/\{[^}]*\}/, (table) => {
+    for (const [name, value] of Object.entries({ x: x_mm, y: y_mm, z: z_mm })) table = table.replace(new RegExp(`(\\b${name}\\s*=\\s*)[-+.\\w]+`), `$1${value}`);
+    const turned = /(\brotation\s*=\s*)[-+.\w]+/;
+    if (turned.test(table)) return table.replace(turned, `$1${rotation_deg}`);
+    return rotation_deg === 0 ? table : table.replace(/\s*\}$/, `, rotation = ${rotation_deg} }`);
+  });
+  return lines.join("\n");
+}
+
+/** What turns one text into another. @param {string} from @param {string} to @returns {Change} */
+export function changeOf(from, to) {
+  const most = Math.min(from.length, to.length);
+  let at = 0, end = 0;
+  while (at < most && from.charCodeAt(at) === to.charCodeAt(at)) at += 1;
+  while (end < most - at && from.charCodeAt(from.length - 1 - end) === to.charCodeAt(to.length - 1 - end)) end += 1;
+  return { at, was: from.slice(at, from.length - end), is: to.slice(at, to.length - end) };
+}
+
+/** @param {string} text @param {Change} change */
+const undone = (text, { at, was, is }) => text.slice(0, at) + was + text.slice(at + is.length);
+/** @param {string} text @param {Change} change */
+const redone = (text, { at, was, is }) => text.slice(0, at) + is + text.slice(at + was.length);
 
 /** How long each row takes, in seconds, and what it does in words, as far as the station has said it. @param {readonly Row[]} rows @param {Report | null} report */
 export function stepsIn(rows, report) {
@@ -105,7 +186,28 @@ export function stepOf(row, report) {
 }
 
 /** @param {Teach} teach @param {string} text @param {Partial<Teach>} more @returns {Teach} */
-const changed = (teach, text, more) => ({ ...teach, text, asked: teach.asked + 1, refused: null, ...more });
+const changed = (teach, text, more) => ({ ...teach, text, asked: teach.asked + 1, refused: null, moved: null, ...more });
+
+/** The past with one more change. @param {Teach} teach @param {string} from @param {string} to */
+const remembered = ({ past }, from, to) => ({ past: [...past.slice(1 - MOST_PAST), changeOf(from, to)], future: [] });
+
+/** The place of the chosen step is dragged on the stage, or let go: then it is one change. @param {Teach} teach @param {Pose} place @param {"drag" | "drop"} phase @returns {Teach} */
+function placed(teach, place, phase) {
+  const { dragged, text, chosen } = teach;
+  if (dragged?.given_up) return phase === "drop" ? { ...teach, dragged: null } : teach;
+  const row = chosen === null ? undefined : rowsOf(text)[chosen];
+  if (!row || !placeOfStep(text, row)) return { ...teach, dragged: null };
+  const from = dragged?.from ?? text, to = withPlace(text, row, place);
+  if (phase === "drag") return changed(teach, to, { dragged: { from, given_up: false } });
+  return changed(teach, to, { dragged: null, ...(to === from ? {} : remembered(teach, from, to)) });
+}
+
+/** Whoever stops the arm gives up what he drags. @param {Teach} teach @returns {Teach} */
+function givenUp(teach) {
+  const left = teach.carried ? { ...teach, carried: null } : teach;
+  const { dragged } = left;
+  return dragged && !dragged.given_up ? changed(left, dragged.from, { dragged: { ...dragged, given_up: true } }) : left;
+}
 
 /** @param {Teach} teach @param {import("./message.js").Message} message @returns {Teach} */
 export function reduceTeach(teach, message) {
@@ -113,16 +215,24 @@ export function reduceTeach(teach, message) {
     case "teach_text": {
       const { text, chosen = teach.chosen, name = teach.name } = message;
       if (text === teach.text) return { ...teach, chosen, name };
-      return changed(teach, text, { past: [...teach.past.slice(1 - MOST_PAST), teach.text], future: [], chosen, name });
+      return changed(teach, text, { ...remembered(teach, teach.text, text), dragged: null, chosen, name });
     }
     case "teach_undo": {
-      const text = teach.past.at(-1);
-      return text === undefined ? teach : changed(teach, text, { past: teach.past.slice(0, -1), future: [...teach.future, teach.text] });
+      const change = teach.past.at(-1);
+      return change && !teach.dragged ? changed(teach, undone(teach.text, change), { past: teach.past.slice(0, -1), future: [...teach.future, change] }) : teach;
     }
     case "teach_redo": {
-      const text = teach.future.at(-1);
-      return text === undefined ? teach : changed(teach, text, { future: teach.future.slice(0, -1), past: [...teach.past, teach.text] });
+      const change = teach.future.at(-1);
+      return change && !teach.dragged ? changed(teach, redone(teach.text, change), { future: teach.future.slice(0, -1), past: [...teach.past, change] }) : teach;
     }
+    case "teach_placed":
+      return placed(teach, message.place, message.phase);
+    case "stop_pressed":
+      return givenUp(teach);
+    case "teach_carried":
+      return { ...teach, carried: message.carried };
+    case "teach_moved":
+      return { ...teach, moved: { to: message.to, of: message.of } };
     case "teach_checked":
       return message.asked === teach.asked ? { ...teach, report: message.report } : teach;
     case "teach_refused":

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_TEACH, reduceTeach, rowAt, rowsOf, stepOf, stepsIn, titled } from "./teach.js";
+import { NO_TEACH, changeOf, placeOfStep, reduceTeach, rowAt, rowsOf, stepOf, stepsIn, titled, withPlace } from "./teach.js";
 
 const TEXT = 'title = "two"\n\n[[steps]]\n# above\ngo = { x = 1 } # there\npath = "movl"\n\n[[steps]]\nrepeat = 2\n[[steps.steps]]\npause = 1\n\n[points]\na = { x = 2 }\n';
 const REPORT = { title: "", problems: [], once_s: 3, steps: [{ label: "go", file: null, line: 3, first: 0, takes_s: 1 }, { label: "pause", file: null, line: 10, first: 1, takes_s: 1 }, { label: "pause", file: null, line: 10, first: 1, takes_s: 1 }] };
@@ -48,4 +48,32 @@ test("a change after an undo forgets what was undone", () => {
 test("an answer to an earlier text is not taken", () => {
   const teach = after([typed("a"), typed("b")]);
   assert.equal(reduceTeach(teach, { type: "teach_checked", asked: teach.asked - 1, report: REPORT }).report, null);
+});
+
+test("a change is kept as what differs, so that a thousand changes of a long program fit into memory", () => {
+  const long = "pause = 1\n".repeat(10_000);
+  assert.deepEqual(changeOf(`a${long}z`, `a${long}yz`), { at: long.length + 1, was: "", is: "y" });
+  assert.deepEqual(changeOf("aa", "aaa"), { at: 2, was: "", is: "a" });
+  assert.deepEqual(changeOf("same", "same"), { at: 4, was: "", is: "" });
+});
+
+test("the place of a step is that in its text or that of the point it names, and not one in angles or another frame", () => {
+  const text = '[points]\nhigh = { x = 1, y = -2.5, z = 3e1 }\n[[steps]]\ngo = "high"\n[[steps]]\ngo = { x = 1, y = 2, z = 3, rotation = 4 }\n[[steps]]\ngo = { base = 1, rear = 2, fore = 3 }\n[[steps]]\ngo = { x = 1, y = 2, z = 3, frame = "tray" }\n[[steps]]\npause = 1\n';
+  const rows = rowsOf(text);
+  const places = rows.map((row) => placeOfStep(text, row));
+  assert.deepEqual(places.slice(0, 2), [{ x_mm: 1, y_mm: -2.5, z_mm: 30, rotation_deg: 0 }, { x_mm: 1, y_mm: 2, z_mm: 3, rotation_deg: 4 }]);
+  assert.deepEqual(places.slice(2), [null, null, null]);
+  assert.match(withPlace(text, rows[0], { x_mm: 7, y_mm: 8, z_mm: 9, rotation_deg: 5 }), /^high = \{ x = 7, y = 8, z = 9, rotation = 5 \}$/m);
+});
+
+test("a place that is dragged is one change when it is let go, and none when the arm was stopped", () => {
+  const text = "[[steps]] # first\ngo = { x = 1, y = 2, z = 3 } # here\n", place = (x_mm) => ({ x_mm, y_mm: 2, z_mm: 3, rotation_deg: 0 });
+  const drag = (x_mm, phase = "drag") => ({ type: "teach_placed", place: place(x_mm), phase });
+  const held = after([typed(text), { type: "teach_chosen", row: 0 }, drag(5), drag(6)]);
+  assert.ok(held.text.includes("x = 6") && held.past.length === 1);
+  const dropped = after([drag(7, "drop")], held);
+  assert.equal(dropped.text, text.replace("x = 1", "x = 7"));
+  assert.equal(after([{ type: "teach_undo" }], dropped).text, text);
+  const stopped = after([{ type: "stop_pressed" }, drag(8), drag(9, "drop")], held);
+  assert.deepEqual([stopped.text, stopped.past.length, stopped.dragged], [text, 1, null]);
 });

@@ -1,7 +1,8 @@
 // Asks the station what is known of the arm, what touches tell, and has it keep what a person was shown.
 
 import { saveFrom } from "../parts/save.js";
-import { LEAST_TOUCHES, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
+import { LEAST_TOUCHES, pointHindrance, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
+import { PLACES } from "../state/touch_paper.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -13,6 +14,7 @@ const KNOWN = "api/v1/calibration";
 export function createCalibrate(store, http, change) {
   const { send } = store;
   let seen = store.page.calibrate.asked;
+  let touched = store.page.touch_paper.places;
 
   async function read() {
     /** @type {Schemas["Calibrations"] | undefined} */
@@ -29,18 +31,28 @@ export function createCalibrate(store, http, change) {
     send({ type: "calibrate_fitted", asked, fit: /** @type {Schemas["FitReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
   }
 
-  store.listen(({ tab, calibrate }, message) => {
+  /** @param {readonly import("../stage/view.js").Point[]} places */
+  async function judge(places) {
+    const { value, problem } = await http.ask("POST", `${KNOWN}/paper`, { places_mm: places });
+    send({ type: "paper_judged", places, found: /** @type {Schemas["PaperReport"] | undefined} */ (value) ?? null, problem: problem ?? null });
+  }
+
+  store.listen(({ tab, calibrate, touch_paper: { places } }, message) => {
     const news = message.type === "hello" || message.type === "tab" || (message.type === "notice" && message.notice.type === "calibrated");
-    if (news && tab === "set_up") void read();
+    if (news && (tab === "set_up" || tab === "draw")) void read();
+    if (places !== touched) {
+      touched = places;
+      if (places && places.length >= PLACES) void judge(places);
+    }
     if (calibrate.asked === seen) return;
     seen = calibrate.asked;
     if (touchesOf(calibrate).length >= LEAST_TOUCHES) void fit();
   });
 
-  /** @param {Schemas["CalibrationFile"] | null} calibration */
-  async function hold(calibration) {
+  /** @param {Schemas["CalibrationFile"] | null} calibration @param {"calibrate" | "paper"} [place] where it was asked for */
+  async function hold(calibration, place = "calibrate") {
     /** @type {Extract<Schemas["Reply"], { type: "calibrated" }> | undefined} */
-    const reply = await change("calibrate", "PUT", KNOWN, { calibration });
+    const reply = await change(place, "PUT", KNOWN, { calibration });
     if (reply) send({ type: "calibrations", known: reply.calibrations });
     return reply !== undefined;
   }
@@ -63,7 +75,7 @@ export function createCalibrate(store, http, change) {
     /** The tip stands on the point. */
     touch() {
       const arm = store.page.station?.arm;
-      if (arm && !touchHindrance(store.page)) send({ type: "calibrate_visited", told_deg: toldDegrees(arm) });
+      if (arm && !pointHindrance(store.page)) send({ type: "calibrate_visited", told_deg: toldDegrees(arm) });
     },
     /** Keeps what was shown, and nothing else. */
     async keep() {
@@ -75,5 +87,12 @@ export function createCalibrate(store, http, change) {
       if (before) void hold(before);
     },
     forget: () => hold(null),
+    /** The tip stands on the paper. */
+    touchPaper() {
+      const arm = store.page.station?.arm;
+      if (arm && !touchHindrance(store.page)) send({ type: "paper_touched", place: [arm.x_mm, arm.y_mm, arm.z_mm] });
+    },
+    /** Keeps how the paper lies, beside all else that is known. @param {Schemas["PaperPlane"] | null} paper */
+    keepPaper: (paper) => hold(/** @type {Schemas["CalibrationFile"]} */ ({ zeros: { base: 0, rear: 0, fore: 0 }, ...store.page.calibrate.known?.calibration, paper }), "paper"),
   };
 }

@@ -1,7 +1,8 @@
 // Has the station check a program a moment after it was changed, change its steps, and make jobs of it.
 
 import { base64 } from "../parts/base64.js";
-import { rowsOf, stepOf, titled } from "../state/teach.js";
+import { rowsIn } from "../state/select.js";
+import { stepOf, titled } from "../state/teach.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -46,14 +47,19 @@ export function createTeach(store, http, socket, takeIfFree) {
   async function edit(edits, chosen) {
     const { text, name, asked } = store.page.teach;
     const { value, problem } = await http.ask("POST", "api/v1/programs/edit", { text, edits });
-    if (problem) return send({ type: "teach_refused", problem });
+    if (problem) {
+      send({ type: "teach_refused", problem });
+      return false;
+    }
     // What somebody typed meanwhile is not lost.
-    if (store.page.teach.asked === asked) send({ type: "teach_text", text: titled(/** @type {Schemas["EditedProgram"]} */ (value).text, name), chosen });
+    if (store.page.teach.asked !== asked) return false;
+    send({ type: "teach_text", text: titled(/** @type {Schemas["EditedProgram"]} */ (value).text, name), chosen });
+    return true;
   }
 
   /** Behind the chosen step, or at the end. */
   function behind() {
-    const rows = rowsOf(store.page.teach.text);
+    const rows = rowsIn(store.page.teach.text);
     return store.page.teach.chosen === null ? rows.length : Math.min(rows.length, store.page.teach.chosen + 1);
   }
 
@@ -107,19 +113,19 @@ export function createTeach(store, http, socket, takeIfFree) {
     remove() {
       const { chosen } = store.page.teach;
       if (chosen === null) return;
-      const left = rowsOf(store.page.teach.text).length - 1;
+      const left = rowsIn(store.page.teach.text).length - 1;
       void edit([{ type: "remove", at: chosen }], left ? Math.min(chosen, left - 1) : null);
     },
     /** @param {number} from @param {number} to */
-    move(from, to) {
-      const count = rowsOf(store.page.teach.text).length;
-      if (from === to || to < 0 || to >= count) return;
-      void edit([{ type: "move", from, to }], to);
+    async move(from, to) {
+      const of = rowsIn(store.page.teach.text).length;
+      if (from === to || to < 0 || to >= of) return;
+      if (await edit([{ type: "move", from, to }], to)) send({ type: "teach_moved", to, of });
     },
     /** Runs it, from the chosen step on or from the first. @param {boolean} fromChosen @param {Schemas["Repeat"] | null} times */
     async run(fromChosen, times) {
       const { teach } = store.page;
-      const from = fromChosen && teach.chosen !== null ? stepOf(rowsOf(teach.text)[teach.chosen], teach.report) : 1;
+      const from = fromChosen && teach.chosen !== null ? stepOf(rowsIn(teach.text)[teach.chosen], teach.report) : 1;
       const job = await makeJob(from ?? 1, times);
       if (job !== null) await ask({ type: "start_job", job });
     },
@@ -127,7 +133,7 @@ export function createTeach(store, http, socket, takeIfFree) {
     async step() {
       const { teach, station } = store.page;
       const waits = station?.job?.job === teach.job && ["paused", "queued"].includes(station?.job?.phase ?? "");
-      const from = teach.chosen === null ? 1 : stepOf(rowsOf(teach.text)[teach.chosen], teach.report) ?? 1;
+      const from = teach.chosen === null ? 1 : stepOf(rowsIn(teach.text)[teach.chosen], teach.report) ?? 1;
       const job = waits ? teach.job : await makeJob(from, null);
       if (job !== null) await ask({ type: "step_job", job });
     },

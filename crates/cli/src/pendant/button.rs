@@ -4,7 +4,10 @@ use std::str::FromStr;
 
 use anyhow::anyhow;
 use dobot_api::Jog;
-use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis};
+use dobot_wire::{
+    Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo, MovingMode,
+    Status,
+};
 
 use crate::failure::Failure;
 
@@ -58,6 +61,42 @@ impl Button {
             Self::Joint(axis) => Jog::Joint(JointJog::new(axis, speed_percent)),
             Self::Linear(axis) => Jog::Linear(LinearJog::new(axis, speed_percent)),
         }
+    }
+
+    /// What moves an arm that stands so by a step, in mm or degrees; `None` for a button that has none.
+    pub(crate) fn step(self, from: &Status, size: f32) -> Option<Command> {
+        use {JointJogAxis as J, LinearJogAxis as L};
+        let mut place = [from.x_mm, from.y_mm, from.z_mm];
+        let mut angles = [from.base_deg, from.rear_deg, from.fore_deg, from.servo_deg];
+        match self {
+            Self::Linear(L::XPlus) => place[0] += size,
+            Self::Linear(L::XMinus) => place[0] -= size,
+            Self::Linear(L::YPlus) => place[1] += size,
+            Self::Linear(L::YMinus) => place[1] -= size,
+            Self::Linear(L::ZPlus) => place[2] += size,
+            Self::Linear(L::ZMinus) => place[2] -= size,
+            Self::Joint(J::BasePlus) => angles[0] += size,
+            Self::Joint(J::BaseMinus) => angles[0] -= size,
+            Self::Joint(J::RearPlus) => angles[1] += size,
+            Self::Joint(J::RearMinus) => angles[1] -= size,
+            Self::Joint(J::ForePlus) => angles[2] += size,
+            Self::Joint(J::ForeMinus) => angles[2] -= size,
+            Self::Joint(J::ServoPlus) | Self::Linear(L::ServoPlus) => angles[3] += size,
+            Self::Joint(J::ServoMinus) | Self::Linear(L::ServoMinus) => angles[3] -= size,
+            Self::Joint(_) | Self::Linear(_) => return None,
+        }
+        let [x_mm, y_mm, z_mm] = place;
+        let is_line = place != [from.x_mm, from.y_mm, from.z_mm];
+        Some(if is_line {
+            let there = MoveTo {
+                rotation_deg: from.rotation_deg,
+                mode: MovingMode::MovL,
+                ..MoveTo::to(x_mm, y_mm, z_mm)
+            };
+            there.into()
+        } else {
+            MoveJoints::to(angles).with_mode(MovingMode::MovJ).into()
+        })
     }
 
     /// Whether it moves something while it is held; else it is a switch.

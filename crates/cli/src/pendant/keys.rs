@@ -22,6 +22,8 @@ pub(crate) enum KeyMeaning {
     Ask,
     /// The answer to a question is yes.
     Yes,
+    /// A press moves by a step instead of for as long as it is held, or the other way round.
+    Steps,
     /// The person leaves.
     Quit,
     /// Nothing.
@@ -43,6 +45,7 @@ pub(crate) fn meaning(key: &KeyEvent, frame: JogFrame, hindered: bool) -> KeyMea
         KeyCode::Char('u') => KeyMeaning::Suction(true),
         KeyCode::Char('j') => KeyMeaning::Suction(false),
         KeyCode::Tab => KeyMeaning::Frame,
+        KeyCode::Char('.') => KeyMeaning::Steps,
         KeyCode::Char(digit @ '0'..='9') => KeyMeaning::Speed(speed_percent(digit)),
         code => button(code, frame).map_or(KeyMeaning::Nothing, KeyMeaning::Hold),
     }

@@ -46,10 +46,15 @@ pub(crate) fn held(pendant: &Pendant) -> Paragraph<'static> {
         Some(button) => format!(" {} ", button.name()).bold().green(),
         None => " no key held ".dim(),
     };
+    let far = match (pendant.step, pendant.frame) {
+        (None, _) => format!(" {:.0} {unit}  ", pendant.speed_percent),
+        (Some(size), JogFrame::Linear) => format!(" steps of {size} mm  "),
+        (Some(size), JogFrame::Joint) => format!(" steps of {size} degrees  "),
+    };
     Paragraph::new(Line::from(vec![
         name.bold().reversed(),
         held,
-        format!(" {:.0} {unit}  ", pendant.speed_percent).into(),
+        far.into(),
         frame_name(pendant.frame).dim(),
     ]))
 }
@@ -82,8 +87,12 @@ pub(crate) fn move_lines(pendant: &Pendant) -> Vec<Line<'static>> {
         JogFrame::Linear => ["x+ x-", "y+ y-", "z+ z-"],
         JogFrame::Joint => ["rear+ rear-", "base+ base-", "fore- fore+"],
     };
+    let mut stops = vec![("Space Esc s", "STOP"), ("1 … 9 0", "speed")];
+    if matches!(pendant.drive, Drive::Jog) {
+        stops.push((".", "steps of 1, of 0.1"));
+    }
     let mut lines = vec![
-        key_line(&[("Space Esc s", "STOP"), ("1 … 9 0", "speed")]),
+        key_line(&stops),
         key_line(&[("↑ ↓", arrows), ("← →", sides), ("PgUp PgDn", pages)]),
     ];
     if matches!(pendant.drive, Drive::Jog) {

@@ -1,6 +1,8 @@
 //! `dobot calibrate`: find what is wrong with an arm.
 
 mod comb;
+mod kept;
+mod paper;
 mod screen;
 mod test;
 mod toucher;
@@ -17,6 +19,7 @@ use dobot_rules::StationClient;
 use dobot_wire::{MoveJoints, MovingMode, Status};
 
 use self::comb::{CombOf, read_slack};
+use self::paper::PaperToucher;
 use self::toucher::Toucher;
 use crate::connect::To;
 use crate::control::{self, carry_out, check_pose, request_at_rest, take_control};
@@ -35,6 +38,7 @@ Examples:
                                             draw where the sheet says
   dobot arm --calibration arm.toml          a virtual arm with the same zeros and the same backlash
   dobot calibrate arm.toml --use            the calibration of a file holds for the arm from now on
+  dobot calibrate arm.toml --paper          touch the paper: three places tell its plane, nine how it is bent
   dobot calibrate arm.toml --comb base      draws lines that tell how slack the base is
   dobot calibrate --test 30                 how well the arm finds the same place again
   dobot calibrate --angles                  tells the arm its true angles, until it is switched off
@@ -44,7 +48,7 @@ Examples:
 Lay the sheet in front of the arm as it says, and put the pen in. Jog with the keys of `dobot jog` until the tip
 stands on the point, each time from the right and from above, so that the play of the joints is on the same side.
   Enter      the tip is on the point        n   the arm does not get there: the next point
-  z          takes the last touch back
+  z          takes the last touch back         b   the tip is on the block, which stands on the point (--block)
   w  w       shows what would be kept, then keeps it; q leaves without
 
 Four points are enough for a result, nine for its full accuracy. Nothing is kept that was not shown. What is kept holds
@@ -64,6 +68,9 @@ pub(crate) struct Args {
     /// How long the bar of the printed sheet is, measured with a ruler, in millimetres
     #[arg(long, value_name = "MM")]
     bar: Option<f64>,
+    /// How high a block is that you put on points (the key b says so), in millimetres from 5 to 100
+    #[arg(long, value_name = "MM", value_parser = block, conflicts_with_all = ["sheet", "undo", "use_file", "forget", "angles", "comb", "test", "paper"])]
+    block: Option<f64>,
     /// How slack base, rear arm and forearm are, in degrees from 0 to 5
     #[arg(long, value_name = "BASE,REAR,FORE", value_parser = backlash)]
     backlash: Option<[f64; 3]>,
@@ -87,6 +94,12 @@ pub(crate) struct Args {
     /// is switched off, and its own limits hold where they should
     #[arg(long, conflicts_with_all = ["file", "sheet", "bar", "backlash", "undo", "use_file", "forget"])]
     angles: bool,
+    /// Touch the paper at three places and more, wherever it lies: drawings and the policy's table follow it
+    #[arg(long, conflicts_with_all = ["sheet", "bar", "backlash", "undo", "use_file", "forget", "angles", "comb", "test"])]
+    paper: bool,
+    /// Write a picture of how far each touch is from where it should be, when the result is kept
+    #[arg(long, value_name = "OUT.svg", conflicts_with_all = ["sheet", "undo", "use_file", "forget", "angles", "comb", "test", "paper"])]
+    picture: Option<PathBuf>,
     #[command(flatten)]
     pad: PadArgs,
     #[command(flatten)]
@@ -139,10 +152,23 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     )?;
     let before = known(file)?;
     let touch = async |station: &mut StationClient| {
-        let panel = |pendant| Toucher::new(pendant, file.to_owned(), before.clone(), args.backlash);
-        let status = with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?;
+        let file = file.to_owned();
+        let before = before.clone();
+        let status = if args.paper {
+            hold_for_paper(station, before.as_ref()).await?;
+            let panel = |pendant| PaperToucher::new(pendant, file.clone(), before.clone());
+            with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?
+        } else {
+            let panel = |pendant| {
+                Toucher::new(pendant, file.clone(), before.clone())
+                    .with_backlash(args.backlash)
+                    .with_block(args.block)
+                    .with_picture(args.picture.clone())
+            };
+            with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?
+        };
         // What was kept holds for this arm from now on.
-        if let Some(kept) = known(file)?.filter(|it| before.as_ref() != Some(it)) {
+        if let Some(kept) = known(&file)?.filter(|it| before.as_ref() != Some(it)) {
             hold(station, Some(kept)).await?;
         }
         Ok(status)
@@ -160,14 +186,33 @@ async fn hold(
     let text = match &calibration {
         Some(known) => {
             let Zeros { base, rear, fore } = known.zeros;
+            let name = known.name.as_deref().unwrap_or("the arm");
             format!(
-                "the arm is calibrated: all places are true ones (zeros: base {base:.2}, rear {rear:.2}, fore {fore:.2} degrees)"
+                "{name} is calibrated: all places are true ones (zeros: base {base:.2}, rear {rear:.2}, fore {fore:.2} degrees)"
             )
         }
         None => "the arm is taken to be as drawn".to_owned(),
     };
     request_at_rest(station, Request::Calibrate { calibration }).await?;
     Ok(output::line(&text)?)
+}
+
+/// Has the arm say true places, as the paper is touched at them.
+async fn hold_for_paper(
+    station: &mut StationClient,
+    known: Option<&CalibrationFile>,
+) -> Result<(), Failure> {
+    if let Some(known) = known {
+        return hold(station, Some(known.clone())).await;
+    }
+    let (arm, _) = control::arm(station).await?;
+    if arm.told.is_some() {
+        return Err(Failure::new(
+            anyhow!("the arm is calibrated, and the file that says how is not there"),
+            "name the file of its calibration, or take the arm to be as drawn: `dobot calibrate --forget`",
+        ));
+    }
+    Ok(())
 }
 
 /// Turns the base straight ahead, and tells the arm its true angles.
@@ -219,8 +264,17 @@ fn known(file: &Path) -> Result<Option<CalibrationFile>, Failure> {
             return Ok(read.with_context(|| format!("{} cannot be read", file.display()))?);
         }
     };
-    let known = read_calibration(&text);
-    Ok(Some(known.with_context(|| file.display().to_string())?))
+    let known = read_calibration(&text).with_context(|| file.display().to_string())?;
+    Ok(Some(named(known, file)))
+}
+
+/// An arm is called as its file, unless the file says its name.
+fn named(known: CalibrationFile, file: &Path) -> CalibrationFile {
+    let stem = file.file_stem().map(|it| it.to_string_lossy().into_owned());
+    CalibrationFile {
+        name: known.name.or(stem),
+        ..known
+    }
 }
 
 /// Keeps a calibration in place of the one before, which stays beside it.
@@ -250,6 +304,13 @@ fn before(file: &Path) -> PathBuf {
     let mut name = OsString::from(file);
     name.push(".before");
     name.into()
+}
+
+fn block(text: &str) -> anyhow::Result<f64> {
+    match text.trim().parse() {
+        Ok(height_mm) if (5.0..=100.0).contains(&height_mm) => Ok(height_mm),
+        _ => bail!("expected its height in millimetres, 5 to 100, as in 40"),
+    }
 }
 
 fn backlash(text: &str) -> anyhow::Result<[f64; 3]> {

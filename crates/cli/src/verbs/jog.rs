@@ -29,7 +29,7 @@ The axis is released when the time is over, on Ctrl-C, and when anything goes wr
 is killed. The laser stays off without `--arm-laser`, and where the policy forbids a light that stands
 (`laser.standing`): focus with it allowed.
 
-With keys: arrows, page up and page down move along x, y and z (Tab: the joints), r and f turn the tool, o and c
+With keys: arrows, page up and page down move along x, y and z (Tab: the joints; a point: steps of 1 and of 0.1 mm or degrees), r and f turn the tool, o and c
 move the gripper, u and j switch the pump, 1 to 9 and 0 are the speed; Space, Esc or s stops the arm, q leaves.
 Most terminals do not tell when a key is let go: there the arm stops when the key repeats no more, after the
 dead-man time of the policy (0.15 s), so the first press is a short step.")]

@@ -252,7 +252,7 @@ fn an_option_that_does_not_fit_the_source_is_refused() {
         (
             square,
             &["--shade", "lines"][..],
-            ["pictures", "square.svg is a file of lines"],
+            ["pictures", "square.svg is an SVG file"],
         ),
         (square, &["--spacing", "2"], ["pictures", "square.svg"]),
         (square, &["--invert"], ["pictures", "square.svg"]),

@@ -29,6 +29,8 @@ mod states;
 mod stations;
 #[cfg(target_os = "linux")]
 mod terminal;
+#[cfg(target_os = "linux")]
+mod touching;
 #[cfg(unix)]
 mod wire;
 mod worlds;

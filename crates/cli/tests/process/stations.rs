@@ -13,18 +13,24 @@ use crate::going::Going;
 use crate::program::{Outcome, command_at, example, run};
 
 /// A station with a virtual arm.
-struct Up {
+pub(crate) struct Up {
     station: Going,
     folder: TempDir,
-    page: String,
+    /// Where page and API are served.
+    pub(crate) page: String,
     raw: String,
 }
 
 impl Up {
-    fn new(arguments: &[&str]) -> Self {
+    pub(crate) fn new(arguments: &[&str]) -> Self {
+        Self::with_arm(&["--virtual"], arguments)
+    }
+
+    /// A station with an arm that is told so.
+    pub(crate) fn with_arm(arm: &[&str], arguments: &[&str]) -> Self {
         let folder = tempfile::tempdir().expect("there is room");
         let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
-        let arguments = [&["up", "--virtual"], &ports[..], arguments].concat();
+        let arguments = [&["up"], arm, &ports[..], arguments].concat();
         let mut station = Going::new(command_at(folder.path(), &arguments));
         let word = |line: String| {
             let word = line.split_whitespace().find(|it| it.contains("127.0.0.1"));

@@ -100,6 +100,79 @@ fn crossed_lines_run_at_a_right_angle_to_the_first() {
     assert_eq!(first(0).dot(first(1)), 0.0);
 }
 
+fn wound(style: HatchStyle, spacing_mm: f64) -> Hatch {
+    Hatch {
+        style,
+        ..along_x(spacing_mm)
+    }
+}
+
+/// How far a point is from the nearest line.
+fn far_from(strokes: &[Stroke], p: Point) -> f64 {
+    let pieces = strokes.iter().flat_map(Stroke::segments);
+    let far2 = pieces.map(|(a, b)| Line::new(a, b).nearest(p, 0.0).distance_sq);
+    far2.fold(f64::INFINITY, f64::min).sqrt()
+}
+
+#[test]
+fn concentric_lines_are_the_outline_farther_and_farther_inside() {
+    let settings = wound(HatchStyle::Concentric, 1.0);
+    let strokes = hatch(&area(&[SQUARE], FillRule::NonZero), &settings).unwrap();
+    let mut lengths: Vec<f64> = strokes.iter().map(|it| it.length_mm().round()).collect();
+    lengths.sort_by(f64::total_cmp);
+    assert_eq!(lengths, [8.0, 16.0, 24.0, 32.0]);
+    assert!(strokes.iter().all(|it| it.closed));
+}
+
+#[test]
+fn concentric_lines_go_around_holes_and_begin_at_the_inset() {
+    let settings = Hatch {
+        inset_mm: 0.25,
+        ..wound(HatchStyle::Concentric, 0.5)
+    };
+    let ringed = area(&[SQUARE, HOLE], FillRule::EvenOdd);
+    let strokes = hatch(&ringed, &settings).unwrap();
+    let bounds = dobot_geometry::bounds_of_strokes(&strokes);
+    assert!((bounds.x0 - 0.25).abs() < 1e-3 && (bounds.x1 - 9.75).abs() < 1e-3);
+    for p in strokes.iter().flat_map(|it| &it.points) {
+        // Corners are rounded.
+        let beside = |at: f64| (3.0 - at).max(at - 7.0).max(0.0);
+        assert!(beside(p.x).hypot(beside(p.y)) > 0.24, "{p:?}");
+    }
+    // 0.25, 0.75, 1.25: where the hole is nearest, three millimetres hold three lines on each side.
+    assert!(strokes.len() >= 6, "{}", strokes.len());
+}
+
+#[test]
+fn a_spiral_fills_a_square_in_one_stroke_without_gaps() {
+    let settings = wound(HatchStyle::Spiral, 1.0);
+    let square = area(&[SQUARE], FillRule::NonZero);
+    let strokes = hatch(&square, &settings).unwrap();
+    assert_eq!(strokes.len(), 1);
+    for p in &strokes[0].points {
+        assert!(holds(&square, *p), "{p:?}");
+    }
+    for x in 1..20 {
+        for y in 1..20 {
+            let p = Point::new(f64::from(x) * 0.5, f64::from(y) * 0.5);
+            let far_mm = far_from(&strokes, p);
+            assert!(far_mm <= 1.05, "{far_mm} mm at {p:?}");
+        }
+    }
+}
+
+#[test]
+fn a_winding_hatch_with_too_many_corners_is_refused() {
+    let teeth = (0..40_000).map(|i| (f64::from(i) * 0.005, f64::from(i % 2) * 20.0));
+    let teeth: Vec<(f64, f64)> = teeth.chain([(200.0, 100.0), (0.0, 100.0)]).collect();
+    let error = hatch(
+        &area(&[&teeth], FillRule::NonZero),
+        &wound(HatchStyle::Spiral, 0.1),
+    );
+    let told = error.unwrap_err().to_string();
+    assert!(told.contains("choose a wider spacing"), "{told}");
+}
+
 #[test]
 fn an_inset_keeps_the_lines_away_from_the_border() {
     let inset = Hatch {
@@ -226,4 +299,29 @@ proptest! {
         let border: f64 = (0..3).map(|i| triangle[i].distance(triangle[(i + 1) % 3])).sum();
         prop_assert!((length * 0.05 - size).abs() <= border * 0.05, "{length} {size}");
     }
+
+    #[test]
+    fn a_winding_hatch_stays_inside(
+        corners in prop::collection::vec((0.0..30.0_f64, 0.0..30.0_f64), 3..9),
+        spiral in any::<bool>(),
+        even_odd in any::<bool>(),
+        spacing_mm in 0.3..3.0_f64,
+    ) {
+        let rule = if even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+        let area = area(&[&corners], rule);
+        let style = if spiral { HatchStyle::Spiral } else { HatchStyle::Concentric };
+        for stroke in hatch(&area, &wound(style, spacing_mm)).unwrap() {
+            for p in stroke.points {
+                prop_assert!(holds(&area, p) || far_from(&outlines(&area), p) < 1e-3, "{p:?}");
+            }
+        }
+    }
+}
+
+fn outlines(area: &Area) -> Vec<Stroke> {
+    let closed = |ring: &Vec<Point>| ring.iter().chain(ring.first()).copied().collect();
+    area.rings
+        .iter()
+        .map(|it| Stroke::open(closed(it)))
+        .collect()
 }

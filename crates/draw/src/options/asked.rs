@@ -11,6 +11,7 @@ use dobot_wire::Dialect;
 
 use super::check::check;
 use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
+use crate::calibrated::known_paper;
 use crate::card::Card;
 use crate::cutting::Cutting;
 use crate::give_up::GiveUp;
@@ -112,6 +113,7 @@ impl DrawingRequest {
             hatch: hatch(&options.what, &material),
             shading: shading(&options),
             crops: !options.what.no_crop,
+            hides: options.what.hide,
             clips: options.place.clip,
             join_mm: options.way.join,
             drops_doubles: options.way.drop_doubles,
@@ -190,9 +192,9 @@ impl DrawingRequest {
         let place = &self.options.place;
         let paper = match place.paper.as_deref() {
             Some(&[ax, ay, az, bx, by, bz, cx, cy, cz]) => {
-                Paper::through([[ax, ay, az], [bx, by, bz], [cx, cy, cz]])?
+                Paper::through(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz]])?
             }
-            _ => self.height(standing_z_mm),
+            _ => self.height(standing_z_mm)?,
         };
         let paper = paper.raised(place.offset);
         let tool = self.settings.tool.end_effector();
@@ -204,12 +206,12 @@ impl DrawingRequest {
 
     /// The paper of which no points are told: at the height told, as calibrated, or where the arm
     /// stands.
-    fn height(&self, standing_z_mm: f64) -> Paper {
-        let known = &self.settings.calibration;
-        let calibrated = known.as_ref().and_then(|it| it.paper);
+    fn height(&self, standing_z_mm: f64) -> Result<Paper, OptionsError> {
+        let known = self.settings.calibration.as_ref();
+        let calibrated = known.and_then(|it| it.paper.as_ref());
         match (self.options.place.pen_down, calibrated) {
-            (None, Some(it)) => Paper::sloping(it.z_mm, it.slope_x, it.slope_y),
-            (told, _) => Paper::level(told.unwrap_or(standing_z_mm)),
+            (None, Some(it)) => known_paper(it),
+            (told, _) => Ok(Paper::level(told.unwrap_or(standing_z_mm))),
         }
     }
 }
@@ -352,7 +354,8 @@ fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
         // As a person behind the arm sees it: left to right is -Y.
         angle_deg: what.hatch_angle - 90.0,
         cross: what.cross,
-        ..Hatch::default()
+        style: what.hatch_style,
+        inset_mm: what.hatch_inset,
     })
 }
 
@@ -361,6 +364,11 @@ fn shading(options: &Options) -> Shading {
     let shading = what.shade.map_or_else(Shading::default, Shading::new);
     Shading {
         spacing_mm: what.spacing.unwrap_or(shading.spacing_mm),
+        brightness: what.brightness / 100.0,
+        contrast: what.contrast / 100.0,
+        darkness: 1.0 / what.gamma,
+        threshold: what.threshold,
+        levels: what.levels.unwrap_or(shading.levels),
         invert: what.invert,
         seed: options.way.seed,
         ..shading

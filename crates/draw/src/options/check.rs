@@ -25,6 +25,7 @@ pub(super) fn check(
         option,
         fits,
         is: match kind {
+            SourceKind::Svg => format!("{title} is an SVG file"),
             SourceKind::Lines => format!("{title} is a file of lines"),
             SourceKind::Picture => format!("{title} is a picture"),
             SourceKind::Text => "this is a text".to_owned(),
@@ -60,9 +61,23 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
 /// Numbers that no arm and no paper has.
 fn ranges(options: &Options) -> Result<(), OptionsError> {
     let Options {
-        place, tool, way, ..
+        what,
+        place,
+        tool,
+        way,
     } = options;
     let numbers = [
+        ("--hatch-inset", Some(what.hatch_inset), 0.0, 20.0, "mm"),
+        (
+            "--brightness",
+            Some(what.brightness),
+            -100.0,
+            100.0,
+            "percent",
+        ),
+        ("--contrast", Some(what.contrast), -100.0, 100.0, "percent"),
+        ("--gamma", Some(what.gamma), 0.1, 10.0, "of gamma"),
+        ("--threshold", what.threshold, 0.01, 0.99, "of darkness"),
         ("--speed", tool.speed, 0.0, 1000.0, "mm/s"),
         ("--travel-speed", tool.travel_speed, 0.0, 1000.0, "mm/s"),
         (
@@ -116,6 +131,8 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let tries = way.tries != defaults.way.tries;
     let touched = place.paper.is_some();
     let cornered = place.corner.is_some();
+    let turned = what.hatch_angle != defaults.what.hatch_angle;
+    let winds = what.hatch_style != defaults.what.hatch_style;
     let exclusive = [
         ("--text", what.text.is_some(), "--card", what.card.is_some()),
         ("--fit", place.fit, "--scale", place.scale.is_some()),
@@ -124,11 +141,18 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         ("--corner", cornered, "--paper", touched),
         ("--pen", by_pen, "--laser", by_laser),
         ("--keep-order", way.keep_order, "--tries", tries),
+        (
+            "--levels",
+            what.levels.is_some(),
+            "--threshold",
+            what.threshold.is_some(),
+        ),
+        ("--hatch-angle", turned && winds, "--hatch-style", winds),
+        ("--cross", what.cross, "--hatch-style", winds),
     ];
     if let Some((option, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
         return Err(OptionsError::Both { option, other });
     }
-    let turned = what.hatch_angle != defaults.what.hatch_angle;
     let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
     let sheet = place.paper_size.is_some();
     let apart = place.gap != defaults.place.gap;
@@ -140,6 +164,13 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         ("--only", !what.only.is_empty(), "--layers", layered),
         ("--hatch-angle", turned, "--hatch", hatched),
         ("--cross", what.cross, "--hatch", hatched),
+        (
+            "--hatch-style",
+            what.hatch_style != defaults.what.hatch_style,
+            "--hatch",
+            hatched,
+        ),
+        ("--hatch-inset", what.hatch_inset != 0.0, "--hatch", hatched),
         (
             "--passes-by",
             tool.passes_by != defaults.tool.passes_by,
@@ -166,7 +197,9 @@ fn together(options: &Options) -> Result<(), OptionsError> {
 /// What kind of thing is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum SourceKind {
-    /// A file of lines and areas.
+    /// An SVG file: lines and areas on a page, painted over each other.
+    Svg,
+    /// Another file of lines and areas.
     Lines,
     Picture,
     Text,
@@ -177,6 +210,7 @@ impl SourceKind {
     const fn of(source: Option<&Source>) -> Self {
         match source {
             None => Self::Card,
+            Some(Source::Svg(_)) => Self::Svg,
             Some(Source::Text(_)) => Self::Text,
             Some(Source::Picture(_)) => Self::Picture,
             Some(_) => Self::Lines,
@@ -195,18 +229,26 @@ const LINED: Purpose = Purpose(
 const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
 const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
 const AREAS: Purpose = Purpose(
-    &[SourceKind::Lines, SourceKind::Text],
+    &[SourceKind::Svg, SourceKind::Lines, SourceKind::Text],
     "the areas of drawings and texts (`--shade hatch` is for pictures)",
 );
-const FILES: Purpose = Purpose(&[SourceKind::Lines], "files of lines");
-const LAYERS: Purpose = Purpose(&[SourceKind::Lines], "the layers of drawings");
+const SVG_FILES: Purpose = Purpose(&[SourceKind::Svg], "SVG files");
+const LAYERS: Purpose = Purpose(
+    &[SourceKind::Svg, SourceKind::Lines],
+    "the layers of drawings",
+);
 const DRAWINGS: Purpose = Purpose(
-    &[SourceKind::Lines, SourceKind::Picture, SourceKind::Text],
+    &[
+        SourceKind::Svg,
+        SourceKind::Lines,
+        SourceKind::Picture,
+        SourceKind::Text,
+    ],
     "drawings, pictures and texts",
 );
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
-fn given(options: &Options) -> [(&'static str, bool, Purpose); 26] {
+fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
     let Options {
         what, place, tool, ..
     } = options;
@@ -214,6 +256,11 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 26] {
         ("--shade", what.shade.is_some(), PICTURES),
         ("--spacing", what.spacing.is_some(), LINED),
         ("--invert", what.invert, PICTURES),
+        ("--brightness", what.brightness != 0.0, PICTURES),
+        ("--contrast", what.contrast != 0.0, PICTURES),
+        ("--gamma", what.gamma != 1.0, PICTURES),
+        ("--threshold", what.threshold.is_some(), PICTURES),
+        ("--levels", what.levels.is_some(), PICTURES),
         ("--font", what.font.is_some(), TEXTS),
         ("--height", what.height.is_some(), TEXTS),
         ("--align", what.align.is_some(), TEXTS),
@@ -223,7 +270,8 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 26] {
         ("--card-label", what.card_label.is_some(), CARDS),
         ("--hatch", what.hatch.is_some(), AREAS),
         ("--layers", what.layers.is_some(), LAYERS),
-        ("--no-crop", what.no_crop, FILES),
+        ("--no-crop", what.no_crop, SVG_FILES),
+        ("--hide", what.hide, SVG_FILES),
         ("--fit", place.fit, DRAWINGS),
         ("--paper-size", place.paper_size.is_some(), DRAWINGS),
         ("--mirror", place.mirror, DRAWINGS),
@@ -257,7 +305,7 @@ mod tests {
         for (json, told) in [
             (
                 r#"{"what": {"shade": "lines"}}"#,
-                "--shade is for PNG and JPEG pictures, and a.svg is a file of lines",
+                "--shade is for PNG and JPEG pictures, and a.svg is an SVG file",
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,

@@ -94,6 +94,11 @@ pub enum OptionsError {
         "--paper has the same place for the lower left corner of the sheet and for its lower edge; touch two places"
     )]
     SamePoint,
+    /// The calibration's heights of the paper span no surface.
+    #[error(
+        "the places at which the paper of the calibration was touched lie on one line, or two are the same; touch the paper again"
+    )]
+    NoSurface,
     /// Paper that does not lie so.
     #[error(transparent)]
     Paper(#[from] PaperError),

@@ -6,7 +6,7 @@ use dobot_api::CalibrationFile;
 use dobot_geometry::Area;
 use dobot_plan::{DrawingTool, Machine, Paper};
 use dobot_source::fontdb;
-use dobot_source::{LayersBy, Shading};
+use dobot_source::{LayersBy, Shading, ShadingStyle};
 
 use super::PrepareError;
 use crate::cutting::Cutting;
@@ -19,6 +19,10 @@ use crate::start::StartFrom;
 
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a setting of its own"
+)]
 pub struct Settings {
     /// How far the drawn path may leave the wanted one, in mm on the paper; from 0.02 to 10.
     pub tolerance_mm: f64,
@@ -41,6 +45,8 @@ pub struct Settings {
     pub tools: Vec<(String, DrawingTool)>,
     /// Whether what lies beyond the page of an SVG file is cut off.
     pub crops: bool,
+    /// Whether the filled shapes of an SVG file hide what lies under them.
+    pub hides: bool,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,
     /// How near to each other strokes end that are joined, in mm; the tolerance if not given.
@@ -83,15 +89,25 @@ impl Settings {
 
     /// How to look for a good order of the strokes that this tool draws.
     pub(super) fn search(&self, tool: DrawingTool) -> Option<Search> {
+        let by_time = Travel::Time {
+            speed_mm_s: tool.travel_speed_mm_s(),
+            acceleration_mm_s2: self.machine.acceleration_mm_s2,
+            least_s: self.machine.link.period_s,
+        };
         Some(Search {
-            travel: Travel::Time {
-                speed_mm_s: tool.travel_speed_mm_s(),
-                acceleration_mm_s2: self.machine.acceleration_mm_s2,
-                least_s: self.machine.link.period_s,
+            travel: if self.joins_dots() {
+                Travel::Length
+            } else {
+                by_time
             },
             kicks: self.tries?,
             seed: self.seed,
         })
+    }
+
+    /// Whether dots become one line.
+    pub(super) fn joins_dots(&self) -> bool {
+        self.shading.style == ShadingStyle::Tsp
     }
 
     /// The share of the tolerance that goes into reading curves.
@@ -114,6 +130,7 @@ impl Default for Settings {
             only: Vec::new(),
             tools: Vec::new(),
             crops: true,
+            hides: false,
             clips: false,
             join_mm: None,
             drops_doubles: false,

@@ -174,13 +174,24 @@ impl JobPlan {
     /// [`Violation`] with the rule that forbids it.
     pub fn check_lowest(&self, policy: &Policy, from: usize) -> Result<(), Violation> {
         let ends = self.steps[from.min(self.len())..].iter().enumerate();
-        let lowest = ends
-            .map(|(n, it)| (from + n, it.now()))
-            .min_by(|(_, a), (_, b)| a.z_mm.total_cmp(&b.z_mm));
-        lowest.map_or(Ok(()), |(index, status)| {
-            let tool = self.drawn_with(index).tool;
-            policy.check_place(&ArmPlace::of_status(&status), tool, &self.arm)
-        })
+        let ends: Vec<_> = ends.map(|(n, it)| (from + n, it.now())).collect();
+        let above_table_mm = |at: &Status| {
+            let place = ArmPlace::of_status(at).pose.position;
+            self.arm.above_table_mm(place).unwrap_or_default()
+        };
+        let lowest = [
+            ends.iter()
+                .min_by(|(_, a), (_, b)| a.z_mm.total_cmp(&b.z_mm)),
+            ends.iter()
+                .min_by(|(_, a), (_, b)| above_table_mm(a).total_cmp(&above_table_mm(b))),
+        ];
+        lowest
+            .into_iter()
+            .flatten()
+            .try_for_each(|(index, status)| {
+                let tool = self.drawn_with(*index).tool;
+                policy.check_place(&ArmPlace::of_status(status), tool, &self.arm)
+            })
     }
 
     /// How far above the plan the arm is when all before a command is over, in millimetres.

@@ -2,8 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, Jog, News, Reply, Request, Role};
-use dobot_arm::Calibration;
+use dobot_api::{Calibrations, ClientId, Jog, News, Reply, Request, Role};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
@@ -138,17 +137,20 @@ impl Supervisor {
         &mut self,
         now: Duration,
         client: ClientId,
-        calibration: Calibration,
+        calibrations: &Calibrations,
     ) -> Result<(), Refusal> {
         self.handle_time(now);
         self.check_may_change(client)?;
         self.disarm_laser("the arm was calibrated");
-        self.set_calibration(calibration);
+        let calibration = calibrations.arm();
+        self.arm.set_calibration(calibration);
+        self.outbox.note_change();
         let name = self.client_name(client);
         let text = if calibration.is_none() {
             format!("{name} takes the arm to be as drawn: no calibration holds")
         } else {
-            format!("{name} calibrated the arm: places are true ones from now on")
+            let arm = calibrations.name().unwrap_or("the arm");
+            format!("{name} calibrated {arm}: places are true ones from now on")
         };
         self.notify(News::Calibrated, text);
         self.pump();

@@ -1,8 +1,11 @@
 //! The cable is pulled, the arm is reset, bytes are lost.
 
+use std::iter;
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobPhase, LinkPhase, News, Request, Role};
+use dobot_api::{
+    CalibrationFile, Calibrations, ClientId, JobPhase, LinkPhase, News, Request, Role,
+};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_rules::{Refusal, Supervisor, VirtualStation};
 use dobot_safety::Policy;
@@ -224,4 +227,20 @@ fn an_arm_that_is_not_found_again_is_told_with_why_it_was_lost() {
         told,
         "there is no link to an arm: the other end closed the link; since then: no arm was found; connection refused"
     );
+}
+
+#[test]
+fn which_arm_a_port_is_taken_to_have_is_told() {
+    let mut supervisor = Supervisor::new(Policy::default(), None);
+    let file = CalibrationFile {
+        name: Some("desk 3".to_owned()),
+        ..CalibrationFile::default()
+    };
+    let known = Calibrations::default().replaced_by(Some(file));
+    supervisor.handle_known_calibration("serial:/dev/ttyUSB0@9600", &known);
+    let told = iter::from_fn(|| supervisor.poll_notice()).any(|it| {
+        it.text
+            .contains("the arm at serial:/dev/ttyUSB0@9600 is taken to be desk 3")
+    });
+    assert!(told);
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{Backlash, CalibrationFile, ClientId, JobKind, JobPhase, NewJob, Request};
-use dobot_arm::{Calibration, Joints, Limits, Pose, Position, Tool};
+use dobot_arm::{Calibration, Joints, Limits, Plane, Pose, Position, Tool};
 use dobot_calibrate::{COMB_STEP_DEG, Procedure, SHEET_POINTS, SlackJoint, comb, found};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{Prepared, Settings, prepare};
@@ -32,6 +32,7 @@ const TRUTH: Calibration = Calibration {
     left_mm: -3.0,
     axis_mm: [0.0, 0.0],
     backlash_deg: [0.0; 3],
+    table: None,
 };
 /// The tool without the joints: a virtual arm has its zeros itself.
 const TOOL_ONLY: Calibration = Calibration {
@@ -163,7 +164,7 @@ impl OldArm {
             let beside = Joints::new(told.base.0 - 3.0, told.rear.0 - 0.8, told.fore.0 - 0.8, 0.0);
             self.go(beside);
             self.go(told);
-            procedure.touch(self.told());
+            procedure.touch(self.told(), 0.0);
         }
         let [base, rear, fore] = self.backlash_deg;
         found(&procedure.outcome().unwrap(), Backlash { base, rear, fore })
@@ -245,11 +246,15 @@ impl OldArm {
 }
 
 fn prepared(personality: Personality, calibration: Option<CalibrationFile>) -> Prepared {
-    let paper = Paper::sloping(Z0_MM, SLOPE_X, SLOPE_Y);
+    let paper = Paper::sloping(Plane {
+        z0_mm: Z0_MM,
+        slope_x: SLOPE_X,
+        slope_y: SLOPE_Y,
+    });
     let paper = match &calibration {
         Some(known) => {
-            let found = known.paper.unwrap();
-            let paper = Paper::sloping(found.z_mm, found.slope_x, found.slope_y);
+            let found = known.paper.as_ref().unwrap();
+            let paper = Paper::sloping(found.plane());
             paper.seen_by(known.arm(), TOOL)
         }
         None => paper,

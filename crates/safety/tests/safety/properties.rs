@@ -1,6 +1,6 @@
 //! What holds for every policy, place and command.
 
-use dobot_arm::{Joints, Limits, Tool};
+use dobot_arm::{Calibration, Joints, Limits, Plane, Tool};
 use dobot_safety::{Area, Bounds, Cylinder, KeepOut, Policy};
 use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{
@@ -103,6 +103,36 @@ proptest! {
             }
             let place = trajectory.place_at(t_s).expect("an allowed place is reachable");
             prop_assert_eq!(broken(&policy, &place, 2e-6), None, "after {} s", t_s);
+        }
+    }
+
+    #[test]
+    fn no_way_that_is_allowed_leads_farther_below_the_paper_than_the_policy_says(
+        from in places(),
+        command in commands(),
+        (z0_mm, slope_x, slope_y) in (-80.0..20.0, -0.1..0.1, -0.1..0.1),
+        (base_deg, rear_deg, fore_deg, reach_mm, left_mm) in
+            (-20.0..20.0, -10.0..10.0, -10.0..10.0, -8.0..8.0, -5.0..5.0),
+        as_drawn in any::<bool>(),
+    ) {
+        let table = Some(Plane { z0_mm, slope_x, slope_y });
+        let crooked = Calibration { base_deg, rear_deg, fore_deg, reach_mm, left_mm, table, ..Calibration::NONE };
+        let arm = if as_drawn { Calibration { table, ..Calibration::NONE } } else { crooked };
+        let policy = Policy::default();
+        let model = Model::standing(Dialect::SPECIFICATION, from).calibrated(arm);
+        let lowest_mm = |model: &Model, place: &ArmPlace| {
+            let there = model.true_place(place).pose.position;
+            arm.above_table_mm(there).expect("there is a table")
+        };
+        let begins_mm = lowest_mm(&model, &from);
+        let checked = policy.check(&model, &command);
+        let Ok(trajectory) = checked else { return Ok(()) };
+        let duration_s = trajectory.motion_s().expect("no jog");
+        for index in 0..=1000 {
+            let place = trajectory.place_at(duration_s * f64::from(index) / 1000.0).expect("reachable");
+            let now_mm = lowest_mm(&model, &place);
+            let allowed_mm = begins_mm.min(-policy.table.below_paper_mm);
+            prop_assert!(now_mm >= allowed_mm - 3e-6, "{} mm where {} mm is allowed", now_mm, allowed_mm);
         }
     }
 

@@ -1,5 +1,7 @@
 //! What the whole way of a command may and may not do.
 
+use dobot_arm::{Calibration, Plane, Tool};
+use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{
     Configuration, Dialect, EndEffector, Gesture, MouseMove,
     MovingMode::{Jump, MovJ, MovL},
@@ -42,6 +44,47 @@ fn a_tool_stays_out_of_the_table_by_its_own_length() {
     for part in ["z would be -80 mm", "table allows -43 mm and more", "43"] {
         assert!(violation.to_string().contains(part), "{part}: {violation}");
     }
+}
+
+#[test]
+fn the_table_follows_the_paper_however_it_slopes() {
+    // It rises by 2 mm in 100 forward: -44 mm at 200, -43 mm at 250.
+    let table = Plane {
+        z0_mm: -48.0,
+        slope_x: 0.02,
+        slope_y: 0.0,
+    };
+    let arm = Calibration {
+        table: Some(table),
+        ..Calibration::NONE
+    };
+    let mut desk = Desk::at(200.0, 0.0, 0.0).under("[table]\nbelow_paper_mm = 2");
+    desk.model = desk.model.calibrated(arm);
+    desk.allows(vector(0.0, 0.0, -45.9));
+    let told = desk.refuses("table.below_paper", vector(0.0, 0.0, -46.5));
+    assert!(
+        told.to_string().contains(
+            "height above the paper would be -2.5 mm; table.below_paper allows -2 mm and more"
+        ),
+        "{told}"
+    );
+    // Level above the paper, and in it where that is higher.
+    let mut low = Desk::at(200.0, 0.0, -45.5).under("[table]\nbelow_paper_mm = 2");
+    low.model = low.model.calibrated(arm);
+    low.allows(vector(0.0, 40.0, 0.0));
+    let told = low.refuses("table.below_paper", vector(80.0, 0.0, 0.0));
+    // 2 mm below the paper at x = 225.
+    assert_near(told.nearest.expect("a place")[0], 225.0, 1.1);
+    // A gripper that is longer than the pen by 10 mm has to stay higher by as much.
+    let lengths =
+        "[tool_length]\nsuction_cup_mm = 40\ngripper_mm = 50\n[table]\nbelow_paper_mm = 2";
+    let pose = Desk::at(200.0, 0.0, 0.0).model.place.pose;
+    let place = ArmPlace::at_pose(pose, Tool::Gripper).expect("the arm can be there");
+    let mut gripper = Desk::at(200.0, 0.0, 0.0).under(lengths);
+    gripper.model = Model::standing(Dialect::SPECIFICATION, place).calibrated(arm);
+    gripper.model.tool = Tool::Gripper;
+    gripper.allows(vector(0.0, 0.0, -35.9));
+    gripper.refuses("table.below_paper", vector(0.0, 0.0, -36.2));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Tones as a drawing needs them: from white to black, with all between.
 
-use super::shading::Shading;
+use super::shading::{Shading, ShadingStyle};
 use super::tone::{Tone, as_ink, count};
 
 /// Stretches the tones to the full range, sets things off from what is around them, balances the
@@ -16,7 +16,22 @@ pub(super) fn levelled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Tone 
     };
     let clear = set_off(&stretched(&turned), SURROUNDINGS * spacing_mm);
     let exponent = as_ink(balance(&clear) / shading.darkness);
-    clear.map(|ink| ink.powf(exponent))
+    clear.map(|ink| adjusted(ink.powf(exponent), shading))
+}
+
+/// A tone as a person wants it: first its contrast, then its brightness, then black or white.
+fn adjusted(ink: f32, shading: &Shading) -> f32 {
+    let (contrast, brightness) = (shading.contrast, shading.brightness);
+    let slope = if contrast > 0.0 {
+        1.0 / (1.0 - contrast).max(1.0 / STEEPEST)
+    } else {
+        1.0 + contrast
+    };
+    let ink = (f64::from(ink) - 0.5) * slope + 0.5 - brightness;
+    match shading.threshold {
+        Some(from) if shading.style != ShadingStyle::Outline => f32::from(u8::from(ink >= from)),
+        _ => as_ink(ink.clamp(0.0, 1.0)),
+    }
 }
 
 /// Makes darker what is darker than its surroundings, and lighter what is lighter.
@@ -150,6 +165,8 @@ fn borders(tones: &[f64]) -> Vec<f64> {
 }
 
 const BINS: usize = 256;
+/// The slope of full contrast.
+const STEEPEST: f64 = 100.0;
 /// The share of the cells that may become plain white, and plain black.
 const EXTREMES: f64 = 0.005;
 /// Noise is not made a picture.

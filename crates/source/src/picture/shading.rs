@@ -20,16 +20,21 @@ pub struct Shading {
     /// How many tones beside white are distinguished by [`ShadingStyle::Outline`] and [`ShadingStyle::Hatch`], from
     /// 1 to 8. Outlines are drawn of as many as the picture really has.
     pub levels: u8,
-    /// Where [`ShadingStyle::Outline`] draws its only line: a darkness between 0 (white) and 1 (black).
-    /// Without it the picture decides, and there are `levels` of them.
+    /// What is darker is black and all else white: a darkness between 0 (white) and 1 (black), where
+    /// [`ShadingStyle::Outline`] draws its only line. Without it all tones count.
     pub threshold: Option<f64>,
     /// Which way lines run, in degrees, counterclockwise from the page's horizontal.
     pub angle_deg: f64,
+    /// Lighter above 0, darker below; from -1 (all black) to 1 (all white).
+    pub brightness: f64,
+    /// Tones farther apart above 0, nearer to each other below; from -1 (all the same) to 1 (black and
+    /// white).
+    pub contrast: f64,
     /// More ink in the middle tones above 1, less below; from 0.1 to 10.
     pub darkness: f64,
     /// Draws what is light: for a white pen on black paper.
     pub invert: bool,
-    /// Another number scatters the dots of [`ShadingStyle::Stipple`] anew.
+    /// Another number scatters the dots of [`ShadingStyle::Stipple`] and [`ShadingStyle::Tsp`] anew.
     pub seed: u64,
 }
 
@@ -39,8 +44,10 @@ impl Shading {
     pub const fn new(style: ShadingStyle) -> Self {
         let (spacing_mm, angle_deg, levels) = match style {
             ShadingStyle::Outline => (1.0, 0.0, 4),
-            ShadingStyle::Lines => (1.6, 0.0, 4),
+            ShadingStyle::Lines | ShadingStyle::Spiral => (1.6, 0.0, 4),
             ShadingStyle::Stipple => (0.9, 0.0, 4),
+            ShadingStyle::Tsp => (1.2, 0.0, 4),
+            ShadingStyle::Flow => (0.9, 45.0, 4),
             ShadingStyle::Hatch => (1.3, 45.0, 4),
         };
         Self {
@@ -49,6 +56,8 @@ impl Shading {
             levels,
             threshold: None,
             angle_deg,
+            brightness: 0.0,
+            contrast: 0.0,
             darkness: 1.0,
             invert: false,
             seed: 1,
@@ -72,6 +81,10 @@ impl Shading {
         let darkness = self.darkness;
         let fine = (0.1..=10.0).contains(&darkness);
         in_range("darkness", darkness, "from 0.1 to 10", fine)?;
+        for (name, found) in [("brightness", self.brightness), ("contrast", self.contrast)] {
+            let fine = (-1.0..=1.0).contains(&found);
+            in_range(name, found, "from -1 to 1", fine)?;
+        }
         let fine = self.angle_deg.is_finite();
         in_range("angle", self.angle_deg, "a number of degrees", fine)?;
         let threshold = self.threshold.unwrap_or(0.5);
@@ -95,8 +108,14 @@ pub enum ShadingStyle {
     Outline,
     /// Parallel lines that swing the wider and the faster the darker it is.
     Lines,
+    /// One line around the middle that swings the wider and the faster the darker it is.
+    Spiral,
+    /// Lines that run along the edges of what is seen, the denser the darker it is.
+    Flow,
     /// Dots, the denser the darker it is.
     Stipple,
+    /// Such dots, which the drawing joins to one line: the shortest that is found.
+    Tsp,
     /// Straight lines, in the more directions the darker it is.
     Hatch,
 }
@@ -108,9 +127,12 @@ impl FromStr for ShadingStyle {
         match text {
             "outline" => Ok(Self::Outline),
             "lines" => Ok(Self::Lines),
+            "spiral" => Ok(Self::Spiral),
+            "flow" => Ok(Self::Flow),
             "stipple" => Ok(Self::Stipple),
+            "tsp" => Ok(Self::Tsp),
             "hatch" => Ok(Self::Hatch),
-            _ => Err("allowed are outline, lines, stipple and hatch"),
+            _ => Err("allowed are hatch, lines, spiral, flow, stipple, tsp and outline"),
         }
     }
 }

@@ -76,7 +76,9 @@ fn disc(x: f64, y: f64, radius: f64) -> impl Fn(f64, f64) -> f64 {
 }
 
 const PIXEL_MM: f64 = 25.4 / 96.0;
-const STYLES: [ShadingStyle; 4] = [
+const STYLES: [ShadingStyle; 6] = [
+    ShadingStyle::Spiral,
+    ShadingStyle::Flow,
     ShadingStyle::Outline,
     ShadingStyle::Lines,
     ShadingStyle::Stipple,
@@ -227,19 +229,91 @@ fn each_darker_tone_is_hatched_in_one_more_direction() {
 }
 
 #[test]
-fn waves_leave_the_more_ink_the_darker_it_is() {
-    let mut ink_mm = [0.0; 5];
-    for stroke in drawn(&bands(), &options(ShadingStyle::Lines)) {
+fn lines_leave_the_more_ink_the_darker_it_is() {
+    for style in [
+        ShadingStyle::Lines,
+        ShadingStyle::Spiral,
+        ShadingStyle::Flow,
+    ] {
+        let mut ink_mm = [0.0; 5];
+        for stroke in drawn(&bands(), &options(style)) {
+            for (a, b) in stroke.segments() {
+                if let Some(band) = band(a.lerp(b, 0.5)) {
+                    ink_mm[band] += a.distance(b);
+                }
+            }
+        }
+        assert_eq!(ink_mm[0], 0.0, "{style:?}");
+        assert!(
+            ink_mm.windows(2).all(|it| it[1] > 1.05 * it[0]),
+            "{style:?} {ink_mm:?}"
+        );
+    }
+}
+
+#[test]
+fn a_spiral_over_black_is_one_line_from_the_middle_to_the_edge() {
+    let file = grey(200, 200, |x, y| if x < 2.0 && y < 2.0 { 1.0 } else { 0.0 });
+    let strokes = drawn(&file, &options(ShadingStyle::Spiral));
+    let page_mm = 200.0 * PIXEL_MM;
+    let longest = strokes
+        .iter()
+        .max_by(|a, b| a.length_mm().total_cmp(&b.length_mm()));
+    let inked = bounds_of_strokes(&[longest.unwrap().clone()]);
+    assert!(
+        inked.width() > 0.9 * page_mm && inked.height() > 0.9 * page_mm,
+        "{inked:?}"
+    );
+    let middle = Point::new(page_mm / 2.0, page_mm / 2.0);
+    assert!(longest.unwrap().points[0].distance(middle) < 1.6);
+}
+
+#[test]
+fn flow_lines_run_along_an_edge_and_not_across_it() {
+    // Darker to the right, with the change in the middle.
+    let file = grey(240, 240, |x, _| {
+        0.9 - 0.8 / (1.0 + ((120.0 - x) / 20.0).exp())
+    });
+    let (mut along_mm, mut across_mm) = (0.0, 0.0);
+    for stroke in drawn(&file, &options(ShadingStyle::Flow)) {
         for (a, b) in stroke.segments() {
-            if let Some(band) = band(a.lerp(b, 0.5)) {
-                ink_mm[band] += a.distance(b);
+            if (a.x / PIXEL_MM - 120.0).abs() < 30.0 {
+                along_mm += (a.y - b.y).abs();
+                across_mm += (a.x - b.x).abs();
             }
         }
     }
-    assert_eq!(ink_mm[0], 0.0);
+    assert!(along_mm > 20.0 * across_mm, "{along_mm} {across_mm}");
+}
+
+#[test]
+fn a_lighter_picture_has_less_ink_and_more_contrast_moves_tones_apart() {
+    let file = grey(200, 100, |x, _| 0.1 + 0.8 * x / 200.0);
+    let ink_mm = |set: &dyn Fn(&mut Shading)| {
+        let mut options = options(ShadingStyle::Lines);
+        set(&mut options.shading);
+        let strokes = drawn(&file, &options);
+        let half = 100.0 * PIXEL_MM;
+        let pieces = strokes.iter().flat_map(Stroke::segments);
+        pieces.fold([0.0; 2], |mut sum, (a, b)| {
+            sum[usize::from(a.x > half)] += a.distance(b);
+            sum
+        })
+    };
+    let plain = ink_mm(&|_| ());
+    let lighter = ink_mm(&|it| it.brightness = 0.2);
+    let gamma = ink_mm(&|it| it.darkness = 0.5);
+    assert!(lighter[0] + lighter[1] < 0.9 * (plain[0] + plain[1]));
+    assert!(gamma[0] + gamma[1] < 0.9 * (plain[0] + plain[1]));
+    let steep = ink_mm(&|it| it.contrast = 0.6);
     assert!(
-        ink_mm.windows(2).all(|it| it[1] > 1.15 * it[0]),
-        "{ink_mm:?}"
+        steep[0] > plain[0] && steep[1] < plain[1],
+        "{plain:?} {steep:?}"
+    );
+    let two_tones = ink_mm(&|it| it.threshold = Some(0.5));
+    assert!(
+        two_tones[0] > plain[0] && two_tones[1] < 0.2 * plain[1],
+        "{plain:?} {two_tones:?}"
     );
 }
 

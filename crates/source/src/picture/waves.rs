@@ -93,26 +93,26 @@ impl<'a> Wave<'a> {
 }
 
 /// How much of the full swing a tone takes; the straight line alone is as dark as [`PLAIN`].
-fn strength(ink: f64) -> f64 {
+pub(super) fn strength(ink: f64) -> f64 {
     ((ink - PLAIN) / (1.0 - PLAIN)).clamp(0.0, 1.0)
 }
 
 /// How far tones are mixed, in spacings.
-const SOFTNESS: f64 = 0.25;
+pub(super) const SOFTNESS: f64 = 0.25;
 /// The widest swing to one side, in spacings: neighbours nearly touch.
-const WIDEST: f64 = 0.48;
+pub(super) const WIDEST: f64 = 0.48;
 /// From one turn to the next, in spacings, where it is light.
-const SLOWEST: f64 = 0.5;
+pub(super) const SLOWEST: f64 = 0.5;
 /// The same where it is black.
-const FASTEST: f64 = 0.26;
+pub(super) const FASTEST: f64 = 0.26;
 /// The tone of straight lines.
 const PLAIN: f64 = 0.25;
 /// The tone from which on every other line is drawn.
-const FAINT: f64 = 0.06;
+pub(super) const FAINT: f64 = 0.06;
 /// The tone from which on every line is drawn.
 const LIGHT: f64 = 0.18;
-const GO_ON: f64 = 0.75;
+pub(super) const GO_ON: f64 = 0.75;
 /// Of a piece, in spacings.
-const SHORTEST: f64 = 1.0;
+pub(super) const SHORTEST: f64 = 1.0;
 /// How far it may be from one line to the next for the pen to stay down, in spacings.
 const REACH: f64 = 1.7;

@@ -57,6 +57,8 @@ pub(crate) struct Dashes {
 pub(crate) struct FillPaint {
     pub(crate) color: InkColor,
     pub(crate) rule: FillRule,
+    /// Nothing shows through it.
+    pub(crate) is_opaque: bool,
 }
 
 const PAPER: [u8; 3] = [255; 3];

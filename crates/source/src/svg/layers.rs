@@ -7,6 +7,9 @@ use dobot_geometry::{Area, Stroke};
 use super::color;
 use super::ink::InkColor;
 use crate::artwork::Layer;
+use crate::clip::ClipArea;
+use crate::hidden::{Covers, Heights};
+use crate::limits::{Budget, OverBudget};
 use crate::options::LayersBy;
 use crate::place::printable;
 
@@ -20,6 +23,9 @@ pub(crate) struct Layers {
     places: HashMap<Key, usize>,
     /// Where the last line or area went, which is most often where the next one goes.
     last: Option<(Key, usize)>,
+    covers: Covers,
+    /// For each layer, above how many covers its lines and areas lie.
+    heights: Vec<Heights>,
 }
 
 impl Layers {
@@ -30,6 +36,8 @@ impl Layers {
             found: Vec::new(),
             places: HashMap::new(),
             last: None,
+            covers: Covers::default(),
+            heights: Vec::new(),
         }
     }
 
@@ -40,18 +48,49 @@ impl Layers {
     }
 
     pub(crate) fn stroke(&mut self, stroke: Stroke, color: InkColor) {
-        self.layer(color).strokes.push(stroke);
+        let height = self.covers.count();
+        let (layer, heights) = self.layer(color);
+        layer.strokes.push(stroke);
+        heights.strokes.push(height);
     }
 
     pub(crate) fn area(&mut self, area: Area, color: InkColor) {
-        self.layer(color).areas.push(area);
+        let height = self.covers.count();
+        let (layer, heights) = self.layer(color);
+        layer.areas.push(area);
+        heights.areas.push(height);
     }
 
-    pub(crate) fn finish(self) -> Vec<Layer> {
-        self.found
+    /// This area hides all that came so far, of whatever layer.
+    pub(crate) fn cover(&mut self, area: ClipArea) {
+        self.covers.put(area);
     }
 
-    fn layer(&mut self, color: InkColor) -> &mut Layer {
+    /// What shows in each layer, and of how many lines and areas that is not known.
+    /// Areas that are not wanted are left out there.
+    pub(crate) fn finish(
+        self,
+        budget: &mut Budget,
+        fills: bool,
+    ) -> Result<(Vec<Layer>, usize), OverBudget> {
+        if self.covers.count() == 0 {
+            return Ok((self.found, 0));
+        }
+        let mut sight = self.covers.sight();
+        let mut layers = Vec::with_capacity(self.found.len());
+        for (mut layer, heights) in self.found.into_iter().zip(&self.heights) {
+            if !fills {
+                layer.areas.clear();
+            }
+            layer = sight.layer(layer, heights, budget)?;
+            if !layer.is_empty() {
+                layers.push(layer);
+            }
+        }
+        Ok((layers, sight.unknown()))
+    }
+
+    fn layer(&mut self, color: InkColor) -> (&mut Layer, &mut Heights) {
         let place = match &self.last {
             Some((key, place)) if key.still_takes(color) => *place,
             _ => self.find(color),
@@ -61,7 +100,7 @@ impl Layers {
             // What holds several colours has none.
             layer.color = None;
         }
-        layer
+        (layer, &mut self.heights[place])
     }
 
     fn find(&mut self, color: InkColor) -> usize {
@@ -76,6 +115,7 @@ impl Layers {
                 color: color.0,
                 ..Layer::default()
             });
+            self.heights.push(Heights::default());
             self.found.len() - 1
         });
         self.last = Some((key, place));

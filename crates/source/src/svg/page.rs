@@ -10,7 +10,7 @@ use super::ink::{FillPaint, Ink, InkColor};
 use super::layers::Layers;
 use super::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
-use crate::clip::{self, Region};
+use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
 use crate::limits::LIMIT_MM;
 use crate::limits::{Budget, MAX_SEGMENTS};
@@ -29,6 +29,9 @@ pub(crate) struct SvgPage {
     /// How many segments may still come.
     pub(crate) budget: Budget,
     pub(crate) layers: Layers,
+    /// Filled shapes hide what lies under them.
+    pub(crate) hides: bool,
+    fills: bool,
     warnings: BTreeMap<WarningKind, usize>,
 }
 
@@ -42,6 +45,8 @@ impl SvgPage {
             cut_lines: 0,
             budget: Budget::new(MAX_SEGMENTS),
             layers: Layers::new(by),
+            hides: options.hides,
+            fills: options.fills,
             warnings: BTreeMap::new(),
         }
     }
@@ -56,16 +61,20 @@ impl SvgPage {
         (count > 0).then(|| Warning::new("cut line", &instead, count))
     }
 
-    pub(crate) fn finish(self) -> (Artwork, Vec<WarningCount>) {
+    pub(crate) fn finish(mut self) -> Result<(Artwork, Vec<WarningCount>), SvgError> {
         let [width_mm, height_mm] = self.size_mm;
+        let (layers, entangled) = self.layers.finish(&mut self.budget, self.fills)?;
         let artwork = Artwork {
             width_mm,
             height_mm,
-            layers: self.layers.finish(),
+            layers,
         };
+        if entangled > 0 {
+            self.warnings.insert(WarningKind::Stacked, entangled);
+        }
         let warnings = self.warnings.into_iter();
         let warnings = warnings.map(|(kind, count)| WarningCount { kind, count });
-        (artwork, warnings.collect())
+        Ok((artwork, warnings.collect()))
     }
 
     pub(crate) fn warn(&mut self, kind: WarningKind, count: usize) {
@@ -82,6 +91,9 @@ impl SvgPage {
         ink: &Ink,
         clips: &[Rc<Region>],
     ) -> Result<(), SvgError> {
+        if let Some(fill) = ink.fill.filter(|it| self.hides && it.is_opaque) {
+            self.cover(&outlines, transform, fill.rule, clips)?;
+        }
         let Some(color) = ink.outline() else {
             return Ok(());
         };
@@ -102,6 +114,24 @@ impl SvgPage {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// Hides all that was drawn so far, where the shape lies over it.
+    fn cover(
+        &mut self,
+        outlines: &[Stroke],
+        transform: Affine,
+        rule: FillRule,
+        clips: &[Rc<Region>],
+    ) -> Result<(), SvgError> {
+        let mut outlines = outlines.to_vec();
+        for outline in &mut outlines {
+            self.budget.spend(outline.points.len())?;
+            place(&mut outline.points, transform)?;
+        }
+        self.layers
+            .cover(ClipArea::new(&outlines, rule, clips.to_vec()));
         Ok(())
     }
 
@@ -212,7 +242,7 @@ impl PageEdge {
         let Rect { x0, y0, x1, y1 } = bounds;
         let corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Point::new(x, y));
         let outline = Stroke::open(corners.to_vec());
-        let area = clip::ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
+        let area = ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
         Self {
             region: Region::new(vec![area]),
             bounds,

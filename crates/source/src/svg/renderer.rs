@@ -4,11 +4,12 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use dobot_geometry::{Affine, FillRule, Stroke};
-use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Tree};
+use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Text, Tree};
 
 use super::flatten::flatten;
 use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint};
 use super::page::{SvgPage, place};
+use super::single_line::{self, Written};
 use super::warning_count::WarningKind;
 use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
@@ -21,6 +22,8 @@ pub(crate) struct TreeRenderer<'a> {
     groups: &'a HashMap<String, String>,
     /// Inside one of them.
     in_group: bool,
+    /// Inside a group that is not opaque.
+    is_faint: bool,
 }
 
 impl<'a> TreeRenderer<'a> {
@@ -34,6 +37,7 @@ impl<'a> TreeRenderer<'a> {
             tolerance_mm,
             groups,
             in_group: false,
+            is_faint: false,
         }
     }
 
@@ -76,9 +80,12 @@ impl<'a> TreeRenderer<'a> {
         if let Some(clip) = group.clip_path() {
             self.regions(clip, transform, clips)?;
         }
+        let was_faint = self.is_faint;
+        self.is_faint |= group.opacity().get() < 1.0;
         for child in group.children() {
             self.node(child, transform, clips)?;
         }
+        self.is_faint = was_faint;
         clips.truncate(outer);
         Ok(())
     }
@@ -92,13 +99,50 @@ impl<'a> TreeRenderer<'a> {
         match node {
             Node::Group(group) => self.group(group, transform, clips),
             Node::Path(path) => self.path(path, transform, clips),
-            Node::Text(text) => self.group(text.flattened(), transform, clips),
+            Node::Text(text) => self.text(text, transform, clips),
             Node::Image(image) => {
                 let is_visible = usize::from(image.is_visible());
                 self.page.warn(WarningKind::Image, is_visible);
                 Ok(())
             }
         }
+    }
+
+    /// In letters of single lines where the file wants them, in outlines otherwise.
+    fn text(
+        &mut self,
+        text: &Text,
+        transform: Affine,
+        clips: &mut Vec<Rc<Region>>,
+    ) -> Result<(), SvgError> {
+        let stretch = transform.spectral_norm().max(f64::MIN_POSITIVE);
+        let written = single_line::written(text, self.tolerance_mm / stretch);
+        let Some((letters, missing)) = written else {
+            return self.group(text.flattened(), transform, clips);
+        };
+        self.page.warn(WarningKind::MissingLetter, missing);
+        for Written { strokes, span } in letters {
+            let paint = span.stroke().map(usvg::Stroke::paint);
+            let Some(paint) = paint.or_else(|| span.fill().map(usvg::Fill::paint)) else {
+                continue;
+            };
+            if !span.is_visible() {
+                continue;
+            }
+            let line = LinePaint {
+                color: InkColor(rgb(paint)),
+                has_ends: true,
+                dashes: None,
+            };
+            let ink = Ink {
+                line: Some(line),
+                fill: None,
+            };
+            let corners = strokes.iter().map(|it| it.points.len()).sum();
+            self.page.budget.spend(corners)?;
+            self.page.shape(strokes, transform, &ink, clips)?;
+        }
+        Ok(())
     }
 
     fn path(
@@ -111,7 +155,7 @@ impl<'a> TreeRenderer<'a> {
         if !path.is_visible() || ink == Ink::default() {
             return Ok(());
         }
-        if ink.is_paper() {
+        if ink.is_paper() && !self.page.hides {
             self.page.warn(WarningKind::Paper, 1);
             return Ok(());
         }
@@ -128,7 +172,7 @@ impl<'a> TreeRenderer<'a> {
         }
         Ink {
             line: line.map(read_line),
-            fill: fill.map(read_fill),
+            fill: fill.map(|it| read_fill(it, self.is_faint)),
         }
     }
 
@@ -227,10 +271,11 @@ fn read_line(line: &usvg::Stroke) -> LinePaint {
     }
 }
 
-fn read_fill(fill: &usvg::Fill) -> FillPaint {
+fn read_fill(fill: &usvg::Fill, is_faint: bool) -> FillPaint {
     FillPaint {
         color: InkColor(rgb(fill.paint())),
         rule: rule(fill.rule()),
+        is_opaque: fill.opacity().get() == 1.0 && !is_faint,
     }
 }
 

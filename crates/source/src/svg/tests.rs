@@ -1,5 +1,6 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod hiding;
 mod layers;
 
 use std::fmt::Write as _;
@@ -415,6 +416,40 @@ fn a_tolerance_must_be_a_positive_length() {
             error,
             SourceError::Svg(SvgError::Tolerance { .. })
         ));
+    }
+}
+
+#[test]
+fn text_that_names_a_hershey_font_is_written_in_single_lines() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    if fonts.is_empty() {
+        return; // A machine without fonts cannot show this.
+    }
+    let options = ReadOptions {
+        fonts: Arc::new(fonts),
+        ..options()
+    };
+    // A name with a digit at the start of a word stands in quotes, as in CSS.
+    for family in ["Hershey sans", "'Hershey Sans 1-stroke'", "HersheySans1"] {
+        for (anchor, least_x, most_x) in [("start", 30.0, 50.0), ("end", 10.0, 30.0)] {
+            let text = page(&format!(
+                r#"<text x="30" y="30" font-size="20" font-family="{family}" text-anchor="{anchor}">II</text>"#
+            ));
+            let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
+            assert_eq!(warnings, []);
+            // Each I is one line, seven tenths of the size of the font tall, on the base line.
+            assert_eq!(drawing.strokes.len(), 2);
+            for stroke in drawing.strokes {
+                let ink = bounds_of_strokes(&[stroke]);
+                assert!(ink.width() < 0.1, "{ink:?}");
+                assert!(
+                    (ink.height() - 14.0).abs() < 1e-3 && (ink.y1 - 30.0).abs() < 1e-3,
+                    "{ink:?}"
+                );
+                assert!(ink.x0 > least_x && ink.x1 < most_x, "{ink:?}");
+            }
+        }
     }
 }
 

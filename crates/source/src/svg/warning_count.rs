@@ -35,12 +35,16 @@ pub(crate) enum WarningKind {
     Paper,
     /// A fill that crosses itself too often to be clipped.
     Entangled,
+    /// What lies under so many shapes that it is not worked out what of it shows.
+    Stacked,
     /// Text that flows into a shape, as Inkscape wrote it before SVG 2.
     FlowedText,
     /// A piece of text and no font at all.
     TextWithoutFont,
     /// A character that no font has.
     MissingGlyph,
+    /// A character that the letters of single lines lack.
+    MissingLetter,
 }
 
 impl WarningKind {
@@ -56,6 +60,10 @@ impl WarningKind {
                 "filled shape",
                 "not hatched, it crosses itself too often to be clipped",
             ),
+            Self::Stacked => (
+                "line or area",
+                "drawn whole, too many shapes lie over it to find what of it shows",
+            ),
             Self::FlowedText => (
                 "flowed text",
                 "left out; in Inkscape, Text > Convert to Text makes letters of it",
@@ -63,6 +71,10 @@ impl WarningKind {
             Self::TextWithoutFont => (
                 "text",
                 "left out, no font was found; install a font or convert it to paths",
+            ),
+            Self::MissingLetter => (
+                "character",
+                "not in the Hershey letters, left out; another font has it",
             ),
             Self::MissingGlyph => (
                 "character",

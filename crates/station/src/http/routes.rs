@@ -25,7 +25,7 @@ use dobot_api::problem_kinds::{
     NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, STILL_MOVING, STOPPED, TOO_MANY,
 };
 
-pub(super) use self::calibration::NewTouches;
+pub(super) use self::calibration::{NewTouches, PaperTouches};
 pub(super) use self::virtual_arm::NewFaults;
 use super::app::App;
 use super::route::Route;

@@ -14,7 +14,7 @@ use serde_json::Value;
 
 use super::drawings::NewDrawing;
 use super::programs::EditProgram;
-use super::routes::{NewFaults, NewTouches};
+use super::routes::{NewFaults, NewTouches, PaperTouches};
 
 /// Reads a body or a message.
 ///
@@ -117,27 +117,29 @@ fn collect(value: &Value, pointer: String, name: String, leaves: &mut Vec<Leaf>)
 /// and lists only where there are some, since structures could be read from lists too.
 #[derive(Clone, Copy)]
 struct Plain {
-    may_be_list: bool,
+    /// How many lists, one in the other, it may be.
+    lists: usize,
 }
 
-/// The fields of requests that hold a list, as their types say.
-static LISTS: LazyLock<Vec<String>> = LazyLock::new(|| {
+/// The fields of requests that hold a list, and how many lists there are one in the other, as their types say.
+static LISTS: LazyLock<Vec<(String, usize)>> = LazyLock::new(|| {
     let mut lists = Vec::new();
     collect_lists(schema_for!(FromClient).as_value(), &mut lists);
     collect_lists(schema_for!(EditProgram).as_value(), &mut lists);
     collect_lists(schema_for!(NewDrawing).as_value(), &mut lists);
     collect_lists(schema_for!(NewFaults).as_value(), &mut lists);
     collect_lists(schema_for!(NewTouches).as_value(), &mut lists);
+    collect_lists(schema_for!(PaperTouches).as_value(), &mut lists);
     lists
 });
 
-fn collect_lists(schema: &Value, lists: &mut Vec<String>) {
+fn collect_lists(schema: &Value, lists: &mut Vec<(String, usize)>) {
     let fields = schema.get("properties").and_then(Value::as_object);
     let named = fields.into_iter().flatten();
     lists.extend(
         named
-            .filter(|(_, field)| may_be_list(field))
-            .map(|(name, _)| name.clone()),
+            .map(|(name, field)| (name.clone(), lists_in(field)))
+            .filter(|(_, lists)| *lists > 0),
     );
     match schema {
         Value::Object(parts) => parts.values().for_each(|it| collect_lists(it, lists)),
@@ -146,16 +148,18 @@ fn collect_lists(schema: &Value, lists: &mut Vec<String>) {
     }
 }
 
-/// Whether a schema allows a list, on its own or as one of several.
-fn may_be_list(schema: &Value) -> bool {
+/// How many lists a schema allows, one in the other, on its own or as one of several.
+fn lists_in(schema: &Value) -> usize {
     let is_list = |name: &Value| name == "array";
+    let of_list = || 1 + schema.get("items").map_or(0, lists_in);
     match schema.get("type") {
-        Some(Value::Array(types)) => types.iter().any(is_list),
-        Some(name) => is_list(name),
+        Some(Value::Array(types)) if types.iter().any(is_list) => of_list(),
+        Some(name) if is_list(name) => of_list(),
+        Some(_) => 0,
         None => {
             let choices = ["anyOf", "oneOf"].iter().filter_map(|it| schema.get(it));
-            let mut choices = choices.filter_map(Value::as_array).flatten();
-            choices.any(may_be_list)
+            let choices = choices.filter_map(Value::as_array).flatten();
+            choices.map(lists_in).max().unwrap_or_default()
         }
     }
 }
@@ -205,25 +209,25 @@ impl<'de> Visitor<'de> for Plain {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<(), A::Error> {
-        if !self.may_be_list {
+        let Some(lists) = self.lists.checked_sub(1) else {
             return Err(de::Error::custom("there is a list; this takes none"));
-        }
-        while items.next_element_seed(NO_LIST)?.is_some() {}
+        };
+        while items.next_element_seed(Self { lists })?.is_some() {}
         Ok(())
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<(), A::Error> {
-        while let Some(Name(may_be_list)) = fields.next_key()? {
-            fields.next_value_seed(Self { may_be_list })?;
+        while let Some(Name(lists)) = fields.next_key()? {
+            fields.next_value_seed(Self { lists })?;
         }
         Ok(())
     }
 }
 
-const NO_LIST: Plain = Plain { may_be_list: false };
+const NO_LIST: Plain = Plain { lists: 0 };
 
-/// The name of a field: whether it is one that holds a list.
-struct Name(bool);
+/// The name of a field: how many lists it holds, one in the other.
+struct Name(usize);
 
 impl<'de> Deserialize<'de> for Name {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -237,7 +241,8 @@ impl<'de> Deserialize<'de> for Name {
             }
 
             fn visit_str<E>(self, name: &str) -> Result<Name, E> {
-                Ok(Name(LISTS.iter().any(|it| it == name)))
+                let named = LISTS.iter().filter(|it| it.0 == name);
+                Ok(Name(named.map(|it| it.1).max().unwrap_or_default()))
             }
         }
 

@@ -2,7 +2,7 @@
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
-import { LEAST_TOUCHES, nextPoint, numbersOf, touchHindrance, touchesOf } from "../../state/calibrate.js";
+import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointHindrance, touchesOf } from "../../state/calibrate.js";
 import { hindrance } from "../../state/select.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";
@@ -21,6 +21,9 @@ const MAIN = new Set(["base", "rear", "fore", "out", "left"]);
 const number = (value) => value.toFixed(2).replace(/^-0\.00$/, "0.00").replace("-", "−");
 /** @param {number} value */
 const change = (value) => (number(value).startsWith("−") ? number(value) : `+${number(value)}`);
+
+/** Whether only the paper of the arm is known, or nothing. @param {Schemas["CalibrationFile"]} calibration */
+const isAsDrawn = (calibration) => numbersOf(calibration).filter(({ name }) => MAIN.has(name)).every(({ value }) => value === 0);
 
 /** Where a place is on the sheet, from its upper left corner: forward is up. @param {readonly number[]} place */
 const onSheet = ([x_mm = 0, y_mm = 0]) => [SHEET.wide_mm / 2 - y_mm, SHEET.high_mm + SHEET.near_mm - x_mm];
@@ -53,11 +56,11 @@ const numbers = ({ say }, rows) => html`
 /** @param {Context} context @param {Schemas["Calibrations"]} known */
 function whatIsKnown(context, { calibration }) {
   const { page, say } = context;
-  if (!calibration) return html`<p id="calibrate-known">${say("calibrate.as_drawn")}</p>`;
+  if (!calibration || isAsDrawn(calibration)) return html`<p id="calibrate-known">${say("calibrate.as_drawn")}</p>`;
   const { touched } = calibration;
   return html`
     <div id="calibrate-known">
-      <p>${say("calibrate.known")}</p>
+      <p>${say("calibrate.known")}${calibration.name ? ` ${say("calibrate.name", { name: calibration.name })}` : ""}</p>
       ${numbers(context, numbersOf(calibration).filter(({ name }) => MAIN.has(name)))}
       ${touched ? html`<p class="quiet">${say("calibrate.agreed", { points: touched.points, typical: number(touched.typical_mm), largest: number(touched.largest_mm) })}</p>` : nothing}
       ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${say("calibrate.angles_told")}</p>` : nothing}
@@ -130,10 +133,10 @@ function picture({ page, say }) {
 /** The second step: one point after the other. @param {Context} context */
 function touching(context) {
   const { page, say, act } = context;
-  const { sheet, visits, fit, shown, problem, lost } = page.calibrate;
+  const { sheet, visits, fit, shown, problem, lost, block } = page.calibrate;
   const point = nextPoint(page.calibrate);
   const [x, y] = sheet?.points_mm[point] ?? [];
-  const why = touchHindrance(page);
+  const why = pointHindrance(page);
   return html`
     <h3 id="calibrate-point" aria-live="polite">${say("calibrate.point", { point: point + 1, x: x ?? 0, y: y ?? 0 })}</h3>
     ${picture(context)}
@@ -143,6 +146,10 @@ function touching(context) {
       <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", told_deg: null })}>${say("calibrate.skip")}</button>
       <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${say("calibrate.back")}</button>
       ${leave(context)}
+    </div>
+    <div class="row">
+      <label for="calibrate-block">${say("calibrate.block")}</label>
+      <input id="calibrate-block" class="length" type="number" min="0" max=${HIGHEST_BLOCK_MM} step="any" placeholder="0" aria-describedby="calibrate-why" .value=${live(block)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_block_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
     </div>
     <p id="calibrate-why" class="quiet">${why ? say(`hindrance.${why}`) : ""}</p>
     ${lost ? html`<p id="calibrate-lost" class="told" data-tone="warn" role="alert">${say("calibrate.lost", { lost })}</p>` : nothing}
@@ -159,7 +166,7 @@ function touches({ page, say }) {
   const away = (/** @type {number} */ n) => (fit ? say("calibrate.away", { mm: number(fit.away_mm[n] ?? 0) }) : "–");
   const missing = LEAST_TOUCHES - all.length;
   return html`
-    <dl id="calibrate-touches" class="list">${all.map(({ point }, n) => html`<div><dt>${say("calibrate.touched", { point: point + 1 })}</dt>
+    <dl id="calibrate-touches" class="list">${all.map(({ point, height_mm }, n) => html`<div><dt>${say(height_mm ? "calibrate.touched.block" : "calibrate.touched", { point: point + 1, height: height_mm })}</dt>
       <dd>${away(n)} ${fit?.left_out === n ? html`<b class="chip" data-tone="bad">${say("calibrate.left_out")}</b>` : nothing}</dd></div>`)}</dl>
     ${missing > 0 ? html`<p class="quiet">${say("calibrate.missing", { missing })}</p>` : nothing}`;
 }
@@ -179,7 +186,7 @@ function result(context, fit) {
       <p><b id="calibrate-trust" class="chip" data-tone=${TONES[trust]}>${say(`calibrate.trust.${trust}`)}</b> ${say("calibrate.expected", { mm: number(expected_mm) })}</p>
       <p class="quiet">${say(`calibrate.trust.${trust}.text`)}</p>
       ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${say("calibrate.unsure", { what, by: number(by), unit })}</p>`)}
-      ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${say("calibrate.advice", { point: best + 1 })}</p>` : nothing}
+      ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${say(advice?.height_mm ? "calibrate.advice.block" : "calibrate.advice", { point: best + 1, height: advice?.height_mm ?? 0 })}</p>` : nothing}
     </div>
     ${numbers(context, numbersOf(calibration, before).filter(({ name }) => MAIN.has(name)))}
     ${before ? html`<p class="quiet">${say("calibrate.since")}</p>` : nothing}

@@ -7,6 +7,8 @@ use anyhow::{anyhow, bail};
 use dobot_api::{CalibrationFile, JobKind, JobProgram, NewJob, Reply, Request};
 use dobot_arm::Tool;
 use dobot_calibrate::{COMB_PAIRS, COMB_STEP_DEG, SlackJoint, comb};
+use dobot_draw::known_paper;
+use dobot_geometry::Point;
 use dobot_rules::StationClient;
 
 use super::{hold, keep};
@@ -62,12 +64,13 @@ pub(super) async fn read_slack(
     mut known: CalibrationFile,
     of: CombOf,
 ) -> Result<(), Failure> {
-    let Some(paper) = known.paper else {
+    let Some(paper) = &known.paper else {
         return Err(Failure::new(
             anyhow!("{} does not say where the paper lies", file.display()),
             "touch the points of the sheet first: `dobot calibrate` finds it",
         ));
     };
+    let paper = known_paper(paper)?;
     if !std::io::stdin().is_terminal() {
         return Err(Failure::new(
             anyhow!("nobody is there to read which lines meet"),
@@ -82,7 +85,7 @@ pub(super) async fn read_slack(
     let commands = comb(
         of.joint(),
         &known.arm(),
-        |at| paper.z_at(at),
+        |[x, y]| paper.z_at(Point::new(x, y)),
         Tool::SuctionCup,
     )
     .map_err(|error| anyhow!("the comb is out of reach: {error}"))?;

@@ -8,11 +8,23 @@ use ratatui::style::Stylize;
 use ratatui::text::Line;
 
 use super::toucher::Toucher;
-use crate::pendant::{alarm, answer, held, key_line, move_lines};
+use crate::pendant::{Pendant, alarm, answer, held, key_line, move_lines};
 use crate::verbs::watch::panels;
 
 /// Draws everything.
 pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
+    let more = [("b", "on the block")];
+    draw_touching(frame, &it.pendant, "calibration", lines(it), &more);
+}
+
+/// Draws a procedure in which a person touches something: the arm, what the touches tell, the keys.
+pub(super) fn draw_touching(
+    frame: &mut Frame,
+    pendant: &Pendant,
+    title: &'static str,
+    told: Vec<Line<'static>>,
+    more_keys: &[(&'static str, &'static str)],
+) {
     let rows = [
         Constraint::Length(1),
         Constraint::Length(1),
@@ -22,30 +34,36 @@ pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
         Constraint::Length(1),
     ];
     let [top, alarm_row, arm, touches, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held(&it.pendant), top);
-    frame.render_widget(alarm(&it.pendant), alarm_row);
-    if let Some(state) = it.pendant.state() {
+    frame.render_widget(held(pendant), top);
+    frame.render_widget(alarm(pendant), alarm_row);
+    if let Some(state) = pendant.state() {
         panels::arm(frame, arm, state);
     }
-    panels::panel(frame, touches, "calibration", lines(it));
-    let mut help = move_lines(&it.pendant);
-    help.push(key_line(&[
+    panels::panel(frame, touches, title, told);
+    let mut help = move_lines(pendant);
+    let keys_of_touching = [
         ("Enter", "touched"),
         ("n", "skip"),
         ("z", "undo"),
         ("w", "show, keep"),
         ("q", "leave"),
-    ]));
+    ];
+    help.push(key_line(&[&keys_of_touching, more_keys].concat()));
     panels::panel(frame, keys, "keys", help);
-    frame.render_widget(answer(&it.pendant), bottom);
+    frame.render_widget(answer(pendant), bottom);
 }
 
 fn lines(it: &Toucher) -> Vec<Line<'static>> {
     let (number, [x_mm, y_mm]) = it.procedure.next_point();
-    let next = format!("touch point {number} ({x_mm}, {y_mm}), from the right and from above");
+    let top = if it.on_block {
+        format!("the block of {} mm on ", it.height_mm())
+    } else {
+        String::new()
+    };
+    let next = format!("touch {top}point {number} ({x_mm}, {y_mm}), from the right and from above");
     let mut lines = vec![Line::from(next).bold()];
     match &it.outcome {
-        Ok(fit) => lines.extend(result(fit, it.known.as_ref())),
+        Ok(fit) => lines.extend(result(fit, it.kept.known.as_ref())),
         Err(why) => {
             let texts = wrapped(&why.to_string());
             lines.extend(texts.into_iter().map(Line::from));
@@ -81,11 +99,11 @@ fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
         let more = fit.advice.map_or(String::new(), |it| {
             let [x_mm, y_mm] = it.place_mm;
             let block = if it.height_mm > 0.0 {
-                " on a block"
+                format!("a block of about {} mm on ", it.height_mm)
             } else {
-                ""
+                String::new()
             };
-            format!("; {x_mm}, {y_mm}{block} would tell most")
+            format!("; {block}{x_mm}, {y_mm} would tell most")
         });
         let Unsure { what, by, unit } = unsure;
         lines.push(Line::from(format!("{what} is known to {by:.1} {unit}{more}")).dim());
@@ -114,7 +132,7 @@ fn trust(fit: &Fit) -> Line<'static> {
 }
 
 /// A long text in lines that fit on the screen.
-fn wrapped(text: &str) -> Vec<String> {
+pub(super) fn wrapped(text: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split(' ') {
         let last = lines.last_mut().expect("there is one");

@@ -1,6 +1,5 @@
 //! Calibrating as an engine: the pendant, the touches, and what they tell.
 
-use std::collections::VecDeque;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -8,10 +7,11 @@ use std::time::Duration;
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use dobot_api::{Backlash, CalibrationFile, State};
 use dobot_arm::{Joints, Tool};
-use dobot_calibrate::{Fit, FitError, Procedure, found, read_calibration, write_calibration};
+use dobot_calibrate::{Fit, FitError, Procedure, found, residuals_svg};
 use ratatui::Frame;
 
-use super::{before, screen};
+use super::kept::Kept;
+use super::screen;
 use crate::pendant::{Panel, Pendant};
 
 /// Lets a person touch the points of the sheet.
@@ -21,49 +21,76 @@ pub(crate) struct Toucher {
     pub(super) procedure: Procedure,
     /// What the touches tell now.
     pub(super) outcome: Result<Fit, FitError>,
-    /// What was known of the arm before.
-    pub(super) known: Option<CalibrationFile>,
+    pub(super) kept: Kept,
     backlash: Backlash,
-    file: PathBuf,
-    /// What was shown and waits for the second key.
-    shown: Option<CalibrationFile>,
-    files: VecDeque<(PathBuf, String)>,
+    picture: Option<PathBuf>,
+    /// How high the block is that a person has, in mm.
+    block_mm: Option<f64>,
+    /// Whether it stands on the next point.
+    pub(super) on_block: bool,
 }
 
 impl Toucher {
-    /// Keeps what is found in a file.
-    pub(crate) fn new(
-        pendant: Pendant,
-        file: PathBuf,
-        known: Option<CalibrationFile>,
-        backlash_deg: Option<[f64; 3]>,
-    ) -> Self {
+    /// Keeps what is found in a file, beside what was known before.
+    pub(super) fn new(pendant: Pendant, file: PathBuf, known: Option<CalibrationFile>) -> Self {
         let procedure = Procedure::new(Tool::SuctionCup);
-        let of_before = known.as_ref().map(|it| it.backlash).unwrap_or_default();
-        let backlash = backlash_deg.map_or(of_before, |[base, rear, fore]| Backlash {
-            base,
-            rear,
-            fore,
-        });
+        let backlash = known.as_ref().map(|it| it.backlash).unwrap_or_default();
         Self {
             pendant,
             outcome: procedure.outcome(),
             procedure,
-            known,
+            kept: Kept::new(file, known),
             backlash,
-            file,
-            shown: None,
-            files: VecDeque::new(),
+            picture: None,
+            block_mm: None,
+            on_block: false,
         }
+    }
+
+    /// Base, rear arm and forearm are so slack, in degrees, if that is said; else as was known before.
+    pub(super) fn with_backlash(mut self, backlash_deg: Option<[f64; 3]>) -> Self {
+        if let Some([base, rear, fore]) = backlash_deg {
+            self.backlash = Backlash { base, rear, fore };
+        }
+        self
+    }
+
+    /// Writes how well the touches agree into a picture, when the result is kept.
+    pub(super) fn with_picture(mut self, picture: Option<PathBuf>) -> Self {
+        self.picture = picture;
+        self
+    }
+
+    /// A person has a block to put on points, so high in mm.
+    pub(super) const fn with_block(mut self, height_mm: Option<f64>) -> Self {
+        self.block_mm = height_mm;
+        self
+    }
+
+    /// How high above the paper the next touch is, in mm.
+    pub(super) fn height_mm(&self) -> f64 {
+        self.block_mm.filter(|_| self.on_block).unwrap_or(0.0)
+    }
+
+    /// The block is put on the next point, or taken away.
+    fn turn_to_block(&mut self) {
+        if self.block_mm.is_none() {
+            let text = "how high is the block? leave with q, and say it: --block 40";
+            return self.pendant.tell(text.into());
+        }
+        self.on_block = !self.on_block;
     }
 
     fn handle_key(&mut self, key: TouchKey) {
         self.pendant.let_go();
-        let shown = self.shown.take();
+        if key != TouchKey::Keep {
+            self.kept.forget_shown();
+        }
         match key {
             TouchKey::Touch => match self.joints() {
                 Ok(told) => {
-                    self.procedure.touch(told);
+                    self.procedure.touch(told, self.height_mm());
+                    self.on_block = false;
                     self.judge();
                 }
                 Err(why) => self.pendant.tell(format!("not touched: {why}")),
@@ -71,7 +98,8 @@ impl Toucher {
             TouchKey::Undo if self.procedure.undo() => self.judge(),
             TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
             TouchKey::Skip => self.procedure.skip(),
-            TouchKey::Keep => self.keep(shown.as_ref()),
+            TouchKey::Keep => self.keep(),
+            TouchKey::Block => self.turn_to_block(),
         }
     }
 
@@ -97,22 +125,21 @@ impl Toucher {
     }
 
     /// What was shown is kept; what was not is shown first.
-    fn keep(&mut self, shown: Option<&CalibrationFile>) {
-        let found = match &self.outcome {
-            Ok(fit) => found(fit, self.backlash),
-            Err(why) => return self.pendant.tell(format!("nothing to keep: {why}")),
+    fn keep(&mut self) {
+        let told = match &self.outcome {
+            Ok(fit) => {
+                let told = self.kept.keep(found(fit, self.backlash));
+                if let Some(picture) = self.picture.clone().filter(|_| told.is_none()) {
+                    let text = residuals_svg(self.procedure.touches(), fit);
+                    self.kept.write(picture, text);
+                }
+                told
+            }
+            Err(why) => Some(format!("nothing to keep: {why}")),
         };
-        if shown != Some(&found) {
-            self.shown = Some(found);
-            let text = "this is what would be kept; w again keeps it, any other key does not";
-            return self.pendant.tell(text.into());
+        if let Some(text) = told {
+            self.pendant.tell(text);
         }
-        if let Some(known) = &self.known {
-            self.files
-                .push_back((before(&self.file), write_calibration(known)));
-        }
-        self.files
-            .push_back((self.file.clone(), write_calibration(&found)));
     }
 }
 
@@ -135,7 +162,7 @@ impl Panel for Toucher {
                     }
                     return;
                 }
-                self.shown = None;
+                self.kept.forget_shown();
             }
             _ => {}
         }
@@ -153,29 +180,19 @@ impl Panel for Toucher {
     }
 
     fn poll_file(&mut self) -> Option<(PathBuf, String)> {
-        self.files.pop_front()
+        self.kept.poll_file()
     }
 
     fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
-        match saved {
-            Ok(()) if self.files.is_empty() => {
-                self.known = read_calibration(&text).ok();
-                self.pendant
-                    .tell(format!("kept in {}", self.file.display()));
-            }
-            Ok(()) => {}
-            Err(error) => {
-                // Without the one before it nothing is replaced.
-                self.files.clear();
-                self.pendant.tell(format!("not kept: {error}"));
-            }
+        if let Some(told) = self.kept.handle_saved(&text, saved) {
+            self.pendant.tell(told);
         }
     }
 }
 
 /// What a key means for the procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum TouchKey {
+pub(super) enum TouchKey {
     /// The tip is on the point.
     Touch,
     /// The arm does not get to the point.
@@ -184,10 +201,12 @@ enum TouchKey {
     Undo,
     /// The result is shown, then kept.
     Keep,
+    /// A block stands on the point, or no more.
+    Block,
 }
 
 /// The meaning of a key; `None` where it is one of the pendant.
-fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
+pub(super) fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
     if key.modifiers.contains(KeyModifiers::CONTROL) {
         return None;
     }
@@ -196,6 +215,7 @@ fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
         KeyCode::Char('n') => Some(TouchKey::Skip),
         KeyCode::Char('z') => Some(TouchKey::Undo),
         KeyCode::Char('w') => Some(TouchKey::Keep),
+        KeyCode::Char('b') => Some(TouchKey::Block),
         _ => None,
     }
 }
@@ -205,7 +225,7 @@ fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
 mod tests {
     use dobot_api::ClientId;
     use dobot_arm::{Calibration, Position};
-    use dobot_calibrate::SHEET_POINTS;
+    use dobot_calibrate::{SHEET_POINTS, read_calibration};
 
     use super::*;
     use crate::pendant::{Drive, KeyReports, STATE};
@@ -218,20 +238,24 @@ mod tests {
         left_mm: 1.0,
         axis_mm: [0.0, 0.0],
         backlash_deg: [0.0; 3],
+        table: None,
     };
 
     fn toucher(known: Option<CalibrationFile>) -> Toucher {
         let dead_man = Duration::from_millis(150);
         let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
-        let mut it = Toucher::new(pendant, "arm.toml".into(), known, None);
+        let mut it = Toucher::new(pendant, "arm.toml".into(), known).with_block(Some(30.0));
         it.handle_state(serde_json::from_str(STATE).unwrap());
         it
     }
 
     /// The tip stands on a point of the sheet.
-    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
     fn on([x, y]: [f64; 2]) -> State {
-        let place = Position::new(x, y, -40.0);
+        at(Position::new(x, y, -40.0))
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
+    fn at(place: Position) -> State {
         let told = ARM.told_joints(place, Tool::SuctionCup).unwrap();
         let mut state: State = serde_json::from_str(STATE).unwrap();
         let status = &mut state.arm.as_mut().unwrap().status;
@@ -283,6 +307,23 @@ mod tests {
         let full = io::Error::other("the disk is full");
         it.handle_saved(text, Err(full));
         assert_eq!(it.poll_file(), None, "nothing is replaced without it");
+    }
+
+    #[test]
+    fn a_touch_of_a_block_counts_as_so_much_higher() {
+        let mut it = toucher(None);
+        touch_all(&mut it);
+        let flat = it.outcome.clone().unwrap();
+        press(&mut it, KeyCode::Char('b'));
+        let [x, y] = SHEET_POINTS[0];
+        it.handle_state(at(Position::new(x, y, -10.0)));
+        press(&mut it, KeyCode::Enter);
+        let found = it.outcome.clone().unwrap();
+        assert!(found.residual_mm(9) < 0.1, "{}", found.residual_mm(9));
+        assert_eq!(found.left_out, None);
+        assert!(found.unsure.len() <= flat.unsure.len());
+        // The next touch is on the paper again.
+        assert_eq!(it.height_mm(), 0.0);
     }
 
     #[test]

@@ -9,10 +9,11 @@ use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{
     BAD_TOUCHES, DETECTING, JOB_RUNNING, NO_LINK, OUT_OF_RANGE, STILL_MOVING,
 };
-use dobot_api::{Backlash, CalibrationFile, Calibrations, Reply, Request};
+use dobot_api::{Backlash, CalibrationFile, Calibrations, PaperPlane, Reply, Request};
 use dobot_arm::{Joints, Tool};
 use dobot_calibrate::{
-    Advice, BAR_MM, SHEET_POINTS, Touch, Trust, Unsure, check_bar, fit, found, sheet_svg,
+    Advice, BAR_MM, Fit, SHEET_POINTS, Touch, Trust, Unsure, check_bar, fit, found, paper,
+    residuals_svg, sheet_svg,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -64,6 +65,27 @@ pub(super) fn all() -> Vec<Route> {
         .gives::<FitReport>(200, "what they tell")
         .problems(&[BAD_TOUCHES]),
         Route::new(
+            POST,
+            "/api/v1/calibration/paper",
+            "How the paper lies that the tool has touched at true places: three tell its plane, more how it is bent. \
+                Nothing is kept: put it into the calibration",
+            fit_paper,
+        )
+        .brings::<Body<PaperTouches>>()
+        .example(PAPER_EXAMPLE)
+        .gives::<PaperReport>(200, "how it lies")
+        .problems(&[BAD_TOUCHES]),
+        Route::new(
+            POST,
+            "/api/v1/calibration/picture",
+            "What touches of the sheet tell, as a picture: how far each is from where it should be",
+            picture,
+        )
+        .brings::<Body<NewTouches>>()
+        .example(FIT_EXAMPLE)
+        .gives_text(200, "image/svg+xml", "the sheet with the touches")
+        .problems(&[BAD_TOUCHES]),
+        Route::new(
             GET,
             "/api/v1/calibration/points",
             "The points of the sheet, in the order in which they are touched",
@@ -86,6 +108,29 @@ const FIT_EXAMPLE: &str = r#"{"bar_mm": 200, "touches": [
     {"place_mm": [275, 100], "told_deg": [20.0, 58.6, 40.3]},
     {"place_mm": [275, -100], "told_deg": [-20.0, 58.6, 40.3]}
 ]}"#;
+
+const PAPER_EXAMPLE: &str =
+    r#"{"places_mm": [[160, -80, -42.1], [160, 80, -41.6], [270, 0, -43.0]]}"#;
+
+/// Places of the paper that the tool has touched.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(in super::super) struct PaperTouches {
+    /// Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them.
+    #[schemars(length(max = 400))]
+    places_mm: Vec<[f64; 3]>,
+}
+
+/// How the paper lies.
+#[derive(Debug, Serialize, JsonSchema)]
+struct PaperReport {
+    /// What is to be kept of it.
+    paper: PaperPlane,
+    /// How much higher than the plane each touch is, in mm.
+    away_mm: Vec<f64>,
+    /// How steep the plane is, in degrees.
+    slope_deg: f64,
+}
 
 /// What is to be known of the arm.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -171,7 +216,39 @@ async fn sheet() -> Response {
     ([(CONTENT_TYPE, "image/svg+xml")], sheet_svg()).into_response()
 }
 
+async fn fit_paper(Body(asked): Body<PaperTouches>) -> Result<Json<PaperReport>, NotDone> {
+    let found = paper(&asked.places_mm).map_err(|why| BAD_TOUCHES.problem(why.to_string()))?;
+    Ok(Json(PaperReport {
+        paper: found.paper,
+        away_mm: found.away_mm,
+        slope_deg: found.slope_deg,
+    }))
+}
+
 async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, NotDone> {
+    let (touches, fit) = fitted(&asked)?;
+    Ok(Json(FitReport {
+        calibration: found(&fit, asked.backlash),
+        away_mm: (0..touches.len()).map(|it| fit.residual_mm(it)).collect(),
+        left_out: fit.left_out,
+        expected_mm: fit.expected_mm,
+        unsure: fit.unsure,
+        advice: fit.advice,
+        trust: fit.trust,
+    }))
+}
+
+async fn picture(Body(asked): Body<NewTouches>) -> Result<Response, NotDone> {
+    let (touches, fit) = fitted(&asked)?;
+    Ok((
+        [(CONTENT_TYPE, "image/svg+xml")],
+        residuals_svg(&touches, &fit),
+    )
+        .into_response())
+}
+
+/// The touches, and what they tell.
+fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), NotDone> {
     let bad = |why: &dyn std::fmt::Display| BAD_TOUCHES.problem(why.to_string());
     if let Some(bar_mm) = asked.bar_mm {
         check_bar(bar_mm).map_err(|why| bad(&why))?;
@@ -191,13 +268,5 @@ async fn fit_touches(Body(asked): Body<NewTouches>) -> Result<Json<FitReport>, N
         Tool::SuctionCup
     };
     let fit = fit(&touches, tool).map_err(|why| bad(&why))?;
-    Ok(Json(FitReport {
-        calibration: found(&fit, asked.backlash),
-        away_mm: (0..touches.len()).map(|it| fit.residual_mm(it)).collect(),
-        left_out: fit.left_out,
-        expected_mm: fit.expected_mm,
-        unsure: fit.unsure,
-        advice: fit.advice,
-        trust: fit.trust,
-    }))
+    Ok((touches, fit))
 }

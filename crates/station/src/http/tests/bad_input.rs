@@ -82,7 +82,7 @@ fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
                     // A text may be no program, policy, scene, fault or name, touches may tell nothing; of the keys of a step some exclude each other.
                     let reads = [
                         "/drawings",
-                        "/calibration/fit",
+                        "/calibration/",
                         "/programs/",
                         "/policy",
                         "/world",

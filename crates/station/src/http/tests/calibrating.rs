@@ -15,6 +15,7 @@ const ARM: Calibration = Calibration {
     left_mm: -2.0,
     axis_mm: [0.0; 2],
     backlash_deg: [0.0; 3],
+    table: None,
 };
 
 /// What that arm says at a point of paper that is 45 mm below.
@@ -105,4 +106,43 @@ async fn the_sheet_is_an_image_to_print_and_nothing_is_known_at_first() {
         .await
         .is(200);
     assert!(matches!(harness.asked().last(), Some(Request::TellAngles)));
+}
+
+#[tokio::test]
+async fn touches_of_the_paper_tell_how_it_lies_and_that_may_be_kept() {
+    let harness = Harness::near();
+    let bent = |[x, y]: [f64; 2]| [x, y, -42.0 + 0.01 * x + (y / 100.0).powi(2)];
+    let touches: Vec<[f64; 3]> = points(&harness).await.into_iter().map(bent).collect();
+    let body = json!({"places_mm": touches}).to_string();
+    let found = harness.json("POST", "/api/v1/calibration/paper", body);
+    let found = found.await.is(200).value();
+    assert_eq!(found["paper"]["heights"].as_array().unwrap().len(), 9);
+    let zeros = json!({"base": 0.0, "rear": 0.0, "fore": 0.0});
+    let kept = json!({"calibration": {"zeros": zeros, "paper": found["paper"]}});
+    let kept = harness.json("PUT", "/api/v1/calibration", kept.to_string());
+    kept.await.is(200);
+    let asked = harness.asked();
+    let Some(Request::Calibrate {
+        calibration: Some(kept),
+    }) = asked.last()
+    else {
+        panic!("{asked:?}");
+    };
+    assert_eq!(kept.paper.as_ref().unwrap().heights.len(), 9);
+
+    let two = json!({"places_mm": touches[..2]}).to_string();
+    let answer = harness.json("POST", "/api/v1/calibration/paper", two).await;
+    let (kind, detail) = answer.is(422).problem();
+    assert_eq!(kind, "bad-touches");
+    assert!(detail.contains("a plane needs 3"), "{detail}");
+}
+
+#[tokio::test]
+async fn how_far_each_touch_is_off_is_a_picture() {
+    let harness = Harness::near();
+    let touches: Vec<Value> = points(&harness).await.into_iter().map(touch).collect();
+    let body = json!({"touches": touches}).to_string();
+    let answer = harness.json("POST", "/api/v1/calibration/picture", body);
+    let answer = answer.await;
+    assert!(answer.is(200).body.starts_with("<svg"));
 }

@@ -1,0 +1,160 @@
+//! Where the paper lies, from places of it that the tool has touched.
+
+use dobot_api::PaperPlane;
+use dobot_geometry::{HeightMap, Point};
+use dobot_plan::{Paper, PaperError};
+use thiserror::Error;
+
+/// The paper, and how well its touches agree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TouchedPaper {
+    /// Where it lies: flat where three places were touched, else bent through all that were.
+    pub paper: PaperPlane,
+    /// How much higher than the plane each touch is, in mm.
+    pub away_mm: Vec<f64>,
+    /// How steep the plane is, in degrees.
+    pub slope_deg: f64,
+}
+
+impl TouchedPaper {
+    /// From the lowest touch to the highest, seen from the plane, in mm.
+    #[must_use]
+    pub fn bent_mm(&self) -> f64 {
+        let least = self.away_mm.iter().copied().fold(0.0, f64::min);
+        self.away_mm.iter().copied().fold(0.0, f64::max) - least
+    }
+}
+
+/// Finds how the paper lies that the tool has touched at these true places: X, Y, Z in mm.
+///
+/// # Errors
+///
+/// [`PaperTouchError`] where they do not tell it.
+pub fn paper(touched: &[[f64; 3]]) -> Result<TouchedPaper, PaperTouchError> {
+    if touched.len() < LEAST_TOUCHES {
+        return Err(PaperTouchError::TooFew(touched.len()));
+    }
+    let mut places = (1..).zip(touched);
+    if let Some((number, _)) = places.find(|(_, it)| it.iter().any(|v| !v.is_finite())) {
+        return Err(PaperTouchError::NoPlace(number));
+    }
+    if let Some((first, second)) = same_place(touched) {
+        return Err(PaperTouchError::SamePlace(first, second));
+    }
+    let plane = Paper::through(touched)?.plane();
+    let higher = |&[x_mm, y_mm, z_mm]: &[f64; 3]| z_mm - plane.z_at([x_mm, y_mm]);
+    let away_mm: Vec<f64> = touched.iter().map(higher).collect();
+    let farthest = (1..)
+        .zip(&away_mm)
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    if let Some((number, &away_mm)) = farthest.filter(|it| it.1.abs() > MOST_BENT_MM) {
+        return Err(PaperTouchError::NoPaper { number, away_mm });
+    }
+    let heights: Vec<[f64; 3]> = if touched.len() > LEAST_TOUCHES {
+        let bent = touched.iter().zip(&away_mm);
+        bent.map(|([x_mm, y_mm, _], away_mm)| [*x_mm, *y_mm, *away_mm])
+            .collect()
+    } else {
+        Vec::new()
+    };
+    if !heights.is_empty() && HeightMap::through(&heights).is_none() {
+        return Err(PaperError::Collinear(0.0).into());
+    }
+    Ok(TouchedPaper {
+        slope_deg: plane.slope_x.hypot(plane.slope_y).atan().to_degrees(),
+        paper: PaperPlane {
+            z_mm: plane.z0_mm,
+            slope_x: plane.slope_x,
+            slope_y: plane.slope_y,
+            heights,
+        },
+        away_mm,
+    })
+}
+
+/// Two touches that are at the same place, counted from 1.
+fn same_place(touched: &[[f64; 3]]) -> Option<(usize, usize)> {
+    let place = |&[x_mm, y_mm, _]: &[f64; 3]| Point::new(x_mm, y_mm);
+    (0..touched.len()).find_map(|second| {
+        let near = |it: &[f64; 3]| place(it).distance(place(&touched[second])) < LEAST_APART_MM;
+        let first = touched[..second].iter().position(near)?;
+        Some((first + 1, second + 1))
+    })
+}
+
+/// Why touches do not tell how the paper lies, and what to do about it.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PaperTouchError {
+    /// There are too few.
+    #[error(
+        "touched so far: {0}; a plane needs 3 places, and paper that is bent needs 9 and more: touch more places of it"
+    )]
+    TooFew(usize),
+    /// A touch is no place, by its number, counted from 1.
+    #[error("touch {0} is not a place: all three of its numbers have to be finite")]
+    NoPlace(usize),
+    /// Two touches are nearly at the same place, counted from 1.
+    #[error(
+        "touches {0} and {1} are at the same place, within 5 mm: touch places that are farther apart"
+    )]
+    SamePlace(usize, usize),
+    /// They span no plane, or one that is too steep.
+    #[error(transparent)]
+    Plane(#[from] PaperError),
+    /// One is too far from the plane of all.
+    #[error(
+        "touch {number} is {away_mm:.1} mm from the plane of all touches, and allowed are {MOST_BENT_MM} mm: touch it again"
+    )]
+    NoPaper {
+        /// Which, counted from 1.
+        number: usize,
+        /// How much higher it is, in mm.
+        away_mm: f64,
+    },
+}
+
+const LEAST_TOUCHES: usize = 3;
+const LEAST_APART_MM: f64 = 5.0;
+/// What is bent by more is no paper on a table.
+const MOST_BENT_MM: f64 = 3.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::SHEET_POINTS;
+
+    #[test]
+    fn three_touches_tell_a_plane_and_more_how_it_is_bent() {
+        let board = |[x, y]: [f64; 2]| -42.0 + 0.01 * x - 0.02 * y + (y / 100.0).powi(2);
+        let touched = SHEET_POINTS.map(|[x, y]| [x, y, board([x, y])]);
+        let flat = paper(&touched[..3]).unwrap();
+        assert!(flat.paper.heights.is_empty());
+        assert!(flat.away_mm.iter().all(|it| it.abs() < 1e-9));
+        let bent = paper(&touched).unwrap();
+        assert!((bent.bent_mm() - 1.0).abs() < 1e-9, "{}", bent.bent_mm());
+        // No touch is below its table.
+        for [x, y, z] in touched {
+            assert!(bent.paper.table().z_at([x, y]) < z + 1e-9);
+        }
+    }
+
+    #[test]
+    fn touches_that_tell_no_paper_are_refused_with_what_to_do() {
+        let mut touched = SHEET_POINTS.map(|[x, y]| [x, y, -42.0]);
+        touched[4][2] = -30.0;
+        let refused = |it: &[[f64; 3]]| paper(it).unwrap_err().to_string();
+        assert!(
+            refused(&touched).starts_with("touch 5 is "),
+            "{}",
+            refused(&touched)
+        );
+        assert!(refused(&touched[..2]).starts_with("touched so far: 2; a plane needs 3 places"));
+        let twice = [touched[0], touched[1], touched[0], touched[2]];
+        assert!(refused(&twice).starts_with("touches 1 and 3 are at the same place"));
+        let line = [touched[0], touched[5], touched[6]];
+        assert!(refused(&line).contains("of one line"), "{}", refused(&line));
+        assert!(refused(&[[f64::NAN; 3]; 3]).starts_with("touch 1 is not a place"));
+    }
+}

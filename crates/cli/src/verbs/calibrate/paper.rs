@@ -1,0 +1,272 @@
+//! Touching the paper: how it lies, and how it is bent.
+
+use std::io;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use crossterm::event::{Event, KeyEventKind};
+use dobot_api::{CalibrationFile, State};
+use dobot_calibrate::{PaperTouchError, SHEET_POINTS, TouchedPaper, paper};
+use ratatui::Frame;
+use ratatui::style::Stylize;
+use ratatui::text::Line;
+
+use super::kept::Kept;
+use super::screen;
+use super::toucher::{TouchKey, touch_key};
+use crate::pendant::{Panel, Pendant};
+
+/// Lets a person touch the paper.
+#[derive(Debug)]
+pub(crate) struct PaperToucher {
+    pendant: Pendant,
+    /// The true places, in mm.
+    touched: Vec<[f64; 3]>,
+    /// How many of the suggested places were left out.
+    skipped: usize,
+    /// What the touches tell now.
+    outcome: Result<TouchedPaper, PaperTouchError>,
+    /// The arm, whose paper is looked for.
+    arm: CalibrationFile,
+    kept: Kept,
+}
+
+impl PaperToucher {
+    /// Keeps what is found in a file, beside all else that is known of the arm.
+    pub(crate) fn new(pendant: Pendant, file: PathBuf, known: Option<CalibrationFile>) -> Self {
+        Self {
+            pendant,
+            touched: Vec::new(),
+            skipped: 0,
+            outcome: paper(&[]),
+            arm: known.clone().unwrap_or_default(),
+            kept: Kept::new(file, known),
+        }
+    }
+
+    fn handle_key(&mut self, key: TouchKey) {
+        self.pendant.let_go();
+        if key != TouchKey::Keep {
+            self.kept.forget_shown();
+        }
+        match key {
+            TouchKey::Touch => match self.place() {
+                Ok(place) => {
+                    self.touched.push(place);
+                    self.judge();
+                }
+                Err(why) => self.pendant.tell(format!("not touched: {why}")),
+            },
+            TouchKey::Undo if self.touched.pop().is_some() => self.judge(),
+            TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
+            TouchKey::Skip => self.skipped += 1,
+            TouchKey::Keep => self.keep(),
+            TouchKey::Block => self
+                .pendant
+                .tell("the paper itself is touched, not a block".into()),
+        }
+    }
+
+    /// Where the arm rests, if that can be believed.
+    fn place(&self) -> Result<[f64; 3], &'static str> {
+        let status = self
+            .pendant
+            .resting("the pose is not trusted; press r, look, and press y")?;
+        Ok([status.x_mm, status.y_mm, status.z_mm].map(f64::from))
+    }
+
+    fn judge(&mut self) {
+        self.outcome = paper(&self.touched);
+        let touched = self.touched.len();
+        self.pendant.tell(format!("{touched} touched"));
+    }
+
+    fn keep(&mut self) {
+        let told = match &self.outcome {
+            Ok(found) => self.kept.keep(CalibrationFile {
+                paper: Some(found.paper.clone()),
+                ..self.arm.clone()
+            }),
+            Err(why) => Some(format!("nothing to keep: {why}")),
+        };
+        if let Some(text) = told {
+            self.pendant.tell(text);
+        }
+    }
+
+    fn lines(&self) -> Vec<Line<'static>> {
+        let next = self.touched.len() + self.skipped;
+        let [x_mm, y_mm] = SHEET_POINTS[next % SHEET_POINTS.len()];
+        let text = format!(
+            "touch the paper near {x_mm}, {y_mm}, from above ({} touched; 3 tell a plane, 9 how it is bent)",
+            self.touched.len()
+        );
+        let mut lines = vec![Line::from(text).bold()];
+        match &self.outcome {
+            Ok(found) => lines.extend(result(found)),
+            Err(why) => {
+                let texts = screen::wrapped(&why.to_string());
+                lines.extend(texts.into_iter().map(Line::from));
+            }
+        }
+        lines
+    }
+}
+
+fn result(found: &TouchedPaper) -> [Line<'static>; 3] {
+    let away = (1..).zip(&found.away_mm);
+    let away: Vec<String> = away
+        .map(|(number, mm)| format!("{number} {mm:+.2}"))
+        .collect();
+    let is_bent = !found.paper.heights.is_empty();
+    [
+        Line::from(format!(
+            "the paper: z {:.2} mm at the base's axis, steep by {:.2} degrees",
+            found.paper.z_mm, found.slope_deg
+        )),
+        Line::from(format!("higher than its plane, mm: {}", away.join("  "))),
+        if is_bent {
+            Line::from(format!(
+                "bent by {:.2} mm; what is drawn follows it",
+                found.bent_mm()
+            ))
+        } else {
+            Line::from("a plane; further touches tell whether it is one").dim()
+        },
+    ]
+}
+
+impl Panel for PaperToucher {
+    fn pendant(&mut self) -> &mut Pendant {
+        &mut self.pendant
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        screen::draw_touching(frame, &self.pendant, "paper", self.lines(), &[]);
+    }
+
+    fn handle_event(&mut self, now: Duration, event: &Event) {
+        match event {
+            Event::Key(key) if key.kind == KeyEventKind::Release => {}
+            Event::Key(key) => {
+                if let Some(meaning) = touch_key(key) {
+                    if key.kind == KeyEventKind::Press {
+                        self.handle_key(meaning);
+                    }
+                    return;
+                }
+                self.kept.forget_shown();
+            }
+            _ => {}
+        }
+        self.pendant.handle_event(now, event);
+    }
+
+    fn handle_state(&mut self, state: State) {
+        let is_lost = state.arm.is_some() && !state.trust.trusted;
+        self.pendant.handle_state(state);
+        if is_lost && !self.touched.is_empty() {
+            self.touched.clear();
+            self.judge();
+            let text = "the arm was reset: its base counts anew, and all touches are forgotten; touch the paper again";
+            self.pendant.tell(text.into());
+        }
+    }
+
+    fn poll_file(&mut self) -> Option<(PathBuf, String)> {
+        self.kept.poll_file()
+    }
+
+    fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
+        if let Some(told) = self.kept.handle_saved(&text, saved) {
+            self.pendant.tell(told);
+        }
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+    use dobot_api::{ClientId, Zeros};
+    use dobot_calibrate::read_calibration;
+
+    use super::*;
+    use crate::pendant::{Drive, KeyReports, STATE};
+
+    fn toucher(known: Option<CalibrationFile>) -> PaperToucher {
+        let dead_man = Duration::from_millis(150);
+        let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
+        PaperToucher::new(pendant, "arm.toml".into(), known)
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
+    fn at(place: [f64; 3]) -> State {
+        let mut state: State = serde_json::from_str(STATE).unwrap();
+        let status = &mut state.arm.as_mut().unwrap().status;
+        [status.x_mm, status.y_mm, status.z_mm] = place.map(|it| it as f32);
+        state
+    }
+
+    fn press(it: &mut PaperToucher, code: KeyCode) {
+        let key = KeyEvent::new(code, KeyModifiers::NONE);
+        it.handle_event(Duration::from_secs(1), &Event::Key(key));
+    }
+
+    fn touch_all(it: &mut PaperToucher, count: usize) {
+        for [x, y] in &SHEET_POINTS[..count] {
+            it.handle_state(at([*x, *y, -42.0 + 0.01 * x + (y / 100.0).powi(2)]));
+            press(it, KeyCode::Enter);
+        }
+    }
+
+    #[test]
+    fn the_paper_is_kept_beside_the_zeros_of_the_arm_after_it_was_shown() {
+        let known = CalibrationFile {
+            zeros: Zeros {
+                base: 3.0,
+                rear: 2.0,
+                fore: 1.0,
+            },
+            ..CalibrationFile::default()
+        };
+        let mut it = toucher(Some(known.clone()));
+        touch_all(&mut it, 9);
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+        press(&mut it, KeyCode::Char('w'));
+        let (file, text) = it.poll_file().unwrap();
+        assert_eq!(file, PathBuf::from("arm.toml.before"));
+        assert_eq!(read_calibration(&text).unwrap(), known);
+        let (file, text) = it.poll_file().unwrap();
+        assert_eq!(file, PathBuf::from("arm.toml"));
+        let kept = read_calibration(&text).unwrap();
+        assert_eq!(kept.zeros, known.zeros);
+        let found = kept.paper.unwrap();
+        assert_eq!(found.heights.len(), 9);
+        let bent: Vec<f64> = found.heights.iter().map(|it| it[2]).collect();
+        assert!((bent[1] - bent[0] - 1.0).abs() < 0.01, "{bent:?}");
+    }
+
+    #[test]
+    fn another_key_between_the_two_keeps_nothing() {
+        let mut it = toucher(None);
+        touch_all(&mut it, 3);
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('n'));
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+    }
+
+    #[test]
+    fn a_reset_of_the_arm_makes_the_touches_of_the_paper_void() {
+        let mut it = toucher(None);
+        touch_all(&mut it, 3);
+        let mut state = at([200.0, 0.0, -42.0]);
+        state.trust.trusted = false;
+        it.handle_state(state);
+        press(&mut it, KeyCode::Char('w'));
+        press(&mut it, KeyCode::Char('w'));
+        assert_eq!(it.poll_file(), None);
+    }
+}

@@ -1,0 +1,437 @@
+//! A person at a terminal who calibrates an arm with the keys alone, and draws with it.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::sync::mpsc::Receiver;
+use std::time::Duration;
+
+use data_encoding::BASE64;
+use dobot_arm::{Calibration, Joints, Position, Tool};
+use dobot_calibrate::SHEET_POINTS;
+use dobot_geometry::{Point, Stroke, bounds_of_strokes, deviation};
+use dobot_wire::Status;
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use crate::going::Going;
+use crate::program::{command, dobot, example};
+use crate::stations::Up;
+use crate::terminal::{Keyboard, Terminal};
+use crate::wire::{Passed, wire};
+
+/// What is wrong with the arm: more than ten millimetres on the paper.
+const TRUTH: &str = "[zeros]\nbase = 4.0\nrear = -4.0\nfore = 4.0\n";
+const ZEROS: Calibration = Calibration {
+    base_deg: 4.0,
+    rear_deg: -4.0,
+    fore_deg: 4.0,
+    ..Calibration::NONE
+};
+const PAPER_MM: f64 = -40.0;
+const SCENE: &str = "[paper]\nx_mm = [130, 300]\ny_mm = [-120, 120]\n[pen]\ndown_z_mm = -40\ngive_mm = 2\nwidth_mm = 0.4\n";
+
+/// The person sees where the tip truly is, and knows no numbers of the arm.
+struct Person {
+    passed: Receiver<Passed>,
+    terminal: Terminal,
+    /// How far a press moves the arm: nothing where it moves for as long as a key is held.
+    step_mm: Option<f64>,
+}
+
+impl Person {
+    /// Where the tip comes to rest.
+    fn sees(&self) -> [f64; 3] {
+        let (mut last, mut same) = (None, 0);
+        while same < 5 {
+            let place = tip(&self.next());
+            same = if last == Some(place) { same + 1 } else { 0 };
+            last = Some(place);
+        }
+        last.expect("it was seen")
+    }
+
+    fn next(&self) -> Status {
+        loop {
+            let next = self.passed.recv_timeout(Duration::from_secs(30));
+            if let Passed::FromArm(_, status) = next.expect("the arm tells something") {
+                return status;
+            }
+        }
+    }
+
+    /// Presses the point until a press moves the arm by so much.
+    fn steps_of(&mut self, step_mm: Option<f64>) {
+        const STEPS: [Option<f64>; 3] = [None, Some(1.0), Some(0.1)];
+        let index = |it| STEPS.iter().position(|step| *step == it).expect("a step");
+        let presses = (index(step_mm) + 3 - index(self.step_mm)) % 3;
+        self.terminal.types(&".".repeat(presses));
+        self.step_mm = step_mm;
+    }
+
+    /// Holds a key until the tip is nearly there along an axis.
+    fn holds(&mut self, axis: usize, wanted_mm: f64) {
+        self.steps_of(None);
+        let far_mm = wanted_mm - self.sees()[axis];
+        if far_mm.abs() < 8.0 {
+            return;
+        }
+        let key = KEYS[axis][usize::from(far_mm < 0.0)];
+        // Near the limits of the arm it is refused: steps get farther.
+        for _ in 0..PATIENCE {
+            // Held: it repeats.
+            self.terminal.types(key);
+            let left_mm = wanted_mm - tip(&self.next())[axis];
+            if left_mm.abs() < 8.0 || left_mm.signum() != far_mm.signum() {
+                return;
+            }
+        }
+    }
+
+    /// Presses keys until the tip is where it is wanted, to half a step along each axis.
+    fn presses(&mut self, wanted: [f64; 3], step_mm: f64) {
+        self.steps_of(Some(step_mm));
+        for _ in 0..200 {
+            let at = self.sees();
+            let away = [0, 1, 2].map(|axis| wanted[axis] - at[axis]);
+            let farthest = (0..3).max_by(|a, b| away[*a].abs().total_cmp(&away[*b].abs()));
+            let axis = farthest.expect("there are axes");
+            if away[axis].abs() <= 0.6 * step_mm {
+                return;
+            }
+            self.terminal
+                .types(KEYS[axis][usize::from(away[axis] < 0.0)]);
+            // The arm moves, unless the key came too early.
+            for _ in 0..6 {
+                if tip(&self.next()) != at {
+                    break;
+                }
+            }
+        }
+        panic!("the tip does not come to {wanted:?}: {:?}", self.sees());
+    }
+
+    fn touches(&mut self, [x, y]: [f64; 2]) {
+        self.presses_up();
+        // Not along the limits of the arm.
+        for (axis, wanted_mm) in [(0, 215.0), (1, y), (0, x), (2, PAPER_MM + 4.0)] {
+            self.holds(axis, wanted_mm);
+        }
+        self.presses([x, y, PAPER_MM + 1.0], 1.0);
+        self.presses([x, y, PAPER_MM], 0.1);
+        self.sees();
+        self.terminal.types("\r");
+    }
+
+    /// The tip leaves the paper before it goes to the next point.
+    fn presses_up(&mut self) {
+        let [x, y, z] = self.sees();
+        if z < PAPER_MM + 3.0 {
+            self.presses([x, y, PAPER_MM + 4.0], 1.0);
+        }
+    }
+}
+
+/// Where the tip truly is.
+fn tip(status: &Status) -> [f64; 3] {
+    let told = Joints::new(
+        status.base_deg.into(),
+        status.rear_deg.into(),
+        status.fore_deg.into(),
+        0.0,
+    );
+    let at = ZEROS.true_place_of(&told, Tool::SuctionCup);
+    [at.x.0, at.y.0, at.z.0]
+}
+
+#[test]
+fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_should() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let in_folder = |name: &str| folder.path().join(name).display().to_string();
+    let [truth, found] = ["truth.toml", "arm.toml"].map(in_folder);
+    fs::write(&truth, TRUTH).expect("there is room");
+
+    let mut arm = Going::new(command(&[
+        "arm",
+        "--tcp",
+        "127.0.0.1:0",
+        "--calibration",
+        &truth,
+        "--speed",
+        "10",
+    ]));
+    let address = arm.address();
+    let address = address.trim_start_matches("tcp:");
+    let (wire, passed) = wire(address.parse().expect("an address"));
+    let to = format!("tcp:{wire}");
+    let calibrate = [
+        "calibrate",
+        &found,
+        "--bar",
+        "200",
+        "--to",
+        &to,
+        "--dialect",
+        "specification",
+        "--pose-confirmed",
+    ];
+    let mut terminal = Terminal::new(&command(&calibrate), Keyboard::Plain);
+    terminal.shows("STOP");
+    let mut person = Person {
+        passed,
+        terminal,
+        step_mm: None,
+    };
+    // Slowly: the time of this arm passes ten times as fast as the person's.
+    person.terminal.types("1");
+    for point in &SHEET_POINTS[..5] {
+        person.touches(*point);
+    }
+    person.terminal.types("wwq");
+    assert!(person.terminal.ends().success());
+    let kept = fs::read_to_string(&found).expect("the calibration was kept");
+    assert!(kept.contains("points = 5"), "{kept}");
+    // It is called as its file.
+    let stem = Path::new(&found).file_stem().expect("it is a file");
+    let name = stem.to_string_lossy();
+    assert!(kept.contains(&format!("name = \"{name}\"")), "{kept}");
+
+    let arm = DrawingArm::new();
+    let harbour = example("harbour.svg");
+    let draw = [
+        "draw",
+        &harbour,
+        "--to",
+        &arm.address,
+        "--dialect",
+        "specification",
+    ];
+    dobot(&[&draw[..], &["--pose-confirmed", "--calibration", &found]].concat()).succeeds();
+    let after = deviation(&wanted(), &arm.ink()).largest_mm();
+    assert!(after < 0.3, "{after} mm after the calibration");
+}
+
+#[test]
+fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should() {
+    let arm = DrawingArm::new();
+    let at = ["--arm", arm.address.as_str(), "--dialect", "specification"];
+    let up = Up::with_arm(&at, &[]);
+    let api = Api::new(&up.page);
+    api.asks("POST", "pose/confirm", &json!({}));
+    let touches = SHEET_POINTS.map(|[x, y]| {
+        let there = Position::new(x, y, PAPER_MM);
+        let on = ZEROS.told_joints(there, Tool::SuctionCup).expect("it reaches the sheet");
+        let above = [on.base.0 - 3.0, on.rear.0 - 1.0, on.fore.0 - 1.0];
+        for [base, rear, fore] in [above, [on.base.0, on.rear.0, on.fore.0]] {
+            let command = json!({
+                "type": "move_joints", "base_deg": base, "rear_deg": rear, "fore_deg": fore, "servo_deg": 0.0,
+                "suction": false, "gripper_deg": 0.0, "mode": "movj", "pause_s": 0.0,
+            });
+            api.asks("POST", "commands", &json!({"command": command, "wait": true}));
+        }
+        let arm = &api.asks("GET", "state", &Value::Null)["arm"];
+        json!({"place_mm": [x, y], "told_deg": [arm["base_deg"], arm["rear_deg"], arm["fore_deg"]]})
+    });
+    let touches = json!({"touches": touches, "bar_mm": 200});
+    let fit = api.asks("POST", "calibration/fit", &touches);
+    assert_eq!(fit["trust"], "good", "{fit}");
+    api.asks(
+        "PUT",
+        "calibration",
+        &json!({"calibration": fit["calibration"]}),
+    );
+
+    // The pen left marks where it touched.
+    let marks = arm.ink().len();
+    let file = fs::read(example("harbour.svg")).expect("it is there");
+    let options = json!({"tool": {}, "place": {}, "way": {}, "what": {}});
+    let drawing = json!({"name": "harbour.svg", "file": BASE64.encode(&file), "options": options});
+    let drawing = api.asks("POST", "drawings", &drawing)["drawing"].to_string();
+    while api.asks("GET", &format!("drawings/{drawing}"), &Value::Null)["phase"] != "planned" {}
+    let job = api.asks(
+        "POST",
+        &format!("drawings/{drawing}/jobs"),
+        &json!({"part": "whole"}),
+    );
+    let job = job["job"]["job"].to_string();
+    api.asks("POST", &format!("jobs/{job}/start"), &json!({}));
+    api.hears(|state| state["job"].is_null() || state["job"]["phase"] != "running");
+    let jobs = api.asks("GET", "jobs", &Value::Null);
+    assert_eq!(jobs[0]["phase"], "done", "{jobs}");
+    let after = deviation(&wanted(), &arm.ink()[marks..]).largest_mm();
+    assert!(after < 0.3, "{after} mm after the calibration");
+}
+
+/// The API of a station, with control of its arm.
+struct Api {
+    address: String,
+    lease: String,
+}
+
+impl Api {
+    fn new(page: &str) -> Self {
+        let address = page.replace("http://", "").trim_end_matches('/').to_owned();
+        let mut api = Self {
+            address,
+            lease: String::new(),
+        };
+        let lease = api.asks("POST", "lease", &json!({}));
+        let token = lease["token"].as_str();
+        token
+            .unwrap_or_else(|| panic!("{lease}"))
+            .clone_into(&mut api.lease);
+        api
+    }
+
+    /// Listens until it tells such a state.
+    fn hears(&self, is_it: impl Fn(&Value) -> bool) {
+        let Self { address, .. } = self;
+        let mut way = TcpStream::connect(address).expect("the station listens");
+        write!(
+            way,
+            "GET /api/v1/events?states=2 HTTP/1.0\r\nHost: {address}\r\n\r\n"
+        )
+        .expect("it is sent");
+        let lines = BufReader::new(way).lines().map_while(Result::ok);
+        let data = lines.filter_map(|it| it.strip_prefix("data:").map(read_json));
+        let mut states = data.filter(|it| it["state"].is_object());
+        assert!(
+            states.any(|it| is_it(&it["state"])),
+            "the station tells no more"
+        );
+    }
+
+    /// What it answers, which is no problem.
+    fn asks(&self, method: &str, path: &str, body: &Value) -> Value {
+        let Self { address, lease } = self;
+        let body = if body.is_null() {
+            String::new()
+        } else {
+            body.to_string()
+        };
+        let lease = if lease.is_empty() {
+            String::new()
+        } else {
+            format!("Dobot-Lease: {lease}\r\n")
+        };
+        let mut way = TcpStream::connect(address).expect("the station listens");
+        write!(
+            way,
+            "{method} /api/v1/{path} HTTP/1.0\r\nHost: {address}\r\nContent-Type: application/json\r\n\
+             Content-Length: {}\r\n{lease}\r\n{body}",
+            body.len()
+        )
+        .expect("it is sent");
+        let mut answer = String::new();
+        way.read_to_string(&mut answer).expect("it answers");
+        let (head, body) = answer.split_once("\r\n\r\n").expect("a head and a body");
+        assert!(head.starts_with("HTTP/1.0 20"), "{method} {path}: {answer}");
+        match body {
+            "" => Value::Null,
+            text => read_json(text),
+        }
+    }
+}
+
+/// The harbour where it is to be on the paper: as it is exported, turned into the frame of the arm.
+fn wanted() -> Vec<Stroke> {
+    let folder = tempfile::tempdir().expect("there is room");
+    let export = folder.path().join("plan.json").display().to_string();
+    let harbour = example("harbour.svg");
+    let plan = [
+        "draw",
+        &harbour,
+        "--to",
+        "virtual:",
+        "--dry-run",
+        "--json",
+        "--export",
+        &export,
+    ];
+    let report = read_json(&dobot(&plan).succeeds().stdout);
+    let exported = fs::read_to_string(&export).expect("it was written");
+    let strokes = strokes(&read_json(&exported)["strokes"], "points");
+    let page = bounds_of_strokes(&strokes);
+    let [far_mm, left_mm] = [2, 3].map(|it| report["ink_mm"][it].as_f64().expect("a number"));
+    let placed = |it: &Point| Point::new(far_mm - (it.y - page.y0), left_mm - (it.x - page.x0));
+    strokes
+        .into_iter()
+        .map(|it| Stroke {
+            points: it.points.iter().map(placed).collect(),
+            ..it
+        })
+        .collect()
+}
+
+/// An arm with wrong zeros and a pen, on paper; its time passes fifty times as fast as a clock.
+struct DrawingArm {
+    _served: Going,
+    _folder: TempDir,
+    address: String,
+    world: String,
+}
+
+impl DrawingArm {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().expect("there is room");
+        let in_folder = |name: &str| folder.path().join(name).display().to_string();
+        let [truth, scene] = ["truth.toml", "scene.toml"].map(in_folder);
+        fs::write(&truth, TRUTH).expect("there is room");
+        fs::write(&scene, SCENE).expect("there is room");
+        let arm = [
+            "arm",
+            "--tcp",
+            "127.0.0.1:0",
+            "--calibration",
+            &truth,
+            "--speed",
+            "50",
+        ];
+        let world = ["--world", &scene, "--world-port", "127.0.0.1:0"];
+        let mut served = Going::new(command(&[&arm[..], &world].concat()));
+        let (address, world) = (served.address(), served.address());
+        Self {
+            _served: served,
+            _folder: folder,
+            address,
+            world,
+        }
+    }
+
+    /// What it has drawn.
+    fn ink(&self) -> Vec<Stroke> {
+        let state = dobot(&["world", "--json", "--from", &self.world]).succeeds();
+        strokes(&read_json(&state.stdout)["strokes"], "points_mm")
+    }
+}
+
+fn read_json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+fn strokes(all: &Value, points: &str) -> Vec<Stroke> {
+    let number = |it: &Value| it.as_f64().expect("a number");
+    let point = |it: &Value| Point::new(number(&it[0]), number(&it[1]));
+    let all = all.as_array().expect("strokes").iter();
+    all.map(|it| Stroke {
+        points: it[points]
+            .as_array()
+            .expect("points")
+            .iter()
+            .map(point)
+            .collect(),
+        ..Stroke::default()
+    })
+    .collect()
+}
+
+/// For so many statuses a key is held.
+const PATIENCE: usize = 150;
+
+/// Forward and back, left and right, up and down.
+const KEYS: [[&str; 2]; 3] = [
+    ["\x1b[A", "\x1b[B"],
+    ["\x1b[D", "\x1b[C"],
+    ["\x1b[5~", "\x1b[6~"],
+];

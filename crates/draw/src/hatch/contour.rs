@@ -1,0 +1,205 @@
+//! Areas filled with their own outline, farther and farther inside.
+
+use dobot_geometry::{
+    Area, FillRule, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds,
+};
+use i_overlay::core::fill_rule::FillRule as Rule;
+use i_overlay::float::simplify::SimplifyShape;
+use i_overlay::mesh::float::outline::offset::OutlineOffset;
+use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
+
+use super::{Hatch, HatchError};
+
+/// Closed lines inside of each other, so far apart. The edge of the area is drawn already: where no
+/// inset is asked for, the first lies one spacing inside.
+pub(super) fn contours(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
+    let first_mm = if hatch.inset_mm > 0.0 {
+        hatch.inset_mm
+    } else {
+        hatch.spacing_mm
+    };
+    let levels = levels(area, first_mm, hatch.spacing_mm)?;
+    Ok(levels.into_iter().flatten().map(closed).collect())
+}
+
+/// The same lines, joined: while the pen goes around one it moves on to the next, as far as each has
+/// but one that follows it. The innermost goes all around.
+///
+/// ```text
+///   .-----------.
+///   | .-------. |
+///   | | .---. | |    from the edge in
+///   | | '-- | | |
+///   | '-----' | |
+///   '---------' /
+/// ```
+pub(super) fn spirals(area: &Area, hatch: &Hatch) -> Result<Vec<Stroke>, HatchError> {
+    let levels = levels(area, hatch.inset_mm, hatch.spacing_mm)?;
+    let next = followers(&levels);
+    let mut strokes = Vec::new();
+    let mut is_followed = vec![Vec::new(); levels.len()];
+    for (level, rings) in levels.iter().enumerate() {
+        is_followed[level].resize(rings.len(), false);
+    }
+    for (level, rings) in levels.iter().enumerate() {
+        for (number, ring) in rings.iter().enumerate() {
+            if is_followed[level][number] {
+                continue;
+            }
+            let (mut points, mut here, mut at) = (Vec::new(), ring.clone(), (level, number));
+            while let Some(follower) = next[at.0][at.1] {
+                let inner = &levels[at.0 + 1][follower];
+                let inner = begun_near(inner, here[0]);
+                points.append(&mut coil(&here, &inner, hatch.spacing_mm));
+                at = (at.0 + 1, follower);
+                is_followed[at.0][at.1] = true;
+                here = inner;
+            }
+            let is_edge = at.0 == 0 && hatch.inset_mm <= 0.0;
+            if points.is_empty() && is_edge {
+                // The edge alone is drawn already.
+                continue;
+            }
+            points.extend(here.iter().chain(here.first()));
+            strokes.push(Stroke {
+                closed: points.first() == points.last(),
+                points,
+            });
+        }
+    }
+    Ok(strokes)
+}
+
+/// The rings of the area made smaller by the first distance, then by a spacing more each, until
+/// nothing is left.
+fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Point>>>, HatchError> {
+    let ink = bounds(area.rings.iter().flatten().copied());
+    let corners: usize = area.rings.iter().map(Vec::len).sum();
+    let rounds = ink.width().min(ink.height()).max(0.0) / (2.0 * spacing_mm);
+    #[expect(clippy::cast_precision_loss, reason = "no more than memory holds")]
+    let corners = corners as f64 * rounds;
+    if corners > f64::from(MOST_CORNERS) {
+        let most = MOST_CORNERS;
+        return Err(HatchError::TooManyCorners { corners, most });
+    }
+    let rule = match area.rule {
+        FillRule::NonZero => Rule::NonZero,
+        FillRule::EvenOdd => Rule::EvenOdd,
+    };
+    let plain = |ring: &Vec<Point>| ring.iter().map(|p| [p.x, p.y]).collect();
+    let rings: Vec<Vec<[f64; 2]>> = area.rings.iter().map(plain).collect();
+    let whole = rings.simplify_shape_as::<i64>(rule);
+    let (mut levels, mut round) = (Vec::new(), 0.0);
+    // The narrower side is used up after so many, whatever becomes of tips that are thinner than numbers tell.
+    while round <= rounds + 1.0 {
+        // Each from the area itself: corners that are rounded again and again have ever more points.
+        let by_mm = first_mm + round * spacing_mm;
+        let shapes = if by_mm > 0.0 {
+            whole.outline_as::<i64>(&inwards(by_mm))
+        } else {
+            whole.clone()
+        };
+        if shapes.is_empty() {
+            break;
+        }
+        let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
+        let rings = shapes.iter().flatten();
+        levels.push(rings.map(|ring| ring.iter().map(point).collect()).collect());
+        round += 1.0;
+    }
+    Ok(levels)
+}
+
+fn inwards(by_mm: f64) -> OutlineStyle<f64> {
+    let share = (2.0 * ROUND_MM / by_mm).sqrt().clamp(0.02, 1.0);
+    OutlineStyle::new(-by_mm).line_join(LineJoin::Round(share))
+}
+
+/// For each ring the one of the next level that is its only follower, and that follows no other.
+fn followers(levels: &[Vec<Vec<Point>>]) -> Vec<Vec<Option<usize>>> {
+    let mut next: Vec<Vec<Option<usize>>> = levels.iter().map(|it| vec![None; it.len()]).collect();
+    for (level, pair) in levels.windows(2).enumerate() {
+        let (owners, edges): (Vec<usize>, Vec<(Point, Point)>) = pair[0]
+            .iter()
+            .enumerate()
+            .flat_map(|(number, ring)| edges(ring).map(move |edge| (number, edge)))
+            .unzip();
+        let index = SegmentIndex::new(edges);
+        let mut followed = vec![Vec::new(); pair[0].len()];
+        for (number, ring) in pair[1].iter().enumerate() {
+            if let Some((edge, _)) = index.nearest(ring[0]) {
+                followed[owners[edge as usize]].push(number);
+            }
+        }
+        for (ring, followers) in followed.iter().enumerate() {
+            if let [only] = followers[..] {
+                next[level][ring] = Some(only);
+            }
+        }
+    }
+    next
+}
+
+/// Once around a ring, on the way to the one inside, a spacing from it: at the end there.
+fn coil(ring: &[Point], inner: &[Point], spacing_mm: f64) -> Vec<Point> {
+    let length_mm: f64 = edges(ring).map(|(a, b)| a.distance(b)).sum();
+    let index = SegmentIndex::new(edges(inner).collect());
+    let mut gone_mm = 0.0;
+    let mut points = Vec::with_capacity(ring.len());
+    for (a, b) in edges(ring) {
+        let there = index.nearest(a).map_or(a, |(edge, _)| {
+            let (p, q) = index.segment(edge);
+            nearest_on((p, q), a).0
+        });
+        let moved = a.lerp(there, gone_mm / length_mm);
+        // Within a spacing of the ring inside all is area; beyond, as in a thin tip, only the ring itself is for sure.
+        let is_inside = moved.distance(there) <= spacing_mm;
+        points.push(if is_inside { moved } else { a });
+        gone_mm += a.distance(b);
+    }
+    points
+}
+
+/// The same ring from its place nearest to a point on.
+fn begun_near(ring: &[Point], p: Point) -> Vec<Point> {
+    let near = |&(_, edge): &(usize, (Point, Point))| nearest_on(edge, p).1;
+    let nearest = edges(ring)
+        .enumerate()
+        .min_by(|a, b| near(a).total_cmp(&near(b)));
+    let Some((number, edge)) = nearest else {
+        return ring.to_vec();
+    };
+    let begin = nearest_on(edge, p).0;
+    let behind = &ring[number + 1..];
+    let before = &ring[..=number];
+    let mut begun = vec![begin];
+    begun.extend(behind.iter().chain(before).filter(|&&it| it != begin));
+    begun
+}
+
+/// The place on an edge that is nearest to a point, and its squared distance.
+fn nearest_on((a, b): (Point, Point), p: Point) -> (Point, f64) {
+    if a == b {
+        return (a, (p - a).hypot2());
+    }
+    let nearest = Line::new(a, b).nearest(p, 0.0);
+    (a.lerp(b, nearest.t), nearest.distance_sq)
+}
+
+fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
+    let ends = ring.iter().cycle().skip(1);
+    ring.iter().copied().zip(ends.copied())
+}
+
+fn closed(mut ring: Vec<Point>) -> Stroke {
+    ring.extend(ring.first().copied());
+    Stroke {
+        points: ring,
+        closed: true,
+    }
+}
+
+/// How far a rounded corner may be from round, in mm.
+const ROUND_MM: f64 = 0.01;
+/// As many as 100 MB hold.
+const MOST_CORNERS: u32 = 2_000_000;

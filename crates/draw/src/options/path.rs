@@ -1,0 +1,56 @@
+//! The options that say how it is drawn.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::prepare::{Settings, TRIES};
+use crate::start::StartFrom;
+
+/// How it is drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[command(next_help_heading = "How it is drawn")]
+#[serde(default, deny_unknown_fields)]
+pub struct PathOptions {
+    /// How far the drawn path may leave the wanted one, in mm
+    #[arg(long, value_name = "MM", default_value_t = Self::default().tolerance)]
+    pub tolerance: f64,
+    /// Join strokes whose ends lie so near to each other, in mm (default: the tolerance)
+    #[arg(long, value_name = "MM")]
+    pub join: Option<f64>,
+    /// Leave out lines that lie on others from end to end
+    #[arg(long)]
+    pub drop_doubles: bool,
+    /// Draw in the order of the file
+    #[arg(long)]
+    pub keep_order: bool,
+    /// How long to look for the shortest way with the pen up: so many tries
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = Self::default().tries,
+        conflicts_with = "keep_order"
+    )]
+    pub tries: u32,
+    /// Look elsewhere: the same number gives the same order
+    #[arg(long, value_name = "N", default_value_t = Self::default().seed)]
+    pub seed: u64,
+    /// Begin later: at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
+    #[arg(long, value_name = "WHERE")]
+    pub from: Option<StartFrom>,
+}
+
+impl Default for PathOptions {
+    /// As [`Settings`].
+    fn default() -> Self {
+        let settings = Settings::default();
+        Self {
+            tolerance: settings.tolerance_mm,
+            join: None,
+            drop_doubles: false,
+            keep_order: false,
+            tries: TRIES,
+            seed: settings.seed,
+            from: None,
+        }
+    }
+}

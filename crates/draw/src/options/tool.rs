@@ -1,0 +1,103 @@
+//! The options that say with what it is drawn.
+
+use std::str::FromStr;
+
+use dobot_plan::Machine;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// With what it is drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[command(next_help_heading = "Pen or laser")]
+#[serde(default, deny_unknown_fields)]
+pub struct ToolOptions {
+    /// Draw with this pen
+    #[arg(
+        long,
+        value_name = "PEN",
+        default_value_t = Self::default().pen,
+        conflicts_with = "laser"
+    )]
+    pub pen: String,
+    /// Burn this material with the laser
+    #[arg(long, value_name = "MATERIAL")]
+    pub laser: Option<String>,
+    /// How far the pen is lifted to travel, in mm
+    #[arg(long, value_name = "MM")]
+    pub lift: Option<f64>,
+    /// Speed while drawing or burning, in mm/s
+    #[arg(long, value_name = "MM/S")]
+    pub speed: Option<f64>,
+    /// Speed between the strokes, in mm/s
+    #[arg(long, value_name = "MM/S")]
+    pub travel_speed: Option<f64>,
+    /// Draw or burn everything so often; a pen goes over each line so often before it is lifted
+    #[arg(long, value_name = "N")]
+    pub passes: Option<u32>,
+    /// What the laser burns so often before it goes on: a shape, or all of the layer
+    #[arg(long, value_name = "WHAT", default_value = "layer", requires = "laser")]
+    pub passes_by: PassesBy,
+    /// How wide the laser burns, in mm: closed shapes are cut larger by half of it, and holes in them smaller;
+    /// below 0 the other way round
+    #[arg(long, value_name = "MM", default_value_t = 0.0, requires = "laser")]
+    pub kerf: f64,
+    /// Begin each cut so far beside the shape, in mm
+    #[arg(long, value_name = "MM", default_value_t = 0.0, requires = "laser")]
+    pub lead_in: f64,
+    /// Go on so far behind where a cut began, in mm
+    #[arg(long, value_name = "MM", default_value_t = 0.0, requires = "laser")]
+    pub overcut: f64,
+    /// Leave so many places of each shape uncut, so that it does not fall out
+    #[arg(long, value_name = "N", default_value_t = 0, requires = "laser")]
+    pub tabs: u32,
+    /// How wide these places are, in mm
+    #[arg(long, value_name = "MM", default_value_t = Self::default().tab_width, requires = "tabs")]
+    pub tab_width: f64,
+    /// Acceleration, in mm/s²
+    #[arg(long, value_name = "MM/S2", default_value_t = Self::default().acceleration)]
+    pub acceleration: f64,
+}
+
+/// What a laser burns several times before it goes on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum PassesBy {
+    /// Each shape for itself.
+    Shape,
+    /// All shapes of a layer.
+    #[default]
+    Layer,
+}
+
+impl FromStr for PassesBy {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "shape" => Ok(Self::Shape),
+            "layer" => Ok(Self::Layer),
+            _ => Err("allowed are shape and layer"),
+        }
+    }
+}
+
+impl Default for ToolOptions {
+    /// A fineliner.
+    fn default() -> Self {
+        Self {
+            pen: "fineliner".to_owned(),
+            laser: None,
+            lift: None,
+            speed: None,
+            travel_speed: None,
+            passes: None,
+            passes_by: PassesBy::Layer,
+            kerf: 0.0,
+            lead_in: 0.0,
+            overcut: 0.0,
+            tabs: 0,
+            tab_width: 1.0,
+            acceleration: Machine::default().acceleration_mm_s2,
+        }
+    }
+}

@@ -1,0 +1,204 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use super::*;
+use crate::place::Size;
+use dobot_geometry::deviation;
+use dobot_plan::{Laser, MoveKind};
+
+const EXAMPLES: [&str; 3] = [
+    include_str!("../../../../examples/drawings/harbour.svg"),
+    include_str!("../../../../examples/drawings/rosette.svg"),
+    include_str!("../../../../examples/drawings/square.svg"),
+];
+
+fn anywhere(p: Position) -> Result<(), &'static str> {
+    if p.is_finite() {
+        Ok(())
+    } else {
+        Err("nowhere")
+    }
+}
+
+fn in_reach(p: Position) -> Result<(), String> {
+    let reach = p.reach().0;
+    if (129.0..=321.0).contains(&reach) {
+        Ok(())
+    } else {
+        Err(format!("reach is {reach}"))
+    }
+}
+
+#[test]
+fn the_examples_are_planned_within_tolerance_and_reach() {
+    for svg in EXAMPLES {
+        let prepared = prepare(&svg.into(), &Settings::default(), in_reach).unwrap();
+        let planned = prepared.plan.paths(MoveKind::Draw);
+        let worst = deviation(&prepared.wanted(), &planned);
+        assert!(worst.largest_mm() <= 0.045 + 1e-5, "{worst:?}");
+        assert_eq!(prepared.warnings, []);
+    }
+}
+
+#[test]
+fn an_enlarged_drawing_keeps_the_tolerance() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="2mm" height="2mm" viewBox="0 0 2 2">
+        <path d="M0 2C0 0 2 0 2 2" stroke="red" fill="none"/></svg>"#;
+    let mut settings = Settings::default();
+    settings.placement.size = Size::Fit;
+    let prepared = prepare(&svg.into(), &settings, anywhere).unwrap();
+    assert!((prepared.scale - 80.0).abs() < 0.1, "{}", prepared.scale);
+    // The curve is 2 mm wide and 1.5 mm high, its top at t = 1/2; the area is 120 mm deep.
+    let top = prepared.wanted()[0]
+        .points
+        .iter()
+        .fold(0.0, |top: f64, p| top.max(p.x));
+    assert!((top - 270.0).abs() < 0.01, "{top}");
+    let planned = prepared.plan.paths(MoveKind::Draw);
+    assert!(deviation(&prepared.wanted(), &planned).largest_mm() <= 0.0451);
+    assert!(prepared.wanted()[0].points.len() > 60);
+}
+
+#[test]
+fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
+    // Arcs of 100 m whose corners at 5 micrometres would be 70,000, sixty times over.
+    let arcs = (0..60).map(|i| format!("0 ARC 8 0 10 {i} 20 0 40 100 50 0 51 359 "));
+    let arcs: Vec<String> = arcs.collect();
+    let arcs = arcs.concat().replace(' ', "\n");
+    let dxf = format!(
+        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n\
+         0\nSECTION\n2\nENTITIES\n{arcs}0\nENDSEC\n0\nEOF\n"
+    );
+    let mut settings = Settings::default();
+    settings.placement.size = Size::Within;
+    settings.tries = None;
+    let prepared = prepare(&Source::Dxf(dxf.into_bytes()), &settings, in_reach).unwrap();
+    let planned = prepared.plan.paths(MoveKind::Draw);
+    let worst = deviation(&prepared.wanted(), &planned);
+    assert!(worst.largest_mm() <= 0.0451, "{worst:?}");
+    let corners: usize = prepared.wanted().iter().map(|it| it.points.len()).sum();
+    // Of a circle of some 75 mm radius, 5 micrometres from it: 272 each.
+    assert!((60 * 200..60 * 350).contains(&corners), "{corners}");
+}
+
+#[test]
+fn a_material_that_is_cut_through_is_cut_inside_first() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80">
+        <g fill="none" stroke="red"><rect x="10" y="10" width="100" height="60"/><circle cx="30" cy="30" r="8"/>
+        <circle cx="80" cy="40" r="12"/><rect x="45" y="20" width="15" height="15"/></g></svg>"#;
+    let laser = |cuts| {
+        DrawingTool::Laser(Laser {
+            cuts,
+            ..Laser::default()
+        })
+    };
+    let lengths = |cuts| {
+        let settings = Settings {
+            tool: laser(cuts),
+            ..Settings::default()
+        };
+        let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
+        wanted
+            .iter()
+            .map(|it| it.length_mm().round())
+            .collect::<Vec<f64>>()
+    };
+    assert_eq!(lengths(true).last(), Some(&320.0));
+    // An engraving may go the shortest way.
+    assert_ne!(lengths(false).last(), Some(&320.0));
+}
+
+#[test]
+fn a_pen_goes_over_each_line_as_often_as_asked_for() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
+        <g fill="none" stroke="red"><path d="M5 5H25"/><rect x="5" y="20" width="10" height="10"/></g></svg>"#;
+    let settings = Settings {
+        pen_passes: 3,
+        ..Settings::default()
+    };
+    let summary = prepare(&svg.into(), &settings, anywhere)
+        .unwrap()
+        .plan
+        .summary();
+    assert_eq!(summary.strokes, 2);
+    assert!(
+        (summary.drawn_mm - 180.0).abs() < 0.01,
+        "{}",
+        summary.drawn_mm
+    );
+}
+
+#[test]
+fn a_tolerance_below_what_vectors_can_follow_is_refused() {
+    let settings = Settings {
+        tolerance_mm: 0.01,
+        ..Settings::default()
+    };
+    let error = prepare(&EXAMPLES[2].into(), &settings, anywhere).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "the tolerance is 0.01 mm; it must be a number from 0.02 to 10 mm"
+    );
+}
+
+#[test]
+fn what_is_out_of_reach_is_refused() {
+    let mut settings = Settings::default();
+    settings.placement.center = Some(Point::new(320.0, 0.0));
+    let error = prepare(&EXAMPLES[2].into(), &settings, in_reach).unwrap_err();
+    assert!(
+        matches!(error, PrepareError::Place(PlaceError::OutOfReach { .. })),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
+    // All black, with a white margin as wide as itself on the right.
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 4800, 1600);
+    encoder.set_depth(png::BitDepth::One);
+    let row = [[0; 300], [255; 300]].concat();
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&row.repeat(1600)).unwrap();
+    drop(writer);
+    let mut settings = Settings::default();
+    settings.placement.size = Size::Fit;
+    settings.shading.levels = 1;
+    settings.tries = None;
+    let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
+    let wanted = prepared.wanted();
+    let length_mm: f64 = wanted.iter().map(Stroke::length_mm).sum();
+    // The ink is as deep as the area and half as wide again.
+    let lines_mm = 120.0 * 180.0 / settings.shading.spacing_mm;
+    assert!(
+        (length_mm / lines_mm - 1.0).abs() < 0.06,
+        "{length_mm} mm, not {lines_mm} mm"
+    );
+}
+
+#[test]
+fn stipples_become_one_line_without_a_lift() {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 200, 100);
+    encoder.set_depth(png::BitDepth::One);
+    let row = [[0; 12].as_slice(), &[255; 13]].concat();
+    let mut writer = encoder.write_header().unwrap();
+    writer.write_image_data(&row.repeat(100)).unwrap();
+    drop(writer);
+    let mut settings = Settings::default();
+    settings.placement.size = Size::Fit;
+    settings.shading = dobot_source::Shading::new(dobot_source::ShadingStyle::Tsp);
+    settings.shading.spacing_mm = 4.0;
+    let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
+    let wanted = prepared.wanted();
+    assert_eq!(wanted.len(), 1);
+    // A good tour through points that are so dense is 0.7124 times the root of area and number.
+    let points = wanted[0].points.len();
+    let ink = dobot_geometry::bounds_of_strokes(&wanted);
+    let tour_mm = 0.7124 * (ink.area() * f64::from(u32::try_from(points).unwrap())).sqrt();
+    let length_mm = wanted[0].length_mm();
+    assert!(
+        points > 300 && length_mm < 1.6 * tour_mm,
+        "{points} {length_mm} {tour_mm}"
+    );
+}

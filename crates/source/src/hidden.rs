@@ -1,0 +1,202 @@
+//! Hidden lines: what of a drawing shows beside the filled shapes that lie over it.
+
+use std::cell::OnceCell;
+
+use dobot_geometry::{Area, Point, Rect, SegmentIndex, Stroke, bounds};
+
+use crate::artwork::Layer;
+use crate::clip::ClipArea;
+use crate::limits::{Budget, OverBudget};
+use crate::polygon::Polygons;
+
+/// The areas that hide something, in the order in which they are painted.
+#[derive(Debug, Default)]
+pub(crate) struct Covers(Vec<Cover>);
+
+impl Covers {
+    /// How many there are so far: what is painted now lies above so many.
+    pub(crate) fn count(&self) -> u32 {
+        u32::try_from(self.0.len()).expect("each has corners, and those are counted")
+    }
+
+    /// Lays one over all that was painted so far.
+    pub(crate) fn put(&mut self, area: ClipArea) {
+        self.0.push(Cover {
+            bounds: area.bounds(),
+            area,
+            polygons: OnceCell::new(),
+        });
+    }
+
+    pub(crate) fn sight(self) -> Sight {
+        let corners = |it: &Cover| {
+            let Rect { x0, y0, x1, y1 } = it.bounds;
+            (Point::new(x0, y0), Point::new(x1, y1))
+        };
+        Sight {
+            boxes: SegmentIndex::new(self.0.iter().map(corners).collect()),
+            covers: self.0,
+            looks_left: MAX_LOOKS,
+            unknown: 0,
+        }
+    }
+}
+
+/// Above how many covers the lines and areas of a layer lie, one by one.
+#[derive(Debug, Default)]
+pub(crate) struct Heights {
+    pub(crate) strokes: Vec<u32>,
+    pub(crate) areas: Vec<u32>,
+}
+
+/// Tells what is seen.
+#[derive(Debug)]
+pub(crate) struct Sight {
+    covers: Vec<Cover>,
+    /// The covers by place: the lower left and the upper right corner of each.
+    boxes: SegmentIndex,
+    looks_left: usize,
+    unknown: usize,
+}
+
+impl Sight {
+    /// What of a layer shows.
+    pub(crate) fn layer(
+        &mut self,
+        layer: Layer,
+        heights: &Heights,
+        budget: &mut Budget,
+    ) -> Result<Layer, OverBudget> {
+        let mut strokes = Vec::with_capacity(layer.strokes.len());
+        for (stroke, &height) in layer.strokes.into_iter().zip(&heights.strokes) {
+            strokes.append(&mut self.stroke(stroke, height, budget)?);
+        }
+        let mut areas = Vec::with_capacity(layer.areas.len());
+        for (area, &height) in layer.areas.into_iter().zip(&heights.areas) {
+            let area = self.area(area, height);
+            if !area.rings.is_empty() {
+                areas.push(area);
+            }
+        }
+        Ok(Layer {
+            strokes,
+            areas,
+            ..layer
+        })
+    }
+
+    /// Of how many lines and areas it was not found out what shows; they are whole.
+    pub(crate) const fn unknown(&self) -> usize {
+        self.unknown
+    }
+
+    fn stroke(
+        &mut self,
+        stroke: Stroke,
+        height: u32,
+        budget: &mut Budget,
+    ) -> Result<Vec<Stroke>, OverBudget> {
+        let around = bounds(stroke.points.iter().copied());
+        let Some(over) = self.over(around, height) else {
+            return Ok(vec![stroke]);
+        };
+        let mut pieces = vec![stroke];
+        for cover in over {
+            let cover = &self.covers[cover as usize];
+            let mut seen = Vec::with_capacity(pieces.len());
+            for piece in pieces {
+                seen.append(&mut cover.area.uncovered(piece, budget)?);
+            }
+            pieces = seen;
+            if pieces.is_empty() {
+                break;
+            }
+        }
+        Ok(pieces)
+    }
+
+    fn area(&mut self, area: Area, height: u32) -> Area {
+        let around = bounds(area.rings.iter().flatten().copied());
+        let Some(over) = self.over(around, height) else {
+            return area;
+        };
+        let corner = area.rings[0][0];
+        let mut cutting = Vec::new();
+        for cover in over {
+            let cover = &self.covers[cover as usize];
+            if cover.has_edge_in(around) {
+                cutting.push(cover);
+            } else if cover.area.covers(corner) {
+                return Area::default();
+            }
+        }
+        if cutting.is_empty() {
+            return area;
+        }
+        let seen = seen(&area, &cutting);
+        seen.unwrap_or_else(|| {
+            self.unknown += 1;
+            area
+        })
+    }
+
+    /// The covers that may hide something of what lies there above so many, the largest first, which
+    /// hide the most; none where there are too many.
+    fn over(&mut self, around: Rect, height: u32) -> Option<Vec<u32>> {
+        if self.looks_left == 0 {
+            self.unknown += 1;
+            return None;
+        }
+        let mut over = Vec::new();
+        let mut looks = 0;
+        self.boxes.touching(around, &mut |cover| {
+            looks += 1;
+            if cover >= height {
+                over.push(cover);
+            }
+        });
+        self.looks_left = self.looks_left.saturating_sub(looks);
+        let size = |&cover: &u32| self.covers[cover as usize].bounds.area();
+        over.sort_unstable_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
+        Some(over)
+    }
+}
+
+/// An area that hides what lies under it.
+#[derive(Debug)]
+struct Cover {
+    area: ClipArea,
+    bounds: Rect,
+    /// The same as polygons, once they are wanted; `None` where they are too entangled.
+    polygons: OnceCell<Option<Polygons>>,
+}
+
+impl Cover {
+    fn has_edge_in(&self, bounds: Rect) -> bool {
+        let mut found = false;
+        self.area
+            .each(&mut |area| found |= area.has_edge_in(bounds));
+        found
+    }
+
+    fn polygons(&self) -> Option<&Polygons> {
+        self.polygons.get_or_init(|| self.area.polygons()).as_ref()
+    }
+}
+
+/// What of an area shows beside these covers: first the few largest are taken away, then more and more
+/// at once.
+fn seen(area: &Area, covers: &[&Cover]) -> Option<Area> {
+    let mut seen = Polygons::new(&area.rings, area.rule)?;
+    let (mut rest, mut count) = (covers, 2);
+    while !rest.is_empty() && !seen.is_empty() {
+        let (some, others) = rest.split_at(count.min(rest.len()));
+        let some: Option<Vec<&Polygons>> = some.iter().map(|it| it.polygons()).collect();
+        seen = seen.without(some?)?;
+        (rest, count) = (others, 2 * count);
+    }
+    Some(seen.into_area())
+}
+
+/// How often a cover may be looked at: some seconds.
+const MAX_LOOKS: usize = 30_000_000;

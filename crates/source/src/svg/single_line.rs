@@ -1,0 +1,104 @@
+//! Text of an SVG file in letters of single lines, where it names a Hershey font.
+
+use dobot_geometry::{Affine, Point, Stroke, Vec2};
+use dobot_lettering::{CAPITAL, Letter, StrokeFont};
+use usvg::{Font, FontFamily, Text, TextAnchor, TextChunk, TextFlow, TextSpan};
+
+/// The font of single lines that a file names first; none where it names another kind.
+pub(super) fn font(font: &Font) -> Option<StrokeFont> {
+    match font.families().first()? {
+        FontFamily::Named(name) => StrokeFont::of_family(name),
+        _ => None,
+    }
+}
+
+/// A letter as it stands in the file.
+pub(super) struct Written<'t> {
+    /// Its lines, in units of the file.
+    pub(super) strokes: Vec<Stroke>,
+    /// How the text around it looks.
+    pub(super) span: &'t TextSpan,
+}
+
+/// The letters of a text, and those that its font lacks; none where it is not all in Hershey fonts, or
+/// follows a path.
+pub(super) fn written(text: &Text, tolerance: f64) -> Option<(Vec<Written<'_>>, usize)> {
+    let is_plain = |it: &TextChunk| {
+        matches!(it.text_flow(), TextFlow::Linear)
+            && it.spans().iter().all(|it| font(it.font()).is_some())
+    };
+    if text.chunks().is_empty() || !text.chunks().iter().all(is_plain) {
+        return None;
+    }
+    let (mut written, mut missing) = (Vec::new(), 0);
+    let (mut pen, mut number) = (Point::default(), 0);
+    for chunk in text.chunks() {
+        pen.x = chunk.x().map_or(pen.x, f64::from);
+        pen.y = chunk.y().map_or(pen.y, f64::from);
+        let width: f64 = chunk.spans().iter().map(|it| width(chunk, it)).sum();
+        pen.x -= width
+            * match chunk.anchor() {
+                TextAnchor::Start => 0.0,
+                TextAnchor::Middle => 0.5,
+                TextAnchor::End => 1.0,
+            };
+        for span in chunk.spans() {
+            let unit = unit(span);
+            for character in characters(chunk, span) {
+                let moved = |list: &[f32]| f64::from(list.get(number).copied().unwrap_or(0.0));
+                pen += Vec2::new(moved(text.dx()), moved(text.dy()));
+                number += 1;
+                let Some(font) = font(span.font()) else {
+                    continue;
+                };
+                let Some(letter) = Letter::of(font, character) else {
+                    missing += 1;
+                    continue;
+                };
+                let advance = advance(span, character);
+                let place = Affine::translate(pen.to_vec2()) * Affine::scale(unit);
+                let letter = letter.rounded(font, tolerance / unit);
+                let lines = letter.strokes.iter().map(|points| {
+                    let points: Vec<Point> = points.iter().map(|&p| place * p).collect();
+                    let closed = points.len() > 2 && points.first() == points.last();
+                    Stroke { points, closed }
+                });
+                written.push(Written {
+                    strokes: lines.collect(),
+                    span,
+                });
+                pen.x += advance;
+            }
+        }
+    }
+    Some((written, missing))
+}
+
+fn characters<'t>(chunk: &'t TextChunk, span: &TextSpan) -> std::str::Chars<'t> {
+    let part = chunk.text().get(span.start()..span.end());
+    part.unwrap_or_default().chars()
+}
+
+fn width(chunk: &TextChunk, span: &TextSpan) -> f64 {
+    characters(chunk, span).map(|it| advance(span, it)).sum()
+}
+
+/// From a letter to the next.
+fn advance(span: &TextSpan, character: char) -> f64 {
+    let letter = font(span.font()).and_then(|it| Letter::of(it, character));
+    let own = letter.map_or(0.0, |it| it.advance * unit(span));
+    let word = if character == ' ' {
+        span.word_spacing()
+    } else {
+        0.0
+    };
+    own + f64::from(span.letter_spacing() + word)
+}
+
+/// What a unit of the letters' grid is in the file.
+fn unit(span: &TextSpan) -> f64 {
+    f64::from(span.font_size().get()) * CAPITAL_OF_EM / CAPITAL
+}
+
+/// How tall capitals are, as a share of the size of a font.
+const CAPITAL_OF_EM: f64 = 0.7;

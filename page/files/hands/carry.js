@@ -1,0 +1,64 @@
+// A row of a list that is carried to another place: by its grip, with a mouse or a finger. STOP gives it up.
+
+/** How high a row is, in pixels. */
+export const ROW_PX = 34;
+/** So near the edge of the list it scrolls, by so much in each picture. */
+const EDGE_PX = 26;
+const SCROLL_PX = 9;
+
+/** @typedef {{ over(from: number, to: number): void, drop(from: number, to: number): void, giveUp(): void }} Carrying */
+
+/** Which row lies there. @param {number} y_px below the upper edge of all rows @param {number} count */
+export const rowBelow = (y_px, count) => Math.max(0, Math.min(count - 1, Math.floor(y_px / ROW_PX)));
+
+/** How far the list scrolls while the pointer is there. @param {number} y_px below the upper edge of what is seen @param {number} seen_px */
+export const scrollAt = (y_px, seen_px) => (y_px < EDGE_PX ? -SCROLL_PX : y_px > seen_px - EDGE_PX ? SCROLL_PX : 0);
+
+/** Begins where a grip was pressed. @param {PointerEvent} event @param {number} count how many rows there are @param {Carrying} carrying */
+export function carry(event, count, carrying) {
+  const grip = /** @type {Element} */ (event.target).closest(".grip");
+  if (!grip || event.button !== 0) return;
+  const list = /** @type {HTMLElement} */ (event.currentTarget);
+  const from = Number(/** @type {HTMLElement} */ (grip.closest("[data-row]")).dataset.row);
+  let to = from, y = event.clientY;
+  const over = new AbortController();
+  const options = { signal: over.signal };
+
+  function place() {
+    const next = rowBelow(y - list.getBoundingClientRect().top + list.scrollTop, count);
+    if (next === to) return;
+    to = next;
+    carrying.over(from, to);
+  }
+  /** The list scrolls for as long as the pointer stays at its edge. */
+  function follow() {
+    if (over.signal.aborted) return;
+    const { top, height } = list.getBoundingClientRect();
+    list.scrollTop += scrollAt(y - top, height);
+    place();
+    requestAnimationFrame(follow);
+  }
+  function end() {
+    over.abort();
+    if (list.hasPointerCapture(event.pointerId)) list.releasePointerCapture(event.pointerId);
+  }
+  function giveUp() {
+    end();
+    carrying.giveUp();
+  }
+
+  list.setPointerCapture(event.pointerId);
+  carrying.over(from, to);
+  requestAnimationFrame(follow);
+  list.addEventListener("pointermove", (moved) => {
+    y = moved.clientY;
+    place();
+  }, options);
+  list.addEventListener("pointerup", () => {
+    end();
+    carrying.drop(from, to);
+  }, options);
+  list.addEventListener("pointercancel", giveUp, options);
+  list.addEventListener("lostpointercapture", giveUp, options);
+  document.addEventListener("keydown", ({ key }) => key === "Escape" && giveUp(), { ...options, capture: true });
+}
