@@ -81,7 +81,7 @@ pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
 pub use sheet::{PaperSize, SheetPlace};
-pub use simplify::{MIN_VECTOR_MM, simplify};
+pub use simplify::{MIN_VECTOR_MM, simplify, simplify_at};
 pub use start::{StartError, StartFrom};
 pub use step::draw_step;
 pub use timeline::{Moves, Path, Timeline};

@@ -3,6 +3,7 @@
 mod layers;
 mod read;
 mod settings;
+mod vectors;
 
 use std::fmt;
 
@@ -12,8 +13,9 @@ use thiserror::Error;
 use self::read::read;
 pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
+use self::vectors::simplified;
 use crate::backlash::taken_up;
-use crate::calibrated::{shortened, told_passes, told_strokes};
+use crate::calibrated::{told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::cutting::inner_first;
 use crate::doubles::without_doubles;
@@ -21,7 +23,6 @@ use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
-use crate::simplify::simplify;
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
 use dobot_plan::{DrawingTool, Pass, Plan, PlanError};
@@ -378,24 +379,6 @@ fn ordered(
         Some(search) => order(strokes, here, &search),
         None => strokes,
     }
-}
-
-/// The same pass with the fewest vectors.
-fn simplified(pass: &Pass, settings: &Settings) -> Result<Pass, PrepareError> {
-    let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let strokes = pass.strokes.iter().map(|it| {
-        settings.give_up.check()?;
-        let simple = simplify(it, tolerance_mm);
-        Ok(shortened(simple, &settings.paper))
-    });
-    let strokes: Result<_, PrepareError> = strokes.collect();
-    Ok(Pass {
-        name: pass.name.clone(),
-        color: pass.color,
-        tool: pass.tool,
-        strokes: strokes?,
-        message: pass.message.clone(),
-    })
 }
 
 /// So much beyond the edge of a sheet is on it.

@@ -2,6 +2,7 @@
 
 mod cone;
 mod corridor;
+mod paced;
 mod search;
 mod snap;
 mod visibility;
@@ -9,8 +10,10 @@ mod visibility;
 #[cfg(test)]
 mod oracle;
 
-use corridor::Corridor;
+use corridor::{Corner, Corridor};
 use dobot_geometry::{Point, Stroke};
+use dobot_plan::Pace;
+use paced::fastest;
 use search::fewest;
 
 /// Draws a stroke with as few vectors as it finds that pass its points in order, each within
@@ -43,11 +46,32 @@ pub fn simplify(stroke: &Stroke, tolerance_mm: f64) -> Stroke {
 /// length zero stops a stock arm for good.
 pub const MIN_VECTOR_MM: f64 = 0.005;
 
+/// Draws a stroke within `tolerance_mm` with as many vectors as are the fastest at a pace: few where the
+/// link limits the speed, more where the arm does. Of paths that are about as fast it takes the
+/// one that is nearer to the stroke. Ends and tolerance are kept as [`simplify`] keeps them.
+#[must_use]
+pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Stroke {
+    let radius_mm = tolerance_mm - SLACK_MM;
+    let corridor = Corridor::new(&stroke.points, stroke.closed, radius_mm);
+    let points = match fastest(corridor, pace) {
+        Some(path) if radius_mm > MIN_VECTOR_MM => places(&path),
+        _ => simplified(stroke, radius_mm),
+    };
+    Stroke {
+        closed: stroke.closed && points.len() > 1,
+        points,
+    }
+}
+
+fn places(path: &[Corner]) -> Vec<Point> {
+    path.iter().map(|corner| corner.at).collect()
+}
+
 fn simplified(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
     if tolerance_mm > MIN_VECTOR_MM
-        && let Some(points) = fewest(&Corridor::new(&stroke.points, stroke.closed, tolerance_mm))
+        && let Some(path) = fewest(&Corridor::new(&stroke.points, stroke.closed, tolerance_mm))
     {
-        return points;
+        return places(&path);
     }
     // Specks can leave no way but a vector that is too short.
     let points = without_specks(&stroke.points);
@@ -55,7 +79,10 @@ fn simplified(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
         return points;
     }
     let corridor = Corridor::new(&points, stroke.closed, tolerance_mm - MIN_VECTOR_MM);
-    fewest(&corridor).unwrap_or(points)
+    match fewest(&corridor) {
+        Some(path) => places(&path),
+        None => points,
+    }
 }
 
 /// The points without those that are hardly away from the one before; both ends stay.
@@ -87,6 +114,8 @@ mod tests {
     use super::oracle::fewest_between_points;
     use super::*;
     use dobot_geometry::{Vec2, deviation};
+    use dobot_plan::{DrawingTool, Machine, Paper, Pass, Plan};
+    use dobot_random::Random;
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
@@ -138,6 +167,74 @@ mod tests {
 
     fn worst_mm(wanted: &Stroke, drawn: &Stroke) -> f64 {
         deviation(std::slice::from_ref(wanted), std::slice::from_ref(drawn)).largest_mm()
+    }
+
+    /// 200 mm whose direction swings as a seed has it.
+    fn wander(seed: u64) -> Stroke {
+        let mut random = Random::new(seed);
+        let swings: Vec<[f64; 3]> = [0.5, 1.3, 3.1, 7.0]
+            .map(|often| {
+                [
+                    often * (1.0 + random.share()),
+                    TAU * random.share(),
+                    3.0 / often,
+                ]
+            })
+            .into();
+        let direction = |i: u32| {
+            let swing = |[often, begin, size]: &[f64; 3]| {
+                size * (TAU * often * f64::from(i) / 1000.0 + begin).sin()
+            };
+            Vec2::from_angle(swings.iter().map(swing).sum())
+        };
+        let mut points = vec![Point::new(200.0, 0.0)];
+        for i in 0..4000 {
+            points.push(points[points.len() - 1] + direction(i) * 0.05);
+        }
+        Stroke::open(points)
+    }
+
+    fn pace(acceleration_mm_s2: f64, speed_mm_s: f64) -> Pace {
+        let machine = Machine {
+            acceleration_mm_s2,
+            ..Machine::default()
+        };
+        Pace::of(&machine, &DrawingTool::default().at_speed(speed_mm_s))
+    }
+
+    /// How long the plan for a stroke takes on a machine without limits of its joints, in s.
+    fn planned_s(stroke: &Stroke, pace: &Pace) -> f64 {
+        let machine = Machine {
+            acceleration_mm_s2: pace.cornering.acceleration_mm_s2,
+            joint_speed_deg_s: 10_000.0,
+            ..Machine::default()
+        };
+        let tool = DrawingTool::default().at_speed(pace.speed_mm_s);
+        let pass = Pass::new(tool, vec![stroke.clone()]);
+        let plan = Plan::new(&[pass], &Paper::default(), &machine).expect("a plan");
+        plan.duration_s()
+    }
+
+    #[test]
+    fn a_coarser_tolerance_is_not_slower_than_a_finer_one() {
+        for (seed, pace) in (1..=6).zip([pace(100.0, 40.0), pace(200.0, 100.0)].iter().cycle()) {
+            let stroke = wander(seed);
+            let times_s = [0.03, 0.06, 0.12, 0.24, 0.48]
+                .map(|tolerance_mm| planned_s(&simplify_at(&stroke, tolerance_mm, pace), pace));
+            let slower = times_s.windows(2).map(|pair| pair[1] / pair[0]);
+            let worst = slower.fold(0.0, f64::max);
+            assert!(worst <= 1.03, "seed {seed}: {times_s:?} s");
+        }
+    }
+
+    #[test]
+    fn where_the_arm_is_slow_a_circle_is_round() {
+        let wanted = circle(30.0, 5000);
+        let drawn = simplify_at(&wanted, 0.05, &pace(100.0, 20.0));
+        assert!(worst_mm(&wanted, &drawn) <= 0.01);
+        let [few, many] =
+            [simplify(&wanted, 0.05), drawn].map(|it| planned_s(&it, &pace(100.0, 20.0)));
+        assert!(many <= 1.005 * few, "{many} instead of {few} s");
     }
 
     #[test]
@@ -221,6 +318,27 @@ mod tests {
             }
             prop_assert_eq!(simple.closed, closed && simple.points.len() > 1);
             prop_assert!(!simple.closed || simple.points[0] == simple.points[simple.points.len() - 1]);
+            for (a, b) in simple.segments() {
+                prop_assert!(a.distance(b) >= MIN_VECTOR_MM);
+            }
+        }
+
+        #[test]
+        fn the_fastest_vectors_keep_the_tolerance_too(
+            steps in steps(),
+            closed: bool,
+            tolerance in 0.02..1.0_f64,
+            speed_mm_s in 1.0..200.0_f64,
+        ) {
+            let stroke = walk(&steps, closed);
+            let simple = simplify_at(&stroke, tolerance, &pace(100.0, speed_mm_s));
+            if simple.points.len() > 1 {
+                prop_assert!(closed || simple.points[0] == stroke.points[0]);
+                prop_assert!(closed || simple.last() == stroke.last());
+                let worst = worst_mm(&stroke, &simple);
+                prop_assert!(worst <= tolerance, "{worst} > {tolerance}");
+            }
+            prop_assert_eq!(simple.closed, closed && simple.points.len() > 1);
             for (a, b) in simple.segments() {
                 prop_assert!(a.distance(b) >= MIN_VECTOR_MM);
             }

@@ -4,7 +4,7 @@
 use crate::Machine;
 use crate::link::Credit;
 use crate::lookahead::{ChainVector, Cornering, Junction};
-use crate::seen::{SeenMotion, WINDOW_S};
+use crate::seen::SeenMotion;
 use crate::speeds::Speeds;
 
 /// Speeds for a chain: reused from chain to chain.
@@ -27,8 +27,7 @@ impl ChainSpeeds {
             cornering: Cornering {
                 // The spared part keeps rounded speeds within the acceleration.
                 acceleration_mm_s2: machine.acceleration_mm_s2 * (1.0 - 1e-5),
-                deviation_mm: machine.corner_deviation_mm,
-                window_s: WINDOW_S,
+                ..machine.cornering()
             },
             begin_mm_s: 0.0,
             period_s: machine.link.period_s,
@@ -76,11 +75,11 @@ impl ChainSpeeds {
 
     /// Without a link every vector is there in no time, and nothing has to wait.
     fn plan_with_link(&mut self, chain: &mut [ChainVector]) {
-        for _ in 0..ROUNDS {
+        for round in 0..ROUNDS {
             self.plan_motion(chain);
             let credit = self.credit;
             let keeps_up = self.wait_for_link(chain);
-            if !self.ease_corners(chain) && keeps_up {
+            if !self.ease_corners(chain, 1 + round / PATIENCE) && keeps_up {
                 return;
             }
             self.credit = credit;
@@ -95,8 +94,8 @@ impl ChainSpeeds {
 
     /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
     /// may: several corners may lie within the time over which that is measured. Whether any had
-    /// to be eased.
-    fn ease_corners(&self, chain: &mut [ChainVector]) -> bool {
+    /// to be eased. Their speed is taken times the share that is allowed, to this power.
+    fn ease_corners(&self, chain: &mut [ChainVector], power: i32) -> bool {
         if chain.len() < 2 {
             return false;
         }
@@ -104,7 +103,7 @@ impl ChainSpeeds {
         let a = self.cornering.acceleration_mm_s2;
         let shares = SeenMotion::new(chain, &speeds, a).shares(LEAST_SHARE);
         for (corner, share) in shares.iter().enumerate().filter(|it| *it.1 < 1.0) {
-            chain[corner].corner_mm_s = speeds[corner].end_mm_s * share;
+            chain[corner].corner_mm_s = speeds[corner].end_mm_s * share.powi(power);
         }
         shares.iter().any(|it| *it < 1.0)
     }
@@ -161,7 +160,10 @@ impl ChainSpeeds {
 
 /// How many vectors before and behind count for how fast one may be.
 const REACH: usize = 1;
-const ROUNDS: usize = 60;
+const ROUNDS: i32 = 60;
+/// After so many rounds corners are eased by more than it seems they need, and more so after twice as
+/// many: their neighbours speed up meanwhile.
+const PATIENCE: i32 = 6;
 const SLOWER: f64 = 0.999;
 /// Rounds of easing end where no corner is seen to accelerate more than half a percent too much.
 pub(super) const LEAST_SHARE: f64 = 0.994;

@@ -17,8 +17,9 @@ pub struct ChainVector {
 }
 
 impl ChainVector {
-    /// A vector with these increments in mm, which no corner slows down yet.
-    pub(crate) fn of(increments: [f64; 3], limit_mm_s: f64) -> Self {
+    /// A vector with these increments in mm, not all 0, which no corner slows down yet.
+    #[must_use]
+    pub fn of(increments: [f64; 3], limit_mm_s: f64) -> Self {
         let length_mm = length(increments);
         Self {
             direction: increments.map(|it| it / length_mm),
@@ -35,7 +36,8 @@ pub struct Cornering {
     /// The largest acceleration, along the path and across it together, in mm/s2.
     pub acceleration_mm_s2: f64,
     /// How far an imagined arc through a corner may leave it, in mm: the larger, the faster
-    /// corners are passed. The arm itself draws the corner sharp.
+    /// corners are passed. The arm itself draws the corner sharp. See
+    /// [`Machine::corner_deviation_mm`](crate::Machine::corner_deviation_mm).
     pub deviation_mm: f64,
     /// Over which time the acceleration at a corner is measured, in s. A corner turns the speed in
     /// no time at all; what counts is where the tool is this long before it, at it and behind it.
@@ -116,6 +118,17 @@ impl Cornering {
         }
     }
 
+    /// How long each vector of a chain from rest to rest takes at the least, in s.
+    #[must_use]
+    pub fn durations_s(self, chain: &[ChainVector]) -> Vec<f64> {
+        let mut junctions = Vec::with_capacity(chain.len() + 1);
+        self.speeds(0.0, chain, &mut junctions);
+        let pairs = junctions.windows(2).zip(chain);
+        pairs
+            .map(|(pair, run)| self.duration_s(&pair[0], run, &pair[1]))
+            .collect()
+    }
+
     /// The corner between two vectors, with the largest speed that it allows.
     #[must_use]
     pub fn junction(self, before: &ChainVector, after: &ChainVector) -> Junction {
@@ -133,8 +146,9 @@ impl Cornering {
         }
         let tan_half = sin_half / cos_half;
         let reach_mm = self.deviation_mm * (1.0 + cos_half) / sin_half;
-        let most_mm = reach_mm.min(0.5 * before.length_mm.min(after.length_mm));
-        let seen_mm_s = self.acceleration_mm_s2 * self.window_s * (0.5 / sin_half - 0.5);
+        let shorter_mm = before.length_mm.min(after.length_mm);
+        let most_mm = reach_mm.min(0.5 * shorter_mm);
+        let seen_mm_s = self.seen_mm_s(sin_half, shorter_mm);
         let cap_v2 = (self.acceleration_mm_s2 * most_mm / tan_half).min(seen_mm_s * seen_mm_s);
         if cap_v2 < LEAST_V2 {
             return Junction::REST;
@@ -146,6 +160,18 @@ impl Cornering {
             cos,
             sin: 2.0 * sin_half * cos_half,
         }
+    }
+
+    /// The speed at which no more than the acceleration is seen at a corner, in mm/s. If the tool keeps
+    /// its speed, that turns by as much as the acceleration changes within the window. On a way that
+    /// is longer, or where the corner is sharp, the tool brakes before it and speeds up behind it, which
+    /// is seen, too.
+    fn seen_mm_s(self, sin_half: f64, shorter_mm: f64) -> f64 {
+        let change_mm_s = self.acceleration_mm_s2 * self.window_s;
+        let even_mm_s = 0.5 * change_mm_s / sin_half;
+        let windows = shorter_mm / (even_mm_s * self.window_s);
+        let sharp = 4.0 * (sin_half - GENTLE);
+        even_mm_s - 0.5 * change_mm_s * (windows - 1.0).max(sharp).clamp(0.0, 1.0)
     }
 
     /// The largest square of a speed in the middle of the arc at the end of a vector that begins
@@ -233,6 +259,8 @@ impl Junction {
 
 /// Where half the sine of a turn is less, the way goes straight on.
 const STRAIGHT: f64 = 1e-7;
+/// Half the sine of a turn up to which a corner is gentle.
+const GENTLE: f64 = 0.3;
 /// Below this square of a speed a corner is a stop, in (mm/s)2.
 const LEAST_V2: f64 = 1e-6;
 

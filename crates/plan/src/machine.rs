@@ -4,7 +4,8 @@ use dobot_arm::TICK_S;
 use dobot_wire::Dialect;
 
 use crate::error::{not_negative, positive};
-use crate::{DrawingTool, PlanError};
+use crate::seen::WINDOW_S;
+use crate::{Cornering, DrawingTool, PlanError};
 
 /// What arm and link can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,8 +16,9 @@ pub struct Machine {
     /// takes them many degrees, near the axis of the base or with the arm stretched, the tool is
     /// planned slower.
     pub joint_speed_deg_s: f64,
-    /// How far an imagined arc may cut a corner, in mm; best the tolerance of the drawing. See
-    /// [`Cornering`](crate::Cornering).
+    /// How far an imagined arc may cut a corner, in mm; best twice the tolerance of the drawing: where
+    /// vectors stand for a curve their corners lie outside of it by up to the tolerance, and the
+    /// arc then lies inside of it by no more. See [`Cornering`](crate::Cornering).
     pub corner_deviation_mm: f64,
     /// How fast vectors come.
     pub link: LinkRate,
@@ -36,6 +38,16 @@ impl Machine {
         }
     }
 
+    /// How its corners are measured.
+    #[must_use]
+    pub const fn cornering(&self) -> Cornering {
+        Cornering {
+            acceleration_mm_s2: self.acceleration_mm_s2,
+            deviation_mm: self.corner_deviation_mm,
+            window_s: WINDOW_S,
+        }
+    }
+
     /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
     /// of what a tick changes, and less than half of that is none.
     pub(super) fn check_keeps(&self, tool: &DrawingTool) -> Result<(), PlanError> {
@@ -52,6 +64,29 @@ impl Machine {
         }
     }
 
+    /// How long a vector from rest to rest has to be, in mm: where the arm has ticks a shorter one would
+    /// not accelerate at all, and with the little speed that is kept from before it might never end
+    /// (note N51).
+    pub(super) fn least_from_rest_mm(&self) -> f64 {
+        if self.has_ticks {
+            // The peak is half of what a tick changes, and a bit: a length of a t2 / 4.
+            FROM_REST * self.acceleration_mm_s2 * TICK_S * TICK_S / 4.0
+        } else {
+            0.0
+        }
+    }
+
+    /// The largest speed for a vector from rest to rest, in mm/s: where the arm has ticks the next below
+    /// this one with which as many ticks are faster as are slower.
+    pub(super) fn rest_to_rest_mm_s(&self, wanted_mm_s: f64) -> f64 {
+        if !self.has_ticks {
+            return wanted_mm_s;
+        }
+        let step_mm_s = self.acceleration_mm_s2 * TICK_S;
+        let steps = (wanted_mm_s / step_mm_s - KEPT_STEPS).floor().max(1.0);
+        (steps + KEPT_STEPS) * step_mm_s
+    }
+
     pub(super) fn check(&self) -> Result<(), PlanError> {
         positive("acceleration", self.acceleration_mm_s2, "mm/s2")?;
         positive("joint speed", self.joint_speed_deg_s, "deg/s")?;
@@ -60,6 +95,11 @@ impl Machine {
     }
 }
 
+const FROM_REST: f64 = 1.2;
+/// How much above whole steps of a tick's change a largest speed is, so that it is rounded to these
+/// whatever less than a step the arm has kept from before.
+const KEPT_STEPS: f64 = 0.45;
+
 impl Default for Machine {
     /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2, and 100 deg/s
     /// as in a stock arm's own moves.
@@ -67,7 +107,7 @@ impl Default for Machine {
         Self {
             acceleration_mm_s2: 100.0,
             joint_speed_deg_s: 100.0,
-            corner_deviation_mm: 0.05,
+            corner_deviation_mm: 0.1,
             link: LinkRate::default(),
             has_ticks: false,
         }

@@ -1,5 +1,6 @@
 //! From strokes to vectors: the ways of the tool, chain by chain.
 
+use dobot_arm::TICK_S;
 use dobot_geometry::{Point, Stroke};
 
 use crate::chain::{ChainSpeeds, LEAST_SHARE};
@@ -8,7 +9,7 @@ use crate::landing::Landing;
 use crate::lookahead::ChainVector;
 use crate::seen::TickPositions;
 use crate::speeds::Speeds;
-use crate::tick_fit::OVER;
+use crate::tick_fit::{MOST_FITS, OVER};
 use crate::ticker::Ticker;
 use crate::vector::length;
 use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
@@ -101,7 +102,7 @@ impl<'a> Planner<'a> {
         #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
         let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| (to[i] - here[i]) as f32);
         let way = [x_mm, y_mm, z_mm].map(f64::from);
-        if length(way) < LEAST_VECTOR_MM {
+        if length(way) < self.least_vector_mm(kind) {
             return;
         }
         self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
@@ -119,6 +120,17 @@ impl<'a> Planner<'a> {
             stroke: self.stroke,
             pass: self.pass,
         });
+    }
+
+    /// What is shorter is left to the next vector. A laser is switched however short the way is; its
+    /// ways do not begin at rest.
+    fn least_vector_mm(&self, kind: MoveKind) -> f64 {
+        match kind {
+            MoveKind::Travel | MoveKind::Lower | MoveKind::Draw | MoveKind::Lift => {
+                LEAST_VECTOR_MM.max(self.machine.least_from_rest_mm())
+            }
+            _ => LEAST_VECTOR_MM,
+        }
     }
 
     /// The chain ends: its speeds can be planned.
@@ -149,29 +161,37 @@ impl Planner<'_> {
             .any(|it| it.kind == MoveKind::Draw);
         let rounds = if draws { MOST_ROUNDS } else { 0 };
         let mut over = vec![OVER; self.chain.len()];
+        let mut ways = 1;
         for left in (0..=rounds).rev() {
-            let attempt = self.attempt(begin, ticker.clone(), &over);
-            if left == 0 || attempt.shares.iter().all(|it| *it >= 1.0) {
+            let attempt = self.attempt(begin, ticker.clone(), &over, ways);
+            let fits = attempt.shares.iter().all(|it| *it >= 1.0);
+            if left == 0 || fits && (ways > 1 || attempt.late_share < MOST_LATE_SHARE) {
                 self.chain_speeds = attempt.chain_speeds;
                 self.ticker = Some(attempt.ticker);
                 return;
             }
-            self.take_slower(&attempt, &mut over);
+            if ways > 1 {
+                self.take_slower(&attempt, &mut over);
+            }
+            ways = MOST_FITS;
         }
     }
 
-    fn attempt(&mut self, begin: usize, mut ticker: Ticker, over: &[f64]) -> Attempt {
+    fn attempt(&mut self, begin: usize, mut ticker: Ticker, over: &[f64], ways: usize) -> Attempt {
         let mut chain_speeds = self.chain_speeds.clone();
         let speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
         let mut ticks = TickPositions::default();
-        for (i, vector) in self.moves[begin..].iter_mut().enumerate() {
-            let cut = ticker.set(vector, speeds[i], over[i]);
-            ticks.push(&self.chain[i], &cut);
+        let cuts = ticker.set(&mut self.moves[begin..], &self.chain, &speeds, over, ways);
+        for (run, cut) in self.chain.iter().zip(&cuts) {
+            ticks.push(run, cut);
         }
+        let wanted_s: f64 = speeds.iter().map(|it| it.duration_s).sum();
+        let took_s: f64 = cuts.iter().map(|it| f64::from(it.ticks()) * TICK_S).sum();
         Attempt {
             chain_speeds,
             ticker,
             speeds,
+            late_share: took_s / wanted_s - 1.0,
             shares: ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE),
         }
     }
@@ -196,6 +216,8 @@ struct Attempt {
     ticker: Ticker,
     /// What was wanted of each vector.
     speeds: Vec<Speeds>,
+    /// How much longer all of them take than wanted, as a share of that.
+    late_share: f64,
     /// What share of the acceleration seen at the corner behind each vector is allowed.
     shares: Vec<f64>,
 }
@@ -220,6 +242,8 @@ pub(super) fn round_down(value: f64) -> f32 {
 }
 
 pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
+/// What takes no longer than this beyond what is wanted is not worth a search.
+const MOST_LATE_SHARE: f64 = 0.01;
 /// How often a chain is planned again for the ticks of a stock arm.
 const MOST_ROUNDS: u32 = 12;
 /// How much an end speed above the one wanted counts at the most.

@@ -133,7 +133,7 @@ impl TickPositions {
     /// As [`SeenMotion::shares`]. The tool stands before the chain and behind it.
     pub(super) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.ends.len()];
-        let allowed_mm = acceleration_mm_s2 * WINDOW_S * WINDOW_S;
+        let allowed_mm = seen_mm(acceleration_mm_s2);
         let last = self.places.len() - 1;
         let corners = self.ends.split_last().map_or(&[][..], |it| it.1);
         let mut corner = 0;
@@ -165,6 +165,11 @@ pub(super) fn at_ticks(
     })
 }
 
+/// The second difference of places a window apart at this acceleration, in mm.
+pub(super) fn seen_mm(acceleration_mm_s2: f64) -> f64 {
+    acceleration_mm_s2 * WINDOW_S * WINDOW_S
+}
+
 pub(super) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> f64 {
     length([0, 1, 2].map(|i| before[i] - 2.0 * now[i] + after[i]))
 }
@@ -180,4 +185,4 @@ const AROUND: [f64; 11] = [
     -0.9, -0.8, -0.65, -0.45, -0.25, 0.0, 0.25, 0.45, 0.65, 0.8, 0.9,
 ];
 /// The same in ticks.
-const WINDOW_TICKS: usize = 4;
+pub(super) const WINDOW_TICKS: usize = 4;

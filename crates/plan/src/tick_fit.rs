@@ -40,24 +40,53 @@ pub(super) struct TickFit {
     pub end_mm_s: f32,
     pub max_mm_s: f32,
     pub cut: Cut,
-    cost: f64,
+    pub cost: f64,
+}
+
+impl TickFit {
+    /// Puts it among others, the best first, if it is one of the best and leaves another speed.
+    fn rank(self, fits: &mut Vec<Self>) {
+        let place = fits.partition_point(|other| other.cost <= self.cost);
+        if place == MOST_FITS || fits[..place].iter().any(|it| it.leaves_as_much(&self)) {
+            return;
+        }
+        fits.insert(place, self);
+        let mut i = place + 1;
+        while i < fits.len() {
+            if i == MOST_FITS || fits[i].leaves_as_much(&self) {
+                fits.remove(i);
+            } else {
+                i += 1;
+            }
+        }
+    }
+
+    /// Whether the next vector would not tell them from each other.
+    fn leaves_as_much(&self, other: &Self) -> bool {
+        let apart_mm_s = (self.cut.end_mm_s - other.cut.end_mm_s).abs();
+        apart_mm_s < SAME_SHARE * self.cut.change_mm_s
+    }
 }
 
 impl TickTarget {
-    /// The speeds that come nearest to the wish, behind a vector that left this speed.
+    /// The speeds that come nearest to the wish, behind a vector that left this speed; then those that
+    /// are worse and leave another speed to the next vector, the best first.
     ///
     /// The controller takes an end speed and a largest one, and finds counts of ticks. So counts
     /// near to those wanted are tried, each with the two speeds that should lead to it; what
     /// really becomes of them is calculated as the controller does.
-    pub(super) fn fit(&self, stored_mm_s: f32) -> TickFit {
-        let mut best = None;
-        self.try_slower(stored_mm_s, &mut best);
-        self.try_faster(stored_mm_s, &mut best);
-        best.unwrap_or_else(|| self.crawl(stored_mm_s))
+    pub(super) fn fits(&self, stored_mm_s: f32) -> Vec<TickFit> {
+        let mut fits = Vec::with_capacity(MOST_FITS + 1);
+        self.try_slower(stored_mm_s, &mut fits);
+        self.try_faster(stored_mm_s, &mut fits);
+        if fits.is_empty() {
+            fits.push(self.crawl(stored_mm_s));
+        }
+        fits
     }
 
     /// No tick accelerates: the begin speed is free, up to the one that is stored and one step.
-    fn try_slower(&self, stored_mm_s: f32, best: &mut Option<TickFit>) {
+    fn try_slower(&self, stored_mm_s: f32, fits: &mut Vec<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let wanted = self.ticks.max(f64::from(self.least_ticks));
         let about = count(single(wanted));
@@ -70,13 +99,13 @@ impl TickTarget {
                 let sum = change * downs * (downs + 1.0) / 2.0;
                 let begin = (50.0 * self.length_mm + sum) / f32::from(ticks) * (1.0 - SPARE);
                 let max = begin.min(stored_mm_s);
-                self.consider(stored_mm_s, max - (downs - NEAR) * change, max, best);
+                self.consider(stored_mm_s, max - (downs - NEAR) * change, max, fits);
             }
         }
     }
 
     /// Some ticks accelerate, from the speed that is stored.
-    fn try_faster(&self, stored_mm_s: f32, best: &mut Option<TickFit>) {
+    fn try_faster(&self, stored_mm_s: f32, fits: &mut Vec<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let [peak, end] = [self.speeds.peak_mm_s, self.speeds.end_mm_s].map(single);
         let up = count(((peak - stored_mm_s) / change).clamp(0.0, 3000.0));
@@ -93,13 +122,13 @@ impl TickTarget {
                 for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
                     let end = max - (f32::from(down) - NEAR) * change;
-                    self.consider(stored_mm_s, end, max, best);
+                    self.consider(stored_mm_s, end, max, fits);
                 }
             }
         }
     }
 
-    fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, best: &mut Option<TickFit>) {
+    fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, fits: &mut Vec<TickFit>) {
         let max_mm_s = max_mm_s.min(self.most_mm_s);
         let end_mm_s = if self.rests {
             0.0
@@ -117,14 +146,13 @@ impl TickTarget {
             return;
         }
         let cost = self.cost(stored_mm_s, &cut);
-        if best.is_none_or(|best| cost < best.cost) {
-            *best = Some(TickFit {
-                end_mm_s,
-                max_mm_s,
-                cut,
-                cost,
-            });
-        }
+        let fit = TickFit {
+            end_mm_s,
+            max_mm_s,
+            cut,
+            cost,
+        };
+        fit.rank(fits);
     }
 
     /// In steps of speed, squared: what is too fast counts more than what is too slow.
@@ -145,20 +173,22 @@ impl TickTarget {
     /// arm makes of the largest speed: no other speeds gave the full length.
     fn crawl(&self, stored_mm_s: f32) -> TickFit {
         let change = self.acceleration_mm_s2 * TICK_S;
-        let mut best = None;
+        let mut fits = Vec::new();
         for ticks in self.least_ticks.max(1)..i16::MAX {
             let even_mm_s = 50.0 * self.length_mm / f32::from(ticks) * (1.0 - SPARE);
             for max in [
                 even_mm_s.min(stored_mm_s.max(LEAST_END_MM_S)),
                 even_mm_s + 0.49 * change,
             ] {
-                self.consider(stored_mm_s, max, max, &mut best);
+                self.consider(stored_mm_s, max, max, &mut fits);
             }
-            if let Some(fit) = best {
+            if let Some(&fit) = fits.first() {
                 return fit;
             }
         }
-        let max_mm_s = single(self.speeds.limit_mm_s).min(self.most_mm_s);
+        // With less than half a step it would keep for ever what it has.
+        let max_mm_s = single(self.speeds.limit_mm_s).max(1.5 * change);
+        let max_mm_s = max_mm_s.min(self.most_mm_s);
         TickFit {
             end_mm_s: 0.0,
             max_mm_s,
@@ -186,6 +216,10 @@ const SPARE: f32 = 1e-5;
 const NEAR: f32 = 0.4;
 pub(super) const OVER: f64 = 8.0;
 const UNDER: f64 = 0.5;
+/// So many choices are told.
+pub(super) const MOST_FITS: usize = 3;
+/// Speeds with so little of a tick's change between them are the same.
+pub(super) const SAME_SHARE: f32 = 0.25;
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;
@@ -216,17 +250,24 @@ mod tests {
     proptest! {
         #[test]
         fn every_vector_is_as_long_as_it_should_be(
-            length_mm in 0.002..150.0_f32,
-            stored in 0.0..60.0_f32,
+            length_mm in 0.012..150.0_f32,
+            stored in prop_oneof![0.0..60.0_f32, (-9.0..0.0_f32).prop_map(|it| 10.0_f32.powf(it))],
             end in 0.0..60.0_f64,
-            max in 1.0..80.0_f64,
+            max in 0.1..80.0_f64,
             rests: bool,
         ) {
             let max = max.max(stored.into()).max(end);
-            let fit = target(length_mm, [stored.into(), end, max], rests).fit(stored);
+            // As the ticker limits it: less could not be begun from rest.
+            let most_mm_s = single(max.max(3.0));
+            let wanted = target(length_mm, [stored.into(), end, max], rests);
+            let fit = TickTarget { most_mm_s, ..wanted }.fits(stored)[0];
             prop_assert!(fit.cut.is_true(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
-            prop_assert!(fit.max_mm_s > 0.0 && fit.max_mm_s <= single(max), "{fit:?}");
+            prop_assert!(fit.max_mm_s > 0.0 && fit.max_mm_s <= most_mm_s, "{fit:?}");
+            // No slower than what is wanted, or than a tenth of what a tick changes.
+            let slowest_mm_s = wanted.speeds.max_mm_s.min(0.2);
+            let most_s = f64::from(length_mm) / slowest_mm_s + 2.0;
+            prop_assert!(f64::from(fit.cut.ticks()) * 0.02 <= most_s, "{fit:?}");
         }
     }
 }

@@ -28,6 +28,15 @@ impl DrawingTool {
         }
     }
 
+    /// Largest speed while drawing or burning, in mm/s.
+    #[must_use]
+    pub const fn speed_mm_s(&self) -> f64 {
+        match self {
+            Self::Pen(pen) => pen.draw_speed_mm_s,
+            Self::Laser(laser) => laser.burn_speed_mm_s,
+        }
+    }
+
     /// Whether it is a laser.
     #[must_use]
     pub const fn burns(&self) -> bool {

@@ -173,7 +173,7 @@ impl DrawingRequest {
             paper: self.paper(standing_z_mm)?,
             machine: Machine {
                 acceleration_mm_s2: self.options.tool.acceleration,
-                corner_deviation_mm: self.options.way.tolerance,
+                corner_deviation_mm: 2.0 * self.options.way.tolerance,
                 ..machine
             },
             ..self.settings.clone()

@@ -19,13 +19,14 @@ pub(super) struct Corridor<'a> {
     pub(super) points: &'a [Point],
     /// Ends where it began.
     pub(super) closed: bool,
-    /// The radius of the discs around the points that have to be hit in order.
-    pub(super) radius: f64,
-    /// For each point the way across the stroke, as long as the radius.
+    /// The radii of the discs around the points that have to be hit in order.
+    pub(super) radii: Vec<f64>,
+    /// For each point the direction across the stroke, of length 1 or 0.
     across: Vec<Vec2>,
 }
 
 impl<'a> Corridor<'a> {
+    /// A corridor as wide everywhere.
     pub(super) fn new(points: &'a [Point], closed: bool, radius: f64) -> Self {
         let closed = closed && points.len() > 2 && points.first() == points.last();
         let last = points.len().saturating_sub(1);
@@ -36,19 +37,19 @@ impl<'a> Corridor<'a> {
                 i.saturating_sub(1)
             };
             let after = (i + 1).min(last);
-            across(points[i] - points[before], points[after] - points[i]) * radius
+            across(points[i] - points[before], points[after] - points[i])
         });
         Self {
             across: across.collect(),
+            radii: vec![radius; points.len()],
             points,
             closed,
-            radius,
         }
     }
 
     /// The two places beside a point, across the stroke.
     pub(super) fn beside(&self, i: usize) -> [Point; 2] {
-        let (here, off) = (self.points[i], self.across[i]);
+        let (here, off) = (self.points[i], self.across[i] * self.radii[i]);
         [here + off, here - off]
     }
 
@@ -60,8 +61,8 @@ impl<'a> Corridor<'a> {
         }
         let along = (b - a) * (1.0 / length);
         let mut least: f64 = 0.0;
-        self.points[first..=last].iter().all(|&p| {
-            let Some((enter, leave)) = self.disc_on_ray(a, along, p) else {
+        (first..=last).all(|i| {
+            let Some((enter, leave)) = self.disc_on_ray(a, along, i) else {
                 return false;
             };
             least = least.max(enter);
@@ -70,12 +71,12 @@ impl<'a> Corridor<'a> {
         })
     }
 
-    /// Where a ray with a direction of length 1 enters and leaves the disc of a point.
-    fn disc_on_ray(&self, from: Point, along: Vec2, p: Point) -> Option<(f64, f64)> {
-        let way = p - from;
+    /// Where a ray with a direction of length 1 enters and leaves the disc of point `i`.
+    fn disc_on_ray(&self, from: Point, along: Vec2, i: usize) -> Option<(f64, f64)> {
+        let (way, radius) = (self.points[i] - from, self.radii[i]);
         let (middle, off) = (way.dot(along), way.cross(along));
-        let half2 = self.radius * self.radius - off * off;
-        (half2 >= -HAIR * self.radius).then(|| {
+        let half2 = radius * radius - off * off;
+        (half2 >= -HAIR * radius).then(|| {
             let half = half2.max(0.0).sqrt();
             (middle - half, middle + half)
         })
@@ -84,31 +85,36 @@ impl<'a> Corridor<'a> {
     /// The farthest point of a ray that lies within the tolerance of the segment that begins with
     /// point `i`, the disc of which it hits.
     pub(super) fn exit(&self, from: Point, along: Vec2, i: usize) -> Option<Point> {
-        let (a, b) = (self.points[i], *self.points.get(i + 1)?);
+        if i + 1 == self.points.len() {
+            return None;
+        }
         let along = along * (1.0 / along.length());
-        let (_, mut farthest) = self.disc_on_ray(from, along, a)?;
-        if let Some((_, leave)) = self.disc_on_ray(from, along, b) {
+        let (_, mut farthest) = self.disc_on_ray(from, along, i)?;
+        if let Some((_, leave)) = self.disc_on_ray(from, along, i + 1) {
             farthest = farthest.max(leave);
         }
-        if let Some(leave) = self.strip_on_ray(from, along, (a, b)) {
+        if let Some(leave) = self.strip_on_ray(from, along, i) {
             farthest = farthest.max(leave);
         }
         (farthest > 0.0).then(|| from + along * farthest)
     }
 
-    /// Where a ray leaves the rectangle around a segment, its sides the tolerance away.
-    fn strip_on_ray(&self, from: Point, along: Vec2, (a, b): (Point, Point)) -> Option<f64> {
+    /// Where a ray leaves the rectangle around the segment that begins with point `i`, its sides as far
+    /// away as the smaller disc.
+    fn strip_on_ray(&self, from: Point, along: Vec2, i: usize) -> Option<f64> {
+        let (a, b) = (self.points[i], self.points[i + 1]);
+        let radius = self.radii[i].min(self.radii[i + 1]);
         let length = a.distance(b);
         let unit = (b - a) * (1.0 / length);
         let across = unit.turn_90();
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-        let sides = [(unit, 0.0, length), (across, -self.radius, self.radius)];
+        let sides = [(unit, 0.0, length), (across, -radius, radius)];
         for (axis, low, high) in sides {
             let (here, speed) = ((from - a).dot(axis), along.dot(axis));
-            let (t, u) = ((low - here) / speed, (high - here) / speed);
+            let [one, other] = [low, high].map(|side| (side - here) / speed);
             if speed.abs() > HAIR {
-                enter = enter.max(t.min(u));
-                leave = leave.min(t.max(u));
+                enter = enter.max(one.min(other));
+                leave = leave.min(one.max(other));
             } else if here < low || here > high {
                 return None;
             }

@@ -16,7 +16,7 @@ use super::visibility::Visibility;
 
 /// The corners of the path with the fewest vectors; `None` if there is none without vectors
 /// that are too short.
-pub(super) fn fewest(corridor: &Corridor<'_>) -> Option<Vec<Point>> {
+pub(super) fn fewest(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
     if corridor.points.len() < 2 {
         return None;
     }
@@ -97,7 +97,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether no vector from point `i`, or from any before it, leads to a point that was not
-    /// reached yet: what it leads to lies also in sight of point `i` at twice the tolerance.
+    /// reached yet: what it leads to lies also in sight of point `i` if all tolerances are larger by that of the point.
     fn is_useless(&mut self, i: usize) -> bool {
         while self.reached.get(self.gap).is_some_and(|bits| bits & 1 == 1) {
             self.gap += 1;
@@ -107,7 +107,7 @@ impl<'a> Search<'a> {
             passed: i,
             before: 0,
         };
-        let mut visibility = Visibility::from(self.corridor, corner, 2.0 * self.corridor.radius);
+        let mut visibility = Visibility::from(self.corridor, corner, self.corridor.radii[i]);
         let out_of_sight = (i + 1..=self.gap).any(|next| !visibility.pass(next));
         self.work += visibility.work;
         out_of_sight
@@ -116,7 +116,7 @@ impl<'a> Search<'a> {
     /// Notes all corners that one vector from here reaches; true if the end is among them.
     fn go_on(&mut self, from: Corner) -> bool {
         let last = self.corridor.points.len() - 1;
-        let mut visibility = Visibility::from(self.corridor, from, self.corridor.radius);
+        let mut visibility = Visibility::from(self.corridor, from, 0.0);
         for i in from.passed + 1..=last {
             if !visibility.pass(i) {
                 break;

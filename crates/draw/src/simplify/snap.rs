@@ -1,13 +1,11 @@
 //! Moves corners back to points of the stroke where that costs no vector.
 
-use dobot_geometry::Point;
-
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 
 /// Moves corners of a path to the points of the stroke they stand for: as many as can be without
 /// another vector. Both ends stay.
-pub(super) fn snap_to_points(corridor: &Corridor<'_>, path: &[Corner]) -> Vec<Point> {
+pub(super) fn snap_to_points(corridor: &Corridor<'_>, path: &[Corner]) -> Vec<Corner> {
     let begin = Choice {
         corner: path[0],
         off: 0,
@@ -79,14 +77,14 @@ fn places(corridor: &Corridor<'_>, found: Corner, ends: bool) -> [Option<Choice>
     [Some(here), point(found.passed), point(found.passed + 1)]
 }
 
-fn best_of_each(layers: &[[Option<Choice>; 3]]) -> Vec<Point> {
+fn best_of_each(layers: &[[Option<Choice>; 3]]) -> Vec<Corner> {
     let mut choice = 0;
-    let mut points: Vec<Point> = Vec::with_capacity(layers.len());
+    let mut corners: Vec<Corner> = Vec::with_capacity(layers.len());
     for layer in layers.iter().rev() {
         let best = layer[choice].expect("what was found is joined to what was found");
-        points.push(best.corner.at);
+        corners.push(best.corner);
         choice = best.before;
     }
-    points.reverse();
-    points
+    corners.reverse();
+    corners
 }

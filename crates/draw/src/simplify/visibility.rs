@@ -10,14 +10,16 @@ use super::corridor::{Corner, Corridor};
 pub(super) struct Visibility<'a> {
     corridor: &'a Corridor<'a>,
     pub(super) from: Corner,
-    /// How far off a disc counts as hit.
-    radius: f64,
+    /// How far off a disc still counts as hit.
+    slack: f64,
     /// The directions that hit all discs so far; `None` while every direction does.
     pub(super) cone: Option<Cone>,
     /// The last point that was passed.
     pub(super) passed: usize,
-    /// The squared distance of the farthest point so far.
+    /// The squared length of the longest tangent to a disc so far.
     reach2: f64,
+    /// The radius of that disc.
+    reach_radius: f64,
     /// The stroke came back a little: the order in which the discs are hit has to be looked at.
     wavering: bool,
     /// How many looks in a row found them out of order.
@@ -30,14 +32,15 @@ pub(super) struct Visibility<'a> {
 }
 
 impl<'a> Visibility<'a> {
-    pub(super) const fn from(corridor: &'a Corridor<'a>, from: Corner, radius: f64) -> Self {
+    pub(super) const fn from(corridor: &'a Corridor<'a>, from: Corner, slack: f64) -> Self {
         Self {
             corridor,
             from,
-            radius,
+            slack,
             cone: None,
             passed: from.passed,
             reach2: 0.0,
+            reach_radius: 0.0,
             wavering: false,
             misses: 0,
             looked: false,
@@ -49,14 +52,17 @@ impl<'a> Visibility<'a> {
     /// Narrows the view to what passes the next point; false if nothing does.
     pub(super) fn pass(&mut self, i: usize) -> bool {
         self.work += 1;
-        let radius = self.radius;
+        let radius = self.corridor.radii[i] + self.slack;
         let way = self.corridor.points[i] - self.from.at;
         let distance2 = way.hypot2();
-        if distance2 >= self.reach2 {
-            self.reach2 = distance2;
-        } else if self.reach2 > radius * radius {
+        let tangent2 = distance2 - radius * radius;
+        if tangent2 >= self.reach2 {
+            self.reach2 = tangent2;
+            self.reach_radius = radius;
+        } else if self.reach2 > 0.0 {
             self.wavering = true;
-            if distance2.sqrt() + 2.0 * radius < self.reach2.sqrt() {
+            let reach = (self.reach2 + self.reach_radius * self.reach_radius).sqrt();
+            if distance2.sqrt() + radius + self.reach_radius < reach {
                 return false;
             }
         }
@@ -85,8 +91,7 @@ impl<'a> Visibility<'a> {
             return false;
         }
         // Discs ever farther out are hit in order, and no later than their tangents are long.
-        let radius = self.corridor.radius;
-        if !self.wavering && length2 >= self.reach2 - radius * radius {
+        if !self.wavering && length2 >= self.reach2 {
             return true;
         }
         self.in_order(at, i)

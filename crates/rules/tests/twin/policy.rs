@@ -2,10 +2,13 @@
 
 use dobot_arm::{Pose, Position, Tool};
 use dobot_geometry::{Point, Stroke};
-use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen, Plan};
+use dobot_plan::{
+    DrawingTool, Laser, Machine, Paper, Pass, Pen, Plan, RespeedStart, end_speed_mm_s, respeed,
+    rest_each,
+};
 use dobot_safety::Policy;
 use dobot_trajectory::{ArmPlace, Model};
-use dobot_wire::Dialect;
+use dobot_wire::{Command, Dialect, WriteVector};
 use proptest::prelude::*;
 
 /// Strokes within reach, of steps from a hundredth of a millimetre to the whole width of the paper.
@@ -51,9 +54,14 @@ fn tool() -> impl Strategy<Value = DrawingTool> {
     ]
 }
 
-/// The first command of a plan that the policy refuses, and why.
-fn refused(plan: &Plan, dialect: Dialect, tool: Tool) -> Option<String> {
-    let [x, y, z] = plan.start;
+/// The first of the commands that the policy refuses, or that takes the arm ever so long, and why.
+fn refused(
+    commands: Vec<Command>,
+    start: [f64; 3],
+    dialect: Dialect,
+    tool: Tool,
+) -> Option<String> {
+    let [x, y, z] = start;
     let position = Position::new(x, y, z);
     let pose = Pose {
         position,
@@ -63,9 +71,14 @@ fn refused(plan: &Plan, dialect: Dialect, tool: Tool) -> Option<String> {
     let mut model = Model::standing(dialect, place);
     model.tool = tool;
     let policy = Policy::default();
-    plan.commands()
+    commands
+        .into_iter()
         .enumerate()
         .find_map(|(number, command)| match policy.check(&model, &command) {
+            Ok(trajectory) if trajectory.duration_s() > Some(most_s(&command)) => Some(format!(
+                "{number}: takes {:?} s, {command:?}",
+                trajectory.duration_s()
+            )),
             Ok(trajectory) => {
                 model = model.after(&command, &trajectory);
                 None
@@ -74,9 +87,68 @@ fn refused(plan: &Plan, dialect: Dialect, tool: Tool) -> Option<String> {
         })
 }
 
+/// How long a vector may take: a tenth of its largest speed, and a second.
+fn most_s(command: &Command) -> f64 {
+    match command {
+        Command::WriteVector(it) => {
+            let way_mm = it.x_mm.hypot(it.y_mm).hypot(it.z_mm);
+            1.0 + f64::from(way_mm / (0.1 * it.max_speed_mm_s))
+        }
+        _ => f64::INFINITY,
+    }
+}
+
+/// A plan from one of its vectors on, at another share of its speeds.
+struct Other {
+    /// All of its commands, when a person asks for that share while the arm draws.
+    running: Vec<Command>,
+    /// Those from that vector on, behind a crash: up to the next rest each of them rests.
+    behind_a_crash: Vec<Command>,
+    /// Where the arm is then.
+    here: [f64; 3],
+}
+
+impl Other {
+    fn of(plan: &Plan, at: usize, share: f64, tool: Tool) -> Self {
+        let machine = plan.machine();
+        let mut running: Vec<Command> = plan.commands().collect();
+        let first = plan.command_of(at);
+        let vector = |it: &Command| match it {
+            Command::WriteVector(it) => Some(*it),
+            _ => None,
+        };
+        let before = running[..first].iter().filter_map(vector);
+        let speed_mm_s = before.fold(0.0, |speed, it| end_speed_mm_s(&it, speed, machine));
+        let vectors: Vec<WriteVector> = running[first..].iter().filter_map(vector).collect();
+        let here = plan.positions().take(at).last().unwrap_or(plan.start);
+        let begin = RespeedStart {
+            speed_mm_s,
+            position: Position::new(here[0], here[1], here[2]),
+            tool,
+        };
+        let faster_or_slower = respeed(&vectors, &begin, share, machine);
+        for (command, other) in running[first..].iter_mut().zip(faster_or_slower) {
+            *command = other.into();
+        }
+        let rest = vectors.iter().position(|it| it.end_speed_mm_s == 0.0);
+        let chain = &vectors[..=rest.expect("a plan ends at rest")];
+        let setup = plan.commands().take(plan.command_of(0) - 1);
+        let resting = rest_each(chain, share, machine);
+        Self {
+            running,
+            behind_a_crash: setup
+                .chain(resting.into_iter().map(Command::from))
+                .collect(),
+            here,
+        }
+    }
+}
+
 proptest! {
     #[test]
-    fn the_rules_allow_every_command_of_a_plan(strokes in strokes(), tool in tool()) {
+    fn the_rules_allow_every_command_of_a_plan_at_any_speed(
+        strokes in strokes(), tool in tool(), share in 0.1..1.0_f64, at in any::<prop::sample::Index>(),
+    ) {
         for dialect in [Dialect::SPECIFICATION, Dialect::FIRMWARE_1_1] {
             let machine = Machine::of(dialect);
             let pass = Pass::new(tool, strokes.clone());
@@ -85,7 +157,16 @@ proptest! {
             for vector in &plan.moves {
                 prop_assert!(f64::from(vector.max_speed_mm_s) <= most, "{vector:?}");
             }
-            prop_assert_eq!(refused(&plan, dialect, tool.end_effector()), None);
+            let effector = tool.end_effector();
+            let refusal = |commands, start| refused(commands, start, dialect, effector);
+            prop_assert_eq!(refusal(plan.commands().collect(), plan.start), None);
+            // The policy has a least speed for lasers: what is slower is refused when it is asked for.
+            if plan.moves.is_empty() || plan.burns() {
+                continue;
+            }
+            let other = Other::of(&plan, at.index(plan.moves.len()), share.min(1.0), effector);
+            prop_assert_eq!(refusal(other.running, plan.start), None);
+            prop_assert_eq!(refusal(other.behind_a_crash, other.here), None);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! At which speeds the vectors go that are not sent yet.
 
-use dobot_plan::{Machine, RespeedStart, respeed};
+use dobot_plan::{Machine, RespeedStart, respeed, rest_each};
 use dobot_trajectory::burns;
 use dobot_wire::{Command, WriteVector, single};
 
@@ -123,10 +123,7 @@ impl Speeds {
         self.machine = self.machine_at(plan, index);
         self.first = index;
         self.vectors = if self.rests_each(index) {
-            chain
-                .iter()
-                .map(|it| between_rests(it, self.share))
-                .collect()
+            rest_each(&chain, self.share, &self.machine)
         } else {
             let begin = begin(plan, index, speed_mm_s);
             respeed(&chain, &begin, self.share, &self.machine)
@@ -140,15 +137,6 @@ fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> RespeedStart {
         speed_mm_s,
         position: plan.start_position(index).unwrap_or_default(),
         tool: plan.drawn_with(index).tool,
-    }
-}
-
-fn between_rests(vector: &WriteVector, share: f64) -> WriteVector {
-    WriteVector {
-        start_speed_mm_s: 0.0,
-        end_speed_mm_s: 0.0,
-        max_speed_mm_s: single(f64::from(vector.max_speed_mm_s) * share.min(1.0)),
-        ..*vector
     }
 }
 

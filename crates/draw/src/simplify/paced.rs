@@ -1,0 +1,163 @@
+//! The path that is fastest at a pace: neither the fewest vectors nor the most.
+//!
+//! Where the link limits the speed, fewer vectors are faster. Where the arm does, more vectors turn more
+//! gently, and lie nearer to the curve. So the corridor is narrowed where vectors take longer than the
+//! link needs for the next, and widened again where they take less.
+//!
+//! ```text
+//!   width    ______              ______   the tolerance: the link limits the tight turn
+//!                  \            /
+//!                   `--.____.--'          the arm limits the long one
+//! ```
+
+use dobot_plan::Pace;
+
+use super::MIN_VECTOR_MM;
+use super::corridor::{Corner, Corridor};
+use super::search::fewest;
+
+/// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
+/// without vectors that are too short.
+///
+/// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
+/// slower than a smaller one.
+pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
+    let mut most_mm = corridor.radii.first().copied()?;
+    let mut best = Attempt::new(&corridor, pace)?;
+    let mut here = best.clone();
+    while here.time_s <= best.time_s * WORTH_MORE {
+        let curved = here.is_curved(&corridor, most_mm / NARROWEST);
+        best = best.or(here);
+        if !curved {
+            break;
+        }
+        best = rounds(&mut corridor, most_mm, pace, best);
+        most_mm *= 0.5;
+        if most_mm < NARROWEST * MIN_VECTOR_MM {
+            break;
+        }
+        corridor.radii.fill(most_mm);
+        here = Attempt::new(&corridor, pace)?;
+    }
+    Some(best.path)
+}
+
+/// Makes a corridor that is as wide everywhere as narrow as is best, a few times. What is best of
+/// its paths and the one given.
+fn rounds(corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace, mut best: Attempt) -> Attempt {
+    let Some(mut last) = Attempt::new(corridor, pace) else {
+        return best;
+    };
+    for periods in ROUNDS {
+        if !last.narrow(corridor, most_mm, periods * pace.link.period_s) {
+            break;
+        }
+        let Some(next) = Attempt::new(corridor, pace) else {
+            break;
+        };
+        best = best.or(next.clone());
+        last = next;
+    }
+    best
+}
+
+/// A path, and how long it takes.
+#[derive(Clone, Debug)]
+struct Attempt {
+    path: Vec<Corner>,
+    /// How long the arm takes for each vector, in s.
+    durations_s: Vec<f64>,
+    /// How long all of it takes behind the link, in s.
+    time_s: f64,
+    /// How wide the corridor was at all points together, in mm.
+    width_mm: f64,
+}
+
+impl Attempt {
+    fn new(corridor: &Corridor<'_>, pace: &Pace) -> Option<Self> {
+        let path = fewest(corridor)?;
+        let increments = path.windows(2).map(|pair| {
+            let way = pair[1].at - pair[0].at;
+            [way.x, way.y, 0.0]
+        });
+        let durations_s = pace.durations_s(increments);
+        Some(Self {
+            time_s: pace.time_s(&durations_s),
+            durations_s,
+            width_mm: corridor.radii.iter().sum(),
+            path,
+        })
+    }
+
+    /// Whether a vector passes points at which another could end, so far off that it might.
+    fn is_curved(&self, corridor: &Corridor<'_>, off_mm: f64) -> bool {
+        self.path.windows(2).any(|pair| {
+            let (from, way) = (pair[0].at, pair[1].at - pair[0].at);
+            let passed = &corridor.points[pair[0].passed + 1..=pair[1].passed];
+            let mut across = passed.iter().map(|p| (*p - from).cross(way).abs());
+            passes_points(pair) && across.any(|it| it > off_mm * way.length())
+        })
+    }
+
+    /// The faster of both; the one in the narrower corridor if they are about as fast.
+    fn or(self, other: Self) -> Self {
+        let [near, far] = if self.width_mm < other.width_mm {
+            [self, other]
+        } else {
+            [other, self]
+        };
+        if near.time_s <= far.time_s * SAME {
+            near
+        } else {
+            far
+        }
+    }
+
+    /// Narrows the corridor where vectors take longer than they should, and widens it up to the most where
+    /// they take less. Whether anything changed.
+    fn narrow(&self, corridor: &mut Corridor<'_>, most_mm: f64, wanted_s: f64) -> bool {
+        let range_mm = (most_mm / NARROWEST).max(MIN_VECTOR_MM)..=most_mm;
+        let mut changed = false;
+        for (i, pair) in self.path.windows(2).enumerate() {
+            let share = (wanted_s / self.mean_s(i)).powf(STRENGTH);
+            let share = share.clamp(1.0 / STEEPEST, STEEPEST);
+            if share < 1.0 && !passes_points(pair) {
+                continue;
+            }
+            for radius in &mut corridor.radii[pair[0].passed..pair[1].passed] {
+                let new_mm = (*radius * share).clamp(*range_mm.start(), *range_mm.end());
+                changed |= (new_mm / *radius - 1.0).abs() > SAME - 1.0;
+                *radius = new_mm;
+            }
+        }
+        changed
+    }
+
+    /// How long the vectors around this one take in the mean, in s.
+    fn mean_s(&self, i: usize) -> f64 {
+        let end = self.durations_s.len().min(i + AROUND + 1);
+        let near = &self.durations_s[i.saturating_sub(AROUND)..end];
+        #[expect(clippy::cast_precision_loss, reason = "a handful")]
+        let count = near.len() as f64;
+        near.iter().sum::<f64>() / count
+    }
+}
+
+fn passes_points(pair: &[Corner]) -> bool {
+    pair[1].passed > pair[0].passed + 1
+}
+
+/// How many periods of the link a vector should take, round after round.
+const ROUNDS: [f64; 4] = [1.4, 1.2, 1.1, 1.3];
+/// Times with so little between them are the same.
+const SAME: f64 = 1.005;
+/// A half of the tolerance is looked at where it begins no slower than that.
+const WORTH_MORE: f64 = 1.05;
+/// How many times narrower than the tolerance a corridor may become.
+const NARROWEST: f64 = 16.0;
+/// How much the width follows the time: with the square a chord would take just as long as wanted.
+const STRENGTH: f64 = 1.3;
+/// How much narrower or wider it becomes in one round.
+const STEEPEST: f64 = 4.0;
+/// How many vectors before and behind count for how narrow it should be.
+const AROUND: usize = 2;

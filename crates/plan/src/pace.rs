@@ -1,0 +1,82 @@
+//! How long a way takes, estimated without planning it.
+
+use dobot_arm::TICK_S;
+
+use crate::link::Credit;
+use crate::lookahead::{ChainVector, Cornering};
+use crate::{DrawingTool, LinkRate, Machine};
+
+/// What decides how long a stroke takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// How corners slow the tool down.
+    pub cornering: Cornering,
+    /// The largest speed, in mm/s.
+    pub speed_mm_s: f64,
+    /// How fast vectors come.
+    pub link: LinkRate,
+    /// How much longer a vector takes in the mean because it is cut into whole ticks, in s.
+    pub lost_s: f64,
+}
+
+impl Pace {
+    /// The pace of this tool on this machine.
+    #[must_use]
+    pub const fn of(machine: &Machine, tool: &DrawingTool) -> Self {
+        Self {
+            cornering: machine.cornering(),
+            speed_mm_s: tool.speed_mm_s(),
+            link: machine.link,
+            lost_s: if machine.has_ticks {
+                LOST_TICKS * TICK_S
+            } else {
+                0.0
+            },
+        }
+    }
+
+    /// How long the arm takes for each vector between these increments in mm, from rest to rest, in s:
+    /// the link left out, and no corner eased.
+    #[must_use]
+    pub fn durations_s(&self, increments: impl Iterator<Item = [f64; 3]>) -> Vec<f64> {
+        let chain: Vec<ChainVector> = increments
+            .map(|it| ChainVector::of(it, self.speed_mm_s))
+            .collect();
+        self.cornering.durations_s(&chain)
+    }
+
+    /// How long all of them take behind the link, in s. The link counts as somewhat slower than it is:
+    /// where it slows one vector down its neighbours brake for it.
+    #[must_use]
+    pub fn time_s(&self, durations_s: &[f64]) -> f64 {
+        let mut credit = Credit::new(LinkRate {
+            period_s: BRAKING * self.link.period_s,
+        });
+        let took_s = durations_s.iter().map(|&arm_s| {
+            let took_s = (arm_s + self.lost_s).max(credit.least_s());
+            credit.take(took_s);
+            took_s
+        });
+        took_s.sum()
+    }
+}
+
+const BRAKING: f64 = 1.15;
+/// A vector takes whole ticks, and rather more of them than less.
+const LOST_TICKS: f64 = 0.9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_takes_what_the_arm_or_the_link_needs() {
+        let pace = Pace::of(&Machine::default(), &DrawingTool::default());
+        // 40 mm at 40 mm/s and 100 mm/s2: 0.4 s up, 0.4 s down over 8 mm each, 24 mm at full speed.
+        let long = pace.durations_s([[40.0, 0.0, 0.0]].into_iter());
+        assert!((pace.time_s(&long) - 1.4).abs() < 1e-9, "{long:?}");
+        let short = pace.durations_s([[0.1, 0.0, 0.0]; 100].into_iter());
+        let took_s = pace.time_s(&short);
+        assert!((9.0..9.4).contains(&took_s), "{took_s}");
+    }
+}

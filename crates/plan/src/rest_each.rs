@@ -1,0 +1,160 @@
+//! Vectors that each begin and end at rest, for an arm of which nobody knows how fast it begins.
+
+use dobot_wire::{WriteVector, single};
+
+use crate::Machine;
+use crate::ticker::is_rapid;
+
+/// The same vectors at `share` of their largest speeds, and no faster than planned, each from rest to
+/// rest. A stock arm makes them as long as they should be to 0.02 mm, whatever less than a tick's
+/// change of speed it has kept from before (note N48).
+///
+/// ```text
+///   speed of a tick               kept from before:      each has the largest speed k + 0.45 steps:
+///   k steps  |    ______             none ____           k ticks faster, k ticks slower, whatever
+///            |  _/      \_         nearly one ....       is kept, so that no less than that is
+///      none  |_/..........\_                             left, and never less than none
+/// ```
+///
+/// A largest speed of less than half a step would leave the arm at the speed that it has kept, for
+/// minutes or for ever (note N51): so the least is one step, and what is between is rounded down.
+/// A vector in laser mode with the laser off cannot speed up at all. So the one before it does not rest.
+/// What is planned from rest to rest stays as it is at a share of 1.
+#[must_use]
+pub fn rest_each(vectors: &[WriteVector], share: f64, machine: &Machine) -> Vec<WriteVector> {
+    let next = vectors.iter().skip(1).map(Some).chain([None]);
+    let pairs = vectors.iter().zip(next);
+    pairs
+        .map(|(vector, next)| {
+            if share >= 1.0 && rests(vector) {
+                return *vector;
+            }
+            let wanted_mm_s = f64::from(vector.max_speed_mm_s) * share.min(1.0);
+            let max_speed_mm_s = if is_rapid(vector) {
+                single(wanted_mm_s)
+            } else {
+                single(machine.rest_to_rest_mm_s(wanted_mm_s))
+            };
+            let goes_on = machine.has_ticks && !is_rapid(vector) && next.is_some_and(is_rapid);
+            WriteVector {
+                start_speed_mm_s: 0.0,
+                end_speed_mm_s: if goes_on { max_speed_mm_s } else { 0.0 },
+                max_speed_mm_s,
+                ..*vector
+            }
+        })
+        .collect()
+}
+
+/// Whether it begins and ends at rest as it is.
+fn rests(vector: &WriteVector) -> bool {
+    vector.start_speed_mm_s == 0.0 && vector.end_speed_mm_s == 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use dobot_motion::Cut;
+    use dobot_wire::WriteMode;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const STOCK: Machine = Machine {
+        has_ticks: true,
+        acceleration_mm_s2: 100.0,
+        joint_speed_deg_s: 100.0,
+        corner_deviation_mm: 0.1,
+        link: crate::LinkRate { period_s: 0.08 },
+    };
+
+    /// What a stock arm that has kept this speed makes of the vectors.
+    fn cuts(vectors: &[WriteVector], mut kept_mm_s: f32, machine: &Machine) -> Vec<Cut> {
+        let cut = |it: &WriteVector| {
+            let factor = if is_rapid(it) { 100.0 } else { 1.0 };
+            let cut = Cut::of(
+                it.x_mm,
+                kept_mm_s,
+                it.end_speed_mm_s,
+                it.max_speed_mm_s,
+                factor * single(machine.acceleration_mm_s2),
+            );
+            kept_mm_s = cut.end_mm_s;
+            cut
+        };
+        vectors.iter().map(cut).collect()
+    }
+
+    #[test]
+    fn the_slowest_vector_is_over_in_seconds_whatever_a_stock_arm_has_kept() {
+        // 6 mm/s at 10 %. At the speed kept, 1.66 mm would take 50 * 1.66 / 0.0044 ticks: 375 s.
+        let vector = WriteVector::by(1.664_266, 0.0, 0.0, 6.0);
+        for kept_mm_s in [0.0, 5.418_604e-7, 0.004_43, 0.4, 1.9] {
+            let slow = rest_each(&[vector], 0.1, &STOCK);
+            let cut = cuts(&slow, kept_mm_s, &STOCK)[0];
+            assert!((1..60).contains(&cut.ticks()), "{kept_mm_s}: {cut:?}");
+            assert!(cut.is_true(), "{kept_mm_s}: {cut:?}");
+        }
+    }
+
+    #[test]
+    fn the_arm_runs_out_behind_a_laser_with_the_speed_that_it_burned_with() {
+        let burn = WriteVector {
+            mode: WriteMode::Laser,
+            laser: true,
+            start_speed_mm_s: 10.0,
+            end_speed_mm_s: 10.0,
+            ..WriteVector::by(5.0, 0.0, 0.0, 10.0)
+        };
+        let out = WriteVector {
+            laser: false,
+            x_mm: 0.5,
+            ..burn
+        };
+        let cuts = cuts(&rest_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
+        assert!(cuts.iter().all(Cut::is_true), "{cuts:?}");
+        assert!(cuts[2].ticks() <= 4, "{cuts:?}");
+    }
+
+    #[test]
+    fn what_is_planned_from_rest_to_rest_stays_as_it_is() {
+        let planned = [WriteVector::by(3.0, 1.0, 0.0, 41.0)];
+        assert_eq!(rest_each(&planned, 1.0, &STOCK), planned);
+    }
+
+    #[test]
+    fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_told() {
+        let vector = WriteVector::by(1.6, 0.0, 0.0, 6.0);
+        let slow = rest_each(&[vector], 0.1, &Machine::default())[0];
+        assert!((slow.max_speed_mm_s - 0.6).abs() < 1e-6, "{slow:?}");
+        assert_eq!(slow.end_speed_mm_s, 0.0);
+    }
+
+    proptest! {
+        #[test]
+        fn a_stock_arm_ends_each_of_them_where_it_should_and_soon(
+            lengths_mm in prop::collection::vec(0.05..50.0_f32, 1..8),
+            acceleration_mm_s2 in 20.0..200.0_f64,
+            max_mm_s in 1.0..100.0_f32,
+            share in 0.1..2.0_f64,
+            kept in prop_oneof![0.0..0.9_f32, (-9.0..0.0_f32).prop_map(|it| 0.9 * 10.0_f32.powf(it))],
+        ) {
+            let machine = Machine { acceleration_mm_s2, ..STOCK };
+            let step_mm_s = single(acceleration_mm_s2) * 0.02;
+            // From the middle of a stroke.
+            let vector = |it: &f32| WriteVector {
+                start_speed_mm_s: 1.0,
+                ..WriteVector::by(*it, 0.0, 0.0, max_mm_s)
+            };
+            let planned: Vec<_> = lengths_mm.iter().map(vector).collect();
+            let vectors = rest_each(&planned, share, &machine);
+            for (vector, cut) in vectors.iter().zip(cuts(&vectors, kept * step_mm_s, &machine)) {
+                // What is kept is kept on a short way if it is more than a tenth of the largest speed.
+                let most_ticks = 50.0 * vector.x_mm / (0.1 * step_mm_s) + 10.0;
+                let off_mm = cut.length_mm() - vector.x_mm;
+                prop_assert!(off_mm.abs() < 0.02, "{off_mm} mm: {vector:?}: {cut:?}");
+                prop_assert!(cut.counts.iter().all(|it| *it >= 0), "{cut:?}");
+                prop_assert!((1.0..=most_ticks).contains(&f32::from(cut.ticks())), "{vector:?}: {cut:?}");
+            }
+        }
+    }
+}
