@@ -37,12 +37,18 @@ test("a person jogs, teaches two points and loops them, stops, has a picture dra
         assert.ok(Math.abs(width - 87) < 2, `the ink of the boat is ${width} mm wide`);
         break;
       }
+      case "released":
+        assert.deepEqual([stop, arm.moving, arm.y_mm], [null, false, before.y_mm], "what was stopped does not go on by itself");
+        break;
+      case "planned":
+        assert.equal(job, null, "nothing is drawn before a person starts it");
+        break;
       default:
         assert.deepEqual([arm.x_mm, arm.moving], [before.x_mm, false], "what is refused moves nothing");
     }
     before = arm;
   });
-  assert.deepEqual(parts, ["jogged", "looped", "stopped", "drawn", "refused"]);
+  assert.deepEqual(parts, ["jogged", "looped", "stopped", "released", "planned", "drawn", "looked", "refused"]);
   const { arm } = await state();
   assert.ok(arm.x_mm > before.x_mm + 20, "the nearest place is one click away");
   assert.deepEqual(bench.errors, []);

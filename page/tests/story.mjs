@@ -82,7 +82,7 @@ export class Hand {
 /**
  * The story. `seen` is told each part when it is over.
  * @param {Hand} hand
- * @param {(part: "jogged" | "looped" | "stopped" | "drawn" | "refused") => Promise<void>} seen
+ * @param {(part: "jogged" | "looped" | "stopped" | "released" | "planned" | "drawn" | "looked" | "refused") => Promise<void>} seen
  */
 export async function tell(hand, seen) {
   const { page } = hand;
@@ -122,16 +122,21 @@ export async function tell(hand, seen) {
   await hand.click("#sure-yes");
   await page.waitForSelector("#stopped", { state: "detached" });
   await hand.click("#teach-end");
+  await seen("released");
 
   await hand.click("#tab-draw");
   await hand.drop("#panel", "boat.svg", BOAT);
   await page.waitForFunction(() => document.querySelector("#draw-told")?.textContent.includes("It takes"));
   await hand.look(2);
+  await seen("planned");
   await hand.click("#draw-start");
   await page.waitForSelector("#job-name:text('boat.svg')");
   await page.waitForSelector("#job", { state: "detached", timeout: 120_000 });
-  await hand.look(1.5);
   await seen("drawn");
+  await hand.click("[data-look=top]");
+  await hand.look(2.5);
+  await hand.click("[data-look=iso]");
+  await seen("looked");
 
   await hand.click("#tab-move");
   await hand.type("#target-x_mm", "600");
