@@ -4739,6 +4739,11 @@ export interface components {
             type: "submit_job";
             /** @description The job. */
             job: components["schemas"]["NewJob"];
+            /**
+             * @description What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
+             *     other job.
+             */
+            key?: string | null;
         } | {
             /** @constant */
             type: "start_job";
@@ -4790,6 +4795,11 @@ export interface components {
              * @description Its number.
              */
             job: number;
+            /**
+             * @description What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
+             *     other job.
+             */
+            key?: string | null;
         } | {
             /** @constant */
             type: "move_job";
@@ -9038,7 +9048,12 @@ export interface operations {
     };
     get_jobs: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description How many at the most, 1 to 1000; without it all */
+                limit?: number;
+                /** @description The number or name of the last one of the page before; the header Link has the address of the next page */
+                after?: string;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -9086,6 +9101,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description - `out-of-range`: a number is not allowed */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description - `too-many-requests`: too many requests */
             429: {
                 headers: {
@@ -9123,6 +9147,8 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
+                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;
@@ -9153,7 +9179,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is queued */
+            /** @description the job is queued; the header Location names it */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -9232,7 +9258,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-job`: the job cannot be done
+             * @description - `key-reused`: the key was that of another request
+             *     - `bad-job`: the job cannot be done
              *     - `policy`: the policy does not allow this
              *     - `command`: the command is not sent
              *     - `out-of-range`: a number is not allowed
@@ -9621,6 +9648,8 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
+                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                "Idempotency-Key"?: string;
             };
             path: {
                 id: number;
@@ -9635,8 +9664,8 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the new job is queued */
-            200: {
+            /** @description the job is queued; the header Location names it */
+            201: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -9723,7 +9752,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-job`: the job cannot be done
+             * @description - `key-reused`: the key was that of another request
+             *     - `bad-job`: the job cannot be done
              *     - `policy`: the policy does not allow this
              *     - `command`: the command is not sent
              *     - `out-of-range`: a number is not allowed
@@ -11253,6 +11283,8 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
+                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                "Idempotency-Key"?: string;
             };
             path?: never;
             cookie?: never;
@@ -11274,7 +11306,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is queued */
+            /** @description the job is queued; the header Location names it */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -11353,7 +11385,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-program`: the program cannot be done
+             * @description - `key-reused`: the key was that of another request
+             *     - `bad-program`: the program cannot be done
              *     - `bad-job`: the job cannot be done
              *     - `policy`: the policy does not allow this
              *     - `command`: the command is not sent
@@ -11404,7 +11437,12 @@ export interface operations {
     };
     get_recordings: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description How many at the most, 1 to 1000; without it all */
+                limit?: number;
+                /** @description The number or name of the last one of the page before; the header Link has the address of the next page */
+                after?: string;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -11445,6 +11483,15 @@ export interface operations {
              *     - `forbidden-origin`: another site's page may not do this
              */
             403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `out-of-range`: a number is not allowed */
+            422: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -11980,6 +12027,8 @@ export interface operations {
             header?: {
                 /** @description The token of a lease that was taken with `POST /api/v1/lease` */
                 "Dobot-Lease"?: string;
+                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                "Idempotency-Key"?: string;
             };
             path: {
                 id: number;
@@ -11998,7 +12047,7 @@ export interface operations {
             };
         };
         responses: {
-            /** @description the job is queued */
+            /** @description the job is queued; the header Location names it */
             201: {
                 headers: {
                     [name: string]: unknown;
@@ -12089,7 +12138,8 @@ export interface operations {
                 };
             };
             /**
-             * @description - `bad-drawing`: it cannot be drawn
+             * @description - `key-reused`: the key was that of another request
+             *     - `bad-drawing`: it cannot be drawn
              *     - `bad-job`: the job cannot be done
              *     - `policy`: the policy does not allow this
              *     - `command`: the command is not sent

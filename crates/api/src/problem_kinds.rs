@@ -152,6 +152,8 @@ kinds! {
         "The folder with the recordings, or one of them, cannot be read. Look at its permissions; `dobot log` reads recordings, too.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
         "A number lies outside its range. The detail says which one, and what is allowed.";
+    KEY_REUSED = 422 "key-reused" "the key was that of another request"
+        "An `Idempotency-Key` is the name of one request: sent again with the same key it queues no other job, and answers with the one that is there. Another request needs another key.";
     BAD_JOB = 422 "bad-job" "the job cannot be done"
         "A command of the job cannot be done. The detail says which one, counted from 0, and why.";
     BAD_DRAWING = 422 "bad-drawing" "it cannot be drawn"

@@ -93,6 +93,11 @@ pub enum Request {
     SubmitJob {
         /// The job.
         job: NewJob,
+        /// What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
+        /// other job.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(length(min = 1, max = 64))]
+        key: Option<String>,
     },
     /// Start a queued job, or go on with a paused one.
     StartJob {
@@ -131,6 +136,11 @@ pub enum Request {
     QueueAgain {
         /// Its number.
         job: u64,
+        /// What the sender calls this request, 1 to 64 visible characters: sent again with the same key, it queues no
+        /// other job.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(length(min = 1, max = 64))]
+        key: Option<String>,
     },
     /// Put a queued job before another queued one, or behind all of them.
     MoveJob {

@@ -54,6 +54,7 @@ fn job(commands: usize) -> PlannedJob {
         commands: vec![command; commands],
         pauses: Vec::new(),
         program: dobot_api::JobProgram::default(),
+        key: None,
     }
 }
 

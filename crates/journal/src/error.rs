@@ -165,6 +165,15 @@ pub enum JournalError {
         state: JobState,
     },
 
+    /// Another job was asked for with the same key.
+    #[error("job {job}, another one, was asked for with the key {key:?}; each request has its own")]
+    KeyReused {
+        /// The key.
+        key: String,
+        /// The other job.
+        job: JobId,
+    },
+
     /// A job that has begun and is not over was to be removed.
     #[error("job {job} is {state}; stop it before it is removed")]
     Unfinished {

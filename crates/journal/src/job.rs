@@ -43,6 +43,8 @@ pub struct PlannedJob {
     pub pauses: Vec<JobPause>,
     /// How it goes through its commands.
     pub program: JobProgram,
+    /// What the sender calls the request for it, where that may be sent again: its answer may be lost on the way.
+    pub key: Option<String>,
 }
 
 /// A job in the journal, without its commands.
@@ -79,6 +81,18 @@ pub struct Job {
     pub behind: Behind,
     /// How far it has come.
     pub window: Window,
+    /// What the sender calls the request for it, where that may be sent again.
+    pub key: Option<String>,
+}
+
+impl Job {
+    /// Whether a request for a job asked for this one: as far as can be told without the commands.
+    #[must_use]
+    pub fn is_as(&self, asked: &PlannedJob) -> bool {
+        self.title == asked.title
+            && self.kind == asked.kind
+            && self.commands == asked.commands.len()
+    }
 }
 
 /// What a job has behind it, besides commands.

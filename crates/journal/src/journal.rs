@@ -79,17 +79,21 @@ impl Journal {
         self.store().write(|change| note_clean(change, true))
     }
 
-    /// Takes a job, which is queued.
+    /// Takes a job, which is queued. Where the journal has one that was asked for with the same key, it is that one.
     ///
     /// # Errors
     ///
-    /// [`JournalError`] where a command or the lift makes no sense, or the storage fails.
+    /// [`JournalError`] where a command or the lift makes no sense, another job was asked for with the same key, or the storage
+    /// fails.
     pub fn submit(&self, job: &PlannedJob) -> Result<JobId, JournalError> {
         finite("the planned time", job.planned_s)?;
         let row = JobRow::new(job)?.to_bytes();
         let packets = rows::packets(job)?;
         let steps = rows::steps_bytes(&job.program);
         let mut store = self.store();
+        if let Some(id) = asked_before(&store.jobs()?, job)? {
+            return Ok(id);
+        }
         let id = store.read(|look| fact(look, NEXT_JOB_FACT))?;
         store.write(|change| {
             change.open_table(FACTS)?.insert(NEXT_JOB_FACT, id + 1)?;
@@ -453,4 +457,19 @@ fn forget(change: &WriteTransaction, jobs: &[JobId]) -> Result<(), redb::Error> 
         places.remove(job.0)?;
     }
     Ok(())
+}
+
+/// The job that was asked for with the same key.
+fn asked_before(jobs: &[Job], asked: &PlannedJob) -> Result<Option<JobId>, JournalError> {
+    let Some(key) = &asked.key else {
+        return Ok(None);
+    };
+    match jobs.iter().find(|it| it.key.as_ref() == Some(key)) {
+        Some(job) if job.is_as(asked) => Ok(Some(job.id)),
+        Some(job) => Err(JournalError::KeyReused {
+            key: key.clone(),
+            job: job.id,
+        }),
+        None => Ok(None),
+    }
 }

@@ -24,6 +24,7 @@
 //!     commands: vec![Configuration::Writing { acceleration_mm_s2: 100.0 }.into()],
 //!     pauses: Vec::new(),
 //!     program: JobProgram::default(),
+//!     key: None,
 //! })?;
 //!
 //! journal.set_state(id, &JobState::Running)?;

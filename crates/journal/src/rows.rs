@@ -33,6 +33,9 @@ pub(crate) struct JobRow {
     // Nor those of format 3 this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     calibration: Option<[f64; 10]>,
+    // Nor those of format 4 this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    key: Option<String>,
 }
 
 /// A job that began before anybody counted.
@@ -71,6 +74,7 @@ impl JobRow {
             calibration: Some(job.calibration)
                 .filter(|it| !it.is_none())
                 .map(|it| it.to_numbers()),
+            key: job.key.clone(),
         })
     }
 
@@ -118,6 +122,7 @@ impl JobRow {
             pauses: self.pauses,
             adjustment: self.adjustment,
             state: self.state,
+            key: self.key,
             behind: self.behind,
             window,
         })

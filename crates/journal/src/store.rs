@@ -252,7 +252,7 @@ fn is_full(error: &io::Error) -> bool {
 }
 
 /// The format that this version writes.
-pub(crate) const FORMAT: u64 = 4;
+pub(crate) const FORMAT: u64 = 5;
 /// Which format the tables have.
 pub(crate) const FORMAT_FACT: &str = "format";
 /// Whether the program said good-bye.

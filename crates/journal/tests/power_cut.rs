@@ -232,6 +232,7 @@ impl Content {
             commands: new.commands.len(),
             pauses: new.pauses,
             program: new.program,
+            key: new.key,
             adjustment: Adjustment::default(),
             state: JobState::Queued,
             behind: Behind::default(),

@@ -233,6 +233,7 @@ fn submit(journal: &Journal, dialect: Dialect, commands: &[Command]) -> JobId {
             commands: commands.to_vec(),
             pauses: Vec::new(),
             program: dobot_api::JobProgram::default(),
+            key: None,
         })
         .unwrap();
     journal.set_state(id, &JobState::Running).unwrap();

@@ -299,7 +299,7 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
     change
         .open_table(FACTS)
         .unwrap()
-        .insert("format", 5)
+        .insert("format", 6)
         .unwrap();
     change.commit().unwrap();
     drop(newer);
@@ -309,8 +309,8 @@ fn a_journal_of_a_newer_version_is_left_to_it() {
         matches!(
             error,
             JournalError::Newer {
-                found: 5,
-                known: 4,
+                found: 6,
+                known: 5,
                 ..
             }
         ),
@@ -402,6 +402,32 @@ fn a_pause_that_stands_nowhere_is_refused_with_where_it_may_stand() {
         };
         assert_eq!(journal.submit(&job).unwrap_err().to_string(), text);
     }
+}
+
+#[test]
+fn a_request_that_is_sent_again_queues_one_job_also_after_a_crash() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("journal.redb");
+    let asked = |key: &str, title: &str| PlannedJob {
+        key: Some(key.into()),
+        ..job(title, 3)
+    };
+    let first = {
+        let journal = Journal::open(&path).unwrap();
+        let first = journal.submit(&asked("7f", "a")).unwrap();
+        assert_eq!(journal.submit(&asked("7f", "a")).unwrap(), first);
+        first
+    };
+    let journal = Journal::open(&path).unwrap();
+    assert_eq!(journal.submit(&asked("7f", "a")).unwrap(), first);
+    assert_ne!(journal.submit(&asked("80", "a")).unwrap(), first);
+    assert_ne!(journal.submit(&job("a picture", 3)).unwrap(), first);
+    let error = journal.submit(&asked("7f", "b")).unwrap_err();
+    assert!(matches!(error, JournalError::KeyReused { job, .. } if job == first));
+    // What is forgotten can be asked for anew.
+    journal.remove(first).unwrap();
+    assert_ne!(journal.submit(&asked("7f", "b")).unwrap(), first);
+    assert_eq!(journal.jobs().unwrap().len(), 3);
 }
 
 #[test]

@@ -40,7 +40,10 @@ async fn main() -> Result<(), Box<dyn Error>> {
         pauses: Vec::new(),
         program: dobot_api::JobProgram::default(),
     };
-    let Reply::Job { job } = station.request(Request::SubmitJob { job }).await? else {
+    let Reply::Job { job } = station
+        .request(Request::SubmitJob { job, key: None })
+        .await?
+    else {
         return Err("a job was expected".into());
     };
     station.request(Request::StartJob { job: job.job }).await?;

@@ -448,12 +448,12 @@ impl Driver {
         }
         let jobs = self.jobs.clone();
         match request {
-            Request::SubmitJob { job } => match self.supervisor.planning_model() {
-                Ok(model) => jobs.submit(job, model, now_ms(), reply),
+            Request::SubmitJob { job, key } => match self.supervisor.planning_model() {
+                Ok(model) => jobs.submit(job, key, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
-            Request::QueueAgain { job } => match self.supervisor.planning_model() {
-                Ok(model) => jobs.queue_again(job, model, now_ms(), reply),
+            Request::QueueAgain { job, key } => match self.supervisor.planning_model() {
+                Ok(model) => jobs.queue_again(job, key, model, now_ms(), reply),
                 Err(refusal) => drop(reply.send(Err(refusal))),
             },
             Request::MoveJob { job, before } => jobs.move_before(job, before, reply),

@@ -105,23 +105,25 @@ impl Jobs {
     pub(crate) fn submit(
         self,
         job: NewJob,
+        key: Option<String>,
         model: Model,
         now_ms: i64,
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     ) {
-        self.answer(reply, move |jobs| jobs.keep(job, model, now_ms));
+        self.answer(reply, move |jobs| jobs.keep(job, key, model, now_ms));
     }
 
     /// Plans and keeps what a job does, as a new one.
     pub(crate) fn queue_again(
         self,
         job: u64,
+        key: Option<String>,
         model: Model,
         now_ms: i64,
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     ) {
         self.answer(reply, move |jobs| {
-            jobs.keep(again(&jobs.journal, job, &model)?, model, now_ms)
+            jobs.keep(again(&jobs.journal, job, &model)?, key, model, now_ms)
         });
     }
 
@@ -234,8 +236,14 @@ impl Jobs {
         });
     }
 
-    fn keep(&self, job: NewJob, model: Model, now_ms: i64) -> Result<Reply, Refusal> {
-        let id = submit(&self.journal, &self.policy, job, model, now_ms)?;
+    fn keep(
+        &self,
+        job: NewJob,
+        key: Option<String>,
+        model: Model,
+        now_ms: i64,
+    ) -> Result<Reply, Refusal> {
+        let id = submit(&self.journal, &self.policy, job, key, model, now_ms)?;
         // The history may be longer than wanted until the next time.
         let _ = self.journal.keep_last(HISTORY);
         self.kept(id.0)
@@ -298,14 +306,17 @@ pub(crate) fn view(job: &Job) -> JobView {
     }
 }
 
-/// Plans a new job from its first command to its last, and keeps it; gives its number.
+/// Plans a new job from its first command to its last, and keeps it; gives its number, or that of the one that was asked
+/// for with the same key.
 pub(crate) fn submit(
     journal: &Journal,
     policy: &Policy,
     mut job: NewJob,
+    key: Option<String>,
     model: Model,
     now_ms: i64,
 ) -> Result<JobId, Refusal> {
+    key.as_deref().map_or(Ok(()), check_key)?;
     job.title = plain(&job.title, usize::MAX);
     check_new(&job)?;
     let dialect = model.dialect;
@@ -330,6 +341,7 @@ pub(crate) fn submit(
             commands: job.commands,
             pauses: job.pauses,
             program: job.program,
+            key,
         })
         .map_err(|error| journal_refusal(&error))
 }
@@ -478,8 +490,28 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
 }
 
 pub(crate) fn journal_refusal(error: &JournalError) -> Refusal {
-    Refusal::Journal(error.to_string())
+    match error {
+        JournalError::KeyReused { key, job } => Refusal::KeyReused {
+            key: key.clone(),
+            job: job.0,
+        },
+        error => Refusal::Journal(error.to_string()),
+    }
 }
+
+/// Whether a sender can call a request so.
+fn check_key(key: &str) -> Result<(), Refusal> {
+    let characters = key.chars().count();
+    if (1..=LONGEST_KEY).contains(&characters) && key.chars().all(crate::is_plain) {
+        return Ok(());
+    }
+    Err(Refusal::Malformed(format!(
+        "a key has 1 to {LONGEST_KEY} visible characters, and this one {characters}"
+    )))
+}
+
+/// How many characters a key may have.
+const LONGEST_KEY: usize = 64;
 
 /// So many jobs that are over are kept.
 const HISTORY: usize = 100;

@@ -111,6 +111,14 @@ pub enum Refusal {
         /// What is wrong with it.
         why: String,
     },
+    /// Another job was asked for with the same key.
+    #[error("the key {key:?} was that of a request for job {job}, which is another one")]
+    KeyReused {
+        /// The key.
+        key: String,
+        /// The other job.
+        job: u64,
+    },
     /// A job cannot be gone on with as things are.
     #[error("the job cannot be gone on with: {0}")]
     CannotResume(String),
@@ -198,6 +206,10 @@ impl Refusal {
             Self::BadJob { .. } => (
                 problem_kinds::BAD_JOB,
                 "change that command, and submit the job again",
+            ),
+            Self::KeyReused { .. } => (
+                problem_kinds::KEY_REUSED,
+                "give each request a key of its own, such as a random number",
             ),
             Self::CannotResume(_) => (
                 problem_kinds::CANNOT_RESUME,

@@ -235,8 +235,8 @@ impl VirtualStation {
                 self.catch_up();
             }
             match request {
-                Request::SubmitJob { job } => {
-                    let job = self.submit(&job)?;
+                Request::SubmitJob { job, key } => {
+                    let job = self.submit_as(&job, key)?;
                     return self.kept(job);
                 }
                 // The virtual arm stays as it is: its faults say what it is like.
@@ -251,9 +251,9 @@ impl VirtualStation {
                         calibrations: Box::new(calibrations),
                     });
                 }
-                Request::QueueAgain { job } => {
+                Request::QueueAgain { job, key } => {
                     let model = self.supervisor.planning_model()?;
-                    let job = self.submit(&jobs::again(&self.journal, job, &model)?)?;
+                    let job = self.submit_as(&jobs::again(&self.journal, job, &model)?, key)?;
                     return self.kept(job);
                 }
                 Request::MoveJob { job, before } => {
@@ -295,8 +295,12 @@ impl VirtualStation {
     ///
     /// [`Refusal`].
     pub fn submit(&mut self, job: &NewJob) -> Result<u64, Refusal> {
+        self.submit_as(job, None)
+    }
+
+    fn submit_as(&self, job: &NewJob, key: Option<String>) -> Result<u64, Refusal> {
         let model = self.supervisor.planning_model()?;
-        let id = jobs::submit(&self.journal, &self.policy, job.clone(), model, 0)?;
+        let id = jobs::submit(&self.journal, &self.policy, job.clone(), key, model, 0)?;
         Ok(id.0)
     }
 

@@ -42,7 +42,7 @@ mod measure {
         let mut socket = WebSocket::connect(&station.http, "states=20");
         socket.take_control();
         let job = drawing(20 * stops + 100);
-        let answer = socket.ask(&Request::SubmitJob { job });
+        let answer = socket.ask(&Request::SubmitJob { job, key: None });
         let job = answer["reply"]["job"]["job"].as_u64().expect("its number");
         let (mut by_socket, mut by_post) = (Vec::new(), Vec::new());
         for turn in 0..stops {

@@ -19,6 +19,7 @@ mod messages;
 mod metrics;
 mod packets;
 mod page;
+mod paging;
 mod private;
 mod programs;
 mod rate;

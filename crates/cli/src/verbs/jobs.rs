@@ -29,6 +29,9 @@ Examples:
   dobot jobs speed 150                   draw it half as fast again as planned
   dobot jobs height -0.2                 0.2 mm lower than planned: the pen leaves no ink
   dobot jobs cancel 4
+  dobot jobs again 4                     queue what it does once more
+  dobot jobs move 6 --before 5           or last, without --before
+  dobot jobs forget 4                    one that is over, or has not begun
   dobot jobs submit program.json         queue a file; `dobot draw` queues a picture
   dobot jobs --to serial:/dev/ttyUSB0    those of an arm that was used without a station
 
@@ -85,6 +88,24 @@ enum Action {
         /// Its number
         job: u64,
     },
+    /// Queue what a job does once more, as a new job
+    Again {
+        /// Its number
+        job: u64,
+    },
+    /// Put a queued job before another queued one, or behind all of them
+    Move {
+        /// Its number
+        job: u64,
+        /// The number of the queued job that comes behind it (default: it comes last)
+        #[arg(long, value_name = "JOB")]
+        before: Option<u64>,
+    },
+    /// Forget a job that is over, or that has not begun
+    Forget {
+        /// Its number
+        job: u64,
+    },
     /// Queue a job from a JSON file with its title, kind, commands, `lift_mm` and `pauses`
     Submit {
         /// The file, or - for standard input
@@ -117,9 +138,24 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
             Request::CancelJob { job },
             format!("job {job} is cancelled"),
         ),
+        Action::Again { job } => (
+            Request::QueueAgain { job, key: None },
+            format!("job {job} is queued once more"),
+        ),
+        Action::Move { job, before } => (
+            Request::MoveJob { job, before },
+            format!("job {job} has another place"),
+        ),
+        Action::Forget { job } => (
+            Request::ForgetJob { job },
+            format!("job {job} is forgotten"),
+        ),
         Action::Submit { file } => {
             let job = read(&file)?;
-            (Request::SubmitJob { job }, "the job is queued".to_owned())
+            (
+                Request::SubmitJob { job, key: None },
+                "the job is queued".to_owned(),
+            )
         }
     };
     ask(station, request, &done, args.json).await
@@ -206,7 +242,10 @@ async fn ask(
     done: &str,
     as_json: bool,
 ) -> Result<(), Failure> {
-    if matches!(request, Request::SubmitJob { .. }) {
+    if matches!(
+        request,
+        Request::SubmitJob { .. } | Request::QueueAgain { .. }
+    ) {
         // Its way is planned for the arm that is there.
         control::status(station).await?;
     }

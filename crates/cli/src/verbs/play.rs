@@ -90,7 +90,10 @@ async fn play(
     // Nothing is queued that cannot be started.
     take_control(station).await?;
     arm_laser(station, args.arm_laser).await?;
-    let request = Request::SubmitJob { job: planned.job };
+    let request = Request::SubmitJob {
+        job: planned.job,
+        key: None,
+    };
     let Reply::Job { job } = station.request(request).await? else {
         return Err(anyhow!("the station does not answer what became of the job").into());
     };

@@ -206,6 +206,35 @@ fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
 }
 
 #[test]
+fn jobs_are_put_in_order_queued_again_and_forgotten_by_verbs() {
+    let up = Up::new(&["--speed", "5"]);
+    let folder = tempfile::tempdir().expect("there is room");
+    let file = folder.path().join("job.json");
+    let job = r#"{"title": "there", "kind": "program", "commands": [{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50,
+        "rotation_deg": 0, "suction": false, "mode": "movj", "gripper_deg": 0, "pause_s": 0}]}"#;
+    std::fs::write(&file, job).expect("there is room");
+    for _ in 0..2 {
+        up.dobot(&["jobs", "submit", file.to_str().expect("it is text")])
+            .succeeds();
+    }
+    let listed = || -> Vec<u64> {
+        let jobs = up.json(&["jobs"]);
+        let jobs = jobs.as_array().expect("a list").iter();
+        jobs.map(|it| it["job"].as_u64().expect("a number"))
+            .collect()
+    };
+    up.dobot(&["jobs", "move", "2", "--before", "1"]).succeeds();
+    assert_eq!(listed(), [2, 1]);
+    up.dobot(&["jobs", "move", "2"]).succeeds();
+    assert_eq!(listed(), [1, 2]);
+    up.dobot(&["jobs", "again", "1"]).succeeds();
+    assert_eq!(listed(), [1, 2, 3]);
+    up.dobot(&["jobs", "forget", "2"]).succeeds();
+    assert_eq!(listed(), [1, 3]);
+    up.dobot(&["jobs", "forget", "2"]).fails(1, &["no job 2"]);
+}
+
+#[test]
 fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
     let up = Up::new(&["--speed", "5"]);
     let square = example("square.svg");

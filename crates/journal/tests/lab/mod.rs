@@ -29,6 +29,7 @@ pub fn job(title: &str, commands: u16) -> PlannedJob {
         commands: (0..commands).map(command).collect(),
         pauses: Vec::new(),
         program: dobot_api::JobProgram::default(),
+        key: None,
     }
 }
 

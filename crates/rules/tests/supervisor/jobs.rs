@@ -129,7 +129,14 @@ fn what_a_job_did_is_queued_and_drawn_again() {
     let minute = Duration::from_mins(1);
     assert!(it.run_until(it.now() + minute, |it| is_over(it, first)));
     let once_mm = drawn_mm(&it);
-    let again = number(&mut it, anna, Request::QueueAgain { job: first });
+    let again = number(
+        &mut it,
+        anna,
+        Request::QueueAgain {
+            job: first,
+            key: None,
+        },
+    );
     assert_ne!(again, first);
     it.start(anna, again).unwrap();
     assert!(it.run_until(it.now() + minute, |it| is_over(it, again)));
@@ -188,6 +195,8 @@ fn a_job_that_is_over_or_has_not_begun_is_forgotten_and_one_under_way_is_not() {
     assert!(it.run_until(it.now() + Duration::from_mins(1), |it| is_over(it, job)));
     it.ask(anna, Request::ForgetJob { job }).unwrap();
     assert_eq!(listed(&mut it), []);
-    let gone = it.ask(anna, Request::QueueAgain { job }).unwrap_err();
+    let gone = it
+        .ask(anna, Request::QueueAgain { job, key: None })
+        .unwrap_err();
     assert_eq!(gone.to_string(), format!("there is no job {job}"));
 }

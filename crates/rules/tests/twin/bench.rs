@@ -76,7 +76,7 @@ impl Bench {
         };
         match self
             .station
-            .request(Request::SubmitJob { job })
+            .request(Request::SubmitJob { job, key: None })
             .await
             .unwrap()
         {

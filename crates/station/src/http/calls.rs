@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use axum::Json;
 use axum::extract::{FromRequestParts, Path, State};
+use axum::http::header::LOCATION;
 use axum::http::request::Parts;
-use axum::http::{HeaderName, Method, Uri};
+use axum::http::{HeaderName, Method, StatusCode, Uri};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
-use dobot_api::{Notice, Reply, Request, Role};
+use dobot_api::{NewJob, Notice, Reply, Request, Role};
 use dobot_rules::{Client, Refusal, is_plain};
 use dobot_safety::Policy;
 use schemars::JsonSchema;
@@ -21,6 +22,9 @@ use super::private;
 /// The header with the token of a lease that was taken over plain HTTP.
 pub(super) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
 
+/// The header with what a sender calls a request that may be sent again.
+pub(super) const KEY: HeaderName = HeaderName::from_static("idempotency-key");
+
 /// One who asks the driver of the arm for something.
 #[derive(Debug)]
 pub(super) struct Asker {
@@ -28,6 +32,8 @@ pub(super) struct Asker {
     pub(super) caller: Caller,
     /// The token of a lease.
     pub(super) lease: Option<String>,
+    /// What the sender calls the request.
+    pub(super) key: Option<String>,
 }
 
 impl FromRequestParts<Arc<App>> for Asker {
@@ -35,14 +41,16 @@ impl FromRequestParts<Arc<App>> for Asker {
 
     async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
         let caller = parts.extensions.get::<Caller>().cloned();
-        let lease = parts
-            .headers
-            .get(LEASE)
-            .map(|it| it.to_str().unwrap_or_default().to_owned());
+        // What is no text is no token and no key either.
+        let header = |name| {
+            let found = parts.headers.get(name)?;
+            Some(found.to_str().unwrap_or_default().to_owned())
+        };
         Ok(Self {
             app: app.clone(),
             caller: caller.expect("authorisation lets only callers in"),
-            lease,
+            lease: header(LEASE),
+            key: header(KEY),
         })
     }
 }
@@ -63,6 +71,13 @@ impl Asker {
         Ok(Json(client.request(request).await?))
     }
 
+    /// Queues a job; the header Location names it.
+    pub(super) async fn queue(&self, job: NewJob) -> Result<Response, NotDone> {
+        let key = self.key.clone();
+        let reply = self.ask(Request::SubmitJob { job, key }).await?;
+        Ok(queued(reply))
+    }
+
     /// The client that has the lease token, or one for this request only.
     pub(super) async fn client(&self) -> Result<Arc<Client>, NotDone> {
         match &self.lease {
@@ -79,6 +94,15 @@ impl Asker {
         let client = self.app.handle.client(name, self.caller.role).await?;
         Ok(Arc::new(client))
     }
+}
+
+/// What is answered when a job was queued.
+pub(super) fn queued(reply: Json<Reply>) -> Response {
+    let place = match &reply.0 {
+        Reply::Job { job } => format!("/api/v1/jobs/{}", job.job),
+        _ => return reply.into_response(),
+    };
+    (StatusCode::CREATED, [(LOCATION, place)], reply).into_response()
 }
 
 /// Whether a client may be called so.

@@ -12,7 +12,7 @@ use schemars::SchemaGenerator;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
-use super::calls::LEASE;
+use super::calls::{KEY, LEASE};
 use super::packets::PacketView;
 use super::page;
 use super::route::{Gives, Query, Route, Takes};
@@ -126,6 +126,15 @@ fn parameters(route: &Route, schemas: &mut SchemaGenerator) -> Vec<Value> {
             "schema": {"type": "string"},
         }));
         debug_assert_eq!(LEASE, "dobot-lease");
+    }
+    if route.queues {
+        all.push(json!({
+            "name": "Idempotency-Key",
+            "in": "header",
+            "description": "What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there",
+            "schema": {"type": "string", "minLength": 1, "maxLength": 64},
+        }));
+        debug_assert_eq!(KEY, "idempotency-key");
     }
     all
 }

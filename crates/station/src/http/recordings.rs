@@ -33,7 +33,7 @@ pub(super) struct Recordings {
 #[derive(Debug, Serialize, JsonSchema)]
 pub(super) struct RecordingView {
     /// The name of its file.
-    name: String,
+    pub(super) name: String,
     /// When it was begun, in milliseconds since 1970-01-01T00:00:00Z.
     begin_ms: i64,
     /// How long it is, in bytes.

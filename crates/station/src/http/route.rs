@@ -8,8 +8,8 @@ use axum::http::Method;
 use axum::routing::{MethodFilter, MethodRouter, on};
 #[cfg(test)]
 use dobot_api::Problem;
-use dobot_api::Request;
-use dobot_api::problem_kinds::ProblemKind;
+use dobot_api::problem_kinds::{KEY_REUSED, MALFORMED, ProblemKind};
+use dobot_api::{Reply, Request};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 
@@ -32,6 +32,8 @@ pub(super) struct Route {
     pub(super) open: bool,
     /// Whether it acts for a client, so that it takes the header `Dobot-Lease`.
     pub(super) asks: bool,
+    /// Whether it queues a job, so that it takes the header `Idempotency-Key`.
+    pub(super) queues: bool,
     pub(super) takes: Option<Takes>,
     pub(super) gives: Vec<Gives>,
     pub(super) problems: Vec<ProblemKind>,
@@ -126,6 +128,7 @@ impl Route {
             summary,
             open: false,
             asks: false,
+            queues: false,
             takes: None,
             gives: Vec::new(),
             problems: Vec::new(),
@@ -155,6 +158,13 @@ impl Route {
         self.asks = true;
         self.takes = Some(E::takes());
         self
+    }
+
+    /// A route that queues a job, once for each key.
+    pub(super) fn queues(mut self) -> Self {
+        self.queues = true;
+        self.gives::<Reply>(201, "the job is queued; the header Location names it")
+            .problems(&[MALFORMED, KEY_REUSED])
     }
 
     /// An example of the body.

@@ -118,7 +118,7 @@ async fn draw(
         pauses: Vec::new(),
         program: JobProgram::default(),
     };
-    let reply = request_at_rest(station, Request::SubmitJob { job }).await?;
+    let reply = request_at_rest(station, Request::SubmitJob { job, key: None }).await?;
     let Reply::Job { job } = reply else {
         return Err(anyhow!("the station answers {reply:?} to a new job").into());
     };

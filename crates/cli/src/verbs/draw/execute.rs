@@ -100,7 +100,10 @@ async fn submit(
     take_control(station).await?;
     arm_laser(station, armed_for).await?;
     let job = drawing_job(plan, title);
-    match station.request(Request::SubmitJob { job }).await? {
+    match station
+        .request(Request::SubmitJob { job, key: None })
+        .await?
+    {
         Reply::Job { job } => Ok(job.job),
         other => Err(anyhow!("the station answers {other:?} to a new job").into()),
     }

@@ -235,7 +235,7 @@ impl Teacher {
                 }
                 self.job = None;
                 self.submitting = Some(start);
-                self.pendant.ask(Request::SubmitJob { job });
+                self.pendant.ask(Request::SubmitJob { job, key: None });
             }
             Err(why) => self.pendant.tell(format!("not run: {why}")),
         }

@@ -7,11 +7,11 @@ use axum::extract::State;
 use axum::http::StatusCode;
 use axum::http::header::LOCATION;
 use axum::response::{IntoResponse, Response};
+use dobot_api::Role;
 use dobot_api::problem_kinds::{
     BAD_DRAWING, BAD_JOB, COMMAND, DRAWING_PHASE, ENDING, JOURNAL, MALFORMED, NO_SUCH_DRAWING,
     OUT_OF_RANGE, POLICY, TOO_MANY,
 };
-use dobot_api::{Reply, Request, Role};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -58,7 +58,7 @@ pub(super) fn all() -> Vec<Route> {
         )
         .brings::<Maybe<DrawingJob>>()
         .example(r#"{"part": "whole"}"#)
-        .gives::<Reply>(201, "the job is queued")
+        .queues()
         .problems(&[MALFORMED, NO_SUCH_DRAWING, DRAWING_PHASE, BAD_DRAWING])
         .problems(&[
             BAD_JOB,
@@ -115,10 +115,9 @@ async fn submit(
     asker: Asker,
     Number(drawing): Number,
     Maybe(DrawingJob { part }): Maybe<DrawingJob>,
-) -> Result<(StatusCode, Json<Reply>), NotDone> {
+) -> Result<Response, NotDone> {
     let job = asker.app.drawings.job(drawing, part)?;
-    let reply = asker.ask(Request::SubmitJob { job }).await?;
-    Ok((StatusCode::CREATED, reply))
+    asker.queue(job).await
 }
 
 async fn materials() -> Json<Vec<MaterialView>> {

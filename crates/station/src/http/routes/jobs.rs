@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use axum::Json;
 use axum::extract::State;
-use axum::http::StatusCode;
+use axum::response::Response;
 use dobot_api::problem_kinds::{
     BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, MALFORMED, NO_JOB_RUNS, NO_LEASE,
     NO_SUCH_JOB, OUT_OF_RANGE, POLICY, TOO_MANY,
@@ -16,7 +16,8 @@ use serde::Deserialize;
 
 use super::super::answer::{Body, JOB, Maybe, NotDone, Nothing, Number, OfJob};
 use super::super::app::App;
-use super::super::calls::Asker;
+use super::super::calls::{Asker, queued};
+use super::super::paging::{PAGES, Page};
 use super::super::route::Route;
 use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
 
@@ -33,12 +34,13 @@ fn kept() -> Vec<Route> {
             "All jobs: the oldest first, unless queued ones were moved",
             all_jobs,
         )
+        .queries(PAGES)
         .gives::<Vec<JobView>>(200, "the jobs")
-        .problems(&[JOURNAL, ENDING]),
+        .problems(&[MALFORMED, OUT_OF_RANGE, JOURNAL, ENDING]),
         Route::new(POST, "/api/v1/jobs", "Queues a job", submit)
             .brings::<Body<NewJob, JOB>>()
             .example(JOB_EXAMPLE)
-            .gives::<Reply>(201, "the job is queued")
+            .queues()
             .problems(&[BAD_JOB, POLICY, COMMAND, OUT_OF_RANGE, TOO_MANY, JOURNAL]),
         Route::new(GET, "/api/v1/jobs/{id}", "One job", one)
             .gives::<JobView>(200, "the job")
@@ -59,13 +61,14 @@ fn kept() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the job is over")
         .problems(&[NO_LEASE, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
-        Route::asks(
+        Route::new(
             POST,
             "/api/v1/jobs/{id}/again",
             "Queues what a job does once more, as a new job that is planned anew",
-            |OfJob(job)| Request::QueueAgain { job },
+            again,
         )
-        .gives::<Reply>(200, "the new job is queued")
+        .brings::<OfJob>()
+        .queues()
         .problems(&[
             NO_SUCH_JOB,
             BAD_JOB,
@@ -190,16 +193,18 @@ async fn place(
     asker.ask(Request::MoveJob { job, before }).await
 }
 
-async fn submit(
-    asker: Asker,
-    Body(job): Body<NewJob, JOB>,
-) -> Result<(StatusCode, Json<Reply>), NotDone> {
-    let reply = asker.ask(Request::SubmitJob { job }).await?;
-    Ok((StatusCode::CREATED, reply))
+async fn submit(asker: Asker, Body(job): Body<NewJob, JOB>) -> Result<Response, NotDone> {
+    asker.queue(job).await
 }
 
-async fn all_jobs(State(app): State<Arc<App>>) -> Result<Json<Vec<JobView>>, NotDone> {
-    Ok(Json(app.handle.jobs().await?))
+async fn again(asker: Asker, OfJob(job): OfJob) -> Result<Response, NotDone> {
+    let key = asker.key.clone();
+    let reply = asker.ask(Request::QueueAgain { job, key }).await?;
+    Ok(queued(reply))
+}
+
+async fn all_jobs(State(app): State<Arc<App>>, page: Page) -> Result<Response, NotDone> {
+    page.of(&app.handle.jobs().await?, |it| it.job.to_string())
 }
 
 async fn one(State(app): State<Arc<App>>, Number(job): Number) -> Result<Json<JobView>, NotDone> {

@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use axum::Json;
 use axum::extract::State;
-use axum::http::StatusCode;
+use axum::response::Response;
 use dobot_api::problem_kinds::{
     BAD_JOB, BAD_PROGRAM, COMMAND, ENDING, JOURNAL, OUT_OF_RANGE, POLICY, TOO_MANY,
 };
-use dobot_api::{Reply, Request};
 
 use super::super::answer::{Body, JOB, NotDone, beside};
 use super::super::app::App;
@@ -61,7 +60,7 @@ pub(super) fn all() -> Vec<Route> {
         )
         .brings::<Body<NewProgram, JOB>>()
         .example(JOB_EXAMPLE)
-        .gives::<Reply>(201, "the job is queued")
+        .queues()
         .problems(&[BAD_PROGRAM, BAD_JOB, POLICY, COMMAND, OUT_OF_RANGE, TOO_MANY, JOURNAL]),
     ]
 }
@@ -91,13 +90,9 @@ async fn convert(
     Ok(Json(beside(move || programs::convert(&asked)).await??))
 }
 
-async fn submit(
-    asker: Asker,
-    Body(new): Body<NewProgram, JOB>,
-) -> Result<(StatusCode, Json<Reply>), NotDone> {
+async fn submit(asker: Asker, Body(new): Body<NewProgram, JOB>) -> Result<Response, NotDone> {
     let app = asker.app.clone();
     let job = beside(move || programs::job(&new, &app.planned_for()));
     let job = job.await??;
-    let reply = asker.ask(Request::SubmitJob { job }).await?;
-    Ok((StatusCode::CREATED, reply))
+    asker.queue(job).await
 }

@@ -10,6 +10,7 @@ use schemars::SchemaGenerator;
 
 use super::super::answer::NotDone;
 use super::super::app::App;
+use super::super::paging::{PAGES, Page};
 use super::super::recordings::{RecordedStates, RecordingView, Stretch};
 use super::super::route::{Query, Route};
 use super::GET;
@@ -22,8 +23,9 @@ pub(super) fn all() -> Vec<Route> {
             "The recordings of the station, the oldest first",
             list,
         )
+        .queries(PAGES)
         .gives::<Vec<RecordingView>>(200, "the recordings")
-        .problems(&[RECORDING, ENDING]),
+        .problems(&[MALFORMED, OUT_OF_RANGE, RECORDING, ENDING]),
         Route::new(
             GET,
             "/api/v1/recordings/{name}",
@@ -62,8 +64,8 @@ const STRETCH: &[Query] = &[
     },
 ];
 
-async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<RecordingView>>, NotDone> {
-    Ok(Json(app.recordings.list().await?))
+async fn list(State(app): State<Arc<App>>, page: Page) -> Result<Response, NotDone> {
+    page.of(&app.recordings.list().await?, |it| it.name.clone())
 }
 
 async fn file(State(app): State<Arc<App>>, Path(name): Path<String>) -> Result<Response, NotDone> {

@@ -75,7 +75,7 @@ async fn a_job_is_made_of_a_plan_and_another_of_its_frame() {
 
 fn title(request: Request) -> String {
     match request {
-        Request::SubmitJob { job } => job.title,
+        Request::SubmitJob { job, .. } => job.title,
         other => panic!("{other:?}"),
     }
 }

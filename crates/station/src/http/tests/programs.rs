@@ -171,7 +171,7 @@ async fn a_program_becomes_a_job_as_often_and_from_where_it_is_asked() {
     let harness = Harness::near();
     let new = json!({"program": {"text": CUBE}, "from_step": 2, "times": {"count": 3}});
     ask(&harness, "jobs", new).await.is(201);
-    let [Request::SubmitJob { job }] = &harness.asked()[..] else {
+    let [Request::SubmitJob { job, .. }] = &harness.asked()[..] else {
         panic!("{:?}", harness.asked());
     };
     assert_eq!((job.kind, &*job.title), (JobKind::Program, "one cube"));

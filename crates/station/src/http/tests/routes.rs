@@ -114,7 +114,9 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         ("DELETE", "/api/v1/jobs/5", ""),
         ("POST", "/api/v1/jog/release", ""),
     ] {
-        harness.json(method, path, body).await.is(200);
+        let is_new = path.ends_with("/again");
+        let status = if is_new { 201 } else { 200 };
+        harness.json(method, path, body).await.is(status);
     }
     let dialect = Dialect::SPECIFICATION;
     let expected = [
@@ -130,7 +132,7 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         Request::Detect,
         Request::StartJob { job: 5 },
         Request::StepJob { job: 5 },
-        Request::QueueAgain { job: 5 },
+        Request::QueueAgain { job: 5, key: None },
         Request::MoveJob {
             job: 5,
             before: Some(3),
@@ -188,6 +190,49 @@ async fn jobs_are_listed_shown_and_queued() {
         .await
         .is(404)
         .is_problem("no-such-job");
+}
+
+#[tokio::test]
+async fn a_request_that_queues_a_job_passes_its_key_on_and_names_the_job() {
+    let harness = Harness::near();
+    let body = format!(r#"{{"title": "x", "kind": "program", "commands": [{MOVE}]}}"#);
+    for (path, body) in [
+        ("/api/v1/jobs", body),
+        ("/api/v1/jobs/5/again", String::new()),
+    ] {
+        let request = harness.request("POST", path);
+        let request = request
+            .header("content-type", "application/json")
+            .header("idempotency-key", "7f3a");
+        let answer = harness.send(request.body(body.into()).unwrap()).await;
+        assert_eq!(answer.is(201).headers["location"], "/api/v1/jobs/8");
+    }
+    let keys = harness.asked().into_iter().map(|it| match it {
+        Request::SubmitJob { key, .. } | Request::QueueAgain { key, .. } => key,
+        other => panic!("{other:?}"),
+    });
+    assert_eq!(
+        keys.collect::<Vec<_>>(),
+        [Some("7f3a".to_owned()), Some("7f3a".to_owned())]
+    );
+}
+
+#[tokio::test]
+async fn a_page_that_is_none_is_refused_with_what_is_allowed() {
+    let harness = Harness::near();
+    for (query, status, kind) in [
+        ("limit=0", 422, "out-of-range"),
+        ("limit=1001", 422, "out-of-range"),
+        ("limit=few", 400, "malformed"),
+        ("after=9", 422, "out-of-range"),
+        ("page=2", 400, "malformed"),
+    ] {
+        let answer = harness.get(&format!("/api/v1/jobs?{query}")).await;
+        answer.is(status).is_problem(kind);
+    }
+    let last = harness.get("/api/v1/jobs?limit=1&after=7").await;
+    assert_eq!(last.is(200).value(), serde_json::json!([]));
+    assert!(!last.headers.contains_key("link"));
 }
 
 #[tokio::test]
