@@ -1,7 +1,7 @@
 //! The vectors of a pass.
 
 use dobot_geometry::Stroke;
-use dobot_plan::{DrawingTool, Pace, Pass, Plan};
+use dobot_plan::{DrawingTool, Machine, Pace, Pass, Plan};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
@@ -60,10 +60,15 @@ fn faster(stroke: &Stroke, fewest: Stroke, tool: DrawingTool, settings: &Setting
     best.1
 }
 
-/// How long the plan for a stroke takes, in s; infinite where there is none.
+/// How long the plan for a stroke takes, in s; infinite where there is none. The ticks of a stock arm make all ways longer,
+/// and planning in them takes many times as long: they are left out.
 fn planned_s(stroke: &Stroke, tool: DrawingTool, settings: &Settings) -> f64 {
     let pass = Pass::new(tool, vec![stroke.clone()]);
-    let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+    let even = Machine {
+        has_ticks: false,
+        ..settings.machine
+    };
+    let plan = Plan::new(&[pass], &settings.paper, &even);
     plan.map_or(f64::INFINITY, |it| it.duration_s())
 }
 
