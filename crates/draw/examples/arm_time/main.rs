@@ -1,4 +1,4 @@
-//! `cargo run --release -p dobot-draw --example arm_time -- 0.05 spirograph`
+//! `cargo run -p dobot-draw --example arm_time`
 //!
 //! Plans curves of many kinds and prints as a table, for speeds, accelerations and arms, how long the
 //! pen draws, the bounds of that, and how far it is from the curve. Arguments, each optional: tolerance
