@@ -29,8 +29,10 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   await page.click("#tab-set_up");
   await page.click("[data-new-zone=box]");
   await page.fill("[data-zone=zone_1] label:nth-of-type(6) input", "60");
-  await page.keyboard.press("Tab");
+  // What is being typed stays, whatever the page is told meanwhile.
   await page.waitForFunction(() => !document.querySelector("#policy-keep").disabled);
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => document.querySelector("#policy-text").value.includes("z_mm = [-103, 60]"));
   // Nothing holds before it is put in force.
   assert.deepEqual((await real.ask("api/v1/policy")).keep_out, {});
   await page.click("#policy-keep");

@@ -77,9 +77,10 @@ function zoneRow({ say }, name, zone, write) {
   return html`
     <fieldset class="zone" data-zone=${name}>
       <legend>${name}</legend>
-      ${numbersOf(zone).map(([label, value, to]) => html`<label>${label} <input type="number" step="any" .value=${live(String(value))} @change=${(/** @type {Event} */ event) => {
-        const number = /** @type {HTMLInputElement} */ (event.target).valueAsNumber;
-        if (Number.isFinite(number)) write(to(number));
+      ${numbersOf(zone).map(([label, value, to]) => html`<label>${label} <input type="number" step="any" .value=${String(value)} @change=${(/** @type {Event} */ event) => {
+        const input = /** @type {HTMLInputElement} */ (event.target);
+        if (Number.isFinite(input.valueAsNumber)) write(to(input.valueAsNumber));
+        else input.value = String(value);
       }}></label>`)}
       <button type="button" class="small" aria-label=${say("policy.remove", { name })} @click=${() => write(null)}>×</button>
     </fieldset>`;
