@@ -55,6 +55,33 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   await page.click("#target-clear");
 });
 
+test("the numbers of a keep-out are typed one after the other by keyboard, and show what holds when the draft is forgotten", async () => {
+  const { page } = real;
+  const field = (n) => page.locator(`[data-zone=zone_1] label:nth-of-type(${n}) input`);
+  const written = (part) => page.waitForFunction((part) => document.querySelector("#policy-text").value.includes(part), part);
+  const isChecked = () => page.waitForFunction(() => !document.querySelector("#policy-keep").disabled);
+  await page.click("#tab-set_up");
+  await page.click("[data-new-zone=box]");
+  await field(5).focus();
+  for (const key of ["Control+A", "-", "5", "0", "Tab", "Control+A", "6"]) await page.keyboard.press(key);
+  await written("z_mm = [-50, 0]");
+  await isChecked();
+  // The answer to the first number came while the second one was typed.
+  for (const key of ["0", "Tab"]) await page.keyboard.press(key);
+  await written("z_mm = [-50, 60]");
+  await isChecked();
+  await page.click("#policy-keep");
+  await says(page, "policy-told", "This is what holds");
+  await field(6).focus();
+  for (const key of ["Control+A", "7", "0", "Tab"]) await page.keyboard.press(key);
+  await written("z_mm = [-50, 70]");
+  await page.click("#policy-forget");
+  await page.waitForFunction(() => document.querySelector("[data-zone=zone_1] label:nth-of-type(6) input").value === "60");
+  await page.click("[data-zone=zone_1] button");
+  await page.click("#policy-keep");
+  await answered(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
+});
+
 test("a text that is no policy is told with its line, cannot be put in force, and the old one stays", async () => {
   const { page } = real;
   await page.click("#tab-set_up");

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { reduce } from "./reduce.js";
-import { createViewOf, hindrance, silence_ms } from "./select.js";
+import { createViewOf, hindrance, shownPolicy, silence_ms } from "./select.js";
 import { begin } from "./state.js";
 import { placeOf } from "./target.js";
 
@@ -89,6 +89,22 @@ test("a view has the same objects for what did not change", () => {
   const one = viewOf(page, words), two = viewOf(after([{ type: "tick", now_ms: 1001 }], page), words);
   for (const part of ["arm", "ghost", "limits", "keepOuts", "tool"]) assert.equal(one[part], two[part], part);
   assert.notEqual(viewOf(told({ at_s: 2 }, page), words).arm, one.arm);
+});
+
+test("a drafted keep-out is shown while the next change of the draft is looked at, until the draft is forgotten", () => {
+  const policy = { joints: {}, workspace: {}, tool_length: { suction_cup_mm: 60 }, table: { z_mm: -100 }, keep_out: {} };
+  const drafted = { ...policy, keep_out: { a: { box: {} } } };
+  const page = after([{ type: "policy", policy }, { type: "tab", tab: "set_up" }, { type: "policy_text", text: "kept" }, { type: "policy_typed", text: "with a" }], OPEN);
+  assert.deepEqual(shownPolicy(page), policy);
+  const known = after([{ type: "policy_checked", asked: page.set_up.asked, check: { type: "good" }, policy: drafted }], page);
+  const changed = after([{ type: "policy_typed", text: "with a, wider" }], known);
+  for (const it of [known, changed]) assert.deepEqual(shownPolicy(it), drafted);
+  const bad = after([{ type: "policy_checked", asked: changed.set_up.asked, check: { type: "bad", problem: { detail: "no" } }, policy: null }], changed);
+  assert.deepEqual(shownPolicy(bad), drafted);
+  const inForce = after([{ type: "policy_kept", text: "with a, wider" }, { type: "policy_text", text: "with a, wider" }], changed);
+  assert.deepEqual(shownPolicy(inForce), drafted);
+  assert.deepEqual(shownPolicy(after([{ type: "policy_forgotten" }], bad)), policy);
+  assert.deepEqual(shownPolicy(after([{ type: "tab", tab: "move" }], bad)), policy);
 });
 
 test("while a recording is shown the stage is grey, and nothing that holds now stands beside the arm of then", () => {

@@ -90,10 +90,8 @@ export const taughtPlace = ({ tab, teach }) => (tab === "teach" ? taughtAt(teach
 /** Whether the station finds something wrong with the chosen step. @param {Page["teach"]} teach */
 const isChosenBad = ({ text, chosen, report }) => (report?.problems.length ?? 0) > 0 && report?.problems.some(({ line }) => rowAt(rowsIn(text), line) === chosen);
 
-/** The policy that the stage shows: that of a draft while somebody makes one. @param {Page} page */
-function shownPolicy({ tab, set_up, policy }) {
-  return tab === "set_up" && set_up.check.type === "good" ? set_up.check.policy : policy;
-}
+/** The policy that is shown: that of a draft while somebody makes one. @param {Page} page */
+export const shownPolicy = ({ tab, set_up, policy }) => (tab === "set_up" && set_up.drafted) || policy;
 
 /** Makes views for the stage; the same object for what did not change. */
 export function createViewOf() {

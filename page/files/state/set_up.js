@@ -5,7 +5,7 @@
 /** @typedef {import("./types.js").Schemas} Schemas */
 
 /** Where something was asked for. @typedef {"arm" | "calibrate" | "paper" | "policy" | "tokens" | "faults" | "world"} Place */
-/** What the station says of a draft. @typedef {{ type: "unknown" } | { type: "good", policy: Policy } | { type: "bad", problem: Problem }} DraftCheck */
+/** What the station says of a draft. @typedef {{ type: "unknown" } | { type: "good" } | { type: "bad", problem: Problem }} DraftCheck */
 
 /**
  * @typedef {object} SetUp
@@ -13,6 +13,7 @@
  * @property {string | null} draft
  * @property {number} asked How often the draft was changed: an answer to an earlier one is not taken.
  * @property {DraftCheck} check
+ * @property {Policy | null} drafted What the draft was when it was a policy last; nothing before it was looked at.
  * @property {boolean} overtaken Whether another policy was put in place while this draft was made.
  * @property {readonly Schemas["TokenView"][] | null} tokens Nothing where this page may not see them.
  * @property {Schemas["NewToken"] | null} made The token that was made last, whose secret is shown once.
@@ -22,11 +23,11 @@
  */
 
 /** @type {SetUp} */
-export const NO_SET_UP = { kept: null, draft: null, asked: 0, check: { type: "unknown" }, overtaken: false, tokens: null, made: null, faults: null, refused: null, finding: null };
+export const NO_SET_UP = { kept: null, draft: null, asked: 0, check: { type: "unknown" }, drafted: null, overtaken: false, tokens: null, made: null, faults: null, refused: null, finding: null };
 
 /** @typedef {{ type: "policy_text", text: string }
  * | { type: "policy_typed", text: string }
- * | { type: "policy_checked", asked: number, check: DraftCheck }
+ * | { type: "policy_checked", asked: number, check: DraftCheck, policy: Policy | null }
  * | { type: "policy_kept", text: string }
  * | { type: "policy_forgotten" }
  * | { type: "tokens", tokens: readonly Schemas["TokenView"][] }
@@ -43,15 +44,17 @@ export function reduceSetUp(setUp, message) {
   switch (message.type) {
     case "policy_text":
       if (isChanged(setUp)) return { ...setUp, kept: message.text, overtaken: setUp.kept !== message.text };
-      return { ...setUp, kept: message.text, draft: message.text, asked: setUp.asked + 1, check: { type: "unknown" } };
+      // Read again, as after it was put in force from here: what is known of it stays.
+      if (setUp.draft === message.text) return setUp;
+      return { ...setUp, kept: message.text, draft: message.text, asked: setUp.asked + 1, check: { type: "unknown" }, drafted: null };
     case "policy_typed":
       return { ...setUp, draft: message.text, asked: setUp.asked + 1, check: { type: "unknown" } };
     case "policy_checked":
-      return message.asked === setUp.asked ? { ...setUp, check: message.check } : setUp;
+      return message.asked === setUp.asked ? { ...setUp, check: message.check, drafted: message.policy ?? setUp.drafted } : setUp;
     case "policy_kept":
       return { ...setUp, kept: message.text, overtaken: false, refused: null };
     case "policy_forgotten":
-      return { ...setUp, draft: setUp.kept, asked: setUp.asked + 1, check: { type: "unknown" }, overtaken: false, refused: null };
+      return { ...setUp, draft: setUp.kept, asked: setUp.asked + 1, check: { type: "unknown" }, drafted: null, overtaken: false, refused: null };
     case "tokens":
       return { ...setUp, tokens: message.tokens };
     case "token_made":

@@ -32,7 +32,8 @@ export function createSetUp(store, http, socket) {
   async function check() {
     const { asked, draft } = store.page.set_up;
     const { problem, value } = await http.ask("PUT", "api/v1/policy", { text: draft, check: true });
-    send({ type: "policy_checked", asked, check: problem ? { type: "bad", problem } : { type: "good", policy: /** @type {Schemas["Policy"]} */ (value) } });
+    const policy = problem ? null : /** @type {Schemas["Policy"]} */ (value);
+    send({ type: "policy_checked", asked, check: problem ? { type: "bad", problem } : { type: "good" }, policy });
   }
 
   store.listen((page, message) => {

@@ -2,6 +2,8 @@
 
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
+import { unlessFocused } from "../../parts/unless_focused.js";
+import { shownPolicy } from "../../state/select.js";
 import { isChanged } from "../../state/set_up.js";
 import { freeName, withZone } from "../../state/zones.js";
 import { sentence } from "../../views/banners.js";
@@ -42,7 +44,7 @@ export function policy(context) {
   const { draft, check, overtaken } = page.set_up;
   if (draft === null) return nothing;
   const mayKeep = page.role === "admin";
-  const zones = check.type === "good" ? check.policy.keep_out : page.policy?.keep_out ?? {};
+  const zones = shownPolicy(page)?.keep_out ?? {};
   const write = (/** @type {string | null} */ text) => text !== null && act.send({ type: "policy_typed", text });
   const changed = isChanged(page.set_up);
   const told = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? say(mayKeep ? "policy.not_kept" : "policy.admin") : say("policy.holds");
@@ -77,10 +79,9 @@ function zoneRow({ say }, name, zone, write) {
   return html`
     <fieldset class="zone" data-zone=${name}>
       <legend>${name}</legend>
-      ${numbersOf(zone).map(([label, value, to]) => html`<label>${label} <input type="number" step="any" .value=${String(value)} @change=${(/** @type {Event} */ event) => {
-        const input = /** @type {HTMLInputElement} */ (event.target);
-        if (Number.isFinite(input.valueAsNumber)) write(to(input.valueAsNumber));
-        else input.value = String(value);
+      ${numbersOf(zone).map(([label, value, to]) => html`<label>${label} <input type="number" step="any" .value=${unlessFocused(String(value))} @change=${(/** @type {Event} */ event) => {
+        const number = /** @type {HTMLInputElement} */ (event.target).valueAsNumber;
+        if (Number.isFinite(number)) write(to(number));
       }}></label>`)}
       <button type="button" class="small" aria-label=${say("policy.remove", { name })} @click=${() => write(null)}>×</button>
     </fieldset>`;
