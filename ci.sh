@@ -5,7 +5,7 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api` and `recordings`, Node and Chromium for
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models` and `recordings`, Node and Chromium for
 # `page`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
@@ -23,6 +23,8 @@
 #   follow its OpenAPI document, and more that break it.
 # - `page` makes the types of the API's messages anew and compares them with those checked in, checks the page's
 #   files against them, and only then starts a browser; TypeScript comes from npm and writes nothing.
+# - `models` fetches yourdfpy and mujoco from PyPI, programs that load models of robots and know nothing of ours, and
+#   lets them calculate a thousand places with each tool.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
 #   that were repaired.
 # - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
@@ -54,6 +56,7 @@ readonly CI_STEPS=(
   "no-std       do wire, arm, motion, trajectory and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
+  "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
   "recordings   does PyPI's mcap read what was repaired?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
@@ -252,6 +255,12 @@ step_api() {
   wait "$station"
   STATION=
   rm -rf "$folder"
+}
+
+step_models() {
+  needs_venv
+  build_all
+  tests/models/check.sh "$(built)"
 }
 
 step_recordings() {
