@@ -26,7 +26,7 @@
 # - `models` fetches yourdfpy and mujoco from PyPI, programs that load models of robots and know nothing of ours, and
 #   lets them calculate a thousand places with each tool.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
-#   that were repaired.
+#   that were repaired; pandas, pyarrow and datasets read what was exported.
 # - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
 #   that is not a test; for the syntax it would need a second toolchain: `cargo +1.88 check`.
 # - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
@@ -57,7 +57,7 @@ readonly CI_STEPS=(
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
   "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
-  "recordings   does PyPI's mcap read what was repaired?"
+  "recordings   do PyPI's mcap, pandas and datasets read what was repaired and exported?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target, as many at once as there are cores"
@@ -269,6 +269,11 @@ step_recordings() {
   folder=$(mktemp -d)
   DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test repairs -- --exact samples --ignored
   tests/recordings/read.sh "$folder"
+  rm -rf "$folder"
+  mkdir "$folder"
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test export -- --exact samples --ignored
+  build_all
+  tests/recordings/tables.sh "$(built)/dobot" "$folder"
   rm -rf "$folder"
 }
 

@@ -148,15 +148,12 @@ impl Export {
         let task = self.task.as_deref().unwrap_or(TASK);
         let dataset = export_lerobot(recording, stretch, out, task)
             .map_err(|error| no_dataset(out, error))?;
-        let left_out = match dataset.left_out {
-            0 => String::new(),
-            some => format!(", {some} left out that held a single frame"),
-        };
         Ok(format!(
-            "{}: {} episodes{left_out}, {} frames",
+            "{}: episodes {}, frames {}, left out since they held a single frame {}",
             out.display(),
             dataset.episodes,
-            dataset.frames
+            dataset.frames,
+            dataset.left_out
         ))
     }
 }
