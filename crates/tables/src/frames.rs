@@ -38,8 +38,8 @@ impl Frames {
     /// Takes the next status; gives the frames up to it. The first one has number 0 where it begins an episode.
     pub(crate) fn push(&mut self, sample: Sample) -> Vec<Frame> {
         if let Some(episode) = &mut self.episode
-            && sample.at >= episode.last.at
-            && sample.at - episode.last.at <= LONGEST_SILENCE
+            && let Some(silence) = sample.at.checked_sub(episode.last.at)
+            && silence <= LONGEST_SILENCE
         {
             return episode.push(sample);
         }
@@ -77,7 +77,7 @@ fn between(before: &Sample, after: &Sample, at: Duration) -> Status {
     if at == after.at {
         return after.status;
     }
-    let whole = (after.at - before.at).as_secs_f32();
+    let whole = after.at.saturating_sub(before.at).as_secs_f32();
     let share = at.saturating_sub(before.at).as_secs_f32() / whole;
     let (a, b) = (before.status, after.status);
     let mix = |a: f32, b: f32| a + (b - a) * share;

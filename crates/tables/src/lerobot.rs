@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use crate::cell::{Cell, Column, Kind, column};
 use crate::error::ExportError;
-use crate::features::{FEATURES, Summaries, values};
+use crate::features::{FEATURES, Feature, Summaries, values};
 use crate::frames::{FPS, Frame, Frames};
 use crate::parquet_table::ParquetTable;
 use crate::rows::Packets;
@@ -94,7 +94,7 @@ struct Writer<'t> {
 
 impl<'t> Writer<'t> {
     fn new(folder: &Path, task: &'t str) -> Result<Self, ExportError> {
-        let columns: Vec<_> = FEATURES.iter().map(|it| it.column()).collect();
+        let columns: Vec<_> = FEATURES.iter().map(Feature::column).collect();
         Ok(Self {
             task,
             data: table(&folder.join(DATA), &columns, &[])?,

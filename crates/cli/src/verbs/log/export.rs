@@ -20,16 +20,16 @@ use crate::output;
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Export {
     /// Write it as tables instead: csv or parquet (statuses and commands), or lerobot (a dataset)
-    #[arg(long, value_enum, requires = "file", conflicts_with_all = ["json", "topics", "dialect"])]
-    export: Option<Form>,
+    #[arg(long = "export", value_name = "FORM", value_enum, requires = "file", conflicts_with_all = ["json", "topics", "dialect"])]
+    form: Option<Form>,
     /// Where to, instead of beside you under the name of the recording: a file, or the folder of a dataset
-    #[arg(short, long, value_name = "OUT", requires = "export")]
+    #[arg(short, long, value_name = "OUT", requires = "form")]
     out: Option<PathBuf>,
     /// What the arm does, in words, for a dataset
-    #[arg(long, value_name = "TEXT", requires = "export")]
+    #[arg(long, value_name = "TEXT", requires = "form")]
     task: Option<String>,
     /// Write over files that are there
-    #[arg(long, requires = "export")]
+    #[arg(long, requires = "form")]
     force: bool,
 }
 
@@ -42,7 +42,7 @@ enum Form {
 
 impl Export {
     pub(super) const fn is_asked(&self) -> bool {
-        self.export.is_some()
+        self.form.is_some()
     }
 
     /// Writes a stretch of a recording, and says what was written.
@@ -51,7 +51,7 @@ impl Export {
         file: &Path,
         stretch: &RangeInclusive<Duration>,
     ) -> Result<(), Failure> {
-        let Some(form) = self.export else {
+        let Some(form) = self.form else {
             return Ok(());
         };
         self.check(form)?;
