@@ -85,6 +85,7 @@ BSD-2-Clause OR Apache-2.0 OR MIT
 BSD-2-Clause OR MIT OR Apache-2.0
 BSD-3-Clause
 BSD-3-Clause OR Apache-2.0
+CC0-1.0
 ISC
 MIT
 MIT / Apache-2.0
@@ -97,6 +98,7 @@ MIT OR Zlib OR Apache-2.0
 MIT/Apache-2.0
 MPL-2.0
 Unlicense OR MIT
+Unlicense/MIT
 Zlib
 Zlib OR Apache-2.0 OR MIT'
 
