@@ -5,7 +5,7 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api` and `recordings`, Node and Chromium for
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models` and `recordings`, Node and Chromium for
 # `page`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
@@ -23,8 +23,10 @@
 #   follow its OpenAPI document, and more that break it.
 # - `page` makes the types of the API's messages anew and compares them with those checked in, checks the page's
 #   files against them, and only then starts a browser; TypeScript comes from npm and writes nothing.
+# - `models` fetches yourdfpy and mujoco from PyPI, programs that load models of robots and know nothing of ours, and
+#   lets them calculate a thousand places with each tool.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
-#   that were repaired.
+#   that were repaired; pandas, pyarrow and datasets read what was exported.
 # - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
 #   that is not a test; for the syntax it would need a second toolchain: `cargo +1.88 check`.
 # - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
@@ -54,7 +56,8 @@ readonly CI_STEPS=(
   "no-std       do wire, arm, motion, trajectory and controller link without the standard library?"
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
-  "recordings   does PyPI's mcap read what was repaired?"
+  "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
+  "recordings   do PyPI's mcap, pandas and datasets read what was repaired and exported?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target, as many at once as there are cores"
@@ -82,6 +85,7 @@ BSD-2-Clause OR Apache-2.0 OR MIT
 BSD-2-Clause OR MIT OR Apache-2.0
 BSD-3-Clause
 BSD-3-Clause OR Apache-2.0
+CC0-1.0
 ISC
 MIT
 MIT / Apache-2.0
@@ -94,6 +98,7 @@ MIT OR Zlib OR Apache-2.0
 MIT/Apache-2.0
 MPL-2.0
 Unlicense OR MIT
+Unlicense/MIT
 Zlib
 Zlib OR Apache-2.0 OR MIT'
 
@@ -254,12 +259,23 @@ step_api() {
   rm -rf "$folder"
 }
 
+step_models() {
+  needs_venv
+  build_all
+  tests/models/check.sh "$(built)"
+}
+
 step_recordings() {
   local folder
   needs_venv
   folder=$(mktemp -d)
   DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test repairs -- --exact samples --ignored
   tests/recordings/read.sh "$folder"
+  rm -rf "$folder"
+  mkdir "$folder"
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test export -- --exact samples --ignored
+  build_all
+  tests/recordings/tables.sh "$(built)/dobot" "$folder"
   rm -rf "$folder"
 }
 

@@ -1,11 +1,15 @@
-//! What is printed: one line for a person, or one JSON object for a program.
+//! What is printed: one line for a person, or one JSON object for a program; and files that are written whole.
 
+use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
+use std::path::Path;
 use std::time::Duration;
 
 use dobot_wire::Status;
 use serde::Serialize;
 use serde_json::Value;
+
+use crate::failure::Failure;
 
 /// Prints a line.
 pub(crate) fn line(text: &str) -> io::Result<()> {
@@ -15,6 +19,30 @@ pub(crate) fn line(text: &str) -> io::Result<()> {
 /// Prints a whole document.
 pub(crate) fn bytes(document: &[u8]) -> io::Result<()> {
     io::stdout().write_all(document)
+}
+
+/// Writes a whole document to a file; over one that is there only with `--force`.
+pub(crate) fn file(file: &Path, document: &[u8], force: bool) -> Result<(), Failure> {
+    Ok(new_file(file, force)?.write_all(document)?)
+}
+
+/// Begins a file; over one that is there only with `--force`.
+pub(crate) fn new_file(file: &Path, force: bool) -> Result<File, Failure> {
+    let mut options = OpenOptions::new();
+    options
+        .write(true)
+        .create(force)
+        .truncate(force)
+        .create_new(!force);
+    options.open(file).map_err(|error| {
+        let exists = error.kind() == io::ErrorKind::AlreadyExists;
+        let error = anyhow::Error::from(error).context(format!("cannot write {}", file.display()));
+        if exists {
+            Failure::new(error, "`--force` writes over it")
+        } else {
+            error.into()
+        }
+    })
 }
 
 /// Prints a value as one line of JSON.

@@ -19,6 +19,7 @@ mod lease;
 mod log;
 mod man;
 mod materials;
+mod model;
 mod mouse;
 mod move_;
 mod play;
@@ -52,6 +53,7 @@ pub(crate) enum Verb {
     Check(check::Args),
     Convert(convert::Args),
     Materials(materials::Args),
+    Model(model::Args),
     Arm(arm::Args),
     Status(status::Args),
     Move(move_::Args),
@@ -105,6 +107,7 @@ impl Verb {
             Self::Check(args) => check::run(&args),
             Self::Convert(args) => convert::run(&args),
             Self::Materials(args) => materials::run(&args),
+            Self::Model(args) => model::run(&args),
             Self::Arm(args) => wait_for(arm::run(args)),
             Self::Status(args) => wait_for(status::run(args)),
             Self::Move(args) => wait_for(move_::run(args)),

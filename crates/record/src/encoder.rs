@@ -331,8 +331,13 @@ fn pieces<'b, D: dobot_wire::Direction>(
     pieces
 }
 
-/// What a packet says; `None` where nobody knows the dialect and it matters.
-fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Command, String>> {
+/// What a packet says, or why it is no command, as recordings tell it; `None` where nobody knows the dialect and it matters.
+///
+/// # Errors
+///
+/// The text of a [`ParseError`](dobot_wire::ParseError) where it is no command.
+#[must_use]
+pub fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Command, String>> {
     let read = |dialect: Dialect| Command::parse(packet, &dialect).map_err(|it| it.to_string());
     if let Some(dialect) = dialect {
         return Some(read(dialect));

@@ -48,6 +48,7 @@ mod topic;
 mod track;
 
 pub use about::About;
+pub use encoder::meaning;
 pub use folder::{RecordedFile, is_being_written, recordings};
 pub use limits::{Limits, StartError};
 pub use moment::{Damage, Entry, Moment};

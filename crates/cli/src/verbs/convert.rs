@@ -1,7 +1,5 @@
 //! `dobot convert`: programs and files of the vendor's programs, from one form to another.
 
-use std::fs::OpenOptions;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
@@ -9,6 +7,7 @@ use dobot_teach::vendor::{self, PlaybackParams};
 use dobot_teach::{Action, Program};
 
 use crate::failure::Failure;
+use crate::output;
 use crate::program_file::{self, Kind};
 
 /// Convert a program into another form: .toml, PlayBackPoints.xml, .play, PlayBackParams.json
@@ -40,7 +39,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     for reason in lost {
         eprintln!("warning: {}: {reason}", args.from.display());
     }
-    write(&args.to, &text, args.force)
+    output::file(&args.to, text.as_bytes(), args.force)
 }
 
 /// The program in another form, and what that cannot carry.
@@ -93,23 +92,4 @@ fn params(program: &Program) -> Result<(String, Vec<String>), Failure> {
         PlaybackParams::of_speed(speeds).write(),
         lost.into_iter().collect(),
     ))
-}
-
-fn write(file: &Path, text: &str, force: bool) -> Result<(), Failure> {
-    let mut options = OpenOptions::new();
-    options
-        .write(true)
-        .create(force)
-        .truncate(force)
-        .create_new(!force);
-    let mut opened = options.open(file).map_err(|error| {
-        let exists = error.kind() == std::io::ErrorKind::AlreadyExists;
-        let error = anyhow::Error::from(error).context(format!("cannot write {}", file.display()));
-        if exists {
-            Failure::new(error, "`--force` writes over it")
-        } else {
-            error.into()
-        }
-    })?;
-    Ok(opened.write_all(text.as_bytes())?)
 }

@@ -1,6 +1,9 @@
 //! `dobot log`: what was recorded.
 
+mod export;
+
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use dobot_client::plausible;
@@ -10,6 +13,7 @@ use dobot_record::{
 use dobot_wire::{Commands, Decoder, Dialect, Status, Statuses};
 use serde_json::json;
 
+use self::export::Export;
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::folders;
@@ -25,6 +29,10 @@ Examples:
   dobot log FILE --from 12 --to 15.5     a few seconds of it
   dobot log FILE --topic /arm/joints     the joint angles, which are not shown otherwise
   dobot log FILE --json                  one object a line
+  dobot log FILE --export parquet -o run.parquet
+                                         statuses as a table, commands in run.commands.parquet
+  dobot log FILE --export lerobot --task 'Draw a square.'
+                                         a dataset that LeRobot loads
 
 Times are seconds since the recorder was started. The files open in Foxglove too.")]
 pub(crate) struct Args {
@@ -47,6 +55,8 @@ pub(crate) struct Args {
     /// Print JSON, one object a line
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    export: Export,
 }
 
 /// Where recordings are.
@@ -65,11 +75,21 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         None => list(&args.shelf.folder()?, args.json),
         Some(file) => {
             let path = args.shelf.find(file)?;
+            if args.export.is_asked() {
+                return args.export.run(&path, &args.stretch());
+            }
             // It may be ended meanwhile: then there is more than was looked for.
             let is_being_written = is_being_written(&path);
             let recording = open(&path)?;
             Printer::new(args).print(recording, is_being_written)
         }
+    }
+}
+
+impl Args {
+    fn stretch(&self) -> std::ops::RangeInclusive<Duration> {
+        let end = self.to.map_or(Duration::MAX, Duration::from_secs_f64);
+        Duration::from_secs_f64(self.from)..=end
     }
 }
 

@@ -14,6 +14,7 @@ mod killing;
 mod links;
 #[cfg(unix)]
 mod logging;
+mod models;
 #[cfg(target_os = "linux")]
 mod pendant;
 mod playing;

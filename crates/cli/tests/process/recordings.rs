@@ -248,3 +248,99 @@ fn a_client_that_does_something_else_fails_with_both_sides() {
         );
     }
 }
+
+#[test]
+fn a_recording_is_exported_as_tables_and_as_a_dataset() {
+    let (folder, file) = recording();
+    let out = |name: &str| folder.path().join(name);
+    for (form, ending) in [("csv", "csv"), ("parquet", "parquet")] {
+        let statuses = out(&format!("run.{ending}"));
+        let export = ["log", text(&file), "--export", form, "-o", text(&statuses)];
+        let outcome = dobot(&export).succeeds();
+        assert!(outcome.stdout.contains("3 statuses"), "{outcome:?}");
+        assert!(outcome.stdout.contains("3 commands"), "{outcome:?}");
+        assert!(out(&format!("run.commands.{ending}")).exists());
+        // What is there is kept, unless it is said otherwise.
+        std::fs::write(&statuses, "mine").expect("there is room");
+        dobot(&export).fails(1, &["exists", "hint: `--force`"]);
+        assert_eq!(std::fs::read(&statuses).expect("it is there"), b"mine");
+        dobot(&[&export[..], &["--force"]].concat()).succeeds();
+        assert_ne!(std::fs::read(&statuses).expect("it is there"), b"mine");
+        // The other table is in the way: neither is begun.
+        std::fs::remove_file(&statuses).expect("it is there");
+        dobot(&export).fails(1, &["commands", "exists"]);
+        assert!(!statuses.exists());
+    }
+    let dataset = out("dataset");
+    let export = [
+        "log",
+        text(&file),
+        "--export",
+        "lerobot",
+        "-o",
+        text(&dataset),
+    ];
+    let outcome = dobot(&export).succeeds();
+    assert!(
+        outcome.stdout.contains("episodes 1, frames 5"),
+        "{outcome:?}"
+    );
+    dobot(&export).fails(1, &["exists", "hint: `-o`"]);
+}
+
+#[test]
+fn what_cannot_be_exported_is_told_and_nothing_is_written() {
+    let (folder, file) = recording();
+    let out = folder.path().join("run.csv");
+    let export = |file: &Path, more: &[&str]| {
+        dobot(
+            &[
+                &["log", text(file), "--export", "csv", "-o", text(&out)],
+                more,
+            ]
+            .concat(),
+        )
+    };
+    export(&file, &["--from", "100"]).fails(1, &["holds no packet", "hint: `dobot log"]);
+    export(&file, &["--task", "Turn."]).fails(1, &["--task", "only a dataset"]);
+    export(&file, &["--json"]).fails(2, &["--json"]);
+    let other = folder.path().join("other.mcap");
+    std::fs::write(&other, "no recording").expect("there is room");
+    export(&other, &[]).fails(1, &["other.mcap", "it is no recording"]);
+    std::fs::write(&other, "").expect("there is room");
+    export(&other, &[]).fails(1, &["other.mcap"]);
+    export(Path::new("nowhere.mcap"), &[]).fails(1, &["no file nowhere.mcap"]);
+    assert!(!out.exists());
+    // Not even with --force.
+    let whole = std::fs::read(&file).expect("it is there");
+    let itself = [
+        "log",
+        text(&file),
+        "--export",
+        "csv",
+        "--force",
+        "-o",
+        text(&file),
+    ];
+    dobot(&itself).fails(1, &["is the recording itself"]);
+    assert_eq!(std::fs::read(&file).expect("it is there"), whole);
+    dobot(&["log", "--export", "csv"]).fails(2, &["FILE"]);
+}
+
+#[test]
+fn of_a_damaged_recording_what_can_be_read_is_exported() {
+    let (folder, file) = recording();
+    let bytes = std::fs::read(&file).expect("it is there");
+    std::fs::write(&file, &bytes[..bytes.len() - 20]).expect("there is room");
+    let out = folder.path().join("run.csv");
+    let outcome = dobot(&["log", text(&file), "--export", "csv", "-o", text(&out)]).succeeds();
+    assert!(outcome.stderr.contains("warning: "), "{outcome:?}");
+    assert!(outcome.stderr.contains("only"), "{outcome:?}");
+    assert_eq!(
+        std::fs::read_to_string(&out)
+            .expect("it is there")
+            .lines()
+            .count(),
+        4
+    );
+}

@@ -1,0 +1,63 @@
+//! `dobot model`.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::program::dobot;
+
+#[test]
+fn the_tool_is_as_long_as_in_the_default_policy_unless_told_otherwise() {
+    let length = |more: &[&str]| {
+        let outcome = dobot(&[&["model", "--format", "json"][..], more].concat()).succeeds();
+        let model: Value = serde_json::from_str(&outcome.stdout).expect("it is JSON");
+        model["tool"]["length_mm"].clone()
+    };
+    let policy = dobot(&["policy"]).succeeds().stdout;
+    let line = policy
+        .lines()
+        .find(|it| it.starts_with("laser_mm"))
+        .expect("it is there");
+    let laser_mm = length(&["--tool", "laser"]).to_string();
+    let laser_mm = laser_mm.trim_end_matches(".0");
+    assert!(
+        line.contains(&format!("= {laser_mm}")),
+        "{line}: {laser_mm}"
+    );
+    assert_eq!(length(&["--tool", "pen", "--length", "62.5"]), 62.5);
+    assert_eq!(length(&["--tool", "none"]), Value::Null);
+}
+
+#[test]
+fn a_folder_gets_a_file_and_a_file_that_is_there_is_kept() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let out = folder.path().to_str().expect("the path is text");
+    for (format, name) in [
+        ("urdf", "dobot_arm.urdf"),
+        ("mjcf", "dobot_arm.xml"),
+        ("json", "dobot_arm.json"),
+    ] {
+        let arguments = ["model", "--format", format, "-o", out];
+        let printed = dobot(&arguments[..3]).succeeds().stdout;
+        dobot(&arguments).succeeds();
+        let file = folder.path().join(name);
+        assert_eq!(fs::read_to_string(&file).expect("it is there"), printed);
+        fs::write(&file, "mine").expect("there is room");
+        dobot(&arguments).fails(1, &[name, "exists", "hint: `--force`"]);
+        assert_eq!(fs::read_to_string(&file).expect("it is there"), "mine");
+        dobot(&[&arguments[..], &["--force"]].concat()).succeeds();
+        assert_eq!(fs::read_to_string(&file).expect("it is there"), printed);
+    }
+}
+
+#[test]
+fn a_length_that_makes_no_sense_is_refused() {
+    for length in ["0", "19.99", "201", "nan", "inf"] {
+        let outcome = dobot(&["model", "--length", length]).fails(1, &["20 to 200 mm"]);
+        assert_eq!(outcome.stdout, "");
+    }
+    dobot(&["model", "--length=-40"]).fails(1, &["-40 mm", "20 to 200 mm"]);
+    dobot(&["model", "--tool", "none", "--length", "40"]).fails(1, &["without a tool", "hint: "]);
+    dobot(&["model", "--tool", "camera"]).fails(2, &["gripper"]);
+    dobot(&["model", "--format", "sdf"]).fails(2, &["mjcf"]);
+}

@@ -1,0 +1,125 @@
+//! The model as JSON, in the units of this project.
+
+use dobot_arm::{FOREARM, Limits, REAR_ARM, Span};
+use serde_json::{Value, json};
+
+use crate::joint::{Axis, Joint, Turn};
+use crate::model::{Model, Part, Pin};
+use crate::part::FOOT_MM;
+use crate::shape::{Shape, Solid};
+
+impl Model {
+    /// The model as JSON: millimetres and degrees.
+    ///
+    /// It holds what the other formats hold, and the limits that they cannot: the reach and the height of the tool. A limit
+    /// that the arm does not have is `null`. An angle of a joint that follows is the sum of those of `rear` and `fore`, each
+    /// so many times.
+    ///
+    /// # Panics
+    ///
+    /// Never: all its names are text.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let value = json!({
+            "name": "dobot_arm",
+            "units": { "length": "mm", "angle": "deg" },
+            "rear_arm_mm": REAR_ARM.0,
+            "forearm_mm": FOREARM.0,
+            "pivot_above_table_mm": FOOT_MM,
+            "tool": self.tool.map(|it| json!({
+                "kind": it.kind().name(),
+                "reach_mm": it.kind().tool().reach().0,
+                "length_mm": it.length().0,
+            })),
+            "limits": limits(&self.limits),
+            "joints": self.joints.iter().map(joint).collect::<Vec<_>>(),
+            "pins": self.pins.iter().map(pin).collect::<Vec<_>>(),
+            "links": self.parts.iter().map(link).collect::<Vec<_>>(),
+        });
+        serde_json::to_string_pretty(&value).expect("all its names are text") + "\n"
+    }
+}
+
+fn limits(limits: &Limits) -> Value {
+    let Limits {
+        base,
+        rear,
+        fore,
+        servo,
+        opening,
+        reach,
+        z,
+    } = limits;
+    let angle = |it: &Span<dobot_arm::Degrees>| span(it.min.0, it.max.0);
+    let length = |it: &Span<dobot_arm::Millimeters>| span(it.min.0, it.max.0);
+    json!({
+        "base_deg": angle(base),
+        "rear_deg": angle(rear),
+        "fore_deg": angle(fore),
+        "servo_deg": angle(servo),
+        "rear_minus_fore_deg": angle(opening),
+        "reach_mm": length(reach),
+        "z_mm": length(z),
+    })
+}
+
+/// An infinite end is no limit; JSON has no such number.
+fn span(min: f64, max: f64) -> Value {
+    json!([min, max].map(|it| it.is_finite().then_some(it)))
+}
+
+fn joint(joint: &Joint) -> Value {
+    let mut value = json!({
+        "name": joint.name,
+        "parent": joint.parent,
+        "child": joint.child,
+        "at_mm": joint.at_mm,
+    });
+    match joint.turn {
+        Turn::Fixed => {}
+        Turn::Driven {
+            axis,
+            span: it,
+            deg_s,
+        } => {
+            value["axis"] = name_of(axis).into();
+            value["range_deg"] = span(it.min.0, it.max.0);
+            value["speed_deg_s"] = deg_s.into();
+        }
+        Turn::Follows { rear, fore } => {
+            value["axis"] = name_of(joint.turn.axis()).into();
+            value["follows"] = json!({ "rear": rear, "fore": fore });
+        }
+    }
+    value
+}
+
+const fn name_of(axis: Axis) -> &'static str {
+    match axis {
+        Axis::Y => "y",
+        Axis::Z => "z",
+    }
+}
+
+fn pin(pin: &Pin) -> Value {
+    json!({ "name": pin.name, "links": pin.parts, "at_mm": pin.at_mm })
+}
+
+fn link(part: &Part) -> Value {
+    json!({ "name": part.name, "shapes": part.shapes.iter().map(shape).collect::<Vec<_>>() })
+}
+
+fn shape(shape: &Shape) -> Value {
+    let mut value = match shape.solid {
+        Solid::Box { size_mm } => json!({ "shape": "box", "size_mm": size_mm }),
+        Solid::Pin { radius_mm, long_mm } => {
+            json!({ "shape": "cylinder", "axis": "y", "radius_mm": radius_mm, "length_mm": long_mm })
+        }
+        Solid::Post { radius_mm, long_mm } => {
+            json!({ "shape": "cylinder", "axis": "z", "radius_mm": radius_mm, "length_mm": long_mm })
+        }
+    };
+    value["at_mm"] = json!(shape.at_mm);
+    value["colour"] = shape.colour.name().into();
+    value
+}

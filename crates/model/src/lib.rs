@@ -1,0 +1,29 @@
+//! The original Dobot Arm as a model for other programs: URDF, MJCF (MuJoCo) and JSON.
+//!
+//! The model has the arm's links with both of its parallelograms and the crank that turns the forearm, and a tool. Its
+//! lengths, limits and speeds are those of `dobot-arm` and `dobot-motion`, without the roundings of a stock arm. Its
+//! frame `base` is the base frame (`docs/kinematics.md`), and its frame `tool` is at the pose that the arm tells, at the
+//! height of the wrist. `docs/models.md` tells what each format holds.
+//!
+//! ```
+//! use dobot_arm::Millimeters;
+//! use dobot_model::{Model, MountedTool, ToolKind};
+//!
+//! let pen = MountedTool::new(ToolKind::Pen, Millimeters(62.0))?;
+//! let model = Model::new(Some(pen));
+//! assert!(model.to_urdf().contains(r#"<link name="tool">"#));
+//! # Ok::<(), dobot_model::BadLength>(())
+//! ```
+
+mod joint;
+mod json;
+mod mjcf;
+mod model;
+mod mounted_tool;
+mod part;
+mod shape;
+mod urdf;
+mod xml;
+
+pub use model::Model;
+pub use mounted_tool::{BadLength, MountedTool, ToolKind};

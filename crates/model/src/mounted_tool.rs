@@ -1,0 +1,103 @@
+//! What is mounted at the end of the arm.
+
+use dobot_arm::{Millimeters, Tool};
+
+/// What is mounted at the end of the arm, and how long it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MountedTool {
+    kind: ToolKind,
+    length: Millimeters,
+}
+
+/// The tools that were sold with the arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToolKind {
+    /// The suction cup.
+    SuctionCup,
+    /// The gripper, whose fingers stand open.
+    Gripper,
+    /// A pen in its holder.
+    Pen,
+    /// The laser.
+    Laser,
+}
+
+/// Why a tool is refused.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "the length of the tool is {found}; allowed are {} to {} mm, from the height of the wrist down to the tip",
+    MountedTool::SHORTEST.0,
+    MountedTool::LONGEST.0
+)]
+pub struct BadLength {
+    /// The length that was asked for.
+    pub found: Millimeters,
+}
+
+impl MountedTool {
+    /// The shortest tool that reaches below the servo.
+    pub const SHORTEST: Millimeters = Millimeters(20.0);
+
+    /// The longest tool, as in a policy.
+    pub const LONGEST: Millimeters = Millimeters(200.0);
+
+    /// A tool whose tip hangs so far below the wrist: 20 to 200 mm.
+    ///
+    /// # Errors
+    ///
+    /// [`BadLength`] for any other length.
+    pub fn new(kind: ToolKind, length: Millimeters) -> Result<Self, BadLength> {
+        if length >= Self::SHORTEST && length <= Self::LONGEST {
+            Ok(Self { kind, length })
+        } else {
+            Err(BadLength { found: length })
+        }
+    }
+
+    pub(crate) const fn kind(self) -> ToolKind {
+        self.kind
+    }
+
+    /// How far its tip hangs below the wrist.
+    pub(crate) const fn length(self) -> Millimeters {
+        self.length
+    }
+}
+
+impl ToolKind {
+    /// What the arm takes it for: a pen has the reach of the suction cup.
+    #[must_use]
+    pub const fn tool(self) -> Tool {
+        match self {
+            Self::SuctionCup | Self::Pen => Tool::SuctionCup,
+            Self::Gripper => Tool::Gripper,
+            Self::Laser => Tool::Laser,
+        }
+    }
+
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::SuctionCup => "suction_cup",
+            Self::Gripper => "gripper",
+            Self::Pen => "pen",
+            Self::Laser => "laser",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tool_that_ends_within_the_servo_or_is_no_number_is_refused() {
+        for found in [0.0, 19.9, 200.1, -40.0, f64::NAN, f64::INFINITY] {
+            let error =
+                MountedTool::new(ToolKind::Laser, Millimeters(found)).expect_err("it is bad");
+            assert!(error.to_string().contains("20 to 200 mm"), "{error}");
+        }
+        for good in [20.0, 38.0, 200.0] {
+            assert!(MountedTool::new(ToolKind::Laser, Millimeters(good)).is_ok());
+        }
+    }
+}
