@@ -1,0 +1,79 @@
+"""What a user of an arm relies on."""
+
+import math
+import os
+
+import pytest
+
+import dobot_arm as dobot
+
+
+def test_a_move_returns_when_the_arm_has_arrived() -> None:
+    with dobot.connect("virtual:firmware-1.1") as arm:
+        arm.move_to(220, 0, 20, path="movl")
+        pose = arm.pose
+        assert (pose.x_mm, pose.y_mm, pose.z_mm) == pytest.approx((220, 0, 20), abs=1)
+
+
+def test_joint_angles_are_degrees() -> None:
+    with dobot.connect("virtual:") as arm:
+        arm.move_joints(30, 10, 20)
+        assert arm.joints.base_deg == pytest.approx(30, abs=0.5)
+
+
+def test_the_suction_cup_stays_as_it_is_unless_told_otherwise() -> None:
+    with dobot.connect("virtual:") as arm:
+        assert arm.move_to(220, 0, 20, suction=True).suction
+        assert arm.move_to(220, 20, 20).suction
+        assert not arm.move_to(220, 0, 20, suction=False).suction
+
+
+@pytest.mark.parametrize("x", [900.0, math.nan, math.inf])
+def test_what_the_arm_cannot_reach_is_refused_and_moves_nothing(x: float) -> None:
+    with dobot.connect("virtual:") as arm:
+        before = arm.status()
+        with pytest.raises(dobot.Refused) as refused:
+            arm.move_to(x, 0, 20)
+        assert refused.value.kind
+        assert arm.status() == before
+
+
+def test_a_stopped_arm_moves_only_after_a_reset() -> None:
+    with dobot.connect("virtual:") as arm:
+        arm.stop("somebody came near")
+        with pytest.raises(dobot.Refused):
+            arm.move_to(220, 0, 20)
+        arm.reset_stop()
+        arm.move_to(220, 0, 20)
+
+
+def test_an_arm_that_was_let_go_of_says_so() -> None:
+    arm = dobot.connect("virtual:")
+    arm.close()
+    with pytest.raises(dobot.Closed):
+        arm.move_to(220, 0, 20)
+
+
+def test_a_place_and_a_path_that_do_not_exist_are_told_with_what_is_allowed() -> None:
+    with pytest.raises(ValueError, match="virtual:"):
+        dobot.connect("nowhere")
+    with dobot.connect("virtual:") as arm, pytest.raises(ValueError, match="movl"):
+        arm.move_to(220, 0, 20, path="straight")  # type: ignore[arg-type]
+
+
+def test_a_station_that_is_not_there_is_a_lost_link() -> None:
+    with pytest.raises(dobot.LinkLost):
+        dobot.connect("http://127.0.0.1:1")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+def test_a_fork_may_not_use_the_arm() -> None:
+    with dobot.connect("virtual:") as arm:
+        child = os.fork()
+        if child == 0:
+            try:
+                arm.stop()
+            except dobot.Closed:
+                os._exit(0)
+            os._exit(1)
+        assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
