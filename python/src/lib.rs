@@ -162,7 +162,11 @@ impl Core {
     }
 
     /// Waits without the interpreter's lock. Ctrl-C stops the arm first.
-    fn wait_for(&self, py: Python<'_>, answer: &Mutex<Receiver<Answer>>) -> PyResult<Option<Status>> {
+    fn wait_for(
+        &self,
+        py: Python<'_>,
+        answer: &Mutex<Receiver<Answer>>,
+    ) -> PyResult<Option<Status>> {
         loop {
             match hear(py, answer, SIGNALS) {
                 Ok(answer) => return answer.map_err(|it| exception(py, &it)),
@@ -239,7 +243,10 @@ fn exception(py: Python<'_>, failure: &Failure) -> PyErr {
             fields.set_item("kind", &problem.kind)?;
             fields.set_item("rule", &problem.rule)?;
             fields.set_item("at_mm", problem.at_mm.map(<(f64, f64, f64)>::from))?;
-            fields.set_item("nearest_mm", problem.nearest_mm.map(<(f64, f64, f64)>::from))?;
+            fields.set_item(
+                "nearest_mm",
+                problem.nearest_mm.map(<(f64, f64, f64)>::from),
+            )?;
         }
         let class = py.import("dobot_arm.errors")?.getattr(failure.class())?;
         let error = class.call((failure.to_string(),), Some(&fields))?;

@@ -75,7 +75,9 @@ impl fmt::Display for Failure {
             Self::Failed { text, .. } | Self::LinkLost { text, .. } => f.write_str(text),
             Self::Stopped => f.write_str("the arm was stopped while this was under way"),
             Self::Closed => f.write_str("the arm was let go of"),
-            Self::Forked => f.write_str("the arm belongs to the process that connected to it, and this is a fork of it"),
+            Self::Forked => f.write_str(
+                "the arm belongs to the process that connected to it, and this is a fork of it",
+            ),
         }
     }
 }
@@ -146,8 +148,17 @@ impl Worker {
 
     /// Lets go of the arm and waits until that is done.
     pub(crate) fn close(&self) {
-        drop(self.doors.lock().unwrap_or_else(PoisonError::into_inner).take());
-        let thread = self.thread.lock().unwrap_or_else(PoisonError::into_inner).take();
+        drop(
+            self.doors
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .take(),
+        );
+        let thread = self
+            .thread
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
         if let Some(thread) = thread {
             let _ = thread.join();
         }
@@ -161,7 +172,10 @@ fn run(
     jobs: UnboundedReceiver<Job>,
     stops: UnboundedReceiver<Stop>,
 ) {
-    let runtime = match tokio::runtime::Builder::new_current_thread().enable_all().build() {
+    let runtime = match tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build()
+    {
         Ok(runtime) => runtime,
         Err(error) => {
             let text = format!("no runtime can be started: {error}");
@@ -226,20 +240,25 @@ async fn stop(client: &mut StationClient, Stop { reason, answer }: Stop) {
     let _ = answer.send(done.map(|_| None).map_err(Failure::from));
 }
 
-async fn act(client: &mut StationClient, operation: Operation) -> Result<Option<Status>, RemoteError> {
+async fn act(
+    client: &mut StationClient,
+    operation: Operation,
+) -> Result<Option<Status>, RemoteError> {
     match operation {
         Operation::Status => return status(client).await.map(Some),
         Operation::CarryOut(command) => {
             let command = command(&status(client).await?);
             client.request(Request::TakeLease).await?;
-            if let Reply::Accepted { command, .. } = client.request(Request::Command { command }).await? {
+            if let Reply::Accepted { command, .. } =
+                client.request_at_rest(Request::Command { command }).await?
+            {
                 client.finished(command).await?;
             }
             return status(client).await.map(Some);
         }
         Operation::Wait(time) => client.wait(time).await,
         Operation::ConfirmPose => drop(client.request(Request::ConfirmPose).await?),
-        Operation::ResetStop => drop(client.request(Request::ResetStop).await?),
+        Operation::ResetStop => drop(client.request_at_rest(Request::ResetStop).await?),
     }
     Ok(None)
 }

@@ -8,7 +8,7 @@ use dobot_api::{JobPhase, JobView, News, ProgramView, RemoteError, Request, Stat
 use dobot_rules::StationClient;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::control::{self, request_at_rest, take_control};
+use crate::control::{self, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
@@ -27,7 +27,7 @@ pub(crate) async fn start(
 ) -> Result<Duration, Failure> {
     loop {
         take_control(station).await?;
-        request_at_rest(station, Request::StartJob { job }).await?;
+        station.request_at_rest(Request::StartJob { job }).await?;
         if !burns {
             station.request(Request::ReleaseLease).await?;
         }
@@ -48,7 +48,7 @@ pub(crate) async fn start(
 /// Does the next step of a job, until it rests behind that.
 pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Failure> {
     take_control(station).await?;
-    request_at_rest(station, Request::StepJob { job }).await?;
+    station.request_at_rest(Request::StepJob { job }).await?;
     let ended = follow(station, job, |_| {}).await?;
     control::idle(station).await?;
     match ended {

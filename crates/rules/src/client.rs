@@ -24,6 +24,11 @@ use self::virtual_time::InVirtualTime;
 
 pub use self::local::{LocalArm, OpenArmError};
 
+/// How long an arm that still moves is asked again.
+const PATIENCE: Duration = Duration::from_secs(5);
+/// How long it is left alone in between.
+const PAUSE: Duration = Duration::from_millis(80);
+
 /// A client of the rules that every command to an arm passes.
 ///
 /// The rules are the same wherever they are kept, and so are the requests:
@@ -129,6 +134,24 @@ impl StationClient {
             ClientRoute::Running(remote, _) => remote.request(request).await,
             ClientRoute::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
             ClientRoute::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
+        }
+    }
+
+    /// Asks for something that takes an arm at rest, as soon as it is: it is asked again for
+    /// five seconds by the arm's clock.
+    ///
+    /// # Errors
+    ///
+    /// As of [`request`](Self::request).
+    pub async fn request_at_rest(&mut self, request: Request) -> Result<Reply, RemoteError> {
+        let until = self.now() + PATIENCE;
+        loop {
+            match self.request(request.clone()).await {
+                Err(error) if error.kind() == Some("still-moving") && self.now() < until => {
+                    self.wait(PAUSE).await;
+                }
+                answer => return answer,
+            }
         }
     }
 
