@@ -2,10 +2,32 @@
 
 import math
 import os
+import signal
+import subprocess
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import pytest
 
 import dobot_arm as dobot
+
+
+@pytest.fixture
+def station(tmp_path: Path) -> Iterator[str]:
+    """The address of a station with a virtual arm, run by the program that ``DOBOT`` names."""
+    program = os.environ.get("DOBOT")
+    if program is None:
+        pytest.skip("the environment variable DOBOT names no `dobot` program")
+    command = [program, "up", "--arm", "virtual:", "--data", str(tmp_path), "--http", "127.0.0.1:0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            yield next(
+                word for line in process.stdout for word in line.split() if word.startswith("http://")
+            )
+        finally:
+            process.terminate()
 
 
 def test_a_move_returns_when_the_arm_has_arrived() -> None:
@@ -77,3 +99,28 @@ def test_a_fork_may_not_use_the_arm() -> None:
                 os._exit(0)
             os._exit(1)
         assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+
+
+def test_ctrl_c_stops_the_arm_of_a_station_and_is_raised(station: str) -> None:
+    with dobot.connect(station) as arm, dobot.connect(station) as other:
+        arm.confirm_pose()
+        arm.move_to(200, -150, 60)
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        previous = signal.signal(signal.SIGALRM, signal.default_int_handler)
+        try:
+            with pytest.raises(KeyboardInterrupt):
+                arm.move_to(200, 150, 60)
+        finally:
+            signal.signal(signal.SIGALRM, previous)
+        with pytest.raises(dobot.Refused):
+            other.move_to(200, 0, 60)
+
+
+def test_another_thread_stops_a_move(station: str) -> None:
+    with dobot.connect(station) as arm, ThreadPoolExecutor() as threads:
+        arm.confirm_pose()
+        arm.move_to(200, -150, 60)
+        move = threads.submit(arm.move_to, 200, 150, 60)
+        arm.stop()
+        with pytest.raises((dobot.Stopped, dobot.Refused)):
+            move.result()

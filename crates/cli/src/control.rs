@@ -39,7 +39,9 @@ pub(crate) async fn carry_out(
     station: &mut StationClient,
     command: Command,
 ) -> Result<(), Failure> {
-    let reply = station.request_at_rest(Request::Command { command }).await?;
+    let reply = station
+        .request_at_rest(Request::Command { command })
+        .await?;
     let Reply::Accepted { command, .. } = reply else {
         // A switch that is over at once.
         return Ok(());

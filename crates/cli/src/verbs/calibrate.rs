@@ -193,7 +193,9 @@ async fn hold(
         }
         None => "the arm is taken to be as drawn".to_owned(),
     };
-    station.request_at_rest(Request::Calibrate { calibration }).await?;
+    station
+        .request_at_rest(Request::Calibrate { calibration })
+        .await?;
     Ok(output::line(&text)?)
 }
 

@@ -118,7 +118,9 @@ async fn draw(
         pauses: Vec::new(),
         program: JobProgram::default(),
     };
-    let reply = station.request_at_rest(Request::SubmitJob { job, key: None }).await?;
+    let reply = station
+        .request_at_rest(Request::SubmitJob { job, key: None })
+        .await?;
     let Reply::Job { job } = reply else {
         return Err(anyhow!("the station answers {reply:?} to a new job").into());
     };
