@@ -281,7 +281,7 @@ step_recordings() {
 }
 
 step_python() {
-  local folder
+  local folder program
   needs_venv
   needs_component clippy clippy
   cargo fmt --manifest-path python/Cargo.toml --check
@@ -291,7 +291,9 @@ step_python() {
   "$folder/venv/bin/pip" install --quiet ./python mypy pytest
   # Elsewhere than beside the package's sources, so that the installed one is tested.
   cp -r python/tests "$folder/tests"
-  (cd "$folder" && venv/bin/pytest --quiet tests && venv/bin/mypy --strict tests -p dobot_arm)
+  build_all
+  program=$(realpath "$(built)/dobot")
+  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet tests && venv/bin/mypy --strict tests -p dobot_arm)
   rm -rf "$folder"
 }
 

@@ -19,13 +19,21 @@ def station(tmp_path: Path) -> Iterator[str]:
     program = os.environ.get("DOBOT")
     if program is None:
         pytest.skip("the environment variable DOBOT names no `dobot` program")
-    command = [program, "up", "--arm", "virtual:", "--data", str(tmp_path), "--http", "127.0.0.1:0"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+    command = [
+        program, "up", "--virtual", "--raw", "off",
+        "--data", str(tmp_path), "--http", "127.0.0.1:0",
+    ]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    ) as process:
         try:
             assert process.stdout is not None
-            yield next(
-                word for line in process.stdout for word in line.split() if word.startswith("http://")
+            lines = iter(process.stdout)
+            address = next(
+                word for line in lines for word in line.split() if word.startswith("http://")
             )
+            assert any("the arm tells its state" in line for line in lines)
+            yield address
         finally:
             process.terminate()
 
