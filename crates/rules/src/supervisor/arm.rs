@@ -246,9 +246,9 @@ impl Arm {
     /// ends early leaves the arm with it.
     pub(super) fn send_question(&mut self, packet: Packet) {
         let dialect = self.session.dialect().unwrap_or(&Dialect::SPECIFICATION);
-        let command = Command::parse(&packet, dialect).ok();
-        if let Some(Command::Configuration(_) | Command::PlaybackAdjustment(_)) = command {
-            command.iter().for_each(|it| self.session.note_urgent(it));
+        let command = Command::parse(&packet, dialect);
+        if let Ok(it @ (Command::Configuration(_) | Command::PlaybackAdjustment(_))) = command {
+            self.session.note_urgent(&it);
         }
         self.line.push(packet);
     }
