@@ -201,7 +201,7 @@ impl Supervisor {
 
     fn watch_detection(&mut self, status: &Status) {
         if let Some(packet) = self.detecting.handle_status(self.arm.now(), status) {
-            self.arm.send_urgent_packet(packet);
+            self.arm.send_question(packet);
         }
         if let Some((client, found)) = self.detecting.poll_outcome() {
             let answer = found.and_then(|finding| {
@@ -358,7 +358,7 @@ impl Supervisor {
     /// How long the arm may be at what the session does not know of.
     fn unknown_motion(&self) -> Duration {
         let unseen = self.run.as_ref().map_or(0.0, Run::unseen_s);
-        seconds(unseen).max(self.detecting.motion())
+        seconds(unseen).max(self.detecting.motion(self.arm.now()))
     }
 
     fn notify(&mut self, news: News, text: String) {

@@ -242,8 +242,14 @@ impl Arm {
         }
     }
 
-    /// Sends a packet of which the session need not know at once.
-    pub(super) fn send_urgent_packet(&mut self, packet: Packet) {
+    /// Sends a packet of a detection. What it configures is believed from now on: a detection that
+    /// ends early leaves the arm with it.
+    pub(super) fn send_question(&mut self, packet: Packet) {
+        let dialect = self.session.dialect().unwrap_or(&Dialect::SPECIFICATION);
+        let command = Command::parse(&packet, dialect);
+        if let Ok(it @ (Command::Configuration(_) | Command::PlaybackAdjustment(_))) = command {
+            self.session.note_urgent(&it);
+        }
         self.line.push(packet);
     }
 

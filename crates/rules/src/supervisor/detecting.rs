@@ -17,6 +17,8 @@ use crate::refusal::Refusal;
 pub(super) struct Detecting {
     under_way: Option<RunningDetection>,
     finding: Option<Finding>,
+    /// By when the arm is through with the last packet of a detection, even of one that ended early.
+    busy_until: Duration,
 }
 
 /// A detection, and who asked for it.
@@ -58,16 +60,19 @@ impl Detecting {
         }
     }
 
-    /// How long the arm may be at what it was asked.
-    pub(super) fn motion(&self) -> Duration {
-        self.under_way.as_ref().map_or(Duration::ZERO, |_| MOTION)
+    /// How long the arm may still be at what it was asked: what it has, it does, whatever becomes of the
+    /// detection.
+    pub(super) const fn motion(&self, now: Duration) -> Duration {
+        self.busy_until.saturating_sub(now)
     }
 
     /// With each status: what is to be sent now.
     pub(super) fn handle_status(&mut self, now: Duration, status: &Status) -> Option<Packet> {
         let RunningDetection { detection, .. } = self.under_way.as_mut()?;
         detection.handle_status(now, status);
-        detection.poll_packet()
+        let packet = detection.poll_packet()?;
+        self.busy_until = now + MOTION;
+        Some(packet)
     }
 
     /// What came of it, and who asked for it, once it is over.
@@ -75,6 +80,10 @@ impl Detecting {
         let RunningDetection { client, detection } = self.under_way.as_mut()?;
         let (client, outcome) = (*client, detection.poll_outcome()?);
         self.under_way = None;
+        if outcome.is_ok() {
+            // Its last packets configure, and the arm rested before.
+            self.busy_until = Duration::ZERO;
+        }
         let found = outcome.map_err(|error| Refusal::NotFound(error.to_string()));
         self.finding = found.as_ref().ok().cloned().or(self.finding.take());
         Some((client, found))
