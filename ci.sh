@@ -291,6 +291,7 @@ step_python() {
   "$folder/venv/bin/pip" install --quiet ./python mypy pytest
   # Elsewhere than beside the package's sources, so that the installed one is tested.
   cp -r python/tests "$folder/tests"
+  cp examples/drawings/harbour.svg "$folder/tests"
   build_all
   program=$(realpath "$(built)/dobot")
   (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet tests && venv/bin/mypy --strict tests -p dobot_arm)

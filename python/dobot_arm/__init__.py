@@ -12,10 +12,12 @@ from types import TracebackType
 from typing import Literal
 
 from ._core import Core
+from .drawing import Plan, Progress, bar, plan
 from .errors import Closed, Error, Failed, LinkLost, Refused, Stopped
 
 __all__ = [
-    "Arm", "Closed", "Error", "Failed", "LinkLost", "Path", "Refused", "Status", "Stopped", "connect",
+    "Arm", "Closed", "Error", "Failed", "LinkLost", "Path", "Plan", "Progress", "Refused", "Status",
+    "Stopped", "connect", "plan",
 ]
 
 Path = Literal["jump", "movl", "movj"]
@@ -105,6 +107,20 @@ class Arm:
         """Goes to joint angles (degrees) and waits until it has arrived; otherwise as :meth:`move_to`."""
         joints = (base, rear, fore)
         return Status(**self._core.move_joints(joints, servo, path, suction, gripper, pause))
+
+    def suction(self, on: bool) -> None:
+        """Switches the pump where the arm is."""
+        self._core.suction(on)
+
+    def draw(self, plan: Plan, *, progress: Progress | None = bar) -> None:
+        """Draws it as a job and waits until that is over.
+
+        The paper lies where the plan says (``pen_down``, ``paper``), else where a station knows it by
+        calibration, else where the pen stands now. ``progress`` is called with how many commands of
+        how many are over; what it raises stops the arm. Raises :class:`Failed` where the job is
+        paused, cancelled or fails.
+        """
+        self._core.draw(plan._drawing, progress)
 
     def wait(self, seconds: float) -> None:
         """Lets time pass by the arm's clock."""

@@ -1,5 +1,6 @@
 //! The arm for Python: a thread of its own owns the client of the rules, and Python talks to it by messages.
 
+mod drawing;
 mod worker;
 
 use std::process;
@@ -9,12 +10,13 @@ use std::time::Duration;
 
 use dobot_api::StationAddress;
 use dobot_controller::{Personality, PowerUp};
-use dobot_wire::{MoveJoints, MoveTo, MovingMode, Status};
+use dobot_wire::{JointJog, JointJogAxis, MoveJoints, MoveTo, MovingMode, Status};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::worker::{Answer, Failure, Operation, Where, Worker};
+use crate::drawing::Drawing;
+use crate::worker::{Answer, Failure, Operation, Told, Where, Worker};
 
 /// How often a waiting call looks whether Ctrl-C was pressed.
 const SIGNALS: Duration = Duration::from_millis(20);
@@ -38,7 +40,7 @@ impl Core {
             worker,
             pid: process::id(),
         };
-        core.wait_for(py, &connected)?;
+        core.wait_for(py, &connected, None)?;
         Ok(core)
     }
 
@@ -106,6 +108,31 @@ impl Core {
         self.tell(py, Operation::CarryOut(Box::new(command)))
     }
 
+    /// Switches the pump where the arm is.
+    fn suction(&self, py: Python<'_>, on: bool) -> PyResult<()> {
+        let axis = if on {
+            JointJogAxis::SuctionOn
+        } else {
+            JointJogAxis::SuctionOff
+        };
+        let command = move |_: &Status| JointJog::new(axis, 0.0).into();
+        self.tell(py, Operation::CarryOut(Box::new(command)))
+            .map(drop)
+    }
+
+    /// Draws it; `progress` is called with how many commands of how many are over.
+    fn draw(
+        &self,
+        py: Python<'_>,
+        drawing: &Bound<'_, Drawing>,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        self.check_process()?;
+        let request = drawing.get().request.clone();
+        let answer = self.worker.ask(Operation::Draw(Box::new(request)));
+        self.wait_for(py, &answer, progress).map(drop)
+    }
+
     fn wait(&self, py: Python<'_>, seconds: f64) -> PyResult<()> {
         let time = Duration::try_from_secs_f64(seconds).map_err(|_| {
             PyValueError::new_err(format!("seconds is {seconds}; allowed is 0 or more"))
@@ -125,7 +152,7 @@ impl Core {
     fn stop(&self, py: Python<'_>, reason: Option<String>) -> PyResult<()> {
         self.check_process()?;
         let answer = self.worker.stop(reason);
-        self.wait_for(py, &answer).map(drop)
+        self.wait_for(py, &answer, None).map(drop)
     }
 
     /// Lets go of the arm and waits until that is done.
@@ -158,23 +185,30 @@ impl Core {
     fn ask(&self, py: Python<'_>, operation: Operation) -> PyResult<Option<Status>> {
         self.check_process()?;
         let answer = self.worker.ask(operation);
-        self.wait_for(py, &answer)
+        self.wait_for(py, &answer, None)
     }
 
-    /// Waits without the interpreter's lock. Ctrl-C stops the arm first.
+    /// Waits without the interpreter's lock. Ctrl-C stops the arm first, and so does what goes wrong in
+    /// `progress`.
     fn wait_for(
         &self,
         py: Python<'_>,
-        answer: &Mutex<Receiver<Answer>>,
+        answer: &Mutex<Receiver<Told>>,
+        progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Option<Status>> {
         loop {
-            match hear(py, answer, SIGNALS) {
-                Ok(answer) => return answer.map_err(|it| exception(py, &it)),
+            let called = match hear(py, answer, SIGNALS) {
+                Ok(Told::Over(answer)) => return over(py, answer),
+                Ok(Told::Progress(completed, commands)) => match progress {
+                    Some(it) => it.call1((completed, commands)).map(drop),
+                    None => Ok(()),
+                },
                 Err(RecvTimeoutError::Disconnected) => return Err(exception(py, &Failure::Closed)),
-                Err(RecvTimeoutError::Timeout) => {}
-            }
-            if let Err(interrupt) = py.check_signals() {
-                let stopped = self.worker.stop(Some("Ctrl-C was pressed".to_owned()));
+                Err(RecvTimeoutError::Timeout) => Ok(()),
+            };
+            if let Err(interrupt) = called.and_then(|()| py.check_signals()) {
+                let reason = format!("Python was interrupted: {interrupt}");
+                let stopped = self.worker.stop(Some(reason));
                 // Whatever comes of it, the interrupt is what is told.
                 let _ = hear(py, &stopped, STOPPED);
                 return Err(interrupt);
@@ -190,11 +224,15 @@ impl Core {
     }
 }
 
+fn over(py: Python<'_>, answer: Answer) -> PyResult<Option<Status>> {
+    answer.map_err(|it| exception(py, &it))
+}
+
 fn hear(
     py: Python<'_>,
-    answer: &Mutex<Receiver<Answer>>,
+    answer: &Mutex<Receiver<Told>>,
     time: Duration,
-) -> Result<Answer, RecvTimeoutError> {
+) -> Result<Told, RecvTimeoutError> {
     py.detach(|| {
         let answer = answer.lock().unwrap_or_else(PoisonError::into_inner);
         answer.recv_timeout(time)
@@ -257,5 +295,6 @@ fn exception(py: Python<'_>, failure: &Failure) -> PyErr {
 
 #[pymodule]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Drawing>()?;
     module.add_class::<Core>()
 }

@@ -6,12 +6,17 @@ use std::sync::{Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use dobot_api::{Problem, RemoteError, Reply, Request, StationAddress};
+use dobot_api::{
+    JobPhase, JobView, Problem, RemoteError, Reply, Request, StationAddress, StationEvent,
+};
 use dobot_controller::PowerUp;
-use dobot_rules::StationClient;
+use dobot_draw::DrawingRequest;
+use dobot_rules::{JobWatch, Rules, StationClient, drawing_job};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Status};
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
+
+use crate::drawing::WITHOUT_ARM_Z_MM;
 
 /// Where the rules are kept.
 pub(crate) enum Where {
@@ -26,6 +31,7 @@ pub(crate) enum Operation {
     Status,
     /// A command made from how the arm stands.
     CarryOut(Box<dyn FnOnce(&Status) -> Command + Send>),
+    Draw(Box<DrawingRequest>),
     Wait(Duration),
     ConfirmPose,
     ResetStop,
@@ -33,6 +39,13 @@ pub(crate) enum Operation {
 
 /// What comes of it: the arm's last status, where it told one.
 pub(crate) type Answer = Result<Option<Status>, Failure>;
+
+/// What is heard of an operation.
+pub(crate) enum Told {
+    /// So many commands of so many are over.
+    Progress(usize, usize),
+    Over(Answer),
+}
 
 /// Why something was not done.
 #[derive(Debug)]
@@ -96,12 +109,12 @@ impl From<RemoteError> for Failure {
 
 struct Job {
     operation: Operation,
-    answer: Sender<Answer>,
+    answer: Sender<Told>,
 }
 
 struct Stop {
     reason: Option<String>,
-    answer: Sender<Answer>,
+    answer: Sender<Told>,
 }
 
 struct Doors {
@@ -116,7 +129,7 @@ pub(crate) struct Worker {
 
 impl Worker {
     /// Starts the thread, which tells when it is connected.
-    pub(crate) fn start(at: Where, name: String) -> (Self, Mutex<Receiver<Answer>>) {
+    pub(crate) fn start(at: Where, name: String) -> (Self, Mutex<Receiver<Told>>) {
         let (jobs, wanted) = unbounded_channel();
         let (stops, stopped) = unbounded_channel();
         let (connected, told) = mpsc::channel();
@@ -129,7 +142,7 @@ impl Worker {
     }
 
     /// Asks for something; nothing is heard where the thread has ended.
-    pub(crate) fn ask(&self, operation: Operation) -> Mutex<Receiver<Answer>> {
+    pub(crate) fn ask(&self, operation: Operation) -> Mutex<Receiver<Told>> {
         let (answer, told) = mpsc::channel();
         if let Some(doors) = &*self.doors.lock().unwrap_or_else(PoisonError::into_inner) {
             let _ = doors.jobs.send(Job { operation, answer });
@@ -138,7 +151,7 @@ impl Worker {
     }
 
     /// Stops the arm, before anything else that was asked for.
-    pub(crate) fn stop(&self, reason: Option<String>) -> Mutex<Receiver<Answer>> {
+    pub(crate) fn stop(&self, reason: Option<String>) -> Mutex<Receiver<Told>> {
         let (answer, told) = mpsc::channel();
         if let Some(doors) = &*self.doors.lock().unwrap_or_else(PoisonError::into_inner) {
             let _ = doors.stops.send(Stop { reason, answer });
@@ -168,7 +181,7 @@ impl Worker {
 fn run(
     at: Where,
     name: &str,
-    connected: &Sender<Answer>,
+    connected: &Sender<Told>,
     jobs: UnboundedReceiver<Job>,
     stops: UnboundedReceiver<Stop>,
 ) {
@@ -179,7 +192,7 @@ fn run(
         Ok(runtime) => runtime,
         Err(error) => {
             let text = format!("no runtime can be started: {error}");
-            let _ = connected.send(Err(Failure::Failed { text, hint: None }));
+            let _ = connected.send(Told::Over(Err(Failure::Failed { text, hint: None })));
             return;
         }
     };
@@ -193,12 +206,12 @@ fn run(
                 Ok(client) => client,
                 Err(error) => {
                     let text = error.to_string();
-                    let _ = connected.send(Err(Failure::LinkLost { text, hint: None }));
+                    let _ = connected.send(Told::Over(Err(Failure::LinkLost { text, hint: None })));
                     return;
                 }
             },
         };
-        let _ = connected.send(Ok(None));
+        let _ = connected.send(Told::Over(Ok(None)));
         serve(client, lives, jobs, stops).await;
     });
 }
@@ -220,13 +233,13 @@ async fn serve(
                 let stopped = tokio::select! {
                     biased;
                     Some(it) = stops.recv() => it,
-                    done = act(&mut client, operation) => {
-                        let _ = answer.send(done.map_err(Failure::from));
+                    done = act(&mut client, operation, &answer) => {
+                        let _ = answer.send(Told::Over(done));
                         continue;
                     }
                 };
                 stop(&mut client, stopped).await;
-                let _ = answer.send(Err(Failure::Stopped));
+                let _ = answer.send(Told::Over(Err(Failure::Stopped)));
             }
             // A connection that broke is told to whoever asks next.
             heard = client.next(), if listens => listens = heard.is_ok(),
@@ -237,15 +250,12 @@ async fn serve(
 
 async fn stop(client: &mut StationClient, Stop { reason, answer }: Stop) {
     let done = client.request(Request::Stop { reason }).await;
-    let _ = answer.send(done.map(|_| None).map_err(Failure::from));
+    let _ = answer.send(Told::Over(done.map(|_| None).map_err(Failure::from)));
 }
 
-async fn act(
-    client: &mut StationClient,
-    operation: Operation,
-) -> Result<Option<Status>, RemoteError> {
+async fn act(client: &mut StationClient, operation: Operation, told: &Sender<Told>) -> Answer {
     match operation {
-        Operation::Status => return status(client).await.map(Some),
+        Operation::Status => return Ok(Some(status(client).await?)),
         Operation::CarryOut(command) => {
             let command = command(&status(client).await?);
             client.request(Request::TakeLease).await?;
@@ -254,13 +264,111 @@ async fn act(
             {
                 client.finished(command).await?;
             }
-            return status(client).await.map(Some);
+            return Ok(Some(status(client).await?));
         }
+        Operation::Draw(request) => draw(client, *request, told).await?,
         Operation::Wait(time) => client.wait(time).await,
         Operation::ConfirmPose => drop(client.request(Request::ConfirmPose).await?),
         Operation::ResetStop => drop(client.request_at_rest(Request::ResetStop).await?),
     }
     Ok(None)
+}
+
+/// Plans it for this arm, and draws it as a job.
+async fn draw(
+    client: &mut StationClient,
+    request: DrawingRequest,
+    told: &Sender<Told>,
+) -> Result<(), Failure> {
+    let title = request.title.clone();
+    let (plan, armed_for_s) = plan(client, request).await?;
+    if plan.burns() && client.virtual_arm().is_none() && armed_for_s <= 0.0 {
+        return Err(Failure::Failed {
+            text: "the laser is disarmed".to_owned(),
+            hint: Some("put the goggles on, then arm it on the station's page".to_owned()),
+        });
+    }
+    client.request(Request::TakeLease).await?;
+    let job = drawing_job(&plan, &title);
+    let reply = client
+        .request(Request::SubmitJob { job, key: None })
+        .await?;
+    let Reply::Job {
+        job: JobView { job, .. },
+    } = reply
+    else {
+        return Err(failed(format!(
+            "the station answers {reply:?} to a new job"
+        )));
+    };
+    if let Err(error) = client.request_at_rest(Request::StartJob { job }).await {
+        // Why it was refused is what counts.
+        let _ = client.request(Request::CancelJob { job }).await;
+        return Err(error.into());
+    }
+    if !plan.burns() {
+        // Whoever is there may change its speed.
+        client.request(Request::ReleaseLease).await?;
+    }
+    follow(client, job, told).await
+}
+
+/// The plan for this arm as it stands, and for how long its laser is armed.
+async fn plan(
+    client: &mut StationClient,
+    request: DrawingRequest,
+) -> Result<(dobot_plan::Plan, f64), Failure> {
+    let state = client.state().await?;
+    let arm = state.arm.as_ref().ok_or(RemoteError::Silent)?;
+    // A virtual arm in this process has its own paper.
+    let (standing_z_mm, calibration) = if client.virtual_arm().is_some() {
+        (WITHOUT_ARM_Z_MM, None)
+    } else {
+        let z_mm = arm.status.z_mm.into();
+        let rules = Rules::of(&Policy::default());
+        let planned_for = client.planned_for(rules, &state).await;
+        let planned_for = planned_for.map_err(|it| failed(it.to_string()))?;
+        (z_mm, planned_for.calibration)
+    };
+    let dialect = state.dialect;
+    // A stop is heard meanwhile.
+    let planning = tokio::task::spawn_blocking(move || {
+        request
+            .calibrated(calibration)
+            .prepare(dialect, standing_z_mm)
+    });
+    let (prepared, _) = planning
+        .await
+        .map_err(|it| failed(it.to_string()))?
+        .map_err(|it| failed(it.to_string()))?;
+    Ok((prepared.plan, state.laser.armed_for_s))
+}
+
+/// Until the job does not run any more.
+async fn follow(client: &mut StationClient, job: u64, told: &Sender<Told>) -> Result<(), Failure> {
+    let mut watch = JobWatch::new(job);
+    loop {
+        match client.next().await? {
+            StationEvent::State(state) => {
+                if let Some(it) = state.job.as_ref().filter(|it| it.job == job) {
+                    let _ = told.send(Told::Progress(it.completed, it.commands));
+                }
+            }
+            StationEvent::Notice(notice) => match watch.handle_notice(&notice) {
+                None => {}
+                Some((JobPhase::Done, _)) => return Ok(()),
+                Some((JobPhase::Paused, text)) => {
+                    let hint = Some("go on with it on the station's page, or cancel it".to_owned());
+                    return Err(Failure::Failed { text, hint });
+                }
+                Some((_, text)) => return Err(failed(text)),
+            },
+        }
+    }
+}
+
+const fn failed(text: String) -> Failure {
+    Failure::Failed { text, hint: None }
 }
 
 /// What the arm tells next.

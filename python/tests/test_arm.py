@@ -132,3 +132,51 @@ def test_another_thread_stops_a_move(station: str) -> None:
         arm.stop()
         with pytest.raises((dobot.Stopped, dobot.Refused)):
             move.result()
+
+
+HARBOUR = Path(os.environ.get("HARBOUR", "examples/drawings/harbour.svg"))
+
+
+def test_a_file_is_planned_and_drawn_as_the_documentation_says() -> None:
+    with dobot.connect("virtual:firmware-1.1") as arm:
+        arm.move_to(220, 0, 20, path="movl")
+        arm.suction(True)
+        assert arm.status().suction
+        plan = dobot.plan(HARBOUR, paper="a5", fit=True)
+        assert plan.vectors > 100
+        told: list[tuple[int, int]] = []
+        arm.draw(plan, progress=lambda *it: told.append(it))
+        completed, commands = told[-1]
+        assert plan.vectors <= completed <= commands
+
+
+def test_a_text_is_drawn_and_shows_itself() -> None:
+    plan = dobot.plan(text="Hello", height=20)
+    assert plan.title == "Hello" and plan.duration_s > 1 and plan.drawn_mm > 100
+    assert plan._repr_svg_().startswith("<svg")
+
+
+def test_what_cannot_be_planned_says_why() -> None:
+    with pytest.raises(TypeError, match="paper_size"):
+        dobot.plan(text="Hello", sheet="a5")
+    with pytest.raises(TypeError, match="text="):
+        dobot.plan()
+    with pytest.raises(ValueError, match="height"):
+        dobot.plan(text="Hello", height="tall")
+    with pytest.raises(ValueError, match="JSON"):
+        dobot.plan(text="Hello", height=math.nan)
+    with pytest.raises(FileNotFoundError):
+        dobot.plan("no-such-file.svg")
+
+
+def test_a_drawing_is_stopped_by_what_its_progress_raises(station: str) -> None:
+    def enough(completed: int, commands: int) -> None:
+        raise RuntimeError("enough")
+
+    with dobot.connect(station) as arm, dobot.connect(station) as other:
+        arm.confirm_pose()
+        arm.move_to(220, 0, -20)
+        with pytest.raises(RuntimeError, match="enough"):
+            arm.draw(dobot.plan(text="Hello"), progress=enough)
+        with pytest.raises(dobot.Refused):
+            other.move_to(200, 0, 60)
