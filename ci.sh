@@ -281,7 +281,7 @@ step_recordings() {
 }
 
 step_python() {
-  local folder program
+  local folder program tests
   needs_venv
   needs_component clippy clippy
   cargo fmt --manifest-path python/Cargo.toml --check
@@ -289,12 +289,11 @@ step_python() {
   folder=$(mktemp -d)
   python3 -m venv "$folder/venv"
   "$folder/venv/bin/pip" install --quiet ./python mypy pytest
-  # Elsewhere than beside the package's sources, so that the installed one is tested.
-  cp -r python/tests "$folder/tests"
-  cp examples/drawings/harbour.svg "$folder/tests"
   build_all
   program=$(realpath "$(built)/dobot")
-  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet tests && venv/bin/mypy --strict tests -p dobot_arm)
+  tests=$PWD/python/tests
+  # Elsewhere than beside the package's sources, so that the installed one is tested.
+  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet -p no:cacheprovider "$tests" && venv/bin/mypy --strict "$tests" && venv/bin/mypy --strict -p dobot_arm)
   rm -rf "$folder"
 }
 

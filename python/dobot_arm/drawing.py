@@ -59,8 +59,8 @@ def plan(file: str | os.PathLike[str] | None = None, **options: object) -> Plan:
     """Plans a drawing: a file (SVG, DXF, HP-GL, G-code, a picture, points) or ``text="..."``.
 
     The options are those of ``dobot draw`` with ``_`` for ``-``, lengths in millimetres, angles in degrees:
-    ``paper_size="a5"``, ``fit=True``, ``at=[210, 20]``, ``pen_down=-40``. ``paper="a5"`` is short for
-    ``paper_size``. Raises :class:`TypeError` for an option that there is not, :class:`ValueError` for a
+    ``paper_size="a5"``, ``landscape=True``, ``at=[210, 20]``, ``pen_down=-40``. ``paper="a5"`` is short for
+    ``paper_size="a5", fit=True``: as large as the sheet allows. Raises :class:`TypeError` for an option that there is not, :class:`ValueError` for a
     value that is not allowed or a drawing that cannot be made so, :class:`OSError` for a file that
     cannot be read.
     """
@@ -68,6 +68,8 @@ def plan(file: str | os.PathLike[str] | None = None, **options: object) -> Plan:
         if "paper_size" in options:
             raise TypeError("paper and paper_size say the same; give one")
         options["paper_size"] = options.pop("paper")
+        if "scale" not in options:
+            options.setdefault("fit", True)
     name = None if file is None else os.fspath(file)
     return Plan(Drawing(name, json.dumps(options, allow_nan=False)))
 
