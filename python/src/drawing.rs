@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use dobot_draw::{
-    Colors, DrawingRequest, Materials, Options, Picture, Prepared, Settings, Subject, View,
+    Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared, Settings, Subject, View,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -78,12 +78,15 @@ impl Drawing {
     }
 
     fn svg(&self, py: Python<'_>) -> String {
-        py.detach(|| self.picture().to_svg())
+        py.detach(|| {
+            let ink = InkLine::measured(self.prepared.planned(), &self.prepared.wanted());
+            self.picture(&ink).to_svg()
+        })
     }
 }
 
 impl Drawing {
-    fn picture(&self) -> Picture<'_> {
+    fn picture<'a>(&'a self, ink: &'a [InkLine]) -> Picture<'a> {
         Picture {
             title: &self.request.title,
             figures: &[],
@@ -91,7 +94,7 @@ impl Drawing {
             area: dobot_draw::AREA,
             sheet: self.settings.placement.sheet,
             plan: &self.prepared.plan,
-            drawn: &[],
+            drawn: ink,
             colors: Colors::Passes,
             view: View::Paper,
         }
