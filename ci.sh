@@ -5,7 +5,7 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models` and `recordings`, Node and Chromium for
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models`, `recordings` and `python`, Node and Chromium for
 # `page`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
@@ -58,6 +58,7 @@ readonly CI_STEPS=(
   "api          try a station's API with requests made from its own document"
   "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
   "recordings   do PyPI's mcap, pandas and datasets read what was repaired and exported?"
+  "python       does the Python package build, install, and do what its tests and types say?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
   "fuzz         30 seconds of each fuzz target, as many at once as there are cores"
@@ -276,6 +277,23 @@ step_recordings() {
   DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test export -- --exact samples --ignored
   build_all
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
+  rm -rf "$folder"
+}
+
+step_python() {
+  local folder program tests
+  needs_venv
+  needs_component clippy clippy
+  cargo fmt --manifest-path python/Cargo.toml --check
+  cargo clippy --locked --manifest-path python/Cargo.toml -- -D warnings
+  folder=$(mktemp -d)
+  python3 -m venv "$folder/venv"
+  "$folder/venv/bin/pip" install --quiet ./python mypy pytest
+  build_all
+  program=$(realpath "$(built)/dobot")
+  tests=$PWD/python/tests
+  # Elsewhere than beside the package's sources, so that the installed one is tested.
+  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet -p no:cacheprovider "$tests" && venv/bin/mypy --strict "$tests" && venv/bin/mypy --strict -p dobot_arm)
   rm -rf "$folder"
 }
 

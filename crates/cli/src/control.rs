@@ -34,28 +34,14 @@ pub(crate) async fn arm_laser(
     Ok(())
 }
 
-/// Asks for something that takes an arm at rest, as soon as it is.
-pub(crate) async fn request_at_rest(
-    station: &mut StationClient,
-    request: Request,
-) -> Result<Reply, RemoteError> {
-    let until = station.now() + PATIENCE;
-    loop {
-        match station.request(request.clone()).await {
-            Err(error) if error.kind() == Some("still-moving") && station.now() < until => {
-                station.wait(PAUSE).await;
-            }
-            answer => return answer,
-        }
-    }
-}
-
 /// Sends a command and waits until it is over; Ctrl-C stops the arm.
 pub(crate) async fn carry_out(
     station: &mut StationClient,
     command: Command,
 ) -> Result<(), Failure> {
-    let reply = request_at_rest(station, Request::Command { command }).await?;
+    let reply = station
+        .request_at_rest(Request::Command { command })
+        .await?;
     let Reply::Accepted { command, .. } = reply else {
         // A switch that is over at once.
         return Ok(());
@@ -244,5 +230,3 @@ fn no_arm(state: &State) -> Failure {
 const PATIENCE: Duration = Duration::from_secs(5);
 /// A stock arm is deaf for up to two seconds after its port was opened, and is given five to say something.
 const FIRST_STATUS: Duration = Duration::from_secs(6);
-/// A status.
-const PAUSE: Duration = Duration::from_millis(80);

@@ -4,11 +4,11 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{JobPhase, JobView, News, ProgramView, RemoteError, Request, State, StationEvent};
-use dobot_rules::StationClient;
+use dobot_api::{JobPhase, JobView, ProgramView, RemoteError, Request, State, StationEvent};
+use dobot_rules::{JobWatch, StationClient};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::control::{self, request_at_rest, take_control};
+use crate::control::{self, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
@@ -27,7 +27,7 @@ pub(crate) async fn start(
 ) -> Result<Duration, Failure> {
     loop {
         take_control(station).await?;
-        request_at_rest(station, Request::StartJob { job }).await?;
+        station.request_at_rest(Request::StartJob { job }).await?;
         if !burns {
             station.request(Request::ReleaseLease).await?;
         }
@@ -48,7 +48,7 @@ pub(crate) async fn start(
 /// Does the next step of a job, until it rests behind that.
 pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Failure> {
     take_control(station).await?;
-    request_at_rest(station, Request::StepJob { job }).await?;
+    station.request_at_rest(Request::StepJob { job }).await?;
     let ended = follow(station, job, |_| {}).await?;
     control::idle(station).await?;
     match ended {
@@ -131,8 +131,7 @@ async fn follow(
     let bar = progress_bar();
     let mut interrupt = std::pin::pin!(interrupt());
     let mut interrupted = false;
-    // One that had to come to rest first is told as paused once more.
-    let mut is_under_way = false;
+    let mut watch = JobWatch::new(job);
     loop {
         let heard = tokio::select! {
             heard = station.next() => heard?,
@@ -150,14 +149,8 @@ async fn follow(
                 see(&state);
             }
             StationEvent::Notice(notice) => {
-                let News::Job { job: of, phase } = notice.news else {
-                    continue;
-                };
-                is_under_way |= of == job && phase == JobPhase::Running;
-                if of != job || !is_under_way {
-                    continue;
-                }
-                if let Some(end) = end(phase, notice.text, interrupted) {
+                let rests = watch.handle_notice(&notice);
+                if let Some(end) = rests.map(|(phase, text)| end(phase, text, interrupted)) {
                     bar.finish_and_clear();
                     return Ok(end);
                 }
@@ -166,13 +159,12 @@ async fn follow(
     }
 }
 
-fn end(phase: JobPhase, text: String, interrupted: bool) -> Option<End> {
+fn end(phase: JobPhase, text: String, interrupted: bool) -> End {
     match phase {
-        JobPhase::Queued | JobPhase::Running => None,
-        JobPhase::Done => Some(End::Done),
-        JobPhase::Paused if interrupted => Some(End::Interrupted),
-        JobPhase::Paused => Some(End::Paused(text)),
-        JobPhase::Stopped | JobPhase::Failed => Some(End::Over(text)),
+        JobPhase::Done => End::Done,
+        JobPhase::Paused if interrupted => End::Interrupted,
+        JobPhase::Paused => End::Paused(text),
+        _ => End::Over(text),
     }
 }
 
@@ -245,13 +237,10 @@ mod tests {
     #[test]
     fn a_job_that_the_person_paused_is_told_from_one_that_was_paused_otherwise() {
         let text = || "the arm was stopped".to_owned();
-        assert_eq!(end(JobPhase::Running, text(), false), None);
-        assert_eq!(end(JobPhase::Paused, text(), true), Some(End::Interrupted));
-        assert_eq!(
-            end(JobPhase::Paused, text(), false),
-            Some(End::Paused(text()))
-        );
-        assert_eq!(end(JobPhase::Failed, text(), true), Some(End::Over(text())));
+        let paused = |interrupted| end(JobPhase::Paused, text(), interrupted);
+        assert_eq!(paused(true), End::Interrupted);
+        assert_eq!(paused(false), End::Paused(text()));
+        assert_eq!(end(JobPhase::Failed, text(), true), End::Over(text()));
     }
 
     #[test]

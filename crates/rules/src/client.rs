@@ -8,8 +8,8 @@ use std::fmt;
 use std::time::Duration;
 
 use dobot_api::{
-    ClientId, ConnectError, JobView, News, Problem, Remote, RemoteError, Reply, Request, State,
-    StationAddress, StationEvent, fetch,
+    ClientId, ConnectError, JobPhase, JobView, News, Notice, Problem, Remote, RemoteError, Reply,
+    Request, State, StationAddress, StationEvent, fetch,
 };
 use dobot_client::Address;
 use dobot_controller::PowerUp;
@@ -23,6 +23,11 @@ use self::local::Local;
 use self::virtual_time::InVirtualTime;
 
 pub use self::local::{LocalArm, OpenArmError};
+
+/// How long an arm that still moves is asked again.
+const PATIENCE: Duration = Duration::from_secs(5);
+/// How long it is left alone in between.
+const PAUSE: Duration = Duration::from_millis(80);
 
 /// A client of the rules that every command to an arm passes.
 ///
@@ -129,6 +134,24 @@ impl StationClient {
             ClientRoute::Running(remote, _) => remote.request(request).await,
             ClientRoute::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
             ClientRoute::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
+        }
+    }
+
+    /// Asks for something that takes an arm at rest, as soon as it is: it is asked again for
+    /// five seconds by the arm's clock.
+    ///
+    /// # Errors
+    ///
+    /// As of [`request`](Self::request).
+    pub async fn request_at_rest(&mut self, request: Request) -> Result<Reply, RemoteError> {
+        let until = self.now() + PATIENCE;
+        loop {
+            match self.request(request.clone()).await {
+                Err(error) if error.kind() == Some("still-moving") && self.now() < until => {
+                    self.wait(PAUSE).await;
+                }
+                answer => return answer,
+            }
         }
     }
 
@@ -298,6 +321,38 @@ impl fmt::Debug for StationClient {
             ClientRoute::Virtual(station) => station,
         };
         f.debug_tuple("StationClient").field(way).finish()
+    }
+}
+
+/// Tells from what a station tells when a job does not run any more.
+#[derive(Clone, Copy, Debug)]
+pub struct JobWatch {
+    job: u64,
+    has_run: bool,
+}
+
+impl JobWatch {
+    /// Watches a job that is to be started.
+    #[must_use]
+    pub const fn new(job: u64) -> Self {
+        Self {
+            job,
+            has_run: false,
+        }
+    }
+
+    /// How it ended, or that it is paused, and the words for it: from when it has run.
+    pub fn handle_notice(&mut self, notice: &Notice) -> Option<(JobPhase, String)> {
+        let News::Job { job, phase } = notice.news else {
+            return None;
+        };
+        if job != self.job {
+            return None;
+        }
+        // One that had to come to rest first is told as paused once more.
+        self.has_run |= phase == JobPhase::Running;
+        let rests = !matches!(phase, JobPhase::Queued | JobPhase::Running);
+        (self.has_run && rests).then(|| (phase, notice.text.clone()))
     }
 }
 

@@ -62,7 +62,7 @@ mod text;
 mod virtual_station;
 
 pub use approach::{Approach, WantedArm};
-pub use client::{JobsError, LocalArm, OpenArmError, StationClient};
+pub use client::{JobWatch, JobsError, LocalArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};

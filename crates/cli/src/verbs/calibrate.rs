@@ -22,7 +22,7 @@ use self::comb::{CombOf, read_slack};
 use self::paper::PaperToucher;
 use self::toucher::Toucher;
 use crate::connect::To;
-use crate::control::{self, carry_out, check_pose, request_at_rest, take_control};
+use crate::control::{self, carry_out, check_pose, take_control};
 use crate::failure::Failure;
 use crate::output;
 use crate::pendant::{Drive, PadArgs, check_terminal};
@@ -193,7 +193,9 @@ async fn hold(
         }
         None => "the arm is taken to be as drawn".to_owned(),
     };
-    request_at_rest(station, Request::Calibrate { calibration }).await?;
+    station
+        .request_at_rest(Request::Calibrate { calibration })
+        .await?;
     Ok(output::line(&text)?)
 }
 
@@ -237,7 +239,7 @@ async fn tell_angles(station: &mut StationClient, to: &To) -> Result<(), Failure
         let turned = MoveJoints::to([base_deg, rear_deg, fore_deg, servo_deg]);
         carry_out(station, turned.with_mode(MovingMode::MovJ).into()).await?;
     }
-    request_at_rest(station, Request::TellAngles).await?;
+    station.request_at_rest(Request::TellAngles).await?;
     control::rest(station).await?;
     Ok(output::line(
         "the arm knows its true angles until it is switched off; look at it, then `dobot confirm`",

@@ -4,7 +4,7 @@ use dobot_api::{Reply, Request};
 use dobot_rules::StationClient;
 
 use crate::connect::To;
-use crate::control::{self, check_pose, request_at_rest, stop, take_control};
+use crate::control::{self, check_pose, stop, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -37,7 +37,7 @@ async fn detect(station: &mut StationClient, args: &Args) -> Result<(), Failure>
     control::status(station).await?;
     take_control(station).await?;
     let reply = tokio::select! {
-        reply = request_at_rest(station, Request::Detect) => Some(reply?),
+        reply = station.request_at_rest(Request::Detect) => Some(reply?),
         () = interrupt() => None,
     };
     match reply {

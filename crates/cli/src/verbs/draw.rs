@@ -18,7 +18,6 @@ use dobot_draw::{
     ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
-use dobot_plan::MoveKind;
 use dobot_rules::{PlannedFor, StationClient};
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
@@ -317,8 +316,7 @@ impl Drawn {
 
     fn planned(prepared: &Prepared) -> Self {
         let wanted = prepared.wanted();
-        let planned = [MoveKind::Draw, MoveKind::Burn].map(|kind| prepared.plan.paths(kind));
-        let planned = planned.concat();
+        let planned = prepared.planned();
         Self {
             deviation: deviation(&wanted, &planned),
             ink: InkLine::measured(planned, &wanted),

@@ -8,7 +8,7 @@ use dobot_rules::StationClient;
 use dobot_wire::Status;
 
 use crate::connect::To;
-use crate::control::{self, arm_laser, carry_out, check_pose, request_at_rest, take_control};
+use crate::control::{self, arm_laser, carry_out, check_pose, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
@@ -130,7 +130,7 @@ async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(
     let mut interrupt = std::pin::pin!(interrupt());
     // A press waits for the arm to run down; its time is that of the motion.
     control::rest_soon(station).await?;
-    request_at_rest(station, Request::Jog { jog }).await?;
+    station.request_at_rest(Request::Jog { jog }).await?;
     let until = station.now() + time;
     while station.now() < until {
         let left = until.saturating_sub(station.now());

@@ -2,7 +2,6 @@
 
 use dobot_api::{Reply, Request};
 
-use crate::control::request_at_rest;
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
@@ -31,7 +30,7 @@ pub(crate) struct Args {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let mut station = args.station.client("stop").await?;
     if args.reset {
-        request_at_rest(&mut station, Request::ResetStop).await?;
+        station.request_at_rest(Request::ResetStop).await?;
         return Ok(output::line("the arm may move again")?);
     }
     let reason = args.reason;

@@ -13,7 +13,7 @@ use dobot_rules::StationClient;
 
 use super::{hold, keep};
 use crate::connect::To;
-use crate::control::{check_pose, request_at_rest, take_control};
+use crate::control::{check_pose, take_control};
 use crate::failure::Failure;
 use crate::{follow, output};
 
@@ -118,7 +118,9 @@ async fn draw(
         pauses: Vec::new(),
         program: JobProgram::default(),
     };
-    let reply = request_at_rest(station, Request::SubmitJob { job, key: None }).await?;
+    let reply = station
+        .request_at_rest(Request::SubmitJob { job, key: None })
+        .await?;
     let Reply::Job { job } = reply else {
         return Err(anyhow!("the station answers {reply:?} to a new job").into());
     };

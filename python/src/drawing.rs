@@ -1,0 +1,149 @@
+//! A drawing that was planned: what it will be, before any arm moves.
+
+use std::path::Path;
+
+use dobot_draw::{
+    Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared, Settings, Subject, View,
+};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use serde_json::{Map, Value};
+
+/// Where the paper of an arm lies of which nobody knows yet, in mm.
+pub(crate) const WITHOUT_ARM_Z_MM: f64 = -40.0;
+
+/// A drawing, planned for any arm; for the one that draws it, it is planned anew.
+#[pyclass(frozen)]
+pub(crate) struct Drawing {
+    pub(crate) request: DrawingRequest,
+    prepared: Prepared,
+    settings: Settings,
+}
+
+#[pymethods]
+impl Drawing {
+    /// Plans a file (its name) or what the options tell; the options are a JSON object.
+    #[new]
+    fn new(py: Python<'_>, file: Option<&str>, options: &str) -> PyResult<Self> {
+        let options = grouped(options)?;
+        let subject = match (file, Subject::of_text(&options.what)) {
+            (None, Some(subject)) => subject,
+            (Some(file), None) => of_file(file)?,
+            (None, None) => return Err(PyTypeError::new_err("give a file, or text=")),
+            (Some(_), Some(_)) => {
+                return Err(PyTypeError::new_err("give a file or text=, and not both"));
+            }
+        };
+        py.detach(|| {
+            let request = DrawingRequest::new(options, subject, &Materials::built_in());
+            let request = request.map_err(|it| value_error(&it))?;
+            let (prepared, settings) = request
+                .prepare(None, WITHOUT_ARM_Z_MM)
+                .map_err(|it| value_error(&it))?;
+            Ok(Self {
+                request,
+                prepared,
+                settings,
+            })
+        })
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        &self.request.title
+    }
+
+    #[getter]
+    fn duration_s(&self) -> f64 {
+        self.prepared.plan.duration_s()
+    }
+
+    #[getter]
+    fn vectors(&self) -> usize {
+        self.prepared.plan.summary().vectors
+    }
+
+    #[getter]
+    fn drawn_mm(&self) -> f64 {
+        self.prepared.plan.summary().drawn_mm
+    }
+
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.prepared
+            .warnings
+            .iter()
+            .map(ToString::to_string)
+            .collect()
+    }
+
+    fn svg(&self, py: Python<'_>) -> String {
+        py.detach(|| {
+            let ink = InkLine::measured(self.prepared.planned(), &self.prepared.wanted());
+            self.picture(&ink).to_svg()
+        })
+    }
+}
+
+impl Drawing {
+    fn picture<'a>(&'a self, ink: &'a [InkLine]) -> Picture<'a> {
+        Picture {
+            title: &self.request.title,
+            figures: &[],
+            passes: &[],
+            area: dobot_draw::AREA,
+            sheet: self.settings.placement.sheet,
+            plan: &self.prepared.plan,
+            drawn: ink,
+            colors: Colors::Passes,
+            view: View::Paper,
+        }
+    }
+}
+
+/// The names of all options, those of a group together.
+fn groups() -> PyResult<Map<String, Value>> {
+    match serde_json::to_value(Options::default()) {
+        Ok(Value::Object(groups)) => Ok(groups),
+        other => Err(PyValueError::new_err(format!("the options are {other:?}"))),
+    }
+}
+
+/// The options of `dobot draw` under their own names, as Python has them: without groups.
+fn grouped(json: &str) -> PyResult<Options> {
+    let flat: Map<String, Value> = serde_json::from_str(json).map_err(|it| value_error(&it))?;
+    let known = groups()?;
+    let mut asked = Map::new();
+    for (name, value) in flat {
+        let group = known.iter().find(|(_, it)| it.get(&name).is_some());
+        let Some((group, _)) = group else {
+            let names = known
+                .values()
+                .filter_map(Value::as_object)
+                .flat_map(Map::keys);
+            let names: Vec<&str> = names.map(String::as_str).collect();
+            return Err(PyTypeError::new_err(format!(
+                "there is no option `{name}`; allowed are {}",
+                names.join(", ")
+            )));
+        };
+        let group = asked.entry(group).or_insert_with(|| Map::new().into());
+        group[&name] = value;
+    }
+    serde_path_to_error::deserialize(Value::Object(asked)).map_err(|error| {
+        let path = error.path().to_string();
+        let name = path.rsplit('.').next().unwrap_or_default();
+        PyValueError::new_err(format!("{name}: {}", error.inner()))
+    })
+}
+
+fn of_file(file: &str) -> PyResult<Subject> {
+    let bytes = std::fs::read(file)?;
+    let name = Path::new(file).file_name().map(|it| it.to_string_lossy());
+    let subject = Subject::of_file(&name.unwrap_or_default(), bytes);
+    subject.map_err(|it| PyValueError::new_err(format!("{file}: {it}")))
+}
+
+fn value_error(why: &dyn std::fmt::Display) -> PyErr {
+    PyValueError::new_err(why.to_string())
+}
