@@ -371,3 +371,26 @@ pub enum JobsError {
 fn refused(refusal: &Refusal) -> RemoteError {
     RemoteError::Refused(Box::new(Problem::from(refusal)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_job_is_over_or_paused_from_when_it_has_run_and_not_before() {
+        let mut watch = JobWatch::new(7);
+        let mut told = |job, phase| {
+            let notice = Notice {
+                number: 1,
+                at_s: 0.0,
+                news: News::Job { job, phase },
+                text: "so".to_owned(),
+            };
+            watch.handle_notice(&notice).map(|(phase, _)| phase)
+        };
+        assert_eq!(told(7, JobPhase::Paused), None);
+        assert_eq!(told(7, JobPhase::Running), None);
+        assert_eq!(told(8, JobPhase::Done), None);
+        assert_eq!(told(7, JobPhase::Paused), Some(JobPhase::Paused));
+    }
+}
