@@ -84,6 +84,7 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   for (const point of [3, 4, 5, 6, 7]) await touch(point);
   await says("calibrate-result", "typically");
   assert.equal(await page.textContent("#calibrate-trust"), "good");
+  await says("calibrate-touches", "Point 8");
   assert.equal(await page.locator("#calibrate-touches dt").count(), 8);
   // There is no block on the point, so the touch is far below where its top would be, and is named.
   await page.fill("#calibrate-block", "-3");

@@ -16,7 +16,8 @@ after(async () => {
 });
 afterEach(() => assert.deepEqual([...real.errors, ...virtual.errors], []));
 
-const says = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part]);
+const says = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part])
+  .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}`));
 const type = async (page, place) => {
   for (const [name, value] of Object.entries(place)) await page.fill(`#target-${name}`, String(value));
 };

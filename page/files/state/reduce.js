@@ -23,7 +23,7 @@ const NOTICES = 200;
 export function reduce(page, message) {
   const next = reduceOwn(page, message);
   const jog = reduceJog(next.jog, message);
-  const target = reduceTarget(next.target, message, next.station?.arm ?? null);
+  const target = reduceTarget(next.target, message, page.station, next.station);
   const calibrate = reduceCalibrate(next.calibrate, message);
   const draw = reduceDraw(next.draw, message);
   const learn = reduceLearn(next.learn, message);

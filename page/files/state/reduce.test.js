@@ -71,6 +71,18 @@ test("a new connection asks for the target once more", () => {
   assert.ok(again.target.asked > there.target.asked);
 });
 
+test("a target is asked for once more when the policy, the link, the trust in the pose or the dialect is another one", () => {
+  const there = after([{ type: "target_typed", field: "x_mm", text: "250" }], OPEN);
+  const isAskedAgain = (page) => page.target.asked > there.target.asked;
+  assert.ok(isAskedAgain(after([{ type: "notice", notice: { at_s: 1, type: "policy_changed", client: 8 } }], there)));
+  assert.ok(isAskedAgain(told({ link: { ...STATION.link, phase: "lost" } }, there)));
+  assert.ok(isAskedAgain(told({ arm: null }, there)));
+  assert.ok(isAskedAgain(told({ trust: { trusted: false, reason: "reset" } }, there)));
+  assert.ok(isAskedAgain(told({ dialect: null }, there)));
+  assert.ok(!isAskedAgain(told({ at_s: 2, arm: { ...ARM, x_mm: 201 } }, there)));
+  assert.equal(after([{ type: "target_goes" }, { type: "notice", notice: { at_s: 1, type: "policy_changed", client: 8 } }], there).target.goes, true);
+});
+
 test("STOP takes a question away, so that a later yes does nothing", () => {
   assert.equal(after([{ type: "question", question: { about: "arm_laser" } }, { type: "stop_pressed" }], OPEN).question, null);
 });

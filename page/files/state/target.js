@@ -2,6 +2,7 @@
 
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Arm} Arm */
+/** @typedef {import("./types.js").Station} Station */
 /** @typedef {"movj" | "movl" | "jump"} Path */
 /** @typedef {"x_mm" | "y_mm" | "z_mm" | "rotation_deg"} Field */
 
@@ -47,8 +48,15 @@ const fieldsOf = (arm) => /** @type {Record<Field, string>} */ (Object.fromEntri
 /** @param {Target} target @param {Partial<Target>} change @returns {Target} */
 const changed = (target, change) => ({ ...target, ...change, asked: target.asked + 1, check: { type: "unknown" }, goes: false });
 
-/** @param {Target} target @param {import("./message.js").Message} message @param {Arm | null} arm @returns {Target} */
-export function reduceTarget(target, message, arm) {
+/**
+ * @param {Target} target
+ * @param {import("./message.js").Message} message
+ * @param {Station | null} before What the station told before the message, and what it tells now.
+ * @param {Station | null} now
+ * @returns {Target}
+ */
+export function reduceTarget(target, message, before, now) {
+  const arm = now?.arm ?? null;
   switch (message.type) {
     case "target_typed":
       // What was not typed yet stays as the arm is.
@@ -70,11 +78,18 @@ export function reduceTarget(target, message, arm) {
       // What was asked before was never answered.
       return target.typed ? changed(target, {}) : target;
     case "state":
-      return target.goes && arm && isAt(target, arm) ? { ...NO_TARGET, path: target.path, asked: target.asked + 1 } : target;
+      if (target.goes) return arm && isAt(target, arm) ? { ...NO_TARGET, path: target.path, asked: target.asked + 1 } : target;
+      return target.typed && groundOf(before) !== groundOf(now) ? changed(target, {}) : target;
+    case "notice":
+      // What was free may be forbidden now, and the other way round.
+      return target.typed && !target.goes && message.notice.type === "policy_changed" ? changed(target, {}) : target;
     default:
       return target;
   }
 }
+
+/** On what the answer of the station rests besides the target and the policy. @param {Station | null} station */
+const groundOf = (station) => JSON.stringify(station && [station.link.phase, station.arm !== null, station.trust.trusted, station.dialect]);
 
 /** Whether the arm has come to the target. @param {Target} target @param {Arm} arm */
 function isAt(target, arm) {
