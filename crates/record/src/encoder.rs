@@ -30,15 +30,17 @@ pub(crate) struct Encoder {
     shown: Option<Status>,
 }
 
-/// A message, ready to be written.
+/// A message, ready to be written or told.
 #[derive(Debug)]
-pub(crate) struct Message<'t> {
-    pub(crate) topic: &'t Topic,
-    /// Nanoseconds since 1970.
-    pub(crate) at_ns: u64,
+pub struct Message<'t> {
+    /// What it is called, and what it looks like.
+    pub topic: &'t Topic,
+    /// When it is told, in nanoseconds since 1970.
+    pub at_ns: u64,
     /// When the first happened of what it tells.
     pub(crate) since_ns: u64,
-    pub(crate) json: Vec<u8>,
+    /// The message itself, an object.
+    pub json: Vec<u8>,
 }
 
 /// When something happened, in each of the ways in which messages tell it.
@@ -91,6 +93,14 @@ impl Encoder {
         self.repeats.take_if(|it| !it.is_between_packets());
         held.map(|held| self.repeat_messages(&held))
             .unwrap_or_default()
+    }
+
+    /// From now on a status is written as it comes, once more with what the views show if `with_views`, whatever came before.
+    pub(crate) fn forget_repeats(&mut self, with_views: bool) {
+        self.repeats = None;
+        if with_views {
+            self.shown = None;
+        }
     }
 
     /// Whether anything is held back.

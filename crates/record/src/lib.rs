@@ -1,7 +1,7 @@
 //! Recordings of everything on the wire, as MCAP files, and their replay.
 //!
 //! [`Recorder`] writes, in a thread of its own, so that a file is readable wherever it breaks off, and
-//! repairs those that broke off before;
+//! repairs those that broke off before; [`Live`] makes the same messages for those who look on meanwhile;
 //! [`Recording`] reads; [`Replay`] is a virtual arm that plays a recording back. The files open in
 //! Foxglove, with the tool's pose in its 3D panel and everything else to plot.
 //!
@@ -32,6 +32,7 @@ mod encoder;
 mod file_writer;
 mod folder;
 mod limits;
+mod live;
 mod moment;
 mod playback;
 mod record;
@@ -48,13 +49,15 @@ mod topic;
 mod track;
 
 pub use about::About;
-pub use encoder::meaning;
+pub use encoder::{Message, meaning};
 pub use folder::{RecordedFile, is_being_written, recordings};
 pub use limits::{Limits, StartError};
+pub use live::Live;
 pub use moment::{Damage, Entry, Moment};
 pub use record::Record;
 pub use recorder::{Health, Recorder};
 pub use recording::{OpenError, Recording};
 pub use replay::{Difference, Replay, Report};
+pub use schema::topics;
 pub use topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM, Topic, TopicError};
 pub use track::{Sample, Track};

@@ -10,7 +10,13 @@ use crate::topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM};
 
 /// The recorder's own topic of that name.
 pub(crate) fn own(name: &str) -> Option<&'static Topic> {
-    OWN.iter().find(|topic| topic.name() == name)
+    topics().iter().find(|topic| topic.name() == name)
+}
+
+/// The topics of what is on the wire, and of the recorder itself.
+#[must_use]
+pub fn topics() -> &'static [Topic] {
+    &*OWN
 }
 
 static OWN: LazyLock<[Topic; 6]> = LazyLock::new(|| {

@@ -81,7 +81,8 @@ impl Topic {
     }
 
     /// The schema, as text.
-    pub(crate) const fn schema(&self) -> &str {
+    #[must_use]
+    pub const fn schema(&self) -> &str {
         self.schema.as_str()
     }
 

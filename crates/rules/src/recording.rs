@@ -32,8 +32,8 @@ impl Recording {
                 personality,
                 ..about()
             },
-            states: topic::<State>("/station/state", "dobot.State"),
-            notices: topic::<Notice>("/station/notices", "dobot.Notice"),
+            states: state_topic(),
+            notices: notice_topic(),
             told: None,
             problem: None,
         }
@@ -159,6 +159,18 @@ fn about() -> About {
         program: concat!("dobot ", env!("CARGO_PKG_VERSION")).into(),
         ..About::default()
     }
+}
+
+/// Where the states of a station are recorded, and told live.
+#[must_use]
+pub fn state_topic() -> Arc<Topic> {
+    topic::<State>("/station/state", "dobot.State")
+}
+
+/// Where the notices of a station are recorded, and told live.
+#[must_use]
+pub fn notice_topic() -> Arc<Topic> {
+    topic::<Notice>("/station/notices", "dobot.Notice")
 }
 
 /// The topic of one of our types. Programs that show recordings do not follow references.

@@ -47,6 +47,8 @@ pub struct Config {
     pub raw: Option<SocketAddr>,
     /// Where a symbolic link to a virtual serial port with raw packets is made, if one is.
     pub pty: Option<PathBuf>,
+    /// Where Foxglove looks on, if it does; port 0 takes a free one.
+    pub foxglove: Option<SocketAddr>,
     /// Certificate and key of the page and the API. When absent, they are served without TLS on
     /// loopback, and with a certificate that the station makes for itself elsewhere.
     pub tls: Option<TlsFiles>,
@@ -92,6 +94,7 @@ impl Config {
             http: DEFAULT_HTTP,
             raw: Some(DEFAULT_RAW),
             pty: None,
+            foxglove: None,
             tls: None,
             guardian: None,
             is_service: false,

@@ -3,7 +3,7 @@
 mod harness;
 
 use dobot_api::{ClientId, Role};
-use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
+use dobot_rules::{Ends, Handle, Message, PassedPacket, Refusal, Rules};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
 
@@ -91,6 +91,16 @@ impl FakeDriver {
     /// What was asked and not answered yet, if anything was.
     pub(crate) fn idle(&mut self) -> bool {
         self.ends.messages.try_recv().is_err()
+    }
+
+    /// Tells a state.
+    pub(crate) fn tell(&self, state: dobot_api::State) {
+        self.ends.tell(state);
+    }
+
+    /// Tells that a packet passed.
+    pub(crate) fn tell_passed(&self, packet: PassedPacket) {
+        self.ends.tell_passed(packet);
     }
 
     /// Sends a status to all who listen.

@@ -37,6 +37,7 @@ mod bridge;
 mod config;
 #[cfg(test)]
 mod fake;
+mod foxglove;
 mod http;
 mod program;
 mod raw;
@@ -47,6 +48,7 @@ mod start;
 mod virtual_port;
 
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
+pub use foxglove::{FoxglovePort, FoxglovePortError};
 pub use http::{ServeError, Served, TlsError, Token, Tokens, TokensError, Web, serve};
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};

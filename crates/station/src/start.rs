@@ -11,7 +11,10 @@ use dobot_safety::{Policy, PolicyError};
 #[cfg(unix)]
 use crate::VirtualPort;
 use crate::http;
-use crate::{Config, ProgramNews, RawPort, RawPortError, ServeError, Served, Web};
+use crate::{
+    Config, FoxglovePort, FoxglovePortError, ProgramNews, RawPort, RawPortError, ServeError,
+    Served, Web,
+};
 
 /// A station that runs.
 #[derive(Debug)]
@@ -21,6 +24,7 @@ pub struct Station {
     arm: Option<Address>,
     raw: Option<SocketAddr>,
     pty: Option<PathBuf>,
+    foxglove: Option<SocketAddr>,
     /// What a person should know, a line each.
     notes: Vec<String>,
 }
@@ -53,6 +57,9 @@ pub enum StartError {
     /// The raw port cannot be served.
     #[error(transparent)]
     Raw(#[from] RawPortError),
+    /// Foxglove cannot look on.
+    #[error(transparent)]
+    Foxglove(#[from] FoxglovePortError),
     /// The virtual serial port cannot be made.
     #[error("cannot make the virtual serial port")]
     Pty(#[source] std::io::Error),
@@ -99,6 +106,10 @@ impl Station {
             Some(address) => Some(RawPort::bind(address).await?),
             None => None,
         };
+        let foxglove = match config.foxglove {
+            Some(address) => Some(FoxglovePort::bind(address).await?),
+            None => None,
+        };
         let virtual_port = open_pty(&config)?;
         let arm = approach.address();
         let host = Host::start(approach, setup(&config, policy))?;
@@ -107,6 +118,7 @@ impl Station {
         }
         let raw = raw.map(|port| serve_raw(port, &host));
         let pty = virtual_port.map(|port| serve_pty(port, &host));
+        let foxglove = foxglove.map(|port| serve_foxglove(port, &host));
         match http::serve(&web(&config, &host), host.handle().clone()).await {
             Ok(http) => Ok(Self {
                 notes: [host.notes(), host.of_guardian()].concat(),
@@ -115,6 +127,7 @@ impl Station {
                 arm,
                 raw,
                 pty,
+                foxglove,
             }),
             Err(error) => {
                 // Why it does not start is what counts.
@@ -158,6 +171,12 @@ impl Station {
     #[must_use]
     pub fn pty(&self) -> Option<&Path> {
         self.pty.as_deref()
+    }
+
+    /// Where Foxglove looks on.
+    #[must_use]
+    pub const fn foxglove(&self) -> Option<SocketAddr> {
+        self.foxglove
     }
 
     /// What a person should know, a line each: why no arm was found, what cannot be recorded.
@@ -219,6 +238,18 @@ fn serve_raw(port: RawPort, host: &Host) -> SocketAddr {
     let (address, handle) = (port.address(), host.handle().clone());
     host.spawn(async move {
         port.serve(&handle, |news| tell(&handle, &news)).await;
+    });
+    address
+}
+
+fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
+    let (address, handle) = (port.address(), host.handle().clone());
+    host.spawn(async move {
+        if let Err(error) = port.serve(&handle).await {
+            handle
+                .trouble(format!("Foxglove is told nothing: {error}"))
+                .await;
+        }
     });
     address
 }

@@ -16,7 +16,8 @@ use dobot_controller::Personality;
 use dobot_rules::{Notification, ServiceManager};
 use dobot_sim::Speed;
 use dobot_station::{
-    Config, DEFAULT_HTTP, DEFAULT_RAW, RawPortError, ServeError, StartError, Station, TlsFiles,
+    Config, DEFAULT_HTTP, DEFAULT_RAW, FoxglovePortError, RawPortError, ServeError, StartError,
+    Station, TlsFiles,
 };
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::Receiver;
@@ -82,6 +83,9 @@ pub(crate) struct Args {
     #[cfg(unix)]
     #[arg(long, value_name = "LINK")]
     pty: Option<PathBuf>,
+    /// Let Foxglove look on, on this machine; port 0 takes a free one [with no value: 127.0.0.1:8765]
+    #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, require_equals = true, default_missing_value = "127.0.0.1:8765")]
+    foxglove: Option<SocketAddr>,
     /// The certificate of page and API, a PEM file (default: one that the station makes for itself)
     #[arg(long, value_name = "FILE", requires = "tls_key")]
     tls_cert: Option<PathBuf>,
@@ -168,6 +172,7 @@ impl Args {
             raw: self.raw.0,
             #[cfg(unix)]
             pty: self.pty.clone(),
+            foxglove: self.foxglove,
             tls: self.tls(),
             names: self.names.clone(),
             guardian: std::env::current_exe().ok(),
@@ -227,6 +232,7 @@ fn welcome(station: &Station, personality: Personality, data: String) -> Welcome
         fingerprint: station.fingerprint().map(str::to_owned),
         arm,
         raw: station.raw().map(|it| format!("tcp:{it}")),
+        foxglove: station.foxglove().map(|it| format!("ws://{it}")),
         pty: station.pty().map(|it| format!("serial:{}", it.display())),
         data,
         notes: station.notes().to_vec(),
@@ -251,6 +257,9 @@ fn no_start(error: StartError) -> Failure {
     let hint = match &error {
         StartError::Raw(RawPortError::InUse { .. }) => {
             "`--raw 127.0.0.1:0` takes a free port, `--raw off` does without"
+        }
+        StartError::Foxglove(FoxglovePortError::Listen { .. }) => {
+            "another program may have the port; `--foxglove=127.0.0.1:0` takes a free one"
         }
         StartError::Http(ServeError::Bind { source, .. }) if is_taken(source) => {
             "another program has the port; `--http 127.0.0.1:0` takes a free one"

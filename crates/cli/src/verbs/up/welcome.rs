@@ -15,6 +15,8 @@ pub(crate) struct Welcome {
     pub(crate) raw: Option<String>,
     /// The virtual serial port.
     pub(crate) pty: Option<String>,
+    /// Where Foxglove looks on.
+    pub(crate) foxglove: Option<String>,
     /// Where the station keeps its data.
     pub(crate) data: String,
     /// What else a person should know.
@@ -63,6 +65,7 @@ impl Welcome {
             arm,
             raw,
             pty,
+            foxglove,
             data,
             notes,
         } = self;
@@ -72,6 +75,7 @@ impl Welcome {
             arm,
             raw,
             pty,
+            foxglove,
             data,
             "the station has started"
         );
@@ -96,6 +100,11 @@ impl Welcome {
                 "serial port",
                 &self.pty,
                 "for programs that speak nothing else",
+            ),
+            fact(
+                "Foxglove",
+                &self.foxglove,
+                "for its Open connection; it looks on",
             ),
             fact("data", &Some(self.data.clone()), ""),
         ]

@@ -1,0 +1,209 @@
+use std::net::Ipv4Addr;
+
+use dobot_wire::Status;
+use futures_util::{SinkExt, StreamExt};
+use serde_json::{Value, json};
+use tokio::net::TcpStream;
+use tokio_tungstenite::tungstenite::Message;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
+
+use super::*;
+use crate::fake::FakeDriver;
+
+/// One that speaks the protocol as it is published.
+struct Onlooker {
+    socket: WebSocketStream<MaybeTlsStream<TcpStream>>,
+    /// The number of each topic.
+    channels: HashMap<String, u64>,
+    advertised: Vec<Value>,
+}
+
+impl Onlooker {
+    async fn come(address: SocketAddr) -> Self {
+        let mut request = format!("ws://{address}")
+            .into_client_request()
+            .expect("it is an address");
+        let protocol = "foxglove.sdk.v1".parse().expect("it is a header");
+        request
+            .headers_mut()
+            .insert("sec-websocket-protocol", protocol);
+        let (socket, _) = connect_async(request).await.expect("it listens");
+        let (channels, advertised) = (HashMap::new(), Vec::new());
+        let mut onlooker = Self {
+            socket,
+            channels,
+            advertised,
+        };
+        while onlooker.channels.is_empty() {
+            let said = onlooker.said().await;
+            let advertised = said.as_ref().and_then(|it| it["channels"].as_array());
+            for channel in advertised.into_iter().flatten() {
+                let name = channel["topic"]
+                    .as_str()
+                    .expect("a topic has a name")
+                    .to_owned();
+                let id = channel["id"].as_u64().expect("a channel has a number");
+                onlooker.channels.insert(name, id);
+                onlooker.advertised.push(channel.clone());
+            }
+        }
+        onlooker
+    }
+
+    /// What it is told in words, if it is.
+    async fn said(&mut self) -> Option<Value> {
+        match self.socket.next().await?.expect("it is open") {
+            Message::Text(text) => Some(serde_json::from_str(&text).expect("it is JSON")),
+            _ => None,
+        }
+    }
+
+    /// Wants to be told a topic, whose channel is the number of the subscription.
+    async fn want(&mut self, topic: &str) {
+        let id = self.channels[topic];
+        let words = json!({ "op": "subscribe", "subscriptions": [{ "id": id, "channelId": id }] });
+        let words = Message::text(words.to_string());
+        self.socket.send(words).await.expect("it is open");
+    }
+
+    /// The next message of a topic, and when it was, in nanoseconds since 1970. `again` is done until it comes: what
+    /// was wanted is wanted only when the station has read it.
+    async fn told(&mut self, topic: &str, mut again: impl FnMut()) -> (u64, Value) {
+        let id = self.channels[topic];
+        loop {
+            again();
+            let next = tokio::time::timeout(Duration::from_millis(20), self.socket.next()).await;
+            let Ok(Some(message)) = next else {
+                continue;
+            };
+            let Message::Binary(bytes) = message.expect("it is open") else {
+                continue;
+            };
+            // One, the subscription, the time, the message.
+            assert_eq!(bytes[0], 1);
+            let number = u32::from_le_bytes(bytes[1..5].try_into().expect("four bytes"));
+            let at_ns = u64::from_le_bytes(bytes[5..13].try_into().expect("eight bytes"));
+            if u64::from(number) == id {
+                return (
+                    at_ns,
+                    serde_json::from_slice(&bytes[13..]).expect("it is JSON"),
+                );
+            }
+        }
+    }
+}
+
+/// A station whose arm does what the test says.
+async fn served() -> (FakeDriver, SocketAddr) {
+    let (handle, driver) = FakeDriver::new(16);
+    let port = FoxglovePort::bind(SocketAddr::from((Ipv4Addr::LOCALHOST, 0))).await;
+    let port = port.expect("a port is free");
+    let address = port.address();
+    tokio::spawn(async move { port.serve(&handle).await });
+    (driver, address)
+}
+
+/// The arm at zero with its base turned: rear arm upright, forearm level, the tool 215.07 mm from the axis.
+fn turned(base_deg: f32) -> PassedPacket {
+    let (sine, cosine) = base_deg.to_radians().sin_cos();
+    let status = Status {
+        x_mm: OUT_MM * cosine,
+        y_mm: OUT_MM * sine,
+        base_deg,
+        rotation_deg: base_deg,
+        ..Status::AT_ZERO
+    };
+    PassedPacket {
+        at: Duration::from_secs(7),
+        to_arm: false,
+        bytes: status.emit().to_bytes(),
+    }
+}
+
+/// Forearm and tool, from the axis of the base.
+const OUT_MM: f32 = 215.07;
+
+#[tokio::test]
+async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
+    let (_driver, address) = served().await;
+    let onlooker = Onlooker::come(address).await;
+    let mut names: Vec<_> = onlooker.channels.keys().map(String::as_str).collect();
+    names.sort_unstable();
+    let recorded = [
+        "/arm/joints",
+        "/arm/pose",
+        "/recorder",
+        "/station/notices",
+        "/station/state",
+        "/tf",
+        "/wire/from_arm",
+        "/wire/to_arm",
+    ];
+    assert_eq!(names, recorded);
+    let transform = onlooker.advertised.iter().find(|it| it["topic"] == "/tf");
+    let transform = transform.expect("it is offered");
+    assert_eq!(transform["schemaName"], "foxglove.FrameTransform");
+    assert_eq!(transform["encoding"], "json");
+    let schema: Value = serde_json::from_str(transform["schema"].as_str().expect("it is text"))
+        .expect("it is JSON");
+    assert_eq!(schema["type"], "object");
+}
+
+#[tokio::test]
+async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
+    let (driver, address) = served().await;
+    let mut onlooker = Onlooker::come(address).await;
+    onlooker.want("/tf").await;
+    let mut base_deg = 30.0;
+    let again = || {
+        // Each status shows another place, until one is shown.
+        base_deg += 0.25;
+        driver.tell_passed(turned(base_deg));
+    };
+    let (_, transform) = onlooker.told("/tf", again).await;
+    assert_eq!(transform["parent_frame_id"], "base");
+    assert_eq!(transform["child_frame_id"], "tool");
+    let at = |axis: &str| {
+        transform["translation"][axis]
+            .as_f64()
+            .expect("it is a number")
+    };
+    assert!((at("x").hypot(at("y")) - 0.215_07).abs() < 1e-6);
+    let turned_deg = at("y").atan2(at("x")).to_degrees();
+    assert!(
+        (30.0..=f64::from(base_deg) + 1e-3).contains(&turned_deg),
+        "{turned_deg}"
+    );
+}
+
+#[tokio::test]
+async fn foxglove_is_told_the_state_of_the_station_at_its_time() {
+    let (driver, address) = served().await;
+    let mut onlooker = Onlooker::come(address).await;
+    onlooker.want("/station/state").await;
+    let begun = Timestamp::now().as_nanosecond();
+    let (at_ns, state) = onlooker
+        .told("/station/state", || driver.tell(crate::sample::state(60.0)))
+        .await;
+    assert_eq!(state["at_s"], 60.0);
+    // The sample's station has run for a minute by then: the time is that of the state, not that of the message.
+    let ahead_s = (i128::from(at_ns) - begun) / 1_000_000_000;
+    assert!((50..=60).contains(&ahead_s), "{ahead_s}");
+}
+
+#[tokio::test]
+async fn others_on_the_network_cannot_look_on() {
+    let everywhere = SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0));
+    let refused = FoxglovePort::bind(everywhere)
+        .await
+        .expect_err("it has no passwords");
+    assert!(refused.to_string().contains("ssh -L"), "{refused}");
+}
+
+#[tokio::test]
+async fn a_port_that_another_program_has_is_told() {
+    let (_driver, address) = served().await;
+    let refused = FoxglovePort::bind(address).await.expect_err("it is taken");
+    assert!(matches!(refused, FoxglovePortError::Listen { address: it, .. } if it == address));
+}
