@@ -42,11 +42,11 @@ impl Core {
     fn new(
         at: &str,
         name: String,
-        token: Option<String>,
+        token: Option<&str>,
         dialect: Option<&str>,
         guardian: Option<PathBuf>,
     ) -> PyResult<Self> {
-        let at = place(at, token.as_ref(), dialect, guardian)?;
+        let at = place(at, token, dialect, guardian)?;
         let worker = Worker::start(at, name);
         Ok(Self {
             worker: Arc::new(worker),
@@ -387,7 +387,7 @@ fn dict(py: Python<'_>, status: Option<Status>) -> PyResult<Bound<'_, PyDict>> {
 /// From what a user names to where the rules are kept.
 fn place(
     at: &str,
-    token: Option<&String>,
+    token: Option<&str>,
     dialect: Option<&str>,
     guardian: Option<PathBuf>,
 ) -> PyResult<Where> {
@@ -403,7 +403,7 @@ fn place(
     }
     let search = |address| StationSearch {
         address,
-        token: token.cloned(),
+        token: token.map(str::to_owned),
         trust: None,
     };
     if at == "station" {
