@@ -6,14 +6,17 @@ import asyncio
 from collections.abc import AsyncIterator, Callable, Coroutine
 from functools import wraps
 from types import TracebackType
-from typing import Any, Concatenate, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
 
 from . import operations
-from ._core import Pending, Statuses, Told
+from ._core import Pending, Statuses
 from .drawing import Progress
 from .errors import Error
 from .operations import Begun, Button, Connection
 from .status import Status
+
+if TYPE_CHECKING:
+    from ._core import Told
 
 P = ParamSpec("P")
 T = TypeVar("T")

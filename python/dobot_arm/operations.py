@@ -6,11 +6,14 @@ import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Generic, Literal, TypeVar
 
-from ._core import Core, Pending, Told
+from ._core import Core, Pending
 from .drawing import Plan, Progress, bar
 from .status import Status
+
+if TYPE_CHECKING:
+    from ._core import Told
 
 T = TypeVar("T")
 

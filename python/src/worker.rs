@@ -383,7 +383,13 @@ impl Session {
                 self.client.request(Request::TakeLease).await?;
                 self.client.request_at_rest(request).await?;
             }
-            Operation::Plain(request) => drop(self.client.request_at_rest(request).await?),
+            Operation::Plain(request) => {
+                // There is no pose before the arm has told one.
+                if matches!(request, Request::ConfirmPose) {
+                    self.status().await?;
+                }
+                self.client.request_at_rest(request).await?;
+            }
         }
         Ok(None)
     }
