@@ -120,7 +120,8 @@ def speed(arm: Connection, velocity: float = 50.0, acceleration: float = 50.0) -
 
 
 def arm_laser(arm: Connection, seconds: float) -> Begun[None]:
-    """Lets the laser be switched on for 1 to 3600 seconds: everybody's goggles are on."""
+    """Lets the laser be switched on for so many seconds, as far as the policy allows it: everybody's
+    goggles are on."""
     return Begun(arm._core.arm_laser(seconds), _nothing)
 
 

@@ -269,7 +269,7 @@ def test_the_laser_goes_on_only_where_the_rules_allow_it(station: str) -> None:
         with pytest.raises(dobot.Refused):
             arm.laser(True)
         with pytest.raises(dobot.Refused):
-            arm.arm_laser(0.5)
+            arm.arm_laser(0)
         arm.arm_laser(10)
         arm.disarm_laser()
 
