@@ -6,15 +6,17 @@ are degrees.
 
 from __future__ import annotations
 
-import shutil
+from typing import TYPE_CHECKING
 
-from ._core import Core
-from .aio import AsyncArm, AsyncJog, _over
 from .arm import Arm, Jog
 from .drawing import Plan, Progress, bar, plan
 from .errors import Closed, Error, Failed, LinkLost, Refused, Stopped
 from .operations import Button, Path
+from .place import core
 from .status import Status
+
+if TYPE_CHECKING:
+    from .aio import AsyncArm, AsyncJog, aconnect
 
 __all__ = [
     "Arm", "AsyncArm", "AsyncJog", "Button", "Closed", "Error", "Failed", "Jog", "LinkLost", "Path", "Plan",
@@ -36,27 +38,15 @@ def connect(
     ``DOBOT_TOKEN``, then that of the station of this person); ``dialect`` is what an arm at an address
     understands, ``specification`` or ``firmware-1.1``. Raises :class:`LinkLost` where nothing answers.
     """
-    core = _core(where, name, token, dialect)
-    core.connected().wait(None)
-    return Arm(core)
+    found = core(where, name, token, dialect)
+    found.connected().wait(None)
+    return Arm(found)
 
 
-async def aconnect(
-    where: str, *, name: str = "python", token: str | None = None, dialect: str | None = None
-) -> AsyncArm:
-    """Connects with an arm for coroutines; otherwise as :func:`connect`."""
-    core = _core(where, name, token, dialect)
-    await _over(core.connected())
-    return AsyncArm(core)
+def __getattr__(name: str) -> object:
+    """What is for coroutines is loaded when it is asked for: asyncio takes longer than all the rest."""
+    if name in ("AsyncArm", "AsyncJog", "aconnect"):
+        from . import aio
 
-
-def _core(where: str, name: str, token: str | None, dialect: str | None) -> Core:
-    guardian = None
-    if where.startswith(("serial:", "tcp:")):
-        guardian = shutil.which("dobot")
-        if guardian is None:
-            raise Failed(
-                "nothing guards the arm: the program `dobot` is not in the search path",
-                hint="install it, or start a station with it (`dobot up`) and connect with `station`",
-            )
-    return Core(where, name, token, dialect, guardian)
+        return getattr(aio, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

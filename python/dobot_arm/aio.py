@@ -13,6 +13,7 @@ from ._core import Pending, Statuses
 from .drawing import Progress
 from .errors import Error
 from .operations import Begun, Button, Connection
+from .place import core
 from .status import Status
 
 if TYPE_CHECKING:
@@ -124,6 +125,15 @@ class AsyncArm(Connection):
     async def close(self) -> None:
         """Lets go of the arm; leaving ``async with`` does it, too."""
         await asyncio.to_thread(self._core.close)
+
+
+async def aconnect(
+    where: str, *, name: str = "python", token: str | None = None, dialect: str | None = None
+) -> AsyncArm:
+    """Connects with an arm for coroutines; otherwise as :func:`dobot_arm.connect`."""
+    found = core(where, name, token, dialect)
+    await _over(found.connected())
+    return AsyncArm(found)
 
 
 class AsyncJog:
