@@ -50,7 +50,11 @@ impl Target {
     ///     gripper_deg: None,
     ///     pause_s: 0.0,
     /// };
-    /// let from = Status { servo_deg: 30.0, suction: true, ..Status::default() };
+    /// let from = Status {
+    ///     x_mm: 180.0, y_mm: 0.0, z_mm: 40.0, rotation_deg: 30.0,
+    ///     base_deg: 0.0, rear_deg: 20.0, fore_deg: 30.0, servo_deg: 30.0,
+    ///     suction: true, gripper_deg: 0.0,
+    /// };
     /// let there = MoveTo { rotation_deg: 30.0, suction: true, mode: MovingMode::MovL, ..MoveTo::to(200.0, 0.0, 20.0) };
     /// assert_eq!(target.command(&from), Command::from(there));
     /// ```
