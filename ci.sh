@@ -288,12 +288,13 @@ step_python() {
   cargo clippy --locked --manifest-path python/Cargo.toml -- -D warnings
   folder=$(mktemp -d)
   python3 -m venv "$folder/venv"
-  "$folder/venv/bin/pip" install --quiet ./python mypy pytest
+  "$folder/venv/bin/pip" install --quiet ./python mypy pyright pytest
   build_all
   program=$(realpath "$(built)/dobot")
   tests=$PWD/python/tests
   # Elsewhere than beside the package's sources, so that the installed one is tested.
-  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet -p no:cacheprovider "$tests" && venv/bin/mypy --strict "$tests" && venv/bin/mypy --strict -p dobot_arm)
+  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet -p no:cacheprovider "$tests" && venv/bin/mypy --strict "$tests" && venv/bin/mypy --strict -p dobot_arm \
+    && venv/bin/pyright --pythonpath venv/bin/python "$tests" && venv/bin/pyright --pythonpath venv/bin/python venv/lib/python3*/site-packages/dobot_arm)
   rm -rf "$folder"
 }
 

@@ -1,10 +1,15 @@
 """What a user of an arm relies on."""
 
+import asyncio
+import json
 import math
 import os
 import signal
 import subprocess
+import sys
+import warnings
 from collections.abc import Iterator
+from itertools import islice
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -181,3 +186,235 @@ def test_a_drawing_is_stopped_by_what_its_progress_raises(station: str) -> None:
             arm.draw(dobot.plan(text="Hello"), progress=enough)
         with pytest.raises(dobot.Refused):
             other.move_to(200, 0, 60)
+
+
+def test_a_jog_lasts_as_long_as_its_with_and_ends_at_rest() -> None:
+    with dobot.connect("virtual:firmware-1.1") as arm:
+        arm.move_to(200, 0, 60)
+        with arm.jog("y+", speed=50):
+            arm.wait(1.0)
+        after = arm.status()
+        assert after.y_mm > 5
+        arm.wait(1.0)
+        assert arm.status().y_mm == pytest.approx(after.y_mm, abs=0.5)
+
+
+def test_a_jog_that_is_too_long_is_let_go_and_says_so() -> None:
+    with dobot.connect("virtual:") as arm:
+        arm.move_to(200, 0, 60)
+        with pytest.raises(dobot.Failed, match="at_most"):
+            with arm.jog("y+", speed=20, at_most=0.5):
+                arm.wait(5.0)
+        first = arm.status().y_mm
+        arm.wait(1.0)
+        assert arm.status().y_mm == pytest.approx(first, abs=0.1)
+
+
+def test_nothing_else_moves_the_arm_while_a_button_is_held() -> None:
+    with dobot.connect("virtual:") as arm:
+        arm.move_to(200, 0, 60)
+        with arm.jog("y+"), pytest.raises(dobot.Failed, match="held"):
+            arm.move_to(220, 0, 20)
+
+
+def test_what_goes_wrong_in_a_jog_is_told_and_the_button_is_let_go() -> None:
+    with dobot.connect("virtual:") as arm:
+        arm.move_to(200, 0, 60)
+        with pytest.raises(RuntimeError, match="enough"), arm.jog("y+"):
+            raise RuntimeError("enough")
+        arm.move_to(220, 0, 20)
+
+
+def test_a_button_that_does_not_exist_is_told_with_what_is_allowed() -> None:
+    with dobot.connect("virtual:") as arm:
+        with pytest.raises(ValueError, match="base"), arm.jog("up"):  # type: ignore[arg-type]
+            pass
+        with pytest.raises(ValueError, match="60"), arm.jog("x+", at_most=math.nan):
+            pass
+
+
+def test_statuses_come_one_by_one_while_time_passes() -> None:
+    with dobot.connect("virtual:") as arm:
+        arm.move_to(200, 0, 60)
+        with arm.jog("y+", speed=50):
+            seen = [it.y_mm for it in islice(arm.statuses(), 10)]
+        assert seen == sorted(seen)
+        assert seen[-1] > seen[0]
+
+
+def test_statuses_tell_of_a_move_that_another_thread_makes(station: str) -> None:
+    with dobot.connect(station) as arm, ThreadPoolExecutor() as threads:
+        arm.confirm_pose()
+        arm.move_to(200, -50, 60)
+        statuses = arm.statuses()
+        move = threads.submit(arm.move_to, 200, 50, 60)
+        assert any(abs(it.y_mm) < 40 for it in islice(statuses, 100))
+        assert not move.done()
+        move.result()
+
+
+def test_gripper_and_speed_reach_the_arm() -> None:
+    with dobot.connect("virtual:firmware-1.1") as arm:
+        arm.move_to(200, 0, 60)
+        arm.gripper(30)
+        assert arm.status().gripper_deg == pytest.approx(30)
+        arm.speed(20, 20)
+        with pytest.raises(dobot.Refused):
+            arm.speed(-5, 50)
+
+
+def test_the_laser_goes_on_only_where_the_rules_allow_it(station: str) -> None:
+    with dobot.connect(station) as arm:
+        arm.confirm_pose()
+        with pytest.raises(dobot.Refused):
+            arm.laser(True)
+        with pytest.raises(dobot.Refused):
+            arm.arm_laser(0)
+        arm.arm_laser(10)
+        arm.disarm_laser()
+
+
+def test_joint_angles_that_look_like_radians_are_warned_of() -> None:
+    with dobot.connect("virtual:") as arm:
+        with pytest.warns(UserWarning, match="radians"):
+            try:
+                arm.move_joints(0.5, 0.8, 0.7)
+            except dobot.Refused:
+                pass
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            arm.move_joints(30, 10, 20)
+
+
+JOGS = """
+import sys
+import dobot_arm as dobot
+with dobot.connect(sys.argv[1]) as arm:
+    arm.confirm_pose()
+    arm.move_to(200, 0, 60)
+    with arm.jog("y+", speed=20, at_most=60):
+        print("jogs", flush=True)
+        sys.stdin.read()
+"""
+
+
+def test_an_arm_is_told_to_stop_when_the_interpreter_that_jogs_it_is_killed(
+    station: str, tmp_path: Path
+) -> None:
+    with dobot.connect(station) as watcher:
+        statuses = watcher.statuses()
+        command = [sys.executable, "-c", JOGS, station]
+        with subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        ) as jogger:
+            assert jogger.stdout is not None and jogger.stdout.readline() == "jogs\n"
+            assert any(it.y_mm > 3 for it in islice(statuses, 200))
+            jogger.kill()
+        # The recording is written a little later.
+        assert any(jogs_sent(tmp_path)[-1] == "released" for _ in islice(statuses, 200))
+        assert "y_plus" in jogs_sent(tmp_path)
+        ended = watcher.status().y_mm
+        watcher.wait(0.5)
+        assert watcher.status().y_mm == pytest.approx(ended, abs=0.01)
+
+
+def jogs_sent(folder: Path) -> list[str]:
+    """The axes of the jog packets that went to the arm, by the station's recording."""
+    file = max((folder / "recordings").glob("*.mcap"))
+    log = subprocess.run(
+        [os.environ["DOBOT"], "log", str(file), "--json"], capture_output=True, text=True, check=True
+    )
+    told = [json.loads(line).get("command") for line in log.stdout.splitlines()]
+    return ["none", *(it["axis"] for it in told if it and it["type"] == "linear_jog")]
+
+
+def test_coroutines_move_the_arm_and_hear_its_statuses_meanwhile() -> None:
+    async def main() -> None:
+        async with await dobot.aconnect("virtual:firmware-1.1") as arm:
+            heard: list[float] = []
+
+            async def hear() -> None:
+                async for status in arm.statuses():
+                    heard.append(status.y_mm)
+
+            listener = asyncio.create_task(hear())
+            await asyncio.sleep(0)
+            there = await arm.move_to(200, 100, 40)
+            assert there.y_mm == pytest.approx(100, abs=1)
+            listener.cancel()
+            assert len(heard) > 5
+            async with arm.jog("y-", 20):
+                await arm.wait(0.5)
+            assert (await arm.status()).y_mm < there.y_mm
+            with pytest.raises(dobot.Refused):
+                await arm.move_to(900, 0, 0)
+
+    asyncio.run(main())
+
+
+def test_a_task_that_is_cancelled_stops_the_arm(station: str) -> None:
+    async def main() -> None:
+        async with await dobot.aconnect(station) as arm:
+            await arm.confirm_pose()
+            await arm.move_to(200, -150, 60)
+            with pytest.raises(asyncio.TimeoutError):
+                await asyncio.wait_for(arm.move_to(200, 150, 60), 0.1)
+            with pytest.raises(dobot.Refused):
+                await arm.move_to(200, 0, 60)
+
+    asyncio.run(main())
+
+
+def test_both_faces_of_an_arm_do_the_same() -> None:
+    def names(face: type) -> set[str]:
+        return {it for it in vars(face) if not it.startswith("_")}
+
+    assert names(dobot.Arm) - {"pose", "joints"} == names(dobot.AsyncArm)
+
+
+def test_the_station_that_runs_here_is_found_with_its_token(
+    station: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DOBOT_DATA", str(tmp_path))
+    monkeypatch.delenv("DOBOT_STATION", raising=False)
+    with dobot.connect("station") as arm:
+        arm.confirm_pose()
+
+
+def test_a_station_that_does_not_run_is_a_lost_link(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DOBOT_DATA", str(tmp_path))
+    monkeypatch.delenv("DOBOT_STATION", raising=False)
+    with pytest.raises(dobot.LinkLost, match="dobot up"):
+        dobot.connect("station")
+
+
+def test_an_arm_at_an_address_has_its_rules_and_its_guardian_here(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = os.environ.get("DOBOT")
+    if program is None:
+        pytest.skip("the environment variable DOBOT names no `dobot` program")
+    monkeypatch.setenv("DOBOT_DATA", str(tmp_path))
+    monkeypatch.setenv("PATH", str(Path(program).parent))
+    command = [program, "arm", "--tcp", "127.0.0.1:0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
+        try:
+            assert served.stdout is not None
+            address = next(
+                word for line in served.stdout for word in line.split() if word.startswith("tcp:")
+            )
+            with dobot.connect(address, dialect="specification") as arm:
+                arm.confirm_pose()
+                assert arm.move_to(220, 0, 20).x_mm == pytest.approx(220, abs=1)
+        finally:
+            served.terminate()
+
+
+def test_an_arm_at_an_address_is_not_used_without_a_guardian(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(dobot.Failed, match="guards"):
+        dobot.connect("tcp:127.0.0.1:1")

@@ -52,6 +52,13 @@ impl Folders {
         })
     }
 
+    /// The folder that the environment variable `DOBOT_DATA` names, otherwise those of this person.
+    #[must_use]
+    pub fn of_environment() -> Option<Self> {
+        let named = std::env::var_os("DOBOT_DATA").filter(|it| !it.is_empty());
+        named.map(Self::at).or_else(Self::of_person)
+    }
+
     /// Makes the folder that outlives the station, for this person's eyes only; one that is there stays
     /// as it is.
     ///

@@ -13,6 +13,7 @@
 //! # Ok::<(), serde_json::Error>(())
 //! ```
 
+mod button;
 mod calibration;
 #[cfg(feature = "remote")]
 mod folders;
@@ -33,6 +34,7 @@ mod running;
 mod state;
 mod way;
 
+pub use button::{Button, ButtonError, JogFrame};
 pub use calibration::{
     Axis, Backlash, CalibrationFile, Calibrations, NoSuchArm, PaperPlane, ToolOffset, Touched,
     Zeros,
@@ -47,8 +49,9 @@ pub use notice::{News, Notice};
 pub use problem::Problem;
 #[cfg(feature = "remote")]
 pub use remote::{
-    CertificateTrust, ConnectError, Remote, RemoteError, StationAddress, StationAddressError,
-    StationEvent, TrustError, fetch, fingerprint, is_station,
+    CertificateTrust, ConnectError, Remote, RemoteError, SearchError, StationAddress,
+    StationAddressError, StationEvent, StationSearch, TrustError, fetch, fingerprint, is_station,
+    running,
 };
 pub use reply::Reply;
 pub use request::{Jog, Request};

@@ -2,6 +2,7 @@
 
 mod address;
 mod fetch;
+mod find;
 mod stream;
 mod trust;
 
@@ -22,6 +23,7 @@ use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient}
 
 pub use self::address::{CertificateTrust, StationAddress, StationAddressError, fingerprint};
 pub use self::fetch::{fetch, is_station};
+pub use self::find::{SearchError, StationSearch, running};
 pub use self::stream::ConnectError;
 pub use self::trust::TrustError;
 

@@ -106,7 +106,7 @@ pub(crate) async fn planned_for(
     station: &mut StationClient,
     policy: &Policy,
 ) -> Result<PlannedFor, Failure> {
-    let state = heard(station).await?;
+    let state = station.heard().await?;
     Ok(station.planned_for(Rules::of(policy), &state).await?)
 }
 
@@ -115,28 +115,9 @@ pub(crate) async fn planned_for(
 pub(crate) async fn arm(
     station: &mut StationClient,
 ) -> Result<(ArmView, Option<Dialect>), Failure> {
-    let state = heard(station).await?;
+    let state = station.heard().await?;
     let arm = state.arm.ok_or(RemoteError::Silent)?;
     Ok((arm, state.dialect))
-}
-
-/// The first state with an arm that tells where it is.
-async fn heard(station: &mut StationClient) -> Result<State, Failure> {
-    let mut missing = RemoteError::Silent.into();
-    let until = station.now() + FIRST_STATUS;
-    while station.now() < until {
-        let Ok(state) = timeout(FIRST_STATUS, station.state()).await else {
-            break;
-        };
-        let state = state?;
-        match &state.arm {
-            Some(_) if state.link.phase == LinkPhase::Up => return Ok(state),
-            // What was said of the link while there was one tells more than that there is none now.
-            _ if state.link.phase == LinkPhase::Lost => return Err(no_arm(&state)),
-            _ => missing = no_arm(&state),
-        }
-    }
-    Err(missing)
 }
 
 /// Whether the arm stands where it says is known before it is moved: a person is asked, or has said
@@ -215,18 +196,4 @@ pub(crate) async fn idle(station: &mut StationClient) -> Result<(), Failure> {
     Ok(())
 }
 
-fn no_arm(state: &State) -> Failure {
-    let why = match (&state.link.problem, state.link.phase) {
-        (Some(problem), _) => problem.clone(),
-        (None, LinkPhase::Searching) => "no arm has been found yet".into(),
-        (None, _) => "the arm says nothing".into(),
-    };
-    Failure::new(
-        anyhow!("no arm can be used: {why}"),
-        "is it switched on, and is this its port and line speed? `dobot ports` lists the ports; `dobot watch` shows what a station waits for",
-    )
-}
-
 const PATIENCE: Duration = Duration::from_secs(5);
-/// A stock arm is deaf for up to two seconds after its port was opened, and is given five to say something.
-const FIRST_STATUS: Duration = Duration::from_secs(6);

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use dobot_api::{ConnectError, RemoteError};
 use dobot_client::{LinkError, OpenError, SendError};
 use dobot_draw::OptionsError;
-use dobot_rules::OpenArmError;
+use dobot_rules::{NoArm, OpenArmError};
 
 use crate::logging::LogFormat;
 
@@ -72,6 +72,9 @@ fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
         return error.hint();
     }
     if let Some(error) = cause.downcast_ref::<RemoteError>() {
+        return error.hint();
+    }
+    if let Some(error) = cause.downcast_ref::<NoArm>() {
         return error.hint();
     }
     let link = cause.downcast_ref::<LinkError>();

@@ -1,6 +1,5 @@
 //! A pendant in the terminal: keys that are held move the arm, and it stops when they are let go.
 
-mod button;
 mod gamepad;
 mod hold;
 mod keys;
@@ -13,14 +12,13 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind};
-use dobot_api::{ClientId, News, Notice, Reply, Request, State};
+use dobot_api::{Button, ClientId, JogFrame, News, Notice, Reply, Request, State};
 use dobot_wire::{JointJog, JointJogAxis, Status};
 
 use self::gamepad::{EVENT_LEN, Gamepad, PadAction};
 use self::hold::{Beat, HoldToRun};
 use self::keys::{KeyMeaning, folded, meaning};
 
-pub(crate) use self::button::{Button, JogFrame};
 pub(crate) use self::gamepad::PadArgs;
 pub(crate) use self::hold::KeyReports;
 pub(crate) use self::mouse::{Mouse, kept_rotation_deg};

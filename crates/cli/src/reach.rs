@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_api::{CertificateTrust, Folders, Running, StationAddress, fingerprint, is_station};
+use dobot_api::{
+    CertificateTrust, Folders, SearchError, StationAddress, StationSearch, fingerprint,
+};
 use dobot_rules::StationClient;
-use dobot_station::DEFAULT_HTTP;
 
 use crate::failure::Failure;
 
@@ -38,21 +39,12 @@ pub(crate) struct Station {
 impl Station {
     /// Whether a person said which station it is to be.
     pub(crate) fn is_named(&self) -> bool {
-        self.name().is_some()
+        self.search().name().is_some()
     }
 
     /// Where the station is; `None` where none is named and none says that it runs.
     pub(crate) async fn address(&self) -> Result<Option<StationAddress>, Failure> {
-        if let Some(name) = self.name() {
-            return self.named(&name).map(Some);
-        }
-        if let Some(address) = running(&folders(None)?)? {
-            return Ok(Some(address));
-        }
-        // One that was started with a folder of its own is most likely where all are.
-        let usual = self.named(&format!("http://{DEFAULT_HTTP}"))?;
-        let is_there = variable("DOBOT_DATA").is_none() && is_station(&usual).await;
-        Ok(is_there.then_some(usual))
+        self.search().find().await.map_err(no_search)
     }
 
     /// Where the station is.
@@ -71,36 +63,20 @@ impl Station {
         Ok(StationClient::connect(&address, &client_name(verb)).await?)
     }
 
-    fn name(&self) -> Option<String> {
-        self.address.clone().or_else(|| variable("DOBOT_STATION"))
-    }
-
-    fn named(&self, name: &str) -> Result<StationAddress, Failure> {
-        let mut address = StationAddress::new(name)?;
-        address.token = self.token.clone().or_else(|| variable("DOBOT_TOKEN"));
+    fn search(&self) -> StationSearch {
         let fingerprint = self.fingerprint.map(CertificateTrust::Fingerprint);
-        address.trust = fingerprint.or_else(|| self.ca.clone().map(CertificateTrust::Authority));
-        // Whoever names the station of this machine need not know its token.
-        if let Some(here) =
-            running(&folders(None)?)?.filter(|it| it.to_string() == address.to_string())
-        {
-            address.token = address.token.or(here.token);
-            address.trust = address.trust.or(here.trust);
+        StationSearch {
+            address: self.address.clone(),
+            token: self.token.clone(),
+            trust: fingerprint.or_else(|| self.ca.clone().map(CertificateTrust::Authority)),
         }
-        Ok(address)
     }
 }
 
 /// The folders of this person's station.
 pub(crate) fn folders(data: Option<PathBuf>) -> Result<Folders, Failure> {
-    let data = data.or_else(|| variable("DOBOT_DATA").map(PathBuf::from));
-    let folders = data.map(Folders::at).or_else(Folders::of_person);
-    folders.ok_or_else(|| {
-        Failure::new(
-            anyhow!("this person has no home folder"),
-            "say where the station keeps its data: `--data FOLDER`, or the environment variable DOBOT_DATA",
-        )
-    })
+    let folders = data.map(Folders::at).or_else(Folders::of_environment);
+    folders.ok_or_else(|| no_search(SearchError::NoFolders))
 }
 
 /// What the others call a verb of this program.
@@ -108,15 +84,9 @@ pub(crate) fn client_name(verb: &str) -> String {
     format!("dobot {verb}")
 }
 
-/// Where the station of these folders says that it runs.
-pub(crate) fn running(folders: &Folders) -> Result<Option<StationAddress>, Failure> {
-    let Some(running) = Running::read(&folders.running())? else {
-        return Ok(None);
-    };
-    Ok(Some(StationAddress::of(&running)?))
-}
-
-/// An environment variable that is set to something.
-fn variable(name: &str) -> Option<String> {
-    std::env::var(name).ok().filter(|it| !it.is_empty())
+fn no_search(error: SearchError) -> Failure {
+    match error.hint() {
+        Some(hint) => Failure::new(error, hint),
+        None => error.into(),
+    }
 }

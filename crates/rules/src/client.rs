@@ -8,14 +8,14 @@ use std::fmt;
 use std::time::Duration;
 
 use dobot_api::{
-    ClientId, ConnectError, JobPhase, JobView, News, Notice, Problem, Remote, RemoteError, Reply,
-    Request, State, StationAddress, StationEvent, fetch,
+    ClientId, ConnectError, JobPhase, JobView, LinkPhase, NewJob, News, Notice, Problem, Remote,
+    RemoteError, Reply, Request, State, StationAddress, StationEvent, fetch,
 };
 use dobot_client::Address;
 use dobot_controller::PowerUp;
 use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
-use tokio::time::Instant;
+use tokio::time::{Instant, timeout};
 
 use crate::{PlannedFor, Refusal, Rules};
 
@@ -28,6 +28,8 @@ pub use self::local::{LocalArm, OpenArmError};
 const PATIENCE: Duration = Duration::from_secs(5);
 /// How long it is left alone in between.
 const PAUSE: Duration = Duration::from_millis(80);
+/// A stock arm is deaf for up to two seconds after its port was opened, and is given five to say something.
+const FIRST_STATUS: Duration = Duration::from_secs(6);
 
 /// A client of the rules that every command to an arm passes.
 ///
@@ -185,6 +187,64 @@ impl StationClient {
         }
     }
 
+    /// What was told already, of rules in virtual time; no time passes.
+    pub fn told(&mut self) -> Option<StationEvent> {
+        match &mut self.way {
+            ClientRoute::Virtual(station) => station.told(),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => None,
+        }
+    }
+
+    /// The first state with an arm that tells where it is. A station that has just been started is waited
+    /// for until its arm tells something, for six seconds.
+    ///
+    /// # Errors
+    ///
+    /// [`NoArm`] where there is none to be heard.
+    pub async fn heard(&mut self) -> Result<State, NoArm> {
+        let mut missing = NoArm::Silent(RemoteError::Silent);
+        let until = self.now() + FIRST_STATUS;
+        while self.now() < until {
+            let Ok(state) = timeout(FIRST_STATUS, self.state()).await else {
+                break;
+            };
+            let state = state?;
+            match &state.arm {
+                Some(_) if state.link.phase == LinkPhase::Up => return Ok(state),
+                // What was said of the link while there was one tells more than that there is none now.
+                _ if state.link.phase == LinkPhase::Lost => return Err(NoArm::of(&state)),
+                _ => missing = NoArm::of(&state),
+            }
+        }
+        Err(missing)
+    }
+
+    /// Queues a job, and gives its number.
+    ///
+    /// # Errors
+    ///
+    /// As of [`request`](Self::request).
+    pub async fn submit(&mut self, job: NewJob) -> Result<u64, RemoteError> {
+        match self.request(Request::SubmitJob { job, key: None }).await? {
+            Reply::Job { job } => Ok(job.job),
+            other => Err(RemoteError::Garbled(format!(
+                "the answer to a new job is {other:?}"
+            ))),
+        }
+    }
+
+    /// Cancels a job that was refused before it began: the next try makes one of its own. Why it was
+    /// refused is what counts, so that nothing is told of this.
+    pub async fn forget_unbegun(&mut self, job: u64) {
+        let Ok(jobs) = self.jobs().await else {
+            return;
+        };
+        let is_unbegun = |it: &JobView| it.job == job && it.phase == JobPhase::Queued;
+        if jobs.iter().any(is_unbegun) {
+            let _ = self.request(Request::CancelJob { job }).await;
+        }
+    }
+
     /// Waits until a command that was [accepted](Reply::Accepted) is over.
     ///
     /// # Errors
@@ -192,9 +252,26 @@ impl StationClient {
     /// [`RemoteError::Failed`] where the arm is not where it leads or the link to the arm is lost, and
     /// others as of [`next`](Self::next).
     pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
+        self.finished_watched(command, |_| {}).await
+    }
+
+    /// The same; `see` is shown every state meanwhile.
+    ///
+    /// # Errors
+    ///
+    /// As of [`finished`](Self::finished).
+    pub async fn finished_watched(
+        &mut self,
+        command: u64,
+        mut see: impl FnMut(&State),
+    ) -> Result<(), RemoteError> {
         loop {
-            let StationEvent::Notice(notice) = self.next().await? else {
-                continue;
+            let notice = match self.next().await? {
+                StationEvent::Notice(notice) => notice,
+                StationEvent::State(state) => {
+                    see(&state);
+                    continue;
+                }
             };
             match notice.news {
                 News::CommandDone { command: done } if done == command => return Ok(()),
@@ -353,6 +430,38 @@ impl JobWatch {
         self.has_run |= phase == JobPhase::Running;
         let rests = !matches!(phase, JobPhase::Queued | JobPhase::Running);
         (self.has_run && rests).then(|| (phase, notice.text.clone()))
+    }
+}
+
+/// Why no arm is heard.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoArm {
+    /// The station has none that can be used, and says why.
+    #[error("no arm can be used: {0}")]
+    Unusable(String),
+    /// The station says nothing.
+    #[error(transparent)]
+    Silent(#[from] RemoteError),
+}
+
+impl NoArm {
+    fn of(state: &State) -> Self {
+        let why = match (&state.link.problem, state.link.phase) {
+            (Some(problem), _) => problem.clone(),
+            (None, LinkPhase::Searching) => "no arm has been found yet".into(),
+            (None, _) => "the arm says nothing".into(),
+        };
+        Self::Unusable(why)
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::Unusable(_) => Some("is it switched on, and is this its port and line speed? `dobot ports` lists the ports; `dobot watch` shows what a station waits for".into()),
+            Self::Silent(error) => error.hint(),
+        }
     }
 }
 

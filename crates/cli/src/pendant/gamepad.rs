@@ -8,8 +8,8 @@ use anyhow::Context;
 use dobot_wire::LinearJogAxis;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
-use super::Button;
 use crate::failure::Failure;
+use dobot_api::Button;
 
 /// Which gamepad.
 #[derive(Clone, Debug, Default, clap::Args)]

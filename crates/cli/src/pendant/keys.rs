@@ -3,7 +3,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use dobot_wire::{JointJogAxis, LinearJogAxis};
 
-use super::button::{Button, JogFrame};
+use dobot_api::{Button, JogFrame};
 
 /// What a key means.
 #[derive(Clone, Copy, Debug, PartialEq)]

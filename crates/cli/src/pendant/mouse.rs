@@ -1,9 +1,7 @@
 //! Mouse packets for a key that is held (state 1).
 
-use dobot_api::{News, State};
+use dobot_api::{Button, News, State};
 use dobot_wire::{Command, Dialect, LinearJogAxis, MouseMove, Status};
-
-use super::Button;
 
 /// How far the arm is with the mouse packets of a key that is held.
 #[derive(Debug)]

@@ -6,7 +6,9 @@ use ratatui::style::{Style, Stylize};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Paragraph, Wrap};
 
-use super::{Drive, JogFrame, KeyReports, Pendant, Question};
+use dobot_api::JogFrame;
+
+use super::{Drive, KeyReports, Pendant, Question};
 use crate::verbs::watch::dashboard::{alarm_of_state, bar};
 use crate::verbs::watch::panels;
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use anyhow::bail;
-use dobot_api::{Jog, Request};
+use dobot_api::{Button, Jog, JogFrame, Request};
 use dobot_rules::StationClient;
 use dobot_wire::Status;
 
@@ -12,7 +12,7 @@ use crate::control::{self, arm_laser, carry_out, check_pose, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
-use crate::pendant::{self, Button, Drive, JogFrame, PadArgs, Panel, Pendant, check_terminal};
+use crate::pendant::{self, Drive, PadArgs, Panel, Pendant, check_terminal};
 
 /// Move one axis for a while, or all with keys; switch the suction cup or the laser
 #[derive(Debug, clap::Args)]
@@ -82,7 +82,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 impl Args {
     /// A button has to be held, and a switch has not.
     async fn press(&self, station: &mut StationClient, button: Button) -> Result<Status, Failure> {
-        let button = button.with_frame(self.frame)?;
+        let button = button
+            .with_frame(self.frame)
+            .map_err(|it| Failure::new(it, "leave `--frame` out"))?;
         let jog = button.jog(self.speed);
         if button.moves() {
             check_pose(station, self.to.pose_confirmed).await?;

@@ -1,11 +1,8 @@
 //! `dobot move`: go to a point or to joint angles.
 
-use std::fmt;
-use std::str::FromStr;
-
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
-use dobot_rules::StationClient;
-use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
+use dobot_rules::{PathName, StationClient, Target, TargetPlace};
+use dobot_wire::{Command, Status};
 
 use crate::connect::To;
 use crate::control::carry_out_one;
@@ -42,7 +39,7 @@ pub(crate) struct Args {
     servo: Option<f32>,
     /// The way there: jump, movl or movj
     #[arg(long, default_value = "jump")]
-    path: Path,
+    path: PathName,
     /// The suction cup, once there: on or off
     #[arg(long, value_name = "on|off", value_parser = on_off)]
     suction: Option<bool>,
@@ -70,71 +67,26 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 
 impl Args {
     fn command(&self, from: &Status) -> Result<Command, Failure> {
-        let suction = self.suction.unwrap_or(from.suction);
-        let gripper_deg = self.gripper.unwrap_or(from.gripper_deg);
-        let servo_deg = self.servo.unwrap_or(from.servo_deg);
-        if let Some(joints) = &self.joints {
-            let [base_deg, rear_deg, fore_deg] = three(joints);
-            check_joints([base_deg, rear_deg, fore_deg, servo_deg]).map_err(out_of_reach)?;
-            return Ok(MoveJoints {
-                base_deg,
-                rear_deg,
-                fore_deg,
-                servo_deg,
-                suction,
-                mode: self.path.0,
-                gripper_deg,
-                pause_s: self.pause,
-            }
-            .into());
-        }
-        let [x_mm, y_mm, z_mm] = three(&self.point);
-        let base_deg = y_mm.atan2(x_mm).to_degrees();
-        let rotation_deg = self.rotation.unwrap_or(base_deg + servo_deg);
-        check_point([x_mm, y_mm, z_mm], rotation_deg).map_err(out_of_reach)?;
-        Ok(MoveTo {
-            x_mm,
-            y_mm,
-            z_mm,
-            rotation_deg,
-            suction,
+        let place = match &self.joints {
+            Some(joints) => TargetPlace::Joints(three(joints)),
+            None => TargetPlace::Point {
+                mm: three(&self.point),
+                rotation_deg: self.rotation,
+            },
+        };
+        let target = Target {
+            place,
+            servo_deg: self.servo,
             mode: self.path.0,
-            gripper_deg,
+            suction: self.suction,
+            gripper_deg: self.gripper,
             pause_s: self.pause,
-        }
-        .into())
+        };
+        let command = target.command(from);
+        check(&command).map_err(out_of_reach)?;
+        Ok(command)
     }
 }
-
-/// A way to move, by the protocol's word.
-#[derive(Clone, Copy, Debug)]
-struct Path(MovingMode);
-
-impl FromStr for Path {
-    type Err = NoSuchPath;
-
-    fn from_str(text: &str) -> Result<Self, NoSuchPath> {
-        match text.to_ascii_lowercase().as_str() {
-            "jump" => Ok(Self(MovingMode::Jump)),
-            "movl" => Ok(Self(MovingMode::MovL)),
-            "movj" => Ok(Self(MovingMode::MovJ)),
-            _ => Err(NoSuchPath),
-        }
-    }
-}
-
-#[derive(Debug)]
-struct NoSuchPath;
-
-impl fmt::Display for NoSuchPath {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "allowed are jump (lift, across, down), movl (straight) and movj (all joints at once)",
-        )
-    }
-}
-
-impl std::error::Error for NoSuchPath {}
 
 /// A switch on the command line.
 pub(crate) fn on_off(text: &str) -> Result<bool, &'static str> {
@@ -147,6 +99,16 @@ pub(crate) fn on_off(text: &str) -> Result<bool, &'static str> {
 
 fn three(values: &[f32]) -> [f32; 3] {
     values.try_into().expect("the command line takes three")
+}
+
+fn check(command: &Command) -> Result<(), Unreachable> {
+    match command {
+        Command::MoveTo(it) => check_point([it.x_mm, it.y_mm, it.z_mm], it.rotation_deg),
+        Command::MoveJoints(it) => {
+            check_joints([it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg])
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The reach of the tool is not in a status, so what any tool allows is let through.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{JobRepeat, NewJob, Reply, Request};
+use dobot_api::{JobRepeat, NewJob};
 use dobot_rules::{PlannedFor, Prediction, Rules, StationClient, predict};
 use dobot_teach::{Compiled, Times, check};
 use serde::Serialize;
@@ -90,27 +90,22 @@ async fn play(
     // Nothing is queued that cannot be started.
     take_control(station).await?;
     arm_laser(station, args.arm_laser).await?;
-    let request = Request::SubmitJob {
-        job: planned.job,
-        key: None,
-    };
-    let Reply::Job { job } = station.request(request).await? else {
-        return Err(anyhow!("the station does not answer what became of the job").into());
-    };
+    let title = planned.job.title.clone();
+    let job = station.submit(planned.job).await?;
     if args.step {
-        return follow::step(station, job.job).await;
+        return follow::step(station, job).await;
     }
     let burns = args.arm_laser.is_some();
-    let took = follow::start(station, job.job, burns, |_| {}).await?;
+    let took = follow::start(station, job, burns, |_| {}).await?;
     let done = Done {
-        job: job.job,
+        job,
         took_s: took.as_secs_f64(),
     };
     if args.json {
         return Ok(output::json(&done)?);
     }
     let took = clock(done.took_s);
-    Ok(output::line(&format!("{} is done, in {took}", job.title))?)
+    Ok(output::line(&format!("{title} is done, in {took}"))?)
 }
 
 /// A program that was checked.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{Folders, News, Notice, Remote, Role};
+use dobot_api::{Folders, News, Notice, Remote, Role, running};
 use dobot_client::Address;
 use dobot_controller::Personality;
 use dobot_rules::{Notification, ServiceManager};
@@ -29,7 +29,7 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::logging::LogFormat;
 use crate::output::{self, clock};
-use crate::reach::{client_name, folders, running};
+use crate::reach::{client_name, folders};
 
 #[expect(
     clippy::struct_excessive_bools,

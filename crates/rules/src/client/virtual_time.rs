@@ -41,11 +41,16 @@ impl InVirtualTime {
         self.station.ask(self.client, request)
     }
 
+    /// What was told and not asked for yet.
+    pub(super) fn told(&mut self) -> Option<StationEvent> {
+        self.listen();
+        self.heard.pop_front()
+    }
+
     /// Lets time pass until something is told.
     pub(super) fn next(&mut self) -> StationEvent {
         loop {
-            self.listen();
-            if let Some(heard) = self.heard.pop_front() {
+            if let Some(heard) = self.told() {
                 return heard;
             }
             self.station.step(Duration::MAX);

@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{JobPhase, JobView, Reply, Request, State};
+use dobot_api::State;
 use dobot_client::position;
 use dobot_plan::Plan;
 use dobot_rules::{StationClient, drawing_job};
@@ -57,7 +57,7 @@ pub(super) async fn execute(
         Ok(job) => {
             let outcome = follow::start(station, job, plan.burns(), see).await;
             if outcome.is_err() {
-                forget_unbegun(station, job).await;
+                station.forget_unbegun(job).await;
             }
             outcome
         }
@@ -67,18 +67,6 @@ pub(super) async fn execute(
         outcome,
         planned_s,
         seen,
-    }
-}
-
-/// Cancels a job that was refused before it began: the next try makes one of its own.
-async fn forget_unbegun(station: &mut StationClient, job: u64) {
-    let Ok(jobs) = station.jobs().await else {
-        return;
-    };
-    let is_unbegun = |it: &JobView| it.job == job && it.phase == JobPhase::Queued;
-    if jobs.iter().any(is_unbegun) {
-        // Why the drawing was refused is what counts.
-        let _ = station.request(Request::CancelJob { job }).await;
     }
 }
 
@@ -99,14 +87,7 @@ async fn submit(
     // Nothing is queued that cannot be started.
     take_control(station).await?;
     arm_laser(station, armed_for).await?;
-    let job = drawing_job(plan, title);
-    match station
-        .request(Request::SubmitJob { job, key: None })
-        .await?
-    {
-        Reply::Job { job } => Ok(job.job),
-        other => Err(anyhow!("the station answers {other:?} to a new job").into()),
-    }
+    Ok(station.submit(drawing_job(plan, title)).await?)
 }
 
 /// Whether a frame has its person; that of a virtual arm in this process needs none.

@@ -2,18 +2,16 @@
 
 use std::str::FromStr;
 
-use anyhow::anyhow;
-use dobot_api::Jog;
 use dobot_wire::{
     Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo, MovingMode,
     Status,
 };
 
-use crate::failure::Failure;
+use crate::Jog;
 
 /// A button of joint jog or of linear jog (Table 2.5; note N14).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Button {
+pub enum Button {
     /// State 2.
     Joint(JointJogAxis),
     /// State 7.
@@ -21,8 +19,8 @@ pub(crate) enum Button {
 }
 
 /// One of the two jogs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum JogFrame {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JogFrame {
     /// State 2.
     Joint,
     /// State 7.
@@ -31,32 +29,34 @@ pub(crate) enum JogFrame {
 
 impl Button {
     /// The same button of a jog that is named, where that jog has it.
-    pub(crate) fn with_frame(self, frame: Option<JogFrame>) -> Result<Self, Failure> {
+    ///
+    /// # Errors
+    ///
+    /// [`ButtonError`] where that jog has no such axis.
+    pub fn with_frame(self, frame: Option<JogFrame>) -> Result<Self, ButtonError> {
         let code = self.code();
         let is_common = code > LAST_OWN_AXIS;
         match (self, frame) {
             (Self::Joint(_), Some(JogFrame::Linear)) if is_common => {
                 Ok(Self::Linear(LinearJogAxis::ALL[code]))
             }
-            (Self::Joint(_), Some(JogFrame::Linear)) => Err(other_frame(
-                "base, rear and fore are axes of the joint jog (state 2)",
-            )),
-            (Self::Linear(_), Some(JogFrame::Joint)) => Err(other_frame(
-                "x, y and z are axes of the linear jog (state 7)",
-            )),
+            (Self::Joint(_), Some(JogFrame::Linear)) => Err(ButtonError::JointAlone),
+            (Self::Linear(_), Some(JogFrame::Joint)) => Err(ButtonError::LinearAlone),
             _ => Ok(self),
         }
     }
 
     /// Its name, as in `dobot jog x+`; a button of linear jog has that of joint jog where both have it.
-    pub(crate) fn name(self) -> &'static str {
+    #[must_use]
+    pub fn name(self) -> &'static str {
         let joint = |it: &Self| it.code() > LAST_OWN_AXIS && it.code() == self.code();
         let named = |(_, it): &&(&str, Self)| *it == self || joint(it);
         BUTTONS.iter().find(named).map_or("released", |it| it.0)
     }
 
     /// What is sent while the button is pressed.
-    pub(crate) const fn jog(self, speed_percent: f32) -> Jog {
+    #[must_use]
+    pub const fn jog(self, speed_percent: f32) -> Jog {
         match self {
             Self::Joint(axis) => Jog::Joint(JointJog::new(axis, speed_percent)),
             Self::Linear(axis) => Jog::Linear(LinearJog::new(axis, speed_percent)),
@@ -64,7 +64,8 @@ impl Button {
     }
 
     /// What moves an arm that stands so by a step, in mm or degrees; `None` for a button that has none.
-    pub(crate) fn step(self, from: &Status, size: f32) -> Option<Command> {
+    #[must_use]
+    pub fn step(self, from: &Status, size: f32) -> Option<Command> {
         use {JointJogAxis as J, LinearJogAxis as L};
         let mut place = [from.x_mm, from.y_mm, from.z_mm];
         let mut angles = [from.base_deg, from.rear_deg, from.fore_deg, from.servo_deg];
@@ -100,7 +101,8 @@ impl Button {
     }
 
     /// Whether it moves something while it is held; else it is a switch.
-    pub(crate) const fn moves(self) -> bool {
+    #[must_use]
+    pub const fn moves(self) -> bool {
         match self {
             Self::Joint(axis) => axis.moves(),
             Self::Linear(axis) => axis.moves(),
@@ -108,7 +110,8 @@ impl Button {
     }
 
     /// What ends a switch that may not stay as it is: the laser goes off.
-    pub(crate) const fn end(self) -> Option<Jog> {
+    #[must_use]
+    pub const fn end(self) -> Option<Jog> {
         match self {
             Self::Joint(JointJogAxis::LaserOn) => {
                 Some(Self::Joint(JointJogAxis::LaserOff).jog(0.0))
@@ -130,20 +133,43 @@ impl Button {
 }
 
 impl FromStr for Button {
-    type Err = anyhow::Error;
+    type Err = ButtonError;
 
-    fn from_str(text: &str) -> anyhow::Result<Self> {
+    fn from_str(text: &str) -> Result<Self, ButtonError> {
         let named = |(name, _): &&(&str, Self)| *name == text;
         let found = BUTTONS.iter().find(named);
-        found.map(|(_, button)| *button).ok_or_else(|| {
-            let names: Vec<&str> = BUTTONS.iter().map(|(name, _)| *name).collect();
-            anyhow!("allowed are {}", names.join(", "))
-        })
+        found.map(|(_, button)| *button).ok_or(ButtonError::Unknown)
     }
 }
 
-fn other_frame(why: &'static str) -> Failure {
-    Failure::new(anyhow!(why), "leave `--frame` out")
+impl FromStr for JogFrame {
+    type Err = ButtonError;
+
+    fn from_str(text: &str) -> Result<Self, ButtonError> {
+        match text {
+            "joint" => Ok(Self::Joint),
+            "linear" => Ok(Self::Linear),
+            _ => Err(ButtonError::UnknownFrame),
+        }
+    }
+}
+
+/// Why there is no such button.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ButtonError {
+    /// No button has this name.
+    #[error("allowed are {}", BUTTONS.map(|it| it.0).join(", "))]
+    Unknown,
+    /// No jog has this name.
+    #[error("allowed are joint and linear")]
+    UnknownFrame,
+    /// The linear jog does not have it.
+    #[error("base, rear and fore are axes of the joint jog (state 2)")]
+    JointAlone,
+    /// The joint jog does not have it.
+    #[error("x, y and z are axes of the linear jog (state 7)")]
+    LinearAlone,
 }
 
 /// Behind this code the two jogs have the same axes (note N14).

@@ -1,0 +1,169 @@
+"""An arm for coroutines."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable, Coroutine
+from functools import wraps
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
+
+from . import operations
+from ._core import Pending, Statuses
+from .drawing import Progress
+from .errors import Error
+from .operations import Begun, Button, Connection
+from .place import core
+from .status import Status
+
+if TYPE_CHECKING:
+    from ._core import Told
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+async def _told(source: Pending | Statuses) -> None:
+    """Waits until there is something to poll."""
+    loop = asyncio.get_running_loop()
+    told = loop.create_future()
+
+    def finish() -> None:
+        if not told.done():
+            told.set_result(None)
+
+    def wake() -> None:
+        try:
+            loop.call_soon_threadsafe(finish)
+        except RuntimeError:
+            pass  # The loop is closed: nobody waits any more.
+
+    source.when_told(wake)
+    await told
+
+
+async def _over(pending: Pending, progress: Progress | None = None) -> Told:
+    while True:
+        await _told(pending)
+        part, told = pending.poll()
+        if told is not None:
+            return told
+        if part is not None and progress is not None:
+            progress(*part)
+
+
+async def _over_or_stopped(arm: Connection, pending: Pending, progress: Progress | None) -> Told:
+    """A task that is cancelled, or progress that raises, stops the arm."""
+    try:
+        return await _over(pending, progress)
+    except Error:
+        raise
+    except BaseException as error:
+        try:
+            await _over(arm._core.stop(f"a task was ended: {error!r}"))
+        except Error:
+            pass
+        raise
+
+
+def _awaited(
+    begin: Callable[Concatenate[Connection, P], Begun[T]],
+) -> Callable[Concatenate[Connection, P], Coroutine[Any, Any, T]]:
+    """The operation, as a coroutine. Where its task is cancelled, the arm is stopped."""
+
+    @wraps(begin)
+    async def call(arm: Connection, /, *args: P.args, **options: P.kwargs) -> T:
+        begun = begin(arm, *args, **options)
+        return begun.read(await _over_or_stopped(arm, begun.pending, begun.progress))
+
+    return call
+
+
+class AsyncArm(Connection):
+    """An arm whose operations are awaited. Tasks and loops may share it."""
+
+    async def __aenter__(self) -> AsyncArm:
+        return self
+
+    async def __aexit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        await self.close()
+
+    status = _awaited(operations.status)
+    move_to = _awaited(operations.move_to)
+    move_joints = _awaited(operations.move_joints)
+    suction = _awaited(operations.suction)
+    gripper = _awaited(operations.gripper)
+    speed = _awaited(operations.speed)
+    arm_laser = _awaited(operations.arm_laser)
+    disarm_laser = _awaited(operations.disarm_laser)
+    laser = _awaited(operations.laser)
+    draw = _awaited(operations.draw)
+    wait = _awaited(operations.wait)
+    stop = _awaited(operations.stop)
+    reset_stop = _awaited(operations.reset_stop)
+    confirm_pose = _awaited(operations.confirm_pose)
+
+    def jog(self, button: Button, speed: float = 50.0, *, at_most: float = 10.0) -> AsyncJog:
+        """Holds a button for as long as an ``async with`` lasts; otherwise as :meth:`Arm.jog`."""
+        return AsyncJog(self, button, speed, at_most)
+
+    async def statuses(self) -> AsyncIterator[Status]:
+        """Every status that the arm tells from now on, also while another task moves it."""
+        statuses = self._core.statuses()
+        while True:
+            told = statuses.poll()
+            if told is None:
+                await _told(statuses)
+            else:
+                yield Status(**told)
+
+    async def close(self) -> None:
+        """Lets go of the arm; leaving ``async with`` does it, too."""
+        await asyncio.to_thread(self._core.close)
+
+
+async def aconnect(
+    where: str, *, name: str = "python", token: str | None = None, dialect: str | None = None
+) -> AsyncArm:
+    """Connects with an arm for coroutines; otherwise as :func:`dobot_arm.connect`."""
+    found = core(where, name, token, dialect)
+    await _over(found.connected())
+    return AsyncArm(found)
+
+
+class AsyncJog:
+    """A jog button that is held for as long as an ``async with`` lasts."""
+
+    def __init__(self, arm: AsyncArm, button: Button, speed: float, at_most: float) -> None:
+        self._arm = arm
+        self._press = (button, speed, at_most)
+
+    async def __aenter__(self) -> None:
+        try:
+            await _over_or_stopped(self._arm, self._arm._core.press(*self._press), None)
+        except asyncio.CancelledError:
+            await self._let_go_quietly()
+            raise
+
+    async def __aexit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if error is None:
+            await _over(self._arm._core.release())
+        else:
+            await self._let_go_quietly()
+
+    async def _let_go_quietly(self) -> None:
+        """What went wrong before is what counts."""
+        try:
+            await _over(self._arm._core.release())
+        except Error:
+            pass

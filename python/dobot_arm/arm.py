@@ -1,0 +1,121 @@
+"""An arm for calls that wait."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import wraps
+from types import TracebackType
+from typing import Concatenate, ParamSpec, TypeVar
+
+from . import operations
+from .errors import Error
+from .operations import Begun, Button, Connection
+from .status import Status
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+
+def _waiting(
+    begin: Callable[Concatenate[Connection, P], Begun[T]],
+) -> Callable[Concatenate[Connection, P], T]:
+    """The operation, as a call that waits for its end."""
+
+    @wraps(begin)
+    def call(arm: Connection, /, *args: P.args, **options: P.kwargs) -> T:
+        begun = begin(arm, *args, **options)
+        return begun.read(begun.pending.wait(begun.progress))
+
+    return call
+
+
+class Arm(Connection):
+    """An arm. Threads may share it; a fork of the process may not use it."""
+
+    def __enter__(self) -> Arm:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    status = _waiting(operations.status)
+    move_to = _waiting(operations.move_to)
+    move_joints = _waiting(operations.move_joints)
+    suction = _waiting(operations.suction)
+    gripper = _waiting(operations.gripper)
+    speed = _waiting(operations.speed)
+    arm_laser = _waiting(operations.arm_laser)
+    disarm_laser = _waiting(operations.disarm_laser)
+    laser = _waiting(operations.laser)
+    draw = _waiting(operations.draw)
+    wait = _waiting(operations.wait)
+    stop = _waiting(operations.stop)
+    reset_stop = _waiting(operations.reset_stop)
+    confirm_pose = _waiting(operations.confirm_pose)
+
+    @property
+    def pose(self) -> Status:
+        """Where the tool is, in millimetres: ``x_mm``, ``y_mm``, ``z_mm``, ``rotation_deg``."""
+        return self.status()
+
+    @property
+    def joints(self) -> Status:
+        """The joint angles, in degrees: ``base_deg``, ``rear_deg``, ``fore_deg``, ``servo_deg``."""
+        return self.status()
+
+    def jog(self, button: Button, speed: float = 50.0, *, at_most: float = 10.0) -> Jog:
+        """Holds a button for as long as a ``with`` lasts, at ``speed`` percent.
+
+        It is let go when the ``with`` is left, when the program ends or hangs as a whole, and after
+        ``at_most`` seconds (0.02 to 60), which raises :class:`Failed` at the end of the ``with``.
+        ``arm.wait(...)`` and ``arm.statuses()`` go on meanwhile.
+        """
+        return Jog(self, button, speed, at_most)
+
+    def statuses(self) -> Iterator[Status]:
+        """Every status that the arm tells from now on, also while another thread moves it."""
+        statuses = self._core.statuses()
+        while True:
+            yield Status(**statuses.next())
+
+    def close(self) -> None:
+        """Lets go of the arm; leaving ``with`` does it, too."""
+        self._core.close()
+
+
+class Jog:
+    """A jog button that is held for as long as a ``with`` lasts."""
+
+    def __init__(self, arm: Arm, button: Button, speed: float, at_most: float) -> None:
+        self._arm = arm
+        self._press = (button, speed, at_most)
+
+    def __enter__(self) -> None:
+        try:
+            self._arm._core.press(*self._press).wait(None)
+        except KeyboardInterrupt:
+            self._let_go_quietly()
+            raise
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if error is None:
+            self._arm._core.release().wait(None)
+        else:
+            self._let_go_quietly()
+
+    def _let_go_quietly(self) -> None:
+        """What went wrong before is what counts."""
+        try:
+            self._arm._core.release().wait(None)
+        except Error:
+            pass

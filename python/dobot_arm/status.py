@@ -1,0 +1,21 @@
+"""What an arm tells."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Status:
+    """Where the arm is and what its tool does, in millimetres and degrees."""
+
+    x_mm: float
+    y_mm: float
+    z_mm: float
+    rotation_deg: float
+    base_deg: float
+    rear_deg: float
+    fore_deg: float
+    servo_deg: float
+    suction: bool
+    gripper_deg: float
