@@ -48,7 +48,7 @@ pub use problem::Problem;
 #[cfg(feature = "remote")]
 pub use remote::{
     CertificateTrust, ConnectError, Remote, RemoteError, StationAddress, StationAddressError,
-    StationEvent, TrustError, fetch, fingerprint, is_station,
+    StationEvent, TrustError, fetch, fingerprint, is_station, post,
 };
 pub use reply::Reply;
 pub use request::{Jog, Request};

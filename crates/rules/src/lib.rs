@@ -58,6 +58,7 @@ mod recording;
 mod refusal;
 mod service_manager;
 mod supervisor;
+mod target;
 mod text;
 mod virtual_station;
 
@@ -77,6 +78,7 @@ pub use predict::{Prediction, predict};
 pub use refusal::{Holder, Refusal};
 pub use service_manager::{Notification, ServiceManager};
 pub use supervisor::{Begun, Effect, JobPlan, Supervisor};
+pub use target::{Target, TargetPlace};
 pub use text::is_plain;
 pub(crate) use text::plain;
 pub use virtual_station::VirtualStation;

@@ -4,8 +4,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
-use dobot_rules::StationClient;
-use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, Status};
+use dobot_rules::{StationClient, Target, TargetPlace};
+use dobot_wire::{Command, MovingMode, Status};
 
 use crate::connect::To;
 use crate::control::carry_out_one;
@@ -70,39 +70,30 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 
 impl Args {
     fn command(&self, from: &Status) -> Result<Command, Failure> {
-        let suction = self.suction.unwrap_or(from.suction);
-        let gripper_deg = self.gripper.unwrap_or(from.gripper_deg);
         let servo_deg = self.servo.unwrap_or(from.servo_deg);
-        if let Some(joints) = &self.joints {
+        let place = if let Some(joints) = &self.joints {
             let [base_deg, rear_deg, fore_deg] = three(joints);
             check_joints([base_deg, rear_deg, fore_deg, servo_deg]).map_err(out_of_reach)?;
-            return Ok(MoveJoints {
-                base_deg,
-                rear_deg,
-                fore_deg,
-                servo_deg,
-                suction,
-                mode: self.path.0,
-                gripper_deg,
-                pause_s: self.pause,
+            TargetPlace::Joints([base_deg, rear_deg, fore_deg])
+        } else {
+            TargetPlace::Point {
+                at_mm: three(&self.point),
+                rotation_deg: self.rotation,
             }
-            .into());
-        }
-        let [x_mm, y_mm, z_mm] = three(&self.point);
-        let base_deg = y_mm.atan2(x_mm).to_degrees();
-        let rotation_deg = self.rotation.unwrap_or(base_deg + servo_deg);
-        check_point([x_mm, y_mm, z_mm], rotation_deg).map_err(out_of_reach)?;
-        Ok(MoveTo {
-            x_mm,
-            y_mm,
-            z_mm,
-            rotation_deg,
-            suction,
+        };
+        let target = Target {
+            place,
+            servo_deg: self.servo,
             mode: self.path.0,
-            gripper_deg,
+            suction: self.suction,
+            gripper_deg: self.gripper,
             pause_s: self.pause,
+        };
+        let command = target.command(from);
+        if let Command::MoveTo(it) = &command {
+            check_point([it.x_mm, it.y_mm, it.z_mm], it.rotation_deg).map_err(out_of_reach)?;
         }
-        .into())
+        Ok(command)
     }
 }
 
