@@ -1,9 +1,5 @@
 //! A Dobot Arm as tools for agents (Model Context Protocol).
 //!
-//! ```text
-//!   agent --- stdin, stdout ---> Agents --- a connection for each call ---> station
-//! ```
-//!
 //! Each call opens a connection of its own with a station that runs, so that a stop always gets through beside what is
 //! under way. All rules are the station's. A call that the agent gives up, or whose agent is gone, stops the arm.
 //!
