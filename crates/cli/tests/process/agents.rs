@@ -30,7 +30,7 @@ impl Desk {
         let to = format!("tcp:{wire}");
         let up = Up::with_arm(&["--arm", &to], &["--dialect", "specification"]);
         while up.json(&["status", "--count", "1"])["x_mm"].is_null() {}
-        up.dobot(&["confirm"]).succeeds();
+        up.dobot(&["confirm", "--pose-confirmed"]).succeeds();
         Self {
             up,
             passed,
@@ -367,6 +367,7 @@ async fn a_program_is_checked_and_run_to_its_end() {
 #[tokio::test(flavor = "multi_thread")]
 async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
     let up = Up::new(&["--speed", "5"]);
+    up.json(&["status", "--count", "1"]);
     let folder = tempfile::tempdir().expect("there is room");
     let inside = folder.path().join("inside");
     std::fs::create_dir(&inside).expect("there is room");
