@@ -30,12 +30,15 @@ impl Desk {
         let to = format!("tcp:{wire}");
         let up = Up::with_arm(&["--arm", &to], &["--dialect", "specification"]);
         while up.json(&["status", "--count", "1"])["x_mm"].is_null() {}
-        up.dobot(&["confirm", "--pose-confirmed"]).succeeds();
-        Self {
+        up.dobot(&["move", "200", "0", "30", "--pose-confirmed"])
+            .succeeds();
+        let desk = Self {
             up,
             passed,
             _arm: arm,
-        }
+        };
+        desk.got();
+        desk
     }
 
     /// What the arm got since this was asked last.
@@ -352,6 +355,7 @@ async fn only_queues(desk: &Desk, agent: &Agent) {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_program_is_checked_and_run_to_its_end() {
     let up = Up::new(&["--speed", "5"]);
+    up.json(&["status", "--count", "1"]);
     let agent = Agent::new(&up, &[]).await;
     let program =
         json!({"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
@@ -403,6 +407,7 @@ async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
 #[tokio::test(flavor = "multi_thread")]
 async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
     let up = Up::new(&[]);
+    up.json(&["status", "--count", "1"]);
     let mut killed = Going::talking(up.command(&["mcp"]));
     killed.says(r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"killed","version":"1"}}}"#);
     killed.reads("serverInfo");
