@@ -211,7 +211,7 @@ async fn arguments_that_make_no_sense_are_told_and_move_nothing() {
             "run_program",
             json!({"program": {"text": "steps = 3"}}),
             "bad-program",
-            "steps",
+            "line 1",
         ),
         (
             "change_job",
@@ -344,7 +344,8 @@ async fn only_queues(desk: &Desk, agent: &Agent) {
     let draw = json!({"drawing": planned["drawing"]});
     let queued = Agent::done(agent.call("draw", draw).await);
     assert_eq!(queued["job"]["phase"], "queued", "{queued}");
-    let program = json!({"text": "[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
+    let program =
+        json!({"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
     let run = agent.call("run_program", json!({"program": program})).await;
     assert_eq!(Agent::done(run)["job"]["phase"], "queued");
     let resume = json!({"job": queued["job"]["job"], "action": "resume"});
