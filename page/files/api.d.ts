@@ -4192,7 +4192,7 @@ export interface components {
             role: components["schemas"]["Role"];
         };
         /** @description What a client may do; each role may do what those before it may. */
-        Role: "watch" | "control" | "admin";
+        Role: "watch" | "queue" | "control" | "admin";
         /** @description A token that was just made. */
         NewToken: {
             /** @description Who it is for. */

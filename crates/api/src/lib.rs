@@ -51,7 +51,7 @@ pub use problem::Problem;
 pub use remote::{
     CertificateTrust, ConnectError, Remote, RemoteError, SearchError, StationAddress,
     StationAddressError, StationEvent, StationSearch, TrustError, fetch, fingerprint, is_station,
-    running,
+    post, running,
 };
 pub use reply::Reply;
 pub use request::{Jog, Request};

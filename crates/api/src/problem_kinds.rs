@@ -75,7 +75,7 @@ kinds! {
     UNAUTHORISED = 401 "unauthorised" "this takes a token"
         "The station does not know who asks. Send a token as `Authorization: Bearer <token>`; a WebSocket of a browser offers the subprotocol `dobot.token.<token>`. Tokens are made on the station's machine, and a wrong one is refused even where none is needed.";
     ROLE = 403 "role" "the role does not allow this"
-        "Tokens come with a role: watch sees everything and may stop the arm, control may move it, admin may also choose the dialect and take control from somebody.";
+        "Tokens come with a role: watch sees everything and may stop the arm, queue may also queue jobs that a person starts, control may move it, admin may also choose the dialect and take control from somebody.";
     FORBIDDEN_HOST = 403 "forbidden-host" "the station does not go by this name"
         "The Host header is not a name or address of this station. That protects from pages that let their own name lead to your machine. Use the address that the station printed, or tell the station its name.";
     FORBIDDEN_ORIGIN = 403 "forbidden-origin" "another site's page may not do this"

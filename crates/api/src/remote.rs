@@ -22,7 +22,7 @@ use self::stream::{Bytes, open, soon};
 use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient};
 
 pub use self::address::{CertificateTrust, StationAddress, StationAddressError, fingerprint};
-pub use self::fetch::{fetch, is_station};
+pub use self::fetch::{fetch, is_station, post};
 pub use self::find::{SearchError, StationSearch, running};
 pub use self::stream::ConnectError;
 pub use self::trust::TrustError;

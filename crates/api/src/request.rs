@@ -172,6 +172,7 @@ impl Request {
     pub const fn role(&self) -> Role {
         match self {
             Self::Stop { .. } | Self::CheckCommand { .. } => Role::Watch,
+            Self::SubmitJob { .. } | Self::QueueAgain { .. } => Role::Queue,
             Self::SetDialect { .. } | Self::Calibrate { .. } | Self::SeizeLease => Role::Admin,
             _ => Role::Control,
         }
@@ -196,5 +197,26 @@ impl Jog {
             Self::Joint(jog) => jog.into(),
             Self::Linear(jog) => jog.into(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn jobs_are_queued_with_less_than_it_takes_to_start_them() {
+        let again = Request::QueueAgain { job: 1, key: None };
+        assert_eq!(again.role(), Role::Queue);
+        for request in [
+            Request::StartJob { job: 1 },
+            Request::StepJob { job: 1 },
+            Request::ResetStop,
+            Request::TakeLease,
+            Request::ConfirmPose,
+        ] {
+            assert_eq!(request.role(), Role::Control, "{request:?}");
+        }
+        assert_eq!(Request::Stop { reason: None }.role(), Role::Watch);
     }
 }

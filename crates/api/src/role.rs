@@ -14,6 +14,8 @@ use serde::{Deserialize, Serialize};
 pub enum Role {
     /// See everything, and stop the arm.
     Watch,
+    /// Besides: queue drawings and programs as jobs; a person starts each.
+    Queue,
     /// Move the arm, while holding the lease.
     Control,
     /// Besides: say which dialect the arm speaks, and take the lease from somebody.
@@ -22,13 +24,14 @@ pub enum Role {
 
 impl Role {
     /// All roles, the least first.
-    pub const ALL: [Self; 3] = [Self::Watch, Self::Control, Self::Admin];
+    pub const ALL: [Self; 4] = [Self::Watch, Self::Queue, Self::Control, Self::Admin];
 
     /// Its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Watch => "watch",
+            Self::Queue => "queue",
             Self::Control => "control",
             Self::Admin => "admin",
         }
@@ -52,5 +55,5 @@ impl FromStr for Role {
 
 /// A name that no role has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no such role; the roles are watch, control and admin")]
+#[error("there is no such role; the roles are watch, queue, control and admin")]
 pub struct UnknownRole;

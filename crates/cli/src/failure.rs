@@ -25,6 +25,17 @@ impl Failure {
         }
     }
 
+    /// What went wrong, in one line.
+    pub(crate) fn detail(&self) -> String {
+        format!("{:#}", self.error)
+    }
+
+    /// What to do about it.
+    pub(crate) fn hint(&self) -> Option<String> {
+        let causes = self.error.chain().find_map(known_hint);
+        self.hint.clone().or(causes)
+    }
+
     /// Tells the person, and gives the exit code. Output that nobody wants to read any more, as
     /// with `dobot decode FILE | head`, is no failure.
     pub(crate) fn report(&self, log: LogFormat) -> ExitCode {
@@ -36,10 +47,10 @@ impl Failure {
         if causes().any(unread) {
             return ExitCode::SUCCESS;
         }
-        let hint = self.hint.clone().or_else(|| causes().find_map(known_hint));
+        let hint = self.hint();
         match log {
             LogFormat::Text => {
-                eprintln!("error: {:#}", self.error);
+                eprintln!("error: {}", self.detail());
                 hint.inspect(|it| eprintln!("hint: {it}"));
             }
             LogFormat::Json => tracing::error!(hint, "{:#}", self.error),

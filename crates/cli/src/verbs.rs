@@ -19,6 +19,7 @@ mod lease;
 mod log;
 mod man;
 mod materials;
+mod mcp;
 mod model;
 mod mouse;
 mod move_;
@@ -77,6 +78,7 @@ pub(crate) enum Verb {
     Watch(watch::Args),
     Jobs(jobs::Args),
     Play(Box<play::Args>),
+    Mcp(mcp::Args),
     Lease(lease::Args),
     Confirm(confirm::Args),
     Detect(detect::Args),
@@ -131,6 +133,7 @@ impl Verb {
             Self::Watch(args) => wait_for(watch::run(args)),
             Self::Jobs(args) => wait_for(jobs::run(args)),
             Self::Play(args) => wait_for(play::run(*args)),
+            Self::Mcp(args) => wait_for(mcp::run(args)),
             Self::Lease(args) => wait_for(lease::run(args)),
             Self::Confirm(args) => wait_for(confirm::run(args)),
             Self::Detect(args) => wait_for(detect::run(args)),

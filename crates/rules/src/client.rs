@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use dobot_api::{
     ClientId, ConnectError, JobPhase, JobView, LinkPhase, NewJob, News, Notice, Problem, Remote,
-    RemoteError, Reply, Request, State, StationAddress, StationEvent, fetch,
+    RemoteError, Reply, Request, Role, State, StationAddress, StationEvent, fetch,
 };
 use dobot_client::Address;
 use dobot_controller::PowerUp;
@@ -322,6 +322,15 @@ impl StationClient {
             ClientRoute::Running(remote, _) => remote.hello().client,
             ClientRoute::Local(local) => local.id(),
             ClientRoute::Virtual(station) => station.id(),
+        }
+    }
+
+    /// What it may do.
+    #[must_use]
+    pub const fn role(&self) -> Role {
+        match &self.way {
+            ClientRoute::Running(remote, _) => remote.hello().role,
+            ClientRoute::Local(_) | ClientRoute::Virtual(_) => Role::Admin,
         }
     }
 

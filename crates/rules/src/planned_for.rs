@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use dobot_api::{CalibrationFile, State};
+use dobot_api::{CalibrationFile, JobProgram, NewJob, State};
 use dobot_arm::Calibration;
 use dobot_trajectory::Model;
 use dobot_wire::{Dialect, Status};
 
-use crate::Rules;
+use crate::{JobPlan, Refusal, Rules};
 
 /// For which arm something is planned, as it stands, and by which rules.
 #[derive(Clone, Debug)]
@@ -61,6 +61,15 @@ impl PlannedFor {
         known
             .as_ref()
             .map_or(Calibration::NONE, CalibrationFile::arm)
+    }
+
+    /// Why the rules do not let the arm do a job from where it stands, if they do not.
+    #[must_use]
+    pub fn refuses(&self, job: &NewJob) -> Option<Refusal> {
+        let commands = job.commands.clone();
+        let plain = JobProgram::default();
+        let policy = &self.rules.policy;
+        JobPlan::new(policy, self.model(), commands, &[], job.lift_mm, 0, &plain).err()
     }
 
     /// The arm where it stands, as it is when it has just been switched on.

@@ -30,6 +30,7 @@ test("the arm can be moved by hand where nobody or this page has control, and no
   assert.equal(hindrance(told({ trust: { trusted: false, reason: "reset" } })), "not_confirmed");
   assert.equal(hindrance(told({ link: { ...STATION.link, phase: "lost" } })), "no_arm");
   assert.equal(hindrance(after([{ type: "hello", client: 7, role: "watch", version: "1", now_ms: 0 }], OPEN)), "watching_only");
+  assert.equal(hindrance(after([{ type: "hello", client: 7, role: "queue", version: "1", now_ms: 0 }], OPEN)), "queueing_only");
   assert.equal(hindrance(after([{ type: "closed", needs_token: false }], OPEN)), "no_connection");
 });
 

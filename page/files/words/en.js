@@ -86,6 +86,7 @@ export const en = {
   "hindrance.not_confirmed": "The pose is not confirmed.",
   "hindrance.job_runs": "A job has the arm.",
   "hindrance.others_control": "Somebody else has control: ask for it above.",
+  "hindrance.queueing_only": "Your token is for watching and for queueing jobs only.",
   "hindrance.watching_only": "Your token is for watching only.",
 
   "jog": "Jog",
@@ -414,6 +415,7 @@ export const en = {
   "tokens.remove": "Remove {name}",
   "tokens.loopback": "This page was opened at an address of this computer alone. For a phone, start the station with --http 0.0.0.0:8642 and open the page at its network address.",
   "role.watch": "to watch",
+  "role.queue": "to queue jobs that a person starts",
   "role.control": "to move the arm",
   "role.admin": "everything",
   "faults": "Faults",

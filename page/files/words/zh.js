@@ -87,6 +87,7 @@ export const zh = {
   "hindrance.not_confirmed": "位姿尚未确认。",
   "hindrance.job_runs": "任务正在使用机械臂。",
   "hindrance.others_control": "他人正在控制:可在上方请求控制权。",
+  "hindrance.queueing_only": "您的令牌只能观看和提交任务。",
   "hindrance.watching_only": "您的令牌只能观看。",
 
   "jog": "点动",
@@ -415,6 +416,7 @@ export const zh = {
   "tokens.remove": "移除 {name}",
   "tokens.loopback": "本页是用仅限本机的地址打开的。要用手机,请以 --http 0.0.0.0:8642 启动服务,并用网络地址打开本页。",
   "role.watch": "观看",
+  "role.queue": "提交任务（由人启动）",
   "role.control": "移动机械臂",
   "role.admin": "全部",
   "faults": "故障",

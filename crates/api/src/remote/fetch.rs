@@ -1,5 +1,6 @@
 //! A single question over HTTP, for what is not asked over the WebSocket.
 
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 
@@ -16,9 +17,31 @@ pub async fn fetch<T: DeserializeOwned>(
     address: &StationAddress,
     path: &str,
 ) -> Result<T, ConnectError> {
-    let answer = soon(address, ask(address, path)).await?;
+    answered(address, &question(address, "GET", path, "")).await
+}
+
+/// Sends a document to the API, such as a program to `/api/v1/programs/check`.
+///
+/// # Errors
+///
+/// [`ConnectError`] where the station cannot be reached or refuses.
+pub async fn post<T: DeserializeOwned>(
+    address: &StationAddress,
+    path: &str,
+    document: &impl Serialize,
+) -> Result<T, ConnectError> {
+    let body = serde_json::to_string(document);
+    let body = body.map_err(|it| ConnectError::no_station(address, it))?;
+    answered(address, &question(address, "POST", path, &body)).await
+}
+
+async fn answered<T: DeserializeOwned>(
+    address: &StationAddress,
+    question: &str,
+) -> Result<T, ConnectError> {
+    let answer = soon(address, ask(address, question)).await?;
     let (status, body) = split(&answer).ok_or_else(|| ConnectError::no_station(address, SPEECH))?;
-    if status == 200 {
+    if (200..300).contains(&status) {
         return serde_json::from_slice(body).map_err(|it| ConnectError::no_station(address, it));
     }
     Err(refused(address, status, body))
@@ -39,10 +62,9 @@ pub(super) fn refused(address: &StationAddress, status: u16, body: &[u8]) -> Con
 }
 
 /// One question on a connection of its own; in HTTP 1.0, the answer ends with the connection.
-async fn ask(address: &StationAddress, path: &str) -> Result<Vec<u8>, ConnectError> {
+async fn ask(address: &StationAddress, question: &str) -> Result<Vec<u8>, ConnectError> {
     let broken = |it| ConnectError::no_station(address, it);
     let mut stream = open(address).await?;
-    let question = question(address, path);
     stream
         .write_all(question.as_bytes())
         .await
@@ -53,14 +75,18 @@ async fn ask(address: &StationAddress, path: &str) -> Result<Vec<u8>, ConnectErr
     Ok(answer)
 }
 
-fn question(address: &StationAddress, path: &str) -> String {
+fn question(address: &StationAddress, method: &str, path: &str, body: &str) -> String {
     let host = address.authority();
     let authorization = match &address.token {
         Some(token) => format!("Authorization: Bearer {token}\r\n"),
         None => String::new(),
     };
+    let content = match body.len() {
+        0 => String::new(),
+        length => format!("Content-Type: application/json\r\nContent-Length: {length}\r\n"),
+    };
     format!(
-        "GET {path} HTTP/1.0\r\nHost: {host}\r\nAccept: application/json\r\n{authorization}\r\n"
+        "{method} {path} HTTP/1.0\r\nHost: {host}\r\nAccept: application/json\r\n{content}{authorization}\r\n{body}"
     )
 }
 

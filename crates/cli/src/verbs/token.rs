@@ -15,6 +15,7 @@ use crate::reach::folders;
 #[command(after_help = "\
 Examples:
   dobot token add control plotter      a token for a client that moves the arm
+  dobot token add queue agent          ... for one that queues drawings and programs, which a person starts
   dobot token add watch hall-screen    ... and for one that only watches (it may stop the arm, as anybody may)
   dobot token list
   dobot token remove plotter
@@ -33,7 +34,7 @@ pub(crate) struct Args {
 enum Action {
     /// Make a token and show it, this once
     Add {
-        /// What its holder may do: watch, control or admin
+        /// What its holder may do: watch, queue, control or admin
         role: Role,
         /// Who it is for
         name: String,

@@ -1,5 +1,7 @@
 //! A `dobot` that goes on while a test talks to it.
 
+#[cfg(unix)]
+use std::io::Write;
 use std::io::{BufRead, BufReader};
 use std::process::{Child, ChildStderr, ChildStdout, Command, Stdio};
 
@@ -25,9 +27,26 @@ impl Going {
         (going, BufReader::new(errors))
     }
 
-    fn start(mut command: Command, errors: Stdio) -> Self {
+    /// One that is talked to.
+    #[cfg(unix)]
+    pub(crate) fn talking(command: Command) -> Self {
+        Self::start_with(command, Stdio::piped(), Stdio::null())
+    }
+
+    /// Says a line to it.
+    #[cfg(unix)]
+    pub(crate) fn says(&mut self, line: &str) {
+        let input = self.child.stdin.as_mut().expect("it is piped");
+        writeln!(input, "{line}").expect("it is heard");
+    }
+
+    fn start(command: Command, errors: Stdio) -> Self {
+        Self::start_with(command, Stdio::null(), errors)
+    }
+
+    fn start_with(mut command: Command, input: Stdio, errors: Stdio) -> Self {
         let mut child = command
-            .stdin(Stdio::null())
+            .stdin(input)
             .stdout(Stdio::piped())
             .stderr(errors)
             .spawn()

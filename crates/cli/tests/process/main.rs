@@ -1,5 +1,7 @@
 //! The program as a process: exit codes, standard output and errors.
 
+#[cfg(unix)]
+mod agents;
 mod arguments;
 mod calibrating;
 mod conformance;

@@ -47,15 +47,15 @@ impl Up {
         }
     }
 
-    fn command(&self, arguments: &[&str]) -> std::process::Command {
+    pub(crate) fn command(&self, arguments: &[&str]) -> std::process::Command {
         command_at(self.folder.path(), arguments)
     }
 
-    fn dobot(&self, arguments: &[&str]) -> Outcome {
+    pub(crate) fn dobot(&self, arguments: &[&str]) -> Outcome {
         run(&mut self.command(arguments), b"")
     }
 
-    fn json(&self, arguments: &[&str]) -> Value {
+    pub(crate) fn json(&self, arguments: &[&str]) -> Value {
         let outcome = self.dobot(&[arguments, &["--json"]].concat()).succeeds();
         serde_json::from_str(&outcome.stdout).expect("it is JSON")
     }

@@ -53,7 +53,7 @@ pub(super) fn document() -> Value {
                 "token": {
                     "type": "http",
                     "scheme": "bearer",
-                    "description": "A token of the role watch, control or admin. On loopback the station may do without.",
+                    "description": "A token of the role watch, queue, control or admin. On loopback the station may do without.",
                 },
             },
         },

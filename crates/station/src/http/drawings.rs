@@ -6,15 +6,13 @@ use std::time::Duration;
 
 use axum::body::Bytes;
 use dobot_api::problem_kinds::{BAD_DRAWING, DRAWING_PHASE, NO_SUCH_DRAWING, TOO_MANY};
-use dobot_api::{JobProgram, NewJob, Problem};
+use dobot_api::{NewJob, Problem};
 use dobot_draw::{
     DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
     frame,
 };
 use dobot_rules::PlannedFor;
-use dobot_rules::{JobPlan, drawing_job};
-use dobot_safety::Policy;
-use dobot_trajectory::Model;
+use dobot_rules::drawing_job;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tokio::sync::{Semaphore, watch};
@@ -394,7 +392,7 @@ impl Work {
                 burns: plan.burns(),
                 warnings: prepared.warnings.iter().map(ToString::to_string).collect(),
                 pauses: whole.pauses.iter().map(|it| it.message.clone()).collect(),
-                refused: refused(&arm.rules.policy, arm.model(), &whole),
+                refused: arm.refuses(&whole).map(Problem::from),
                 timeline: prepared.timeline(),
             }),
         };
@@ -404,14 +402,6 @@ impl Work {
             frame: frame.map_err(|why| why.to_string()),
         })
     }
-}
-
-/// Why the policy does not allow a job.
-fn refused(policy: &Policy, model: Model, job: &NewJob) -> Option<Problem> {
-    let plain = JobProgram::default();
-    let commands = job.commands.clone();
-    let plan = JobPlan::new(policy, model, commands, &[], job.lift_mm, 0, &plain);
-    plan.err().map(Problem::from)
 }
 
 /// The pens and materials that a drawing can name.

@@ -120,7 +120,7 @@ pub(super) async fn upgrade(
     let place = app.place()?;
     let name = wants.name.clone().unwrap_or(caller.name);
     let client = app.handle.client(&name, caller.role).await?;
-    let largest = if caller.role >= Role::Control {
+    let largest = if caller.role >= Role::Queue {
         JOB
     } else {
         BODY

@@ -8,7 +8,7 @@ import { refusal } from "./arm.js";
 /** @typedef {import("../../state/types.js").Role} Role */
 
 /** @type {readonly Role[]} */
-const ROLES = ["watch", "control", "admin"];
+const ROLES = ["watch", "queue", "control", "admin"];
 
 /** An address as a QR code. @param {string} text @param {string} label */
 function qr(text, label) {

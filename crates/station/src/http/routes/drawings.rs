@@ -94,7 +94,7 @@ struct DrawingJob {
 }
 
 async fn begin(asker: Asker, Body(new): Body<NewDrawing, FILE>) -> Result<Response, NotDone> {
-    asker.check_role(Role::Control)?;
+    asker.check_role(Role::Queue)?;
     let app = &asker.app;
     let view = app.drawings.begin(new, app.planned_for())?;
     let place = format!("/api/v1/drawings/{}", view.drawing);
@@ -106,7 +106,7 @@ async fn view(State(app): State<Arc<App>>, Number(drawing): Number) -> Result<Re
 }
 
 async fn forget(asker: Asker, Number(drawing): Number) -> Result<StatusCode, NotDone> {
-    asker.check_role(Role::Control)?;
+    asker.check_role(Role::Queue)?;
     asker.app.drawings.forget(drawing)?;
     Ok(StatusCode::NO_CONTENT)
 }

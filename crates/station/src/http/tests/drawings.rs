@@ -1,6 +1,7 @@
 //! Drawings over HTTP: planned, looked at, given up, made into jobs.
 
-use dobot_api::Request;
+use axum::body::Body;
+use dobot_api::{Request, Role};
 use serde_json::{Value, json};
 
 use super::{Answer, Harness};
@@ -181,4 +182,25 @@ async fn the_pens_and_materials_are_told_by_name() {
         .value();
     let pen = json!({"name": "fineliner", "tool": "pen"});
     assert!(all.as_array().unwrap().contains(&pen), "{all}");
+}
+
+#[tokio::test]
+async fn who_may_queue_jobs_plans_drawings_and_who_only_watches_does_not() {
+    let harness = Harness::far();
+    let body = json!({"options": {"what": {"text": "Hi"}, "place": {"pen_down": -30}}});
+    let begin = async |role| {
+        let request = harness
+            .request("POST", "/api/v1/drawings")
+            .header("authorization", harness.bearer(role))
+            .header("content-type", "application/json")
+            .body(Body::from(body.to_string()));
+        harness.send(request.unwrap()).await
+    };
+    begin(Role::Watch).await.is(403).is_problem("role");
+    let number = begin(Role::Queue).await.is(202).value()["drawing"].clone();
+    let forget = harness
+        .request("DELETE", &format!("/api/v1/drawings/{number}"))
+        .header("authorization", harness.bearer(Role::Queue))
+        .body(Body::empty());
+    harness.send(forget.unwrap()).await.is(204);
 }

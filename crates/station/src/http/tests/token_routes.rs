@@ -34,7 +34,7 @@ async fn an_administrator_makes_and_removes_tokens_whose_secrets_are_shown_once(
 #[tokio::test]
 async fn nobody_else_sees_or_makes_tokens() {
     let harness = Harness::far();
-    for role in [Role::Watch, Role::Control] {
+    for role in [Role::Watch, Role::Queue, Role::Control] {
         for (method, path) in [
             ("GET", "/api/v1/tokens"),
             ("DELETE", "/api/v1/tokens/admin"),

@@ -1,0 +1,56 @@
+//! `dobot mcp`: the arm as tools for an agent.
+
+use std::path::PathBuf;
+
+use dobot_mcp::{Agents, FilesFolder, NoStation, Settings, serve};
+use tokio::sync::watch;
+
+use crate::failure::Failure;
+use crate::interrupt::interrupt;
+use crate::reach::Station;
+
+/// Give the arm of a station to an agent, as tools of the Model Context Protocol
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot mcp                            for the agent that starts it; its standard output belongs to the protocol
+  dobot mcp --ask                      drawings and programs are queued, and a person starts each on the page
+  dobot mcp --files ~/drawings         the agent may draw and run what is in this folder
+  DOBOT_TOKEN=... dobot mcp --station https://lab.example:8642
+
+A station runs beside it: `dobot up`. All of its rules hold, and the laser is never armed. What the agent gives up, or
+leaves under way when it ends, stops the arm.")]
+pub(crate) struct Args {
+    /// Queue drawings and programs only, for a person to start; other motion is refused
+    #[arg(long)]
+    ask: bool,
+    /// The folder whose files the agent may draw and run
+    #[arg(long, value_name = "FOLDER")]
+    files: Option<PathBuf>,
+    #[command(flatten)]
+    station: Station,
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let station = args.station;
+    let mut settings = Settings::finding(move || {
+        let station = station.clone();
+        async move {
+            let found = station.address_of_running().await;
+            found.map_err(|failure| NoStation {
+                detail: failure.detail(),
+                hint: failure.hint(),
+            })
+        }
+    });
+    settings.asks = args.ask;
+    settings.files = args.files.as_deref().map(FilesFolder::new).transpose()?;
+    let (end, ending) = watch::channel(false);
+    let interrupted = interrupt();
+    tokio::spawn(async move {
+        interrupted.await;
+        end.send_replace(true);
+    });
+    let agents = Agents::new(settings);
+    Ok(serve(agents, tokio::io::stdin(), tokio::io::stdout(), ending).await?)
+}

@@ -1,0 +1,443 @@
+//! `dobot mcp`, with the client of the protocol's own library.
+
+use std::sync::mpsc::Receiver;
+
+use dobot_wire::Command;
+use rmcp::model::{CallToolRequest, CallToolRequestParams, CallToolResult, ClientRequest};
+use rmcp::service::{PeerRequestOptions, RunningService};
+use rmcp::transport::TokioChildProcess;
+use rmcp::{RoleClient, ServiceExt};
+use serde_json::{Value, json};
+
+use crate::going::Going;
+use crate::program::command;
+use crate::stations::Up;
+use crate::wire::{Passed, wire};
+
+/// A station whose arm is at the end of a wire that tells what passes it.
+struct Desk {
+    up: Up,
+    passed: Receiver<Passed>,
+    _arm: Going,
+}
+
+impl Desk {
+    fn new() -> Self {
+        let mut arm = Going::new(command(&["arm", "--tcp", "127.0.0.1:0", "--speed", "4"]));
+        let address = arm.address();
+        let address = address.trim_start_matches("tcp:");
+        let (wire, passed) = wire(address.parse().expect("an address"));
+        let to = format!("tcp:{wire}");
+        let up = Up::with_arm(&["--arm", &to], &["--dialect", "specification"]);
+        while up.json(&["status", "--count", "1"])["x_mm"].is_null() {}
+        up.dobot(&["move", "200", "0", "30", "--pose-confirmed"])
+            .succeeds();
+        let desk = Self {
+            up,
+            passed,
+            _arm: arm,
+        };
+        desk.got();
+        desk
+    }
+
+    /// What the arm got since this was asked last.
+    fn got(&self) -> Vec<Command> {
+        let of_arm = |it| match it {
+            Passed::ToArm(_, command) => Some(command),
+            Passed::FromArm(..) | Passed::Opened => None,
+        };
+        self.passed.try_iter().filter_map(of_arm).collect()
+    }
+
+    /// Until the arm gets a vector.
+    fn draws(&self) {
+        loop {
+            let passed = self.passed.recv().expect("the wire is there");
+            if matches!(passed, Passed::ToArm(_, Command::WriteVector(_))) {
+                return;
+            }
+        }
+    }
+}
+
+struct Agent(RunningService<RoleClient, ()>);
+
+impl Agent {
+    async fn new(up: &Up, arguments: &[&str]) -> Self {
+        Self::of(up.command(&[&["mcp"], arguments].concat())).await
+    }
+
+    async fn of(command: std::process::Command) -> Self {
+        let child = TokioChildProcess::new(tokio::process::Command::from(command));
+        let client = ().serve(child.expect("it starts")).await;
+        Self(client.expect("it greets"))
+    }
+
+    async fn call(&self, tool: &'static str, arguments: Value) -> CallToolResult {
+        let params = params(tool, arguments);
+        self.0.call_tool(params).await.expect("it answers")
+    }
+
+    /// What a tool answers that does what it is asked for.
+    #[track_caller]
+    fn done(result: CallToolResult) -> Value {
+        assert_eq!(result.is_error, Some(false), "{result:?}");
+        result.structured_content.expect("it is structured")
+    }
+
+    /// What a tool answers that refuses.
+    #[track_caller]
+    fn refused(result: CallToolResult, kind: &str) -> Value {
+        assert_eq!(result.is_error, Some(true), "{result:?}");
+        let refused = result.structured_content.expect("it is structured");
+        assert_eq!(refused["kind"], kind, "{refused}");
+        refused
+    }
+
+    async fn plans(&self, arguments: Value) -> Value {
+        Self::done(self.call("plan_drawing", arguments).await)
+    }
+}
+
+fn params(tool: &'static str, arguments: Value) -> CallToolRequestParams {
+    let arguments = arguments.as_object().expect("it is an object").clone();
+    CallToolRequestParams::new(tool).with_arguments(arguments)
+}
+
+fn square() -> Value {
+    let svg = std::fs::read_to_string(crate::program::example("square.svg"));
+    json!({"svg": svg.expect("it is there"), "options": {"place": {"pen_down": -40}}})
+}
+
+fn is_vector(it: &Command) -> bool {
+    matches!(it, Command::WriteVector(_))
+}
+
+fn is_motion(it: &Command) -> bool {
+    is_vector(it) || matches!(it, Command::MoveTo(_) | Command::MoveJoints(_))
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn an_agent_looks_checks_a_move_and_moves_and_what_is_refused_reaches_no_arm() {
+    let desk = Desk::new();
+    let agent = Agent::new(&desk.up, &[]).await;
+    let seen = Agent::done(agent.call("look", json!({})).await);
+    assert_eq!(seen["alarms"], json!([]), "{seen}");
+    assert!(seen["arm"]["x_mm"].is_number(), "{seen}");
+    let to = json!({"x_mm": 220, "y_mm": -30, "z_mm": 20, "path": "movj"});
+    let way = Agent::done(agent.call("check_move", json!({"move_to": to})).await);
+    assert!(way["takes_s"].as_f64().expect("a number") > 0.0, "{way}");
+    assert!(!desk.got().iter().any(is_motion));
+    let moved = Agent::done(agent.call("move_to", to).await);
+    let y_mm = moved["arm"]["y_mm"].as_f64().expect("a number");
+    assert!((y_mm + 30.0).abs() < 0.1, "{moved}");
+    let is_there = |it: &Command| matches!(it, Command::MoveTo(it) if it.x_mm == 220.0);
+    assert!(desk.got().iter().any(is_there));
+    let into_the_table = json!({"x_mm": 220, "y_mm": 0, "z_mm": -90});
+    let refused = agent.call("move_to", into_the_table).await;
+    let refused = Agent::refused(refused, "policy");
+    assert_eq!(refused["rule"], "table");
+    assert!(refused["at_mm"].is_array(), "{refused}");
+    assert!(refused["hint"].is_string(), "{refused}");
+    assert!(!desk.got().iter().any(is_motion));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn arguments_that_make_no_sense_are_told_and_move_nothing() {
+    let desk = Desk::new();
+    let agent = Agent::new(&desk.up, &[]).await;
+    for (tool, arguments, kind, says) in [
+        (
+            "move_to",
+            json!({"x_mm": "NaN", "y_mm": 0, "z_mm": 20}),
+            "invalid",
+            "NaN",
+        ),
+        (
+            "move_to",
+            json!({"x_mm": 1e300, "y_mm": 0, "z_mm": 20}),
+            "out-of-range",
+            "x_mm",
+        ),
+        (
+            "move_to",
+            json!({"x_mm": null, "y_mm": 0, "z_mm": 20}),
+            "invalid",
+            "null",
+        ),
+        (
+            "move_to",
+            json!({"x_mm": 220, "y_mm": 0}),
+            "invalid",
+            "z_mm",
+        ),
+        (
+            "move_to",
+            json!({"x_mm": 220, "y_mm": 0, "z_mm": 20, "laser": true}),
+            "invalid",
+            "laser",
+        ),
+        (
+            "move_to",
+            json!({"x_mm": 220, "y_mm": 0, "z_mm": 20, "path": "fly"}),
+            "invalid",
+            "fly",
+        ),
+        (
+            "move_joints",
+            json!({"base_deg": [0], "rear_deg": 45, "fore_deg": 45}),
+            "invalid",
+            "f64",
+        ),
+        ("check_move", json!({}), "invalid", "move_to"),
+        ("look", json!({"deep": true}), "invalid", "deep"),
+        ("draw", json!({"drawing": 9}), "no-such-drawing", "9"),
+        (
+            "draw",
+            json!({"drawing": 1, "wait_s": -1}),
+            "out-of-range",
+            "-1",
+        ),
+        ("plan_drawing", json!({}), "invalid", "text"),
+        ("plan_drawing", json!({"svg": "no svg"}), "bad-drawing", ""),
+        (
+            "plan_drawing",
+            json!({"text": "a", "options": {"what": {"colour": 1}}}),
+            "invalid",
+            "colour",
+        ),
+        (
+            "run_program",
+            json!({"program": {"text": "steps = 3"}}),
+            "bad-program",
+            "line 1",
+        ),
+        (
+            "change_job",
+            json!({"job": 3, "action": "explode"}),
+            "invalid",
+            "explode",
+        ),
+        ("jobs", json!({"job": 77}), "no-such-job", "77"),
+    ] {
+        let refused = Agent::refused(agent.call(tool, arguments).await, kind);
+        let detail = refused["detail"].as_str().expect("a text");
+        assert!(detail.contains(says), "{tool}: {refused}");
+    }
+    assert!(!desk.got().iter().any(is_motion));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_drawing_is_seen_before_it_is_drawn_and_another_call_stops_it() {
+    let desk = Desk::new();
+    let agent = Agent::new(&desk.up, &[]).await;
+    let planned = agent.call("plan_drawing", square()).await;
+    let picture = planned.content.iter().find_map(|it| it.as_image());
+    assert_eq!(picture.expect("a picture").mime_type, "image/png");
+    let planned = Agent::done(planned);
+    assert_eq!(planned["refused"], Value::Null, "{planned}");
+    assert!(!desk.got().iter().any(is_motion));
+    let draw = json!({"drawing": planned["drawing"], "wait_s": 600});
+    let (drawn, ()) = tokio::join!(agent.call("draw", draw), async {
+        tokio::task::block_in_place(|| desk.draws());
+        let stopped = agent.call("stop", json!({"reason": "a hand"})).await;
+        assert!(Agent::done(stopped)["rests_within_s"].is_number());
+    });
+    let drawn = Agent::done(drawn);
+    assert_eq!(drawn["job"]["phase"], "paused", "{drawn}");
+    let seen = Agent::done(agent.call("look", json!({})).await);
+    let alarm = seen["alarms"][0].as_str().expect("an alarm");
+    assert!(alarm.contains("a hand"), "{seen}");
+    // No tool lets it move again.
+    let to = json!({"x_mm": 220, "y_mm": 0, "z_mm": 20});
+    Agent::refused(agent.call("move_to", to).await, "stopped");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_call_that_is_cancelled_stops_the_arm() {
+    let desk = Desk::new();
+    let agent = Agent::new(&desk.up, &[]).await;
+    let planned = agent.plans(square()).await;
+    let draw = params(
+        "draw",
+        json!({"drawing": planned["drawing"], "wait_s": 600}),
+    );
+    let request = ClientRequest::CallToolRequest(CallToolRequest::new(draw));
+    let options = PeerRequestOptions::no_options();
+    let drawing = agent.0.send_cancellable_request(request, options).await;
+    tokio::task::block_in_place(|| desk.draws());
+    let drawing = drawing.expect("it is sent");
+    drawing
+        .cancel(Some("enough".to_owned()))
+        .await
+        .expect("it is sent");
+    stopped(&desk.up).await;
+}
+
+/// Waits until the arm is stopped because an agent gave up.
+async fn stopped(up: &Up) {
+    let other = Agent::new(up, &[]).await;
+    loop {
+        let seen = Agent::done(other.call("look", json!({})).await);
+        if seen["alarms"].to_string().contains("the agent gave up") {
+            assert_ne!(seen["job"]["phase"], "running", "{seen}");
+            return;
+        }
+    }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn an_agent_that_ends_amid_a_drawing_stops_the_arm() {
+    let desk = Desk::new();
+    let agent = Agent::new(&desk.up, &[]).await;
+    let planned = agent.plans(square()).await;
+    let draw = params(
+        "draw",
+        json!({"drawing": planned["drawing"], "wait_s": 600}),
+    );
+    let request = ClientRequest::CallToolRequest(CallToolRequest::new(draw));
+    let options = PeerRequestOptions::no_options();
+    let _drawing = agent.0.send_cancellable_request(request, options).await;
+    tokio::task::block_in_place(|| desk.draws());
+    agent.0.cancel().await.expect("it ends");
+    stopped(&desk.up).await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn where_a_person_is_to_be_asked_drawings_are_queued_and_nothing_moves() {
+    let desk = Desk::new();
+    let agent = Agent::new(&desk.up, &["--ask"]).await;
+    only_queues(&desk, &agent).await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_token_that_may_queue_moves_nothing_and_one_that_watches_queues_nothing() {
+    let desk = Desk::new();
+    let with_token = |role: &str| {
+        let token = desk
+            .up
+            .dobot(&["token", "add", role, role])
+            .succeeds()
+            .stdout;
+        let mut command = desk.up.command(&["mcp", "--station", &desk.up.page]);
+        command.env("DOBOT_TOKEN", token.trim());
+        command
+    };
+    only_queues(&desk, &Agent::of(with_token("queue")).await).await;
+    let watcher = Agent::of(with_token("watch")).await;
+    let planned = watcher.plans(square()).await;
+    let draw = json!({"drawing": planned["drawing"]});
+    Agent::refused(watcher.call("draw", draw).await, "role");
+    let to = json!({"x_mm": 220, "y_mm": 0, "z_mm": 20});
+    Agent::refused(watcher.call("move_to", to).await, "role");
+    assert!(!desk.got().iter().any(is_motion));
+    Agent::done(watcher.call("stop", json!({})).await);
+}
+
+async fn only_queues(desk: &Desk, agent: &Agent) {
+    let to = json!({"x_mm": 220, "y_mm": 0, "z_mm": 20});
+    let refused = Agent::refused(agent.call("move_to", to).await, "needs-a-person");
+    let hint = refused["hint"].as_str().expect("a hint");
+    assert!(hint.contains("run_program"), "{hint}");
+    let planned = agent.plans(square()).await;
+    let draw = json!({"drawing": planned["drawing"]});
+    let queued = Agent::done(agent.call("draw", draw).await);
+    assert_eq!(queued["job"]["phase"], "queued", "{queued}");
+    let program =
+        json!({"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
+    let run = agent.call("run_program", json!({"program": program})).await;
+    assert_eq!(Agent::done(run)["job"]["phase"], "queued");
+    let resume = json!({"job": queued["job"]["job"], "action": "resume"});
+    Agent::refused(agent.call("change_job", resume).await, "needs-a-person");
+    assert!(!desk.got().iter().any(is_motion));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_program_is_checked_and_run_to_its_end() {
+    let up = Up::new(&["--speed", "5"]);
+    up.json(&["status", "--count", "1"]);
+    let agent = Agent::new(&up, &[]).await;
+    let program =
+        json!({"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
+    let checked = Agent::done(agent.call("check_program", program.clone()).await);
+    assert_eq!(checked["problems"], json!([]), "{checked}");
+    let run = json!({"program": program, "times": 2, "wait_s": 600});
+    let done = Agent::done(agent.call("run_program", run).await);
+    assert_eq!(done["job"]["phase"], "done", "{done}");
+    let jobs = Agent::done(agent.call("jobs", json!({})).await);
+    assert_eq!(jobs["jobs"][0]["title"], "there", "{jobs}");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
+    let up = Up::new(&["--speed", "5"]);
+    up.json(&["status", "--count", "1"]);
+    let folder = tempfile::tempdir().expect("there is room");
+    let inside = folder.path().join("inside");
+    std::fs::create_dir(&inside).expect("there is room");
+    let square = std::fs::read(crate::program::example("square.svg")).expect("it is there");
+    std::fs::write(inside.join("square.svg"), &square).expect("there is room");
+    std::fs::write(folder.path().join("secret.svg"), &square).expect("there is room");
+    let agent = Agent::new(&up, &["--files", inside.to_str().expect("it is text")]).await;
+    let place = json!({"place": {"pen_down": -40}, "tool": {"laser": "plywood-engrave"}});
+    let burning = agent
+        .plans(json!({"file": "square.svg", "options": place}))
+        .await;
+    assert_eq!(burning["burns"], true, "{burning}");
+    let draw = json!({"drawing": burning["drawing"]});
+    let refused = Agent::refused(agent.call("draw", draw).await, "laser");
+    assert!(
+        refused["hint"]
+            .as_str()
+            .expect("a hint")
+            .contains("--arm-laser")
+    );
+    let outside = agent
+        .call("plan_drawing", json!({"file": "../secret.svg"}))
+        .await;
+    Agent::refused(outside, "file");
+    let without = Agent::new(&up, &[]).await;
+    let none = without
+        .call("plan_drawing", json!({"file": "square.svg"}))
+        .await;
+    Agent::refused(none, "file");
+    assert_eq!(up.json(&["jobs"]), json!([]));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
+    let up = Up::new(&[]);
+    up.json(&["status", "--count", "1"]);
+    let mut killed = Going::talking(up.command(&["mcp"]));
+    killed.says(r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"killed","version":"1"}}}"#);
+    killed.reads("serverInfo");
+    killed.says(r#"{"jsonrpc":"2.0","method":"notifications/initialized"}"#);
+    killed.says(r#"{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"move_to","arguments":{"x_mm":220,"y_mm":0,"z_mm":20,"pause_s":60}}}"#);
+    let other = Agent::new(&up, &[]).await;
+    let control = async || Agent::done(other.call("look", json!({})).await)["control"].clone();
+    while control().await.is_null() {}
+    assert_eq!(control().await["name"], "agent killed");
+    killed.kill();
+    while !control().await.is_null() {}
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn without_a_station_every_tool_says_how_to_start_one() {
+    let child = TokioChildProcess::new(tokio::process::Command::from(command(&["mcp"])));
+    let agent = Agent(
+        ().serve(child.expect("it starts"))
+            .await
+            .expect("it greets"),
+    );
+    for tool in ["look", "stop"] {
+        let refused = Agent::refused(agent.call(tool, json!({})).await, "no-station");
+        assert!(
+            refused["hint"]
+                .as_str()
+                .expect("a hint")
+                .contains("dobot up"),
+            "{refused}"
+        );
+    }
+}

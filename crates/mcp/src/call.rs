@@ -1,0 +1,171 @@
+//! One call of a tool: its own way to the station, and what stops the arm.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_api::{Reply, Request, Role, State, StationAddress, fetch};
+use dobot_rules::{StationClient, Target, is_plain};
+use rmcp::RoleServer;
+use rmcp::model::CallToolResult;
+use rmcp::service::RequestContext;
+use serde::Serialize;
+use serde_json::{Value, json};
+use tokio::sync::watch;
+
+use crate::Settings;
+use crate::drawings::Drawings;
+use crate::refused::Refused;
+
+/// What all calls share.
+#[derive(Debug)]
+pub(crate) struct Shared {
+    pub(crate) settings: Settings,
+    pub(crate) drawings: Drawings,
+    /// Whether the agent is gone.
+    pub(crate) gone: watch::Sender<bool>,
+}
+
+/// One call of a tool.
+pub(crate) struct Call {
+    pub(crate) shared: Arc<Shared>,
+    context: RequestContext<RoleServer>,
+}
+
+impl Call {
+    pub(crate) const fn new(shared: Arc<Shared>, context: RequestContext<RoleServer>) -> Self {
+        Self { shared, context }
+    }
+
+    pub(crate) async fn station(&self) -> Result<StationAddress, Refused> {
+        Ok(self.shared.settings.station().await?)
+    }
+
+    /// A connection with the station that ends with the call.
+    pub(crate) async fn connect(&self) -> Result<StationClient, Refused> {
+        let address = self.station().await?;
+        Ok(StationClient::connect(&address, &self.name()).await?)
+    }
+
+    pub(crate) async fn state(&self) -> Result<State, Refused> {
+        Ok(fetch(&self.station().await?, "/api/v1/state").await?)
+    }
+
+    /// Has the arm move; where the call is given up or its agent is gone, the arm is stopped.
+    pub(crate) async fn moving<T>(
+        &self,
+        act: impl Future<Output = Result<T, Refused>>,
+    ) -> Result<T, Refused> {
+        tokio::select! {
+            biased;
+            () = self.given_up() => {}
+            done = act => return done,
+        }
+        self.stop(Some("the agent gave up what it had asked for".to_owned()))
+            .await?;
+        Err(Refused::new(
+            "given-up",
+            "the agent gave this up; the arm is stopped",
+        ))
+    }
+
+    /// Does what moves nothing, until the call is given up.
+    pub(crate) async fn looking<T>(
+        &self,
+        act: impl Future<Output = Result<T, Refused>>,
+    ) -> Result<T, Refused> {
+        tokio::select! {
+            biased;
+            () = self.given_up() => Err(Refused::new("given-up", "the agent gave this up")),
+            done = act => done,
+        }
+    }
+
+    async fn given_up(&self) {
+        let mut gone = self.shared.gone.subscribe();
+        tokio::select! {
+            () = self.context.ct.cancelled() => {}
+            _ = gone.wait_for(|it| *it) => {}
+        }
+    }
+
+    pub(crate) async fn stop(&self, reason: Option<String>) -> Result<f64, Refused> {
+        match self
+            .connect()
+            .await?
+            .request(Request::Stop { reason })
+            .await?
+        {
+            Reply::Stopping { rests_within_s } => Ok(rests_within_s),
+            _ => Ok(0.0),
+        }
+    }
+
+    /// Whether a person starts what this client would.
+    pub(crate) fn asks(&self, station: &StationClient) -> bool {
+        self.shared.settings.asks || station.role() == Role::Queue
+    }
+
+    /// Refuses what a person does not start.
+    pub(crate) fn check_may_move(&self, station: &StationClient) -> Result<(), Refused> {
+        if !self.asks(station) {
+            return Ok(());
+        }
+        Err(Refused::new(
+            "needs-a-person",
+            "here an agent moves the arm only by drawings and programs, and a person starts each",
+        )
+        .hinted("queue a drawing with `draw` or a program with `run_program`; a person starts it on the station's page"))
+    }
+
+    /// The command of a target, from where the arm stands.
+    pub(crate) fn command(target: &Target, state: &State) -> Result<dobot_wire::Command, Refused> {
+        let arm = state.arm.as_ref().ok_or_else(no_arm)?;
+        Ok(target.command(&arm.status))
+    }
+
+    /// Carries a target out, and tells how the arm rests then.
+    pub(crate) async fn carry_out(&self, target: &Target) -> Result<Value, Refused> {
+        let mut station = self.connect().await?;
+        self.check_may_move(&station)?;
+        let command = Self::command(target, &self.state().await?)?;
+        station.request(Request::TakeLease).await?;
+        let reply = station
+            .request_at_rest(Request::Command { command })
+            .await?;
+        if let Reply::Accepted { command, .. } = reply {
+            station.finished(command).await?;
+        }
+        let state = self.state().await?;
+        Ok(json!({ "arm": state.arm }))
+    }
+
+    /// What the others see.
+    fn name(&self) -> String {
+        let info = self.context.peer.peer_info();
+        let name = info.map_or_else(String::new, |it| it.client_info.name.clone());
+        let name: String = name.chars().filter(|it| is_plain(*it)).take(50).collect();
+        format!("agent {name}").trim_end().to_owned()
+    }
+}
+
+/// The time that an agent waits.
+pub(crate) fn wait(wait_s: f64) -> Result<Duration, Refused> {
+    if (0.0..=3600.0).contains(&wait_s) {
+        return Ok(Duration::from_secs_f64(wait_s));
+    }
+    let detail = format!("wait_s is {wait_s}; allowed is 0 to 3600 seconds");
+    Err(Refused::new("out-of-range", detail))
+}
+
+/// The answer to a call.
+pub(crate) fn result(done: Result<impl Serialize, Refused>) -> CallToolResult {
+    match done {
+        Ok(answer) => CallToolResult::structured(json!(answer)),
+        Err(refused) => refused.result(),
+    }
+}
+
+pub(crate) fn no_arm() -> Refused {
+    Refused::new("no-link", "the station has no arm that tells where it is")
+        .hinted("is it switched on and plugged in? `look` tells what the station waits for")
+}

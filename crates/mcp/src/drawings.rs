@@ -1,0 +1,252 @@
+//! Drawings: planned, seen as pictures, drawn.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use dobot_api::{CalibrationFile, NewJob, Problem, Request, fetch};
+use dobot_draw::{
+    AREA, Colors, DrawingRequest, GiveUp, InkLine, Materials, Picture, Prepared, Settings, Subject,
+    View,
+};
+use dobot_rules::{PlannedFor, Rules, StationClient, drawing_job};
+use dobot_safety::Policy;
+use dobot_wire::Dialect;
+use rmcp::model::{CallToolResult, ContentBlock};
+use serde_json::{Value, json};
+
+use crate::arguments::{NewDrawing, PlannedDrawing};
+use crate::call::{Call, no_arm, wait};
+use crate::refused::Refused;
+
+/// The drawings that were planned, the latest of them.
+#[derive(Debug, Default)]
+pub(crate) struct Drawings(Mutex<Kept>);
+
+#[derive(Debug, Default)]
+struct Kept {
+    last: u64,
+    drawings: BTreeMap<u64, Arc<Drawing>>,
+}
+
+/// A drawing that was planned, and for which arm.
+#[derive(Debug)]
+struct Drawing {
+    job: NewJob,
+    burns: bool,
+    dialect: Option<Dialect>,
+    calibration: Option<CalibrationFile>,
+}
+
+impl Drawings {
+    fn keep(&self, drawing: Drawing) -> u64 {
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.last += 1;
+        let number = kept.last;
+        kept.drawings.insert(number, Arc::new(drawing));
+        if kept.drawings.len() > MOST {
+            kept.drawings.pop_first();
+        }
+        number
+    }
+
+    fn find(&self, number: u64) -> Result<Arc<Drawing>, Refused> {
+        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = kept.drawings.get(&number).cloned();
+        found.ok_or_else(|| {
+            Refused::new("no-such-drawing", format!("there is no drawing {number}")).hinted(
+                format!("plan it with `plan_drawing`; the latest {MOST} are kept"),
+            )
+        })
+    }
+}
+
+impl Call {
+    /// Plans a drawing for the arm of the station, and shows it.
+    pub(crate) async fn plan_drawing(&self, new: NewDrawing) -> Result<CallToolResult, Refused> {
+        let mut station = self.connect().await?;
+        let arm = self.planned_for(&mut station).await?;
+        let request = self.request(new).await?;
+        let give_up = GiveUp::default();
+        let _given_up = GivenUp(give_up.clone());
+        let planning = tokio::task::spawn_blocking(move || plan(request.until(give_up), &arm));
+        let planned = tokio::time::timeout(LONGEST_PLAN, planning).await;
+        let planned = planned.map_err(|_| {
+            let most_s = LONGEST_PLAN.as_secs();
+            bad(&format!(
+                "it is not planned after {most_s} s, and takes no longer"
+            ))
+            .hinted("draw it in parts, or allow a larger tolerance")
+        })?;
+        let Planned {
+            drawing,
+            mut figures,
+            png,
+        } = planned.map_err(|it| bad(&it))??;
+        figures["drawing"] = self.shared.drawings.keep(drawing).into();
+        let mut result = CallToolResult::structured(figures);
+        let png = data_encoding::BASE64.encode(&png);
+        result.content.push(ContentBlock::image(png, "image/png"));
+        Ok(result)
+    }
+
+    /// Queues a drawing as it was planned, and starts it or leaves that to a person.
+    pub(crate) async fn draw(&self, asked: &PlannedDrawing) -> Result<Value, Refused> {
+        let time = wait(asked.wait_s)?;
+        let drawing = self.shared.drawings.find(asked.drawing)?;
+        if drawing.burns {
+            return Err(Refused::new("laser", "the drawing is for the laser, and no agent has the laser burn")
+                .hinted("a person beside the arm does it, with goggles on: `dobot draw FILE --laser MATERIAL --arm-laser SECONDS`"));
+        }
+        let mut station = self.connect().await?;
+        let arm = self.planned_for(&mut station).await?;
+        if arm.dialect != drawing.dialect || arm.calibration != drawing.calibration {
+            return Err(Refused::new(
+                "drawing-phase",
+                "the arm is another one than it was planned for, or was calibrated since",
+            )
+            .hinted("plan it again with `plan_drawing`"));
+        }
+        if !self.asks(&station) {
+            // Nothing is queued that cannot be started.
+            station.request(Request::TakeLease).await?;
+        }
+        let job = drawing.job.clone();
+        let reply = station
+            .request(Request::SubmitJob { job, key: None })
+            .await?;
+        self.start_new(&mut station, reply, time).await
+    }
+
+    async fn planned_for(&self, station: &mut StationClient) -> Result<PlannedFor, Refused> {
+        let policy: Policy = fetch(&self.station().await?, "/api/v1/policy").await?;
+        let arm = station
+            .planned_for(Rules::of(&policy), &self.state().await?)
+            .await?;
+        if arm.status.is_none() {
+            return Err(no_arm());
+        }
+        Ok(arm)
+    }
+
+    async fn request(&self, new: NewDrawing) -> Result<DrawingRequest, Refused> {
+        let mut options = new.options;
+        let told = [&new.text, &new.svg, &new.file]
+            .into_iter()
+            .flatten()
+            .count();
+        if told + usize::from(Subject::of_text(&options.what).is_some()) != 1 {
+            return Err(Refused::new(
+                "invalid",
+                "a drawing is one of `text`, `svg` and `file`, or the text or the card of its options",
+            ));
+        }
+        if new.text.is_some() {
+            options.what.text = new.text;
+        }
+        let file = match (new.svg, new.file) {
+            (Some(svg), _) => Some(("drawing.svg".to_owned(), svg.into_bytes())),
+            (None, Some(file)) => Some(self.file(file).await?),
+            (None, None) => None,
+        };
+        let reading = tokio::task::spawn_blocking(move || {
+            let subject = match (Subject::of_text(&options.what), file) {
+                (Some(text), _) => text,
+                (None, Some((name, bytes))) => {
+                    Subject::of_file(&name, bytes).map_err(|it| bad(&it))?
+                }
+                (None, None) => return Err(bad(&"there is nothing to draw")),
+            };
+            let request = DrawingRequest::new(options, subject, &Materials::built_in());
+            request.map_err(|it| bad(&it))
+        });
+        reading.await.map_err(|it| bad(&it))?
+    }
+}
+
+struct Planned {
+    drawing: Drawing,
+    figures: Value,
+    png: Vec<u8>,
+}
+
+fn plan(request: DrawingRequest, arm: &PlannedFor) -> Result<Planned, Refused> {
+    let title = request.title.clone();
+    let standing_z_mm = arm.status.ok_or_else(no_arm)?.z_mm.into();
+    let (prepared, settings) = request
+        .calibrated(arm.calibration.clone())
+        .prepare(arm.dialect, standing_z_mm)
+        .map_err(|it| bad(&it))?;
+    let png = picture(&title, &prepared, &settings)?;
+    let Prepared {
+        plan,
+        warnings,
+        scale,
+        ..
+    } = &prepared;
+    let job = drawing_job(plan, &title);
+    let summary = plan.summary();
+    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    let pauses: Vec<&str> = job.pauses.iter().map(|it| it.message.as_str()).collect();
+    let refused = arm
+        .refuses(&job)
+        .map(|it| Refused::from(Problem::from(&it)));
+    let figures = json!({
+        "title": title,
+        "duration_s": summary.duration_s,
+        "strokes": summary.strokes,
+        "vectors": summary.vectors,
+        "drawn_mm": summary.drawn_mm,
+        "scale": scale,
+        "burns": plan.burns(),
+        "warnings": warnings,
+        "pauses": pauses,
+        "refused": refused,
+    });
+    let drawing = Drawing {
+        burns: plan.burns(),
+        job,
+        dialect: arm.dialect,
+        calibration: arm.calibration.clone(),
+    };
+    Ok(Planned {
+        drawing,
+        figures,
+        png,
+    })
+}
+
+/// The paper as a person behind the arm sees it from above.
+fn picture(title: &str, prepared: &Prepared, settings: &Settings) -> Result<Vec<u8>, Refused> {
+    let ink = InkLine::measured(prepared.planned(), &prepared.wanted());
+    let picture = Picture {
+        title,
+        figures: &[],
+        passes: &[],
+        area: AREA,
+        sheet: settings.placement.sheet,
+        plan: &prepared.plan,
+        drawn: &ink,
+        colors: Colors::Passes,
+        view: View::Paper,
+    };
+    picture.to_png(WIDTH_PX).map_err(|it| bad(&it))
+}
+
+fn bad(why: &dyn std::fmt::Display) -> Refused {
+    Refused::new("bad-drawing", why.to_string())
+}
+
+/// Gives a plan up when nobody waits for it any more.
+struct GivenUp(GiveUp);
+
+impl Drop for GivenUp {
+    fn drop(&mut self) {
+        self.0.give_up();
+    }
+}
+
+/// How many drawings are kept, as many as a station keeps.
+const MOST: usize = 16;
+const LONGEST_PLAN: Duration = Duration::from_secs(120);
+const WIDTH_PX: u32 = 1000;

@@ -1,0 +1,107 @@
+//! The files that agents may draw and run.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use crate::refused::Refused;
+
+/// The folder with the files that agents may draw and run, and nothing outside of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FilesFolder(PathBuf);
+
+/// A folder that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("the folder {} cannot be used", .0.display())]
+pub struct FilesFolderError(PathBuf, #[source] io::Error);
+
+impl FilesFolder {
+    /// A folder that is there.
+    ///
+    /// # Errors
+    ///
+    /// [`FilesFolderError`] where it is none, or cannot be read.
+    pub fn new(folder: &Path) -> Result<Self, FilesFolderError> {
+        let error = |it| FilesFolderError(folder.to_owned(), it);
+        fs::read_dir(folder).map_err(error)?;
+        fs::canonicalize(folder).map(Self).map_err(error)
+    }
+
+    /// The bytes of a file in it, and the name of that file.
+    pub(crate) fn read(&self, name: &str) -> Result<(String, Vec<u8>), Refused> {
+        let unread = |why: &dyn std::fmt::Display| {
+            Refused::new("file", format!("the file `{name}` cannot be read: {why}"))
+        };
+        // Symbolic links are followed before it is looked where the file is.
+        let path = fs::canonicalize(self.0.join(name)).map_err(|it| unread(&it))?;
+        if !path.starts_with(&self.0) {
+            return Err(outside(name));
+        }
+        // What is no file may never end, or wait for ever.
+        if !fs::metadata(&path).is_ok_and(|it| it.is_file()) {
+            return Err(unread(&"it is no file"));
+        }
+        let mut bytes = Vec::new();
+        let read = File::open(&path).and_then(|it| it.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+        if read.map_err(|it| unread(&it))? as u64 > MOST_BYTES {
+            let most_mb = MOST_BYTES / 1_000_000;
+            return Err(unread(&format!("it has more than {most_mb} MB")));
+        }
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        Ok((name.into_owned(), bytes))
+    }
+}
+
+fn outside(name: &str) -> Refused {
+    Refused::new(
+        "file",
+        format!("the file `{name}` lies outside of the folder for agents"),
+    )
+    .hinted(
+        "name a file of that folder; the person who started `dobot mcp --files FOLDER` chose it",
+    )
+}
+
+/// As much as the station takes.
+const MOST_BYTES: u64 = 24_000_000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_the_folder_are_read_and_no_others() {
+        let folder = tempfile::tempdir().unwrap();
+        let inside = folder.path().join("inside");
+        fs::create_dir(&inside).unwrap();
+        fs::write(folder.path().join("secret.svg"), "secret").unwrap();
+        fs::write(inside.join("a.svg"), "a").unwrap();
+        let files = FilesFolder::new(&inside).unwrap();
+        let read = ("a.svg".to_owned(), b"a".to_vec());
+        assert_eq!(files.read("a.svg"), Ok(read.clone()));
+        assert_eq!(files.read("./a.svg"), Ok(read));
+        for name in [
+            "../secret.svg",
+            "/etc/passwd",
+            "",
+            ".",
+            "..",
+            "b.svg",
+            "a\0b",
+        ] {
+            assert!(files.read(name).is_err(), "{name:?}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_that_leads_out_of_the_folder_is_not_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let inside = folder.path().join("inside");
+        fs::create_dir(&inside).unwrap();
+        fs::write(folder.path().join("secret.svg"), "secret").unwrap();
+        std::os::unix::fs::symlink("../secret.svg", inside.join("link.svg")).unwrap();
+        let files = FilesFolder::new(&inside).unwrap();
+        assert_eq!(files.read("link.svg"), Err(outside("link.svg")));
+    }
+}

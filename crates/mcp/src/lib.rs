@@ -1,0 +1,32 @@
+//! A Dobot Arm as tools for agents (Model Context Protocol).
+//!
+//! Each call opens a connection of its own with a station that runs, so that a stop always gets through beside what is
+//! under way. All rules are the station's. A call that the agent gives up, or whose agent is gone, stops the arm.
+//!
+//! ```no_run
+//! use dobot_api::StationAddress;
+//! use dobot_mcp::{Agents, Settings, serve};
+//!
+//! # async fn example() -> Result<(), Box<dyn std::error::Error>> {
+//! let station = StationAddress::new("http://127.0.0.1:8642")?;
+//! let agents = Agents::new(Settings::at(station));
+//! let (_end, ending) = tokio::sync::watch::channel(false);
+//! serve(agents, tokio::io::stdin(), tokio::io::stdout(), ending).await?;
+//! # Ok(())
+//! # }
+//! ```
+
+mod agents;
+mod arguments;
+mod call;
+mod drawings;
+mod files;
+mod jobs;
+mod refused;
+mod serve;
+mod settings;
+
+pub use agents::Agents;
+pub use files::{FilesFolder, FilesFolderError};
+pub use serve::{ServeError, serve};
+pub use settings::{NoStation, Settings};

@@ -1,0 +1,118 @@
+//! Why something was not done, as an agent reads it.
+
+use dobot_api::{ConnectError, Problem, RemoteError};
+use dobot_rules::JobsError;
+use rmcp::model::CallToolResult;
+use serde::Serialize;
+use serde_json::json;
+
+use crate::NoStation;
+
+/// Why something was not done: the station's own words, where it was the station that refused.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Refused {
+    /// The kind of problem, in one word.
+    kind: String,
+    /// Where, what was found, and what is allowed.
+    detail: String,
+    /// What to do about it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hint: Option<String>,
+    /// The rule of the policy that would be broken.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rule: Option<String>,
+    /// Where on the way it would be broken: x, y and z in millimetres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at_mm: Option<[f64; 3]>,
+    /// The nearest place that is allowed: x, y and z in millimetres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nearest_mm: Option<[f64; 3]>,
+}
+
+impl Refused {
+    pub(crate) fn new(kind: &str, detail: impl Into<String>) -> Self {
+        Self {
+            kind: kind.to_owned(),
+            detail: detail.into(),
+            hint: None,
+            rule: None,
+            at_mm: None,
+            nearest_mm: None,
+        }
+    }
+
+    pub(crate) fn hinted(self, hint: impl Into<String>) -> Self {
+        Self {
+            hint: Some(hint.into()),
+            ..self
+        }
+    }
+
+    /// The answer to the call.
+    pub(crate) fn result(&self) -> CallToolResult {
+        CallToolResult::structured_error(json!(self))
+    }
+}
+
+impl From<Problem> for Refused {
+    fn from(problem: Problem) -> Self {
+        let kind = problem.kind.rsplit('/').next().unwrap_or_default();
+        Self {
+            kind: kind.to_owned(),
+            detail: problem.detail,
+            hint: problem.hint,
+            rule: problem.rule,
+            at_mm: problem.at_mm,
+            nearest_mm: problem.nearest_mm,
+        }
+    }
+}
+
+impl From<ConnectError> for Refused {
+    fn from(error: ConnectError) -> Self {
+        let hint = error.hint();
+        match error {
+            ConnectError::Refused(problem) => (*problem).into(),
+            error => Self {
+                hint,
+                ..Self::new("no-station", error.to_string())
+            },
+        }
+    }
+}
+
+impl From<RemoteError> for Refused {
+    fn from(error: RemoteError) -> Self {
+        let hint = error.hint();
+        match error {
+            RemoteError::Refused(problem) => (*problem).into(),
+            RemoteError::Failed(text) => Self {
+                hint,
+                ..Self::new("not-done", text)
+            },
+            error => Self {
+                hint,
+                ..Self::new("no-station", error.to_string())
+            },
+        }
+    }
+}
+
+impl From<JobsError> for Refused {
+    fn from(error: JobsError) -> Self {
+        match error {
+            JobsError::Connect(error) => error.into(),
+            JobsError::Request(error) => error.into(),
+            error => Self::new("no-station", error.to_string()),
+        }
+    }
+}
+
+impl From<NoStation> for Refused {
+    fn from(NoStation { detail, hint }: NoStation) -> Self {
+        Self {
+            hint,
+            ..Self::new("no-station", detail)
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Serving an agent over two streams of bytes.
+
+use std::io;
+use std::pin::Pin;
+use std::task::{Context, Poll};
+
+use rmcp::ServiceExt;
+use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
+use tokio::sync::watch;
+
+use crate::Agents;
+
+/// Why an agent is not served.
+#[derive(Debug, thiserror::Error)]
+#[error("the agent does not speak the Model Context Protocol: {0}")]
+pub struct ServeError(String);
+
+/// Serves an agent until its input ends or `ending` becomes true. Where the arm is moved for it at that time, the arm is
+/// stopped.
+///
+/// # Errors
+///
+/// [`ServeError`] where what it says first is no greeting.
+pub async fn serve(
+    agents: Agents,
+    input: impl AsyncRead + Send + Unpin + 'static,
+    output: impl AsyncWrite + Send + Unpin + 'static,
+    mut ending: watch::Receiver<bool>,
+) -> Result<(), ServeError> {
+    let gone = agents.gone();
+    let input = UntilEnd {
+        input,
+        gone: gone.clone(),
+    };
+    let service = tokio::select! {
+        service = agents.serve((input, output)) => service.map_err(|it| ServeError(it.to_string()))?,
+        _ = ending.wait_for(|it| *it) => return Ok(()),
+    };
+    let end = service.cancellation_token();
+    let waiting = service.waiting();
+    tokio::pin!(waiting);
+    tokio::select! {
+        _ = &mut waiting => return Ok(()),
+        _ = ending.wait_for(|it| *it) => {}
+    }
+    gone.send_replace(true);
+    end.cancel();
+    // What is under way stops the arm first.
+    let _ = waiting.await;
+    Ok(())
+}
+
+/// Input that tells when it ends.
+struct UntilEnd<R> {
+    input: R,
+    gone: watch::Sender<bool>,
+}
+
+impl<R: AsyncRead + Unpin> AsyncRead for UntilEnd<R> {
+    fn poll_read(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+        buffer: &mut ReadBuf<'_>,
+    ) -> Poll<io::Result<()>> {
+        let before = buffer.filled().len();
+        let read = Pin::new(&mut self.input).poll_read(context, buffer);
+        if let Poll::Ready(read) = &read
+            && (read.is_err() || buffer.filled().len() == before)
+        {
+            self.gone.send_replace(true);
+        }
+        read
+    }
+}
