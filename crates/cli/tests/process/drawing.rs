@@ -112,8 +112,8 @@ fn several_files_and_a_text_go_on_one_sheet() {
     let drawn = |more: &[&str]| report(&dobot(&[&sides[..], more].concat()).succeeds().stdout);
     let ink = |report: &Value| {
         let ink = report["ink_mm"].as_array().expect("it has four numbers");
-        let [x0, y0, x1, y1] = [0, 1, 2, 3].map(|it| ink[it].as_f64().expect("a number").round());
-        (y1 - y0, x1 - x0)
+        let [x0, y0, x1, y1] = [0, 1, 2, 3].map(|it| ink[it].as_f64().expect("a number"));
+        ((y1 - y0).round(), (x1 - x0).round())
     };
     // 80 mm apart on their pages; one job with a pass for each colour.
     let pages = drawn(&["--layers", "color"]);
