@@ -3435,7 +3435,7 @@ export interface components {
              */
             gripper_deg: number;
         };
-        /** @description A drawing that is to be planned: a file, or the text or the test card that the options tell. */
+        /** @description A drawing that is to be planned: a file, the text that the options tell or both, or a test card. */
         NewDrawing: {
             /**
              * @description The name of the file: its ending tells what kind it is.
@@ -3631,7 +3631,7 @@ export interface components {
         /** @description What is drawn. */
         ContentOptions: {
             /**
-             * @description A text instead of a file; \n begins a new line
+             * @description A text, alone or below the files; \n begins a new line
              * @default null
              */
             text: string | null;
@@ -3842,13 +3842,14 @@ export interface components {
              */
             mirror: boolean;
             /**
-             * @description Draw copies side by side, in columns and rows as in 3x2
+             * @description Draw copies side by side, in columns and rows as in 3x2; several files one in each cell, then from the
+             *     first again
              * @default null
              */
             grid: components["schemas"]["Grid"] | null;
             /**
              * Format: double
-             * @description How far the copies lie apart, in mm of the file
+             * @description How far the copies or files of --grid lie apart, and how far --text stands below a file, in mm of the file
              * @default 5
              */
             gap: number;
@@ -3890,7 +3891,7 @@ export interface components {
         };
         /** @description How large a sheet is: `a6` to `a3`, `letter`, `legal`, or width and height in mm as in `210x148`. */
         PaperSize: string;
-        /** @description Copies in columns and rows, as in `3x2`: three beside each other, two below each other. */
+        /** @description Copies or files in columns and rows, as in `3x2`: three beside each other, two below each other. */
         Grid: string;
         /** @description With what it is drawn. */
         ToolOptions: {

@@ -1,13 +1,13 @@
-//! Several copies of a drawing side by side.
+//! Copies of a drawing, or several drawings, side by side.
 
 use std::str::FromStr;
 
-use dobot_geometry::{Stroke, Vec2, bounds};
-use dobot_source::{Artwork, Layer};
+use dobot_geometry::{Rect, Vec2, bounds};
+use dobot_source::Artwork;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Copies in columns and rows, as in `3x2`: three beside each other, two below each other.
+/// Copies or files in columns and rows, as in `3x2`: three beside each other, two below each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
 #[schemars(with = "String")]
@@ -49,35 +49,23 @@ impl TryFrom<String> for Grid {
     }
 }
 
-/// A page that holds copies of the ink of another, so far apart.
-pub(crate) fn repeated(mut artwork: Artwork, grid: Grid, gap_mm: f64) -> Artwork {
-    let ink = bounds(artwork.points());
-    let points = artwork.layers.iter_mut().flat_map(Layer::points_mut);
-    points.for_each(|p| *p -= ink.origin().to_vec2());
-    let step = Vec2::new(ink.width() + gap_mm, ink.height() + gap_mm);
-    let ways: Vec<Vec2> = (0..grid.rows)
-        .flat_map(|row| (0..grid.columns).map(move |column| [column, row].map(f64::from)))
-        .map(|[column, row]| Vec2::new(column * step.x, row * step.y))
-        .collect();
-    let layers = artwork.layers.iter().map(|it| copied(it, &ways));
-    Artwork {
+/// A page whose cells hold the ink of these pages, one after the other and then from the first again, so far
+/// apart. All cells are as large as the largest of them, and each holds its ink in its middle.
+pub(crate) fn in_cells(artworks: &[Artwork], grid: Grid, gap_mm: f64) -> Artwork {
+    let inks: Vec<Rect> = artworks.iter().map(|it| bounds(it.points())).collect();
+    let largest = |side: fn(&Rect) -> f64| inks.iter().map(side).fold(0.0, f64::max);
+    let cell = Vec2::new(largest(Rect::width), largest(Rect::height));
+    let step = cell + Vec2::new(gap_mm, gap_mm);
+    let mut all = Artwork {
         width_mm: step.x * f64::from(grid.columns) - gap_mm,
         height_mm: step.y * f64::from(grid.rows) - gap_mm,
-        layers: layers.collect(),
-    }
-}
-
-fn copied(layer: &Layer, ways: &[Vec2]) -> Layer {
-    let mut all = Layer {
-        strokes: Vec::<Stroke>::new(),
-        areas: Vec::new(),
-        ..layer.clone()
+        layers: Vec::new(),
     };
-    for way in ways {
-        let mut copy = layer.clone();
-        copy.points_mut().for_each(|p| *p += *way);
-        all.strokes.append(&mut copy.strokes);
-        all.areas.append(&mut copy.areas);
+    let cells = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
+    for ((column, row), (artwork, ink)) in cells.zip(artworks.iter().zip(&inks).cycle()) {
+        let corner = Vec2::new(f64::from(column) * step.x, f64::from(row) * step.y);
+        let middle = corner + cell / 2.0;
+        all.add(artwork.clone().moved(middle - ink.center().to_vec2()));
     }
     all
 }
@@ -85,7 +73,8 @@ fn copied(layer: &Layer, ways: &[Vec2]) -> Layer {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_geometry::Point;
+    use dobot_geometry::{Point, Stroke};
+    use dobot_source::Layer;
 
     use super::*;
 
@@ -103,7 +92,7 @@ mod tests {
             height_mm: 200.0,
             layers: vec![layer],
         };
-        let all = repeated(page, "2x3".parse().unwrap(), 5.0);
+        let all = in_cells(&[page], "2x3".parse().unwrap(), 5.0);
         assert_eq!((all.width_mm, all.height_mm), (25.0, 70.0));
         let places = all.layers[0].strokes.iter().map(|it| it.points[0]);
         let places: Vec<_> = places.map(|p| (p.x, p.y)).collect();

@@ -57,6 +57,7 @@ mod simplify;
 mod start;
 mod step;
 mod timeline;
+mod together;
 mod trace;
 
 pub use calibrated::known_paper;
@@ -74,12 +75,14 @@ pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use options::{
     Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PassesBy, PathOptions,
-    PlaceOptions, Spacing, Subject, ToolOptions,
+    PlaceOptions, Spacing, Subject, ToolOptions, WITHOUT_ARM_Z_MM,
 };
 pub use order::{Search, Travel, order};
 pub use picture::{Colors, Picture, PictureError, View};
 pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
-pub use prepare::{PrepareError, Prepared, Settings, prepare, prepare_passes};
+pub use prepare::{
+    NamedSource, PrepareError, Prepared, Settings, prepare, prepare_passes, prepare_together,
+};
 pub use sheet::{PaperSize, SheetPlace};
 pub use simplify::{MIN_VECTOR_MM, simplify, simplify_at};
 pub use start::{StartError, StartFrom};

@@ -11,7 +11,7 @@ mod tool;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use self::asked::{DrawingRequest, Subject};
+pub use self::asked::{DrawingRequest, Subject, WITHOUT_ARM_Z_MM};
 pub use self::content::{Auto, ContentOptions, LayerTool, Spacing};
 pub use self::error::OptionsError;
 pub use self::path::PathOptions;

@@ -8,7 +8,6 @@ use dobot_plan::{Paper, Plan};
 use dobot_source::{Artwork, Layer};
 use thiserror::Error;
 
-use crate::copies::{Grid, repeated};
 use crate::sheet::SheetPlace;
 
 /// Where drawings go unless told otherwise or larger: 120 mm deep and 200 mm wide, all of it inside reach.
@@ -33,8 +32,6 @@ pub struct Placement {
     pub reach: Option<[f64; 2]>,
     /// Whether left and right change sides.
     pub mirrors: bool,
-    /// Copies side by side, and how far apart on the page, in mm.
-    pub copies: Option<(Grid, f64)>,
     /// The sheet that it goes on, instead of the area.
     pub sheet: Option<SheetPlace>,
 }
@@ -51,10 +48,6 @@ impl Placement {
     /// the area and neither fitted into it nor sent to a place of its own.
     pub fn place(&self, artwork: Artwork) -> Result<Placed, PlaceError> {
         let turn = self.turn()?;
-        let artwork = match self.copies {
-            Some((grid, gap_mm)) => repeated(artwork, grid, gap_mm),
-            None => artwork,
-        };
         let side = if self.mirrors { -1.0 } else { 1.0 };
         let turned = |p: Point| Vec2::new(side * p.x, p.y).rotate_scale(turn).to_point();
         let ink = bounds(artwork.points().map(turned));
@@ -228,7 +221,6 @@ impl Default for Placement {
             center: None,
             reach: None,
             mirrors: false,
-            copies: None,
             sheet: None,
         }
     }
@@ -273,6 +265,17 @@ pub enum PlaceError {
         margin_mm: f64,
         /// What leaves no room at all.
         most_mm: f64,
+    },
+    /// There are more files than a grid has room for.
+    #[error(
+        "a grid of {cells} cell{} has no room for {files} files; give it a cell for each, as in --grid {files}x1",
+        if *cells == 1 { "" } else { "s" }
+    )]
+    Cells {
+        /// How many the grid has.
+        cells: u32,
+        /// How many files there are.
+        files: usize,
     },
     /// The drawing is larger than the area.
     #[error(

@@ -60,6 +60,15 @@ impl Prepared {
     }
 }
 
+/// A source with what a person calls it, such as the name of its file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedSource {
+    /// What a person calls it.
+    pub name: String,
+    /// What it holds.
+    pub source: Source,
+}
+
 /// Reads a source, places it, puts its strokes in order, merges what the tolerance allows and
 /// plans the vectors. `reachable` tells which places the arm gets to.
 ///
@@ -71,12 +80,30 @@ pub fn prepare<E: fmt::Display>(
     settings: &Settings,
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
+    let alone = NamedSource {
+        name: String::new(),
+        source: source.clone(),
+    };
+    prepare_together(&[alone], settings, reachable)
+}
+
+/// The same for several sources on one page: each where it is on its own page, or side by side
+/// ([`Settings::grid`]), and texts below all else.
+///
+/// # Errors
+///
+/// [`PrepareError`] with the step that failed.
+pub fn prepare_together<E: fmt::Display>(
+    sources: &[NamedSource],
+    settings: &Settings,
+    reachable: impl Fn(Position) -> Result<(), E>,
+) -> Result<Prepared, PrepareError> {
     settings.check()?;
     settings.give_up.check()?;
     let mut settings = settings.clone();
     settings.placement.reach = reach_mm(&settings, &reachable);
     let settings = &settings;
-    let (Placed { layers, scale }, mut warnings) = read(source, settings)?;
+    let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
     settings.give_up.check()?;
     let layers = layers::chosen(layers, settings)?;
     let passes = passes(layers, settings, &reachable, &mut warnings)?;
@@ -143,6 +170,14 @@ pub enum PrepareError {
     /// The source cannot be drawn.
     #[error(transparent)]
     Source(#[from] SourceError),
+    /// One of several sources cannot be drawn.
+    #[error("{name}: {error}")]
+    File {
+        /// What a person calls it.
+        name: String,
+        /// What is wrong with it.
+        error: SourceError,
+    },
     /// No layer has this name.
     #[error("there is no layer {name:?}; the layers are {layers}")]
     NoSuchLayer {
@@ -284,6 +319,7 @@ fn cut_off(clipped: &Clipped, what: &str) -> Option<Warning> {
         cut_mm, cut_dots, ..
     } = clipped;
     (!clipped.is_whole()).then(|| Warning {
+        file: None,
         place: None,
         what: what.to_owned(),
         instead: format!("{cut_mm:.0} mm of its lines and {cut_dots} of its dots are cut off"),
@@ -347,6 +383,7 @@ fn finished(
 
 fn counted(count: usize, what: &str, instead: &str) -> Option<Warning> {
     (count > 0).then(|| Warning {
+        file: None,
         place: None,
         what: what.to_owned(),
         instead: instead.to_owned(),

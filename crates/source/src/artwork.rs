@@ -1,6 +1,6 @@
 //! What a file shows: lines and areas in layers, on a page.
 
-use dobot_geometry::{Area, Point, Stroke};
+use dobot_geometry::{Area, Point, Stroke, Vec2};
 
 /// A page with layers of lines and areas: x to the right, y down, in millimetres.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +17,30 @@ impl Artwork {
     /// The corners of all lines and areas.
     pub fn points(&self) -> impl Iterator<Item = Point> {
         self.layers.iter().flat_map(Layer::points)
+    }
+
+    /// The same, all of it so far away on its page.
+    #[must_use]
+    pub fn moved(mut self, way: Vec2) -> Self {
+        let points = self.layers.iter_mut().flat_map(Layer::points_mut);
+        points.for_each(|p| *p += way);
+        self
+    }
+
+    /// Adds what is on another page. Layers of the same name, colour and speed become one.
+    pub fn add(&mut self, other: Self) {
+        for mut layer in other.layers {
+            let same = |it: &&mut Layer| {
+                (&it.name, it.color, it.speed_mm_s) == (&layer.name, layer.color, layer.speed_mm_s)
+            };
+            match self.layers.iter_mut().find(same) {
+                Some(same) => {
+                    same.strokes.append(&mut layer.strokes);
+                    same.areas.append(&mut layer.areas);
+                }
+                None => self.layers.push(layer),
+            }
+        }
     }
 }
 

@@ -8,6 +8,8 @@ use crate::place::{Place, place};
 /// Something in a source that is drawn otherwise than it says.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
+    /// The file, where several are drawn.
+    pub file: Option<String>,
     /// Where it is found first, where that is known.
     pub place: Option<Place>,
     /// What it is, in the singular.
@@ -22,6 +24,7 @@ impl Warning {
     /// A warning without a place.
     pub(crate) fn new(what: &str, instead: &str, count: usize) -> Self {
         Self {
+            file: None,
             place: None,
             what: what.to_owned(),
             instead: instead.to_owned(),
@@ -32,6 +35,10 @@ impl Warning {
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{file}:")?;
+            f.write_str(if self.place.is_some() { "" } else { " " })?;
+        }
         if let Some(place) = self.place {
             write!(f, "{place}: ")?;
         }

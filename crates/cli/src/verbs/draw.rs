@@ -14,8 +14,8 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 use dobot_api::CalibrationFile;
 use dobot_draw::{
-    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View, export, frame,
-    ink_seen,
+    Colors, DrawingRequest, FrameShape, InkLine, Picture, Prepared, Settings, View,
+    WITHOUT_ARM_Z_MM, export, frame, ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_rules::{PlannedFor, StationClient};
@@ -42,7 +42,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     let mut asked = asked(&args)?;
     // What is wrong with it is told before any arm is touched.
-    let mut drawing = Drawing::new(&args, &asked, args.to.dialect, VIRTUAL_PAPER_Z_MM)?;
+    let mut drawing = Drawing::new(&args, &asked, args.to.dialect, WITHOUT_ARM_Z_MM)?;
     for warning in &drawing.prepared.warnings {
         eprintln!("warning: {warning}");
     }
@@ -359,5 +359,3 @@ fn is_png(file: &Path) -> bool {
 /// What takes longer is told before it begins.
 const LONG_HOURS: f64 = 3.0;
 const PNG_WIDTH_PX: u32 = 2000;
-/// Where the paper of a virtual arm lies.
-const VIRTUAL_PAPER_Z_MM: f64 = -40.0;

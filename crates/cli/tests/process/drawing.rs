@@ -95,6 +95,48 @@ fn a_photo_and_a_text_become_ink_with_one_line_each() {
 }
 
 #[test]
+fn several_files_and_a_text_go_on_one_sheet() {
+    let folder = tempfile::tempdir().expect("there is a folder");
+    let file = |name: &str, text: &str| {
+        let file = folder.path().join(name);
+        fs::write(&file, text).expect("it can be written");
+        file.to_str().expect("it is text").to_owned()
+    };
+    let line = |x: f64, color: &str| {
+        let path = format!(r#"<path d="M{x} 20v20" stroke="{color}" fill="none"/>"#);
+        page(&path)
+    };
+    let left = file("left.svg", &line(10.0, "red"));
+    let right = file("right.svg", &line(90.0, "blue"));
+    let sides = ["draw", left.as_str(), right.as_str(), "--dry-run", "--json"];
+    let drawn = |more: &[&str]| report(&dobot(&[&sides[..], more].concat()).succeeds().stdout);
+    let ink = |report: &Value| {
+        let ink = report["ink_mm"].as_array().expect("it has four numbers");
+        let [x0, y0, x1, y1] = [0, 1, 2, 3].map(|it| ink[it].as_f64().expect("a number"));
+        ((y1 - y0).round(), (x1 - x0).round())
+    };
+    // 80 mm apart on their pages; one job with a pass for each colour.
+    let pages = drawn(&["--layers", "color"]);
+    assert_eq!(ink(&pages), (80.0, 20.0));
+    assert_eq!(number(&pages, "drawn_mm").round(), 40.0);
+    let layers = pages["layers"].as_array().expect("they are told");
+    let names: Vec<_> = layers.iter().map(|it| it["name"].as_str()).collect();
+    assert_eq!(names, [Some("red"), Some("blue")]);
+    assert_eq!(ink(&drawn(&["--grid", "2x1", "--gap", "30"])), (30.0, 20.0));
+    // Capitals of 10 mm, 5 mm below the lines.
+    assert_eq!(ink(&drawn(&["--text", "HHH"])), (80.0, 35.0));
+
+    let grid = ["--grid", "1x1"];
+    dobot(&[&sides[..], &grid].concat()).fails(1, &["1 cell ", "2 files", "--grid 2x1"]);
+    let spoiled = file("spoiled.svg", "<svg><path d='M0,0 L'/></svg>");
+    dobot(&["draw", &left, &spoiled]).fails(1, &["spoiled.svg: "]);
+    dobot(&["draw", "-", "-"]).fails(1, &["one standard input"]);
+    let burn = ["draw", &left, "--card", "5", "--laser", "cork-engrave"];
+    dobot(&burn).fails(2, &["--card"]);
+    dobot(&["draw", &left, &right, "--shade", "lines"]).fails(1, &["none of these"]);
+}
+
+#[test]
 fn layers_are_passes_of_their_own() {
     let sailing = example("sailing.svg");
     let names = |more: &[&str]| -> Vec<String> {

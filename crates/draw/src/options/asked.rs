@@ -18,7 +18,7 @@ use crate::give_up::GiveUp;
 use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::place::{AREA, Placement, Size};
-use crate::prepare::{Prepared, Settings, prepare, prepare_passes};
+use crate::prepare::{NamedSource, Prepared, Settings, prepare_passes, prepare_together};
 use crate::sheet::SheetPlace;
 
 /// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
@@ -37,13 +37,13 @@ pub struct DrawingRequest {
 pub struct Subject {
     /// The name of a file, the first line of a text.
     pub title: String,
-    /// A file, a picture or a text; none for the test card, which the options tell whole.
-    pub source: Option<Source>,
+    /// Files, pictures and a text, on one page; none for the test card, which the options tell whole.
+    pub sources: Vec<NamedSource>,
 }
 
 #[derive(Clone, Debug)]
 enum Drawable {
-    Source(Source),
+    Sources(Vec<NamedSource>),
     /// Laid out already: the test card.
     Passes(Vec<Pass>),
 }
@@ -55,10 +55,7 @@ impl Subject {
     ///
     /// [`SourceError`] where it is none that can be drawn.
     pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
-        Ok(Self {
-            title: name.to_owned(),
-            source: Some(Source::of_file(name, bytes)?),
-        })
+        Ok(Self::of(name, Source::of_file(name, bytes)?))
     }
 
     /// The text or the test card that the options tell; none where a file is to be drawn.
@@ -67,21 +64,47 @@ impl Subject {
         if what.card.is_some() {
             return Some(Self {
                 title: "test card".to_owned(),
-                source: None,
+                sources: Vec::new(),
             });
         }
         let text = what.text.as_ref()?.replace("\\n", "\n");
         let mut lines = text.lines();
         let first = lines.find(|it| !it.trim().is_empty());
-        Some(Self {
-            title: first.unwrap_or("--text").to_owned(),
-            source: Some(Source::Text(Text {
-                font: Font::of(what.font.as_deref().unwrap_or("sans")),
-                height_mm: what.height.unwrap_or(10.0),
-                align: what.align.unwrap_or(Align::Left),
-                ..Text::new(text)
-            })),
-        })
+        let title = first.unwrap_or("--text").to_owned();
+        let text = Text {
+            font: Font::of(what.font.as_deref().unwrap_or("sans")),
+            height_mm: what.height.unwrap_or(10.0),
+            align: what.align.unwrap_or(Align::Left),
+            ..Text::new(text)
+        };
+        Some(Self::of(&title, Source::Text(text)))
+    }
+
+    /// This and another one on the same page; what a person calls them names the first, and how many more files
+    /// there are.
+    #[must_use]
+    pub fn and(mut self, mut other: Self) -> Self {
+        let first = self.sources.first().map(|it| it.name.clone());
+        self.sources.append(&mut other.sources);
+        let is_file = |it: &&NamedSource| !matches!(it.source, Source::Text(_));
+        let more = self
+            .sources
+            .iter()
+            .filter(is_file)
+            .count()
+            .saturating_sub(1);
+        if let Some(first) = first.filter(|_| more > 0) {
+            self.title = format!("{first} and {more} more");
+        }
+        self
+    }
+
+    fn of(name: &str, source: Source) -> Self {
+        let name = name.to_owned();
+        Self {
+            title: name.clone(),
+            sources: vec![NamedSource { name, source }],
+        }
     }
 }
 
@@ -98,14 +121,16 @@ impl DrawingRequest {
         subject: Subject,
         materials: &Materials,
     ) -> Result<Self, OptionsError> {
-        let Subject { title, source } = subject;
+        let Subject { title, sources } = subject;
         let material = material(&options.tool, materials)?;
         let tool = with_options(material.tool, &options.tool)?;
-        check(&options, source.as_ref(), &title)?;
-        let needs_fonts = source.as_ref().is_some_and(Source::needs_fonts);
+        check(&options, &sources, &title)?;
+        let needs_fonts = sources.iter().any(|it| it.source.needs_fonts());
         let settings = Settings {
             tolerance_mm: options.way.tolerance,
-            placement: placement(&options, source.as_ref())?,
+            placement: placement(&options, &sources)?,
+            grid: options.place.grid,
+            gap_mm: options.place.gap,
             tool,
             layers: options.what.layers,
             only: options.what.only.clone(),
@@ -131,9 +156,10 @@ impl DrawingRequest {
             fonts: Arc::new(needs_fonts.then(system_fonts).unwrap_or_default()),
             ..Settings::default()
         };
-        let what = match source {
-            Some(source) => Drawable::Source(source),
-            None => Drawable::Passes(card(&options, tool)?),
+        let what = if sources.is_empty() {
+            Drawable::Passes(card(&options, tool)?)
+        } else {
+            Drawable::Sources(sources)
         };
         Ok(Self {
             title,
@@ -181,7 +207,7 @@ impl DrawingRequest {
         let tool = settings.tool.end_effector();
         let reachable = |position| reachable(position, tool);
         let prepared = match &self.what {
-            Drawable::Source(source) => prepare(source, &settings, reachable),
+            Drawable::Sources(all) => prepare_together(all, &settings, reachable),
             Drawable::Passes(passes) => prepare_passes(passes.clone(), &settings, reachable),
         };
         Ok((prepared?, settings))
@@ -285,8 +311,9 @@ fn card(options: &Options, tool: DrawingTool) -> Result<Vec<Pass>, OptionsError>
     Ok(card.to_passes()?)
 }
 
-fn placement(options: &Options, source: Option<&Source>) -> Result<Placement, OptionsError> {
-    let fills = source.is_some_and(|it| !it.has_size());
+fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, OptionsError> {
+    // A picture beside other files is as large as its resolution says.
+    let fills = !sources.is_empty() && sources.iter().all(|it| !it.source.has_size());
     let sheet = sheet(&options.place)?;
     Ok(Placement {
         size: match (options.place.fit || fills, options.place.scale) {
@@ -298,12 +325,13 @@ fn placement(options: &Options, source: Option<&Source>) -> Result<Placement, Op
         rotate_deg: options.place.rotate,
         center: center(options).filter(|_| sheet.is_none()),
         mirrors: options.place.mirror,
-        copies: options.place.grid.map(|it| (it, options.place.gap)),
         sheet,
         ..Placement::default()
     })
 }
 
+/// Where the paper of a virtual arm lies, and where a drawing is planned while no arm tells its height: Z, in mm.
+pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
 /// How near before the arm the lower edge of a sheet lies.
 const NEAREST_MM: f64 = 140.0;
 

@@ -3,33 +3,46 @@
 use dobot_source::Source;
 
 use super::{Options, OptionsError};
+use crate::prepare::NamedSource;
 
-/// Refuses the first option that would do nothing for this source, which has this title. Without a
-/// source the test card is drawn.
+/// Refuses the first option that would do nothing for any of these sources, which have this title together.
+/// Without a source the test card is drawn.
 pub(super) fn check(
     options: &Options,
-    source: Option<&Source>,
+    sources: &[NamedSource],
     title: &str,
 ) -> Result<(), OptionsError> {
     counts(options)?;
     ranges(options)?;
     together(options)?;
-    let kind = SourceKind::of(source);
+    let kinds: Vec<SourceKind> = match sources {
+        [] => vec![SourceKind::Card],
+        all => all.iter().map(|it| SourceKind::of(&it.source)).collect(),
+    };
+    if options.what.card.is_some() && !sources.is_empty() {
+        return Err(OptionsError::Both {
+            option: "--card",
+            other: "FILE",
+        });
+    }
     let misfit = given(options)
         .into_iter()
-        .find(|(_, given, Purpose(kinds, _))| *given && !kinds.contains(&kind));
+        .find(|(_, given, Purpose(fitting, _))| {
+            *given && !kinds.iter().any(|it| fitting.contains(it))
+        });
     let Some((option, _, Purpose(_, fits))) = misfit else {
         return Ok(());
     };
     Err(OptionsError::Misfit {
         option,
         fits,
-        is: match kind {
-            SourceKind::Svg => format!("{title} is an SVG file"),
-            SourceKind::Lines => format!("{title} is a file of lines"),
-            SourceKind::Picture => format!("{title} is a picture"),
-            SourceKind::Text => "this is a text".to_owned(),
-            SourceKind::Card => "this is a test card".to_owned(),
+        is: match kinds[..] {
+            [SourceKind::Svg] => format!("{title} is an SVG file"),
+            [SourceKind::Lines] => format!("{title} is a file of lines"),
+            [SourceKind::Picture] => format!("{title} is a picture"),
+            [SourceKind::Text] => "this is a text".to_owned(),
+            [SourceKind::Card] => "this is a test card".to_owned(),
+            _ => "none of these is one".to_owned(),
         },
     })
 }
@@ -159,7 +172,12 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let dependent = [
         ("--landscape", place.landscape, "--paper-size", sheet),
         ("--corner", cornered, "--paper-size", sheet),
-        ("--gap", apart, "--grid", place.grid.is_some()),
+        (
+            "--gap",
+            apart,
+            "--grid or --text",
+            place.grid.is_some() || what.text.is_some(),
+        ),
         ("--layer", !what.layer.is_empty(), "--layers", layered),
         ("--only", !what.only.is_empty(), "--layers", layered),
         ("--hatch-angle", turned, "--hatch", hatched),
@@ -207,13 +225,12 @@ enum SourceKind {
 }
 
 impl SourceKind {
-    const fn of(source: Option<&Source>) -> Self {
+    const fn of(source: &Source) -> Self {
         match source {
-            None => Self::Card,
-            Some(Source::Svg(_)) => Self::Svg,
-            Some(Source::Text(_)) => Self::Text,
-            Some(Source::Picture(_)) => Self::Picture,
-            Some(_) => Self::Lines,
+            Source::Svg(_) => Self::Svg,
+            Source::Text(_) => Self::Text,
+            Source::Picture(_) => Self::Picture,
+            _ => Self::Lines,
         }
     }
 }
@@ -295,8 +312,11 @@ mod tests {
 
     fn refusal(json: &str) -> String {
         let options: Options = serde_json::from_str(json).unwrap();
-        let file = Source::from("<svg/>");
-        let refused = check(&options, Some(&file), "a.svg");
+        let file = NamedSource {
+            name: "a.svg".to_owned(),
+            source: Source::from("<svg/>"),
+        };
+        let refused = check(&options, &[file], "a.svg");
         refused.unwrap_err().to_string()
     }
 

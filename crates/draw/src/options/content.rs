@@ -17,7 +17,7 @@ use crate::hatch::HatchStyle;
 #[command(next_help_heading = "What to draw")]
 #[serde(default, deny_unknown_fields)]
 pub struct ContentOptions {
-    /// A text instead of a file; \n begins a new line
+    /// A text, alone or below the files; \n begins a new line
     #[arg(long, value_name = "TEXT", conflicts_with = "card")]
     pub text: Option<String>,
     /// The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font

@@ -39,11 +39,12 @@ pub struct PlaceOptions {
     /// Change left and right
     #[arg(long)]
     pub mirror: bool,
-    /// Draw copies side by side, in columns and rows as in 3x2
+    /// Draw copies side by side, in columns and rows as in 3x2; several files one in each cell, then from the
+    /// first again
     #[arg(long, value_name = "GRID")]
     pub grid: Option<Grid>,
-    /// How far the copies lie apart, in mm of the file
-    #[arg(long, value_name = "MM", default_value_t = Self::default().gap, requires = "grid")]
+    /// How far the copies or files of --grid lie apart, and how far --text stands below a file, in mm of the file
+    #[arg(long, value_name = "MM", default_value_t = Self::default().gap)]
     pub gap: f64,
     /// Turn it counterclockwise
     #[arg(long, value_name = "DEGREES", default_value_t = 0.0)]

@@ -1,42 +1,131 @@
-//! A source as layers on the paper, read as finely as its size there needs.
+//! Sources as layers on the paper, read as finely as their size there needs.
 
 use std::sync::Arc;
 
 use dobot_geometry::{Point, Stroke};
 use dobot_source::{Artwork, Layer, ReadOptions, Source, SourceError, Warning};
 
-use super::{PrepareError, Settings};
+use super::{NamedSource, PrepareError, Settings};
 use crate::place::Placed;
+use crate::together::together;
 
 /// The layers on the paper, within the share of the tolerance that is for curves.
+///
+/// What a source becomes depends on its size there, which depends on all of them: they are read, placed, and
+/// where that turned out otherwise than was thought, read again.
 pub(super) fn read(
-    source: &Source,
+    sources: &[NamedSource],
     settings: &Settings,
 ) -> Result<(Placed, Vec<Warning>), PrepareError> {
-    let mut options = ReadOptions {
-        tolerance_mm: settings.flatten_mm(),
-        layers: settings.layers.unwrap_or_default(),
-        shading: settings.shading,
-        crops: settings.crops,
-        hides: settings.hides,
-        fills: settings.hatch.is_some(),
-        fonts: Arc::clone(&settings.fonts),
-        ..ReadOptions::default()
+    let is_alone = sources.len() == 1;
+    let named = |named: &NamedSource, error| match (is_alone, error) {
+        (true, error) => PrepareError::Source(error),
+        (false, error) => PrepareError::File {
+            name: named.name.clone(),
+            error,
+        },
     };
-    if let Some(page) = source.picture_page()? {
-        return read_picture(source, settings, options, page);
+    let begin = |it| Reading::begin(it, settings).map_err(|error| named(it, error));
+    let mut readings: Vec<Reading> = sources.iter().map(begin).collect::<Result<_, _>>()?;
+    let place = |readings: &[Reading]| {
+        let parts = readings.iter().map(Reading::part).collect();
+        settings.placement.place(together(parts, settings)?)
+    };
+    let mut placed = place(&readings)?;
+    for _ in 0..MOST_READS {
+        let mut is_as_thought = true;
+        for reading in &mut readings {
+            let read = reading.read_for(placed.scale, settings.flatten_mm());
+            is_as_thought &= !read.map_err(|error| named(reading.source, error))?;
+        }
+        if is_as_thought {
+            break;
+        }
+        placed = place(&readings)?;
     }
-    let (artwork, warnings) = read_coarsely(source, &mut options)?;
-    let placed = settings.placement.place(artwork)?;
-    // What counts is the size on the paper, which is known only now.
-    let tolerance_mm = (settings.flatten_mm() / placed.scale).max(1e-6);
-    if (options.tolerance_mm..options.tolerance_mm * MUCH).contains(&tolerance_mm) {
-        return Ok((placed, warnings));
+    let warnings = readings.into_iter().flat_map(|it| {
+        let file = (!is_alone).then(|| it.source.name.clone());
+        let in_file = move |warning| Warning {
+            file: file.clone(),
+            ..warning
+        };
+        it.warnings.into_iter().map(in_file)
+    });
+    Ok((placed, warnings.collect()))
+}
+
+/// A source as it was read last.
+struct Reading<'a> {
+    source: &'a NamedSource,
+    options: ReadOptions,
+    /// Of a picture that was not read yet the corners of its page.
+    artwork: Artwork,
+    is_read: bool,
+    warnings: Vec<Warning>,
+}
+
+impl<'a> Reading<'a> {
+    /// Reads it at its own size; of a picture only how large its page is, because its lines depend on how large
+    /// it becomes.
+    fn begin(source: &'a NamedSource, settings: &Settings) -> Result<Self, SourceError> {
+        let mut options = ReadOptions {
+            tolerance_mm: settings.flatten_mm(),
+            layers: settings.layers.unwrap_or_default(),
+            shading: settings.shading,
+            crops: settings.crops,
+            hides: settings.hides,
+            fills: settings.hatch.is_some(),
+            fonts: Arc::clone(&settings.fonts),
+            ..ReadOptions::default()
+        };
+        let page = source.source.picture_page()?;
+        let (artwork, warnings) = match page {
+            Some(page) => (corners(page), Vec::new()),
+            None => read_coarsely(&source.source, &mut options)?,
+        };
+        Ok(Self {
+            source,
+            options,
+            artwork,
+            is_read: page.is_none(),
+            warnings,
+        })
     }
-    options.scale = placed.scale;
-    options.tolerance_mm = tolerance_mm;
-    let (artwork, warnings) = source.read(&options)?;
-    Ok((settings.placement.place(artwork)?, warnings))
+
+    /// What it is on the page.
+    fn part(&self) -> (&Source, Artwork) {
+        (&self.source.source, self.artwork.clone())
+    }
+
+    /// Reads it again where it was read for another size on the paper; tells whether it was.
+    fn read_for(&mut self, scale: f64, flatten_mm: f64) -> Result<bool, SourceError> {
+        if self.source.source.has_size() {
+            let tolerance_mm = (flatten_mm / scale).max(1e-6);
+            let last_mm = self.options.tolerance_mm;
+            if (last_mm..last_mm * MUCH).contains(&tolerance_mm) {
+                return Ok(false);
+            }
+            self.options.tolerance_mm = tolerance_mm;
+        } else if self.is_read && (scale / self.options.scale - 1.0).abs() < SAME_SCALE {
+            return Ok(false);
+        }
+        self.options.scale = scale;
+        (self.artwork, self.warnings) = self.source.source.read(&self.options)?;
+        self.is_read = true;
+        Ok(true)
+    }
+}
+
+fn corners(page: Point) -> Artwork {
+    let corners = Layer {
+        strokes: vec![Stroke::open(vec![Point::default(), page])],
+        ..Layer::default()
+    };
+    Artwork {
+        width_mm: page.x,
+        height_mm: page.y,
+        layers: vec![corners],
+    }
 }
 
 /// Reads a source as finely as its own size allows: a town in metres has too many corners for that, but
@@ -55,34 +144,8 @@ fn read_coarsely(
     }
 }
 
-/// The lines of a picture depend on how large it becomes. Its page tells that, but what counts is
-/// the ink: where that is much smaller, it is read once more.
-fn read_picture(
-    source: &Source,
-    settings: &Settings,
-    mut options: ReadOptions,
-    page: Point,
-) -> Result<(Placed, Vec<Warning>), PrepareError> {
-    let corners = Layer {
-        strokes: vec![Stroke::open(vec![Point::default(), page])],
-        ..Layer::default()
-    };
-    let sheet = Artwork {
-        width_mm: page.x,
-        height_mm: page.y,
-        layers: vec![corners],
-    };
-    options.scale = settings.placement.place(sheet)?.scale;
-    let (artwork, warnings) = source.read(&options)?;
-    let placed = settings.placement.place(artwork)?;
-    if (placed.scale / options.scale - 1.0).abs() < SAME_SCALE {
-        return Ok((placed, warnings));
-    }
-    options.scale = placed.scale;
-    let (artwork, warnings) = source.read(&options)?;
-    Ok((settings.placement.place(artwork)?, warnings))
-}
-
+/// Once for the page of a picture, and once more where its ink is much smaller.
+const MOST_READS: u32 = 2;
 /// Where a file has too many corners even like this, it would on the paper.
 const COARSEST_MM: f64 = 100.0;
 const COARSER: f64 = 30.0;

@@ -9,6 +9,7 @@ use dobot_source::fontdb;
 use dobot_source::{LayersBy, Shading, ShadingStyle};
 
 use super::PrepareError;
+use crate::copies::Grid;
 use crate::cutting::Cutting;
 use crate::give_up::GiveUp;
 use crate::hatch::{Hatch, hatch};
@@ -28,6 +29,11 @@ pub struct Settings {
     pub tolerance_mm: f64,
     /// Where on the paper, and how large.
     pub placement: Placement,
+    /// Copies of the source, or all of several sources, side by side; otherwise there is one of each, where
+    /// it is on its page.
+    pub grid: Option<Grid>,
+    /// How far apart what is side by side lies, and a text below the drawing, in mm of the page.
+    pub gap_mm: f64,
     /// Where the paper lies.
     pub paper: Paper,
     /// What is wrong with the arm; nothing if not given. Drawings are told in the arm's own places
@@ -122,6 +128,8 @@ impl Default for Settings {
         Self {
             tolerance_mm: 0.05,
             placement: Placement::default(),
+            grid: None,
+            gap_mm: 5.0,
             paper: Paper::default(),
             calibration: None,
             machine: Machine::default(),

@@ -9,7 +9,7 @@ use dobot_api::problem_kinds::{BAD_DRAWING, DRAWING_PHASE, NO_SUCH_DRAWING, TOO_
 use dobot_api::{NewJob, Problem};
 use dobot_draw::{
     DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
-    frame,
+    WITHOUT_ARM_Z_MM, frame,
 };
 use dobot_rules::PlannedFor;
 use dobot_rules::drawing_job;
@@ -20,7 +20,7 @@ use tokio::task::AbortHandle;
 
 use super::answer::beside;
 
-/// A drawing that is to be planned: a file, or the text or the test card that the options tell.
+/// A drawing that is to be planned: a file, the text that the options tell or both, or a test card.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct NewDrawing {
@@ -312,20 +312,25 @@ impl NewDrawing {
     }
 
     fn subject(&self, title: &str) -> Result<Subject, Problem> {
-        match (Subject::of_text(&self.options.what), &self.file) {
-            (Some(text), None) => Ok(text),
-            (None, Some(file)) => {
-                let bytes = data_encoding::BASE64
-                    .decode(file.as_bytes())
-                    .map_err(|why| BAD_DRAWING.problem(format!("the file in Base64: {why}")))?;
-                Subject::of_file(title, bytes).map_err(|why| BAD_DRAWING.problem(why.to_string()))
-            }
-            (Some(_), Some(_)) => Err(BAD_DRAWING
-                .problem("it has a file and a text; a drawing is a file, a text or a test card")),
+        let file = self
+            .file
+            .as_ref()
+            .map(|it| of_file(title, it))
+            .transpose()?;
+        match (file, Subject::of_text(&self.options.what)) {
+            (Some(file), Some(text)) => Ok(file.and(text)),
+            (Some(only), None) | (None, Some(only)) => Ok(only),
             (None, None) => Err(BAD_DRAWING
                 .problem("it has neither `file` nor `options.what.text` nor `options.what.card`")),
         }
     }
+}
+
+/// A file in Base64.
+fn of_file(title: &str, file: &str) -> Result<Subject, Problem> {
+    let bytes = data_encoding::BASE64.decode(file.as_bytes());
+    let bytes = bytes.map_err(|why| BAD_DRAWING.problem(format!("the file in Base64: {why}")))?;
+    Subject::of_file(title, bytes).map_err(|why| BAD_DRAWING.problem(why.to_string()))
 }
 
 /// A drawing on its way to a plan.
@@ -431,5 +436,3 @@ const MOST: usize = 16;
 const LONGEST_PLAN: Duration = Duration::from_secs(120);
 const LONGEST_WAIT: Duration = Duration::from_secs(1);
 const MOST_LETTERS: usize = 150;
-/// Where the paper of a virtual arm lies.
-const WITHOUT_ARM_Z_MM: f64 = -40.0;

@@ -23,6 +23,8 @@ Examples:
   dobot draw plan.dxf --fit --rotate 90 --margin 10      as large as the drawing area allows, turned
   dobot draw flag.svg --layers color --hatch 1           a pen for each colour, areas hatched 1 mm apart
   dobot draw sign.svg --laser plywood-engrave --frame    go around it with the laser off, then burn
+  dobot draw map.svg route.svg --text Tour               one sheet: each where it is on its page, a text below
+  dobot draw a.svg b.svg c.dxf --grid 3x1                one sheet: side by side
   dobot draw page.svg --paper-size a5 --landscape        the page where it is on the sheet
   dobot draw parts.svg --laser cardboard-cut --kerf 0.2 --tabs 3
                                                          cut out, inside first, held by tabs
@@ -40,9 +42,9 @@ When a station runs, the drawing becomes a job of it: Ctrl-C pauses it, and `dob
 `dobot jobs speed` and `dobot jobs height` change it while it is drawn."
 )]
 pub(crate) struct Args {
-    /// The file, or - for standard input
-    #[arg(required_unless_present_any = ["text", "card"], conflicts_with_all = ["text", "card"])]
-    pub(crate) file: Option<PathBuf>,
+    /// The file, or - for standard input; several go on one sheet, each where it is on its own page
+    #[arg(value_name = "FILE", required_unless_present_any = ["text", "card"], conflicts_with = "card")]
+    pub(crate) files: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) to: To,
     #[command(flatten)]

@@ -16,13 +16,25 @@ use crate::verbs::calibrate;
 /// What the arguments ask for.
 pub(super) fn asked(args: &Args) -> Result<DrawingRequest, Failure> {
     let materials = materials(args.materials.as_deref())?;
-    let subject = match Subject::of_text(&args.options.what) {
-        Some(subject) => subject,
-        None => of_file(args.file.as_deref().expect("the options ask for one"))?,
-    };
+    let subject = subject(args)?;
     let calibration = args.calibration.as_deref().map(calibrate::read);
     let asked = DrawingRequest::new(dated(&args.options), subject, &materials)?;
     Ok(asked.calibrated(calibration.transpose()?))
+}
+
+/// The files, and the text or the test card.
+fn subject(args: &Args) -> Result<Subject, Failure> {
+    let standard_inputs = args.files.iter().filter(|it| *it == Path::new("-"));
+    if standard_inputs.count() > 1 {
+        return Err(Failure::new(
+            anyhow!("- is given more than once, and there is one standard input"),
+            "write one of the drawings to a file",
+        ));
+    }
+    let files = args.files.iter().map(|it| of_file(it));
+    let text = Subject::of_text(&args.options.what).map(Ok);
+    let all = files.chain(text).reduce(|all, next| Ok(all?.and(next?)));
+    all.expect("the options ask for one")
 }
 
 /// A test card has the day on it, unless something else is to stand there.

@@ -51,6 +51,8 @@ pub(super) struct Report {
 /// A warning.
 #[derive(Debug, Serialize)]
 struct WarningLine {
+    /// The file, where several are drawn.
+    file: Option<String>,
     /// Line and column in the file, where that is known.
     place: Option<String>,
     what: String,
@@ -61,6 +63,7 @@ struct WarningLine {
 impl WarningLine {
     fn of(it: &Warning) -> Self {
         Self {
+            file: it.file.clone(),
             place: it.place.map(|it| it.to_string()),
             what: it.what.clone(),
             instead: it.instead.clone(),

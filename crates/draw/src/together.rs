@@ -1,0 +1,168 @@
+//! Several files on one page, and a text below them.
+
+use dobot_geometry::{Rect, Vec2, bounds};
+use dobot_source::{Align, Artwork, Source};
+
+use crate::copies::in_cells;
+use crate::place::PlaceError;
+use crate::prepare::Settings;
+
+/// All parts as one page: files each where it is on its own page, or side by side in the cells of a grid; texts
+/// below all files, at the side at which their lines meet.
+///
+/// # Errors
+///
+/// [`PlaceError::Cells`] where the grid has fewer cells than there are files.
+pub(crate) fn together(
+    parts: Vec<(&Source, Artwork)>,
+    settings: &Settings,
+) -> Result<Artwork, PlaceError> {
+    let is_text = |it: &(&Source, Artwork)| matches!(it.0, Source::Text(_));
+    let (texts, files): (Vec<_>, Vec<_>) = if parts.iter().all(is_text) {
+        (Vec::new(), parts)
+    } else {
+        parts.into_iter().partition(is_text)
+    };
+    let mut page = side_by_side(files.into_iter().map(|it| it.1).collect(), settings)?;
+    for (source, text) in texts {
+        let align = match source {
+            Source::Text(text) => text.align,
+            _ => Align::Left,
+        };
+        page = captioned(page, text, align, settings.gap_mm);
+    }
+    Ok(page)
+}
+
+fn side_by_side(files: Vec<Artwork>, settings: &Settings) -> Result<Artwork, PlaceError> {
+    if let Some(grid) = settings.grid {
+        let cells = grid.columns * grid.rows;
+        if files.len() > cells as usize {
+            let files = files.len();
+            return Err(PlaceError::Cells { cells, files });
+        }
+        return Ok(in_cells(&files, grid, settings.gap_mm));
+    }
+    let mut files = files.into_iter();
+    let mut page = files.next().unwrap_or_default();
+    for file in files {
+        page.width_mm = page.width_mm.max(file.width_mm);
+        page.height_mm = page.height_mm.max(file.height_mm);
+        page.add(file);
+    }
+    Ok(page)
+}
+
+/// A page with a text below its ink. The page grows where the text would go beyond its edge.
+fn captioned(mut page: Artwork, text: Artwork, align: Align, gap_mm: f64) -> Artwork {
+    let [ink, letters] = [&page, &text].map(|it| bounds(it.points()));
+    let x = match align {
+        Align::Left => ink.x0 - letters.x0,
+        Align::Center => ink.center().x - letters.center().x,
+        Align::Right => ink.x1 - letters.x1,
+    };
+    let way = Vec2::new(x, ink.y1 + gap_mm - letters.y0);
+    let grown = Rect::new(0.0, 0.0, page.width_mm, page.height_mm).union(letters + way);
+    page.add(text.moved(way));
+    Artwork {
+        width_mm: grown.width(),
+        height_mm: grown.height(),
+        ..page.moved(-grown.origin().to_vec2())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use dobot_geometry::{Point, Stroke};
+    use dobot_source::{Layer, Text};
+
+    use super::*;
+
+    /// A page of 100 x 50 mm with a line between two places on it.
+    fn page(name: &str, from: (f64, f64), to: (f64, f64)) -> Artwork {
+        let line = Stroke::open(vec![Point::from(from), Point::from(to)]);
+        Artwork {
+            width_mm: 100.0,
+            height_mm: 50.0,
+            layers: vec![Layer {
+                name: name.to_owned(),
+                strokes: vec![line],
+                ..Layer::default()
+            }],
+        }
+    }
+
+    fn place(artwork: &Artwork, layer: usize, stroke: usize) -> (f64, f64) {
+        let p = artwork.layers[layer].strokes[stroke].points[0];
+        (p.x, p.y)
+    }
+
+    #[test]
+    fn files_keep_their_places_on_the_page_and_share_layers_of_the_same_name() {
+        let file = Source::from("");
+        let parts = vec![
+            (&file, page("red", (10.0, 5.0), (20.0, 5.0))),
+            (&file, page("blue", (30.0, 5.0), (40.0, 5.0))),
+            (&file, page("red", (70.0, 5.0), (80.0, 5.0))),
+        ];
+        let all = together(parts, &Settings::default()).expect("there is no grid");
+        assert_eq!((all.width_mm, all.height_mm), (100.0, 50.0));
+        let names: Vec<_> = all.layers.iter().map(|it| it.name.as_str()).collect();
+        assert_eq!(names, ["red", "blue"]);
+        assert_eq!(place(&all, 0, 1), (70.0, 5.0));
+    }
+
+    #[test]
+    fn a_grid_has_a_cell_for_each_file_or_says_how_many_are_missing() {
+        let file = Source::from("");
+        let parts = || {
+            vec![
+                (&file, page("a", (10.0, 5.0), (30.0, 15.0))),
+                (&file, page("b", (0.0, 0.0), (10.0, 10.0))),
+            ]
+        };
+        let in_grid = |grid: &str| {
+            let grid = grid.parse().ok();
+            let settings = Settings {
+                grid,
+                ..Settings::default()
+            };
+            together(parts(), &settings)
+        };
+        // Cells of 20 x 10 mm, 5 mm apart; b is in the middle of the second and the fourth.
+        let all = in_grid("2x2").expect("there are enough cells");
+        assert_eq!((all.width_mm, all.height_mm), (45.0, 25.0));
+        assert_eq!(place(&all, 0, 1), (0.0, 15.0));
+        assert_eq!(place(&all, 1, 0), (30.0, 0.0));
+        assert_eq!(place(&all, 1, 1), (30.0, 15.0));
+        let told = in_grid("1x1").expect_err("there are too few").to_string();
+        assert!(
+            told.contains("1 cell") && told.contains("2 files"),
+            "{told}"
+        );
+    }
+
+    #[test]
+    fn a_text_stands_below_the_ink_and_the_page_grows_for_it() {
+        let file = Source::from("");
+        let text = |align| {
+            Source::Text(Text {
+                align,
+                ..Text::new("")
+            })
+        };
+        let letters = page("text", (0.0, 0.0), (40.0, 10.0));
+        for (align, x) in [
+            (Align::Left, 10.0),
+            (Align::Center, 20.0),
+            (Align::Right, 30.0),
+        ] {
+            let text = text(align);
+            let drawing = page("red", (10.0, 5.0), (70.0, 42.0));
+            let parts = vec![(&text, letters.clone()), (&file, drawing)];
+            let all = together(parts, &Settings::default()).expect("there is no grid");
+            assert_eq!(place(&all, 1, 0), (x, 47.0));
+            assert_eq!((all.width_mm, all.height_mm), (100.0, 57.0));
+        }
+    }
+}
