@@ -131,9 +131,8 @@ impl Agents {
         context: RequestContext<RoleServer>,
     ) -> CallToolResult {
         let call = self.call(context);
-        let planned = call
-            .looking(async { call.plan_drawing(read(arguments)?).await })
-            .await;
+        let planned = call.looking(async { call.plan_drawing(read(arguments)?).await });
+        let planned = Box::pin(planned).await;
         planned.unwrap_or_else(|it| it.result())
     }
 

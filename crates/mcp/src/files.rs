@@ -66,6 +66,7 @@ fn outside(name: &str) -> Refused {
 const MOST_BYTES: u64 = 24_000_000;
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
 

@@ -101,7 +101,9 @@ impl Agent {
 }
 
 fn params(tool: &'static str, arguments: Value) -> CallToolRequestParams {
-    let arguments = arguments.as_object().expect("it is an object").clone();
+    let Value::Object(arguments) = arguments else {
+        panic!("the arguments are no object: {arguments}");
+    };
     CallToolRequestParams::new(tool).with_arguments(arguments)
 }
 
