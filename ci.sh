@@ -26,7 +26,8 @@
 # - `models` fetches yourdfpy and mujoco from PyPI, programs that load models of robots and know nothing of ours, and
 #   lets them calculate a thousand places with each tool.
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
-#   that were repaired; pandas, pyarrow and datasets read what was exported.
+#   that were repaired; pandas, pyarrow and datasets read what was exported, and Foxglove's own client from npm what a
+#   station tells live.
 # - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
 #   that is not a test; for the syntax it would need a second toolchain: `cargo +1.88 check`.
 # - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
@@ -57,7 +58,7 @@ readonly CI_STEPS=(
   "examples     run every example; none needs an arm"
   "api          try a station's API with requests made from its own document"
   "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
-  "recordings   do PyPI's mcap, pandas and datasets read what was repaired and exported?"
+  "recordings   do PyPI's mcap, pandas and datasets, and Foxglove's client, read what is recorded?"
   "python       does the Python package build, install, and do what its tests and types say?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
@@ -277,6 +278,9 @@ step_recordings() {
   DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test export -- --exact samples --ignored
   build_all
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
+  needs_command node nodejs
+  needs_command npm npm
+  tests/foxglove/look_on.sh "$(realpath "$(built)/dobot")"
   rm -rf "$folder"
 }
 

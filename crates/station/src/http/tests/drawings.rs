@@ -62,6 +62,26 @@ async fn a_file_becomes_a_plan_with_its_layers_its_time_and_its_way() {
 }
 
 #[tokio::test]
+async fn a_text_stands_below_the_file_that_it_comes_with() {
+    let harness = Harness::near();
+    let place = json!({"at": [200, 30], "pen_down": -30});
+    let alone = planned(&harness, file("cross.svg", SVG.as_bytes(), &place)).await;
+    let mut both = file("cross.svg", SVG.as_bytes(), &place);
+    both["options"]["what"] = json!({"layers": "color", "text": "Cross"});
+    let both = planned(&harness, both).await;
+    assert_eq!(both["phase"], "planned", "{both}");
+    assert_eq!(both["title"], "cross.svg");
+    let passes = |view: &Value| view["plan"]["timeline"]["passes"].as_array().unwrap().len();
+    // The colours of the file, and the text.
+    assert_eq!([passes(&alone), passes(&both)], [2, 3]);
+    let high_mm = |view: &Value| {
+        let bounds = &view["plan"]["timeline"]["bounds_mm"];
+        bounds[1][0].as_f64().unwrap() - bounds[0][0].as_f64().unwrap()
+    };
+    assert!(high_mm(&both) > high_mm(&alone) + 3.0, "{both}");
+}
+
+#[tokio::test]
 async fn a_job_is_made_of_a_plan_and_another_of_its_frame() {
     let harness = Harness::near();
     let text = json!({"options": {"what": {"text": "Hi"}, "place": {"pen_down": -30}}});
