@@ -285,19 +285,19 @@ step_recordings() {
 }
 
 step_python() {
-  local folder program tests
+  local folder program tests notebooks
   needs_venv
   needs_component clippy clippy
   cargo fmt --manifest-path python/Cargo.toml --check
   cargo clippy --locked --manifest-path python/Cargo.toml -- -D warnings
   folder=$(mktemp -d)
   python3 -m venv "$folder/venv"
-  "$folder/venv/bin/pip" install --quiet ./python mypy pyright pytest
+  "$folder/venv/bin/pip" install --quiet ./python ipykernel matplotlib mypy nbmake numpy pyright pytest
   build_all
   program=$(realpath "$(built)/dobot")
-  tests=$PWD/python/tests
+  tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
   # Elsewhere than beside the package's sources, so that the installed one is tested.
-  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet -p no:cacheprovider "$tests" && venv/bin/mypy --strict "$tests" && venv/bin/mypy --strict -p dobot_arm \
+  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet -p no:cacheprovider "$tests" && venv/bin/pytest --quiet -p no:cacheprovider --nbmake "$notebooks" && venv/bin/mypy --strict "$tests" && venv/bin/mypy --strict -p dobot_arm \
     && venv/bin/pyright --pythonpath venv/bin/python "$tests" && venv/bin/pyright --pythonpath venv/bin/python venv/lib/python3*/site-packages/dobot_arm)
   rm -rf "$folder"
 }
