@@ -56,7 +56,7 @@ class Plan:
 
 
 def plan(file: str | os.PathLike[str] | None = None, **options: object) -> Plan:
-    """Plans a drawing: a file (SVG, DXF, HP-GL, G-code, a picture, points) or ``text="..."``.
+    """Plans a drawing: a file (SVG, DXF, HP-GL, G-code, a picture, points), ``text="..."``, or both, the text below.
 
     The options are those of ``dobot draw`` with ``_`` for ``-``, lengths in millimetres, angles in degrees:
     ``paper_size="a5"``, ``landscape=True``, ``at=[210, 20]``, ``pen_down=-40``. ``paper="a5"`` is short for

@@ -3,14 +3,12 @@
 use std::path::Path;
 
 use dobot_draw::{
-    Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared, Settings, Subject, View,
+    Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared, Settings, Subject,
+    View, WITHOUT_ARM_Z_MM,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
-
-/// Where the paper of an arm lies of which nobody knows yet, in mm.
-pub(crate) const WITHOUT_ARM_Z_MM: f64 = -40.0;
 
 /// A drawing, planned for any arm; for the one that draws it, it is planned anew.
 #[pyclass(frozen)]
@@ -30,9 +28,7 @@ impl Drawing {
             (None, Some(subject)) => subject,
             (Some(file), None) => of_file(file)?,
             (None, None) => return Err(PyTypeError::new_err("give a file, or text=")),
-            (Some(_), Some(_)) => {
-                return Err(PyTypeError::new_err("give a file or text=, and not both"));
-            }
+            (Some(file), Some(text)) => of_file(file)?.and(text),
         };
         py.detach(|| {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());

@@ -10,14 +10,13 @@ use dobot_api::{
     JobPhase, Jog, Problem, RemoteError, Reply, Request, State, StationEvent, StationSearch,
 };
 use dobot_controller::PowerUp;
-use dobot_draw::DrawingRequest;
+use dobot_draw::{DrawingRequest, WITHOUT_ARM_Z_MM};
 use dobot_rules::{JobWatch, LocalArm, NoArm, Rules, StationClient, drawing_job};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Status};
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 use tokio::time::timeout;
 
-use crate::drawing::WITHOUT_ARM_Z_MM;
 use crate::mailbox::{Mailbox, Teller};
 
 /// Where the rules are kept.

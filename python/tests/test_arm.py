@@ -162,6 +162,17 @@ def test_a_text_is_drawn_and_shows_itself() -> None:
     assert plan._repr_svg_().startswith("<svg")
 
 
+def test_a_text_stands_below_the_file_that_it_comes_with(tmp_path: Path) -> None:
+    square = tmp_path / "square.svg"
+    square.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="30mm" viewBox="0 0 30 30">'
+        '<rect x="5" y="5" width="20" height="20" fill="none" stroke="black"/></svg>'
+    )
+    alone, both = dobot.plan(square), dobot.plan(square, text="Hello")
+    assert alone.drawn_mm == pytest.approx(80, abs=0.5)
+    assert both.title == "square.svg" and both.drawn_mm > alone.drawn_mm + 20
+
+
 def test_what_cannot_be_planned_says_why() -> None:
     with pytest.raises(TypeError, match="paper_size"):
         dobot.plan(text="Hello", sheet="a5")
