@@ -111,11 +111,8 @@ impl Call {
             // Nothing is queued that cannot be started.
             station.request(Request::TakeLease).await?;
         }
-        let job = drawing.job.clone();
-        let reply = station
-            .request(Request::SubmitJob { job, key: None })
-            .await?;
-        self.start_new(&mut station, reply, time).await
+        let job = station.submit(drawing.job.clone()).await?;
+        self.start_new(&mut station, job, time).await
     }
 
     async fn planned_for(&self, station: &mut StationClient) -> Result<PlannedFor, Refused> {

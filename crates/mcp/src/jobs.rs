@@ -31,7 +31,13 @@ impl Call {
         }
         let new = json!({ "program": program, "times": times });
         let reply: Reply = post(&self.station().await?, "/api/v1/programs/jobs", &new).await?;
-        self.start_new(&mut station, reply, time).await
+        let Reply::Job { job } = reply else {
+            return Err(Refused::new(
+                "no-station",
+                "the station does not tell which job it queued",
+            ));
+        };
+        self.start_new(&mut station, job.job, time).await
     }
 
     async fn program(&self, asked: ProgramArguments) -> Result<ProgramText, Refused> {
@@ -71,29 +77,19 @@ impl Call {
     pub(crate) async fn start_new(
         &self,
         station: &mut StationClient,
-        reply: Reply,
+        job: u64,
         time: Duration,
     ) -> Result<Value, Refused> {
-        let Reply::Job { job } = reply else {
-            return Err(Refused::new(
-                "no-station",
-                "the station does not tell which job it queued",
-            ));
-        };
         if self.asks(station) {
-            let number = job.job;
             let told = format!(
-                "job {number} is queued, and begins when a person starts it: on the station's page, or with `dobot jobs start {number}`"
+                "job {job} is queued, and begins when a person starts it: on the station's page, or with `dobot jobs start {job}`"
             );
-            return Ok(json!({ "told": told, "job": job }));
+            return Ok(json!({ "told": told, "job": view(station, job).await? }));
         }
-        let job = job.job;
-        let started = start(station, job).await;
-        if started.is_err() {
-            // Why it was refused is what counts.
-            let _ = station.request(Request::CancelJob { job }).await;
+        if let Err(refused) = start(station, job).await {
+            station.forget_unbegun(job).await;
+            return Err(refused);
         }
-        started?;
         follow(station, job, time).await
     }
 

@@ -4,7 +4,7 @@ use std::sync::mpsc::Receiver;
 
 use dobot_wire::Command;
 use rmcp::model::{CallToolRequest, CallToolRequestParams, CallToolResult, ClientRequest};
-use rmcp::service::{PeerRequestOptions, RunningService};
+use rmcp::service::{PeerRequestOptions, RequestHandle, RunningService};
 use rmcp::transport::TokioChildProcess;
 use rmcp::{RoleClient, ServiceExt};
 use serde_json::{Value, json};
@@ -97,6 +97,18 @@ impl Agent {
 
     async fn plans(&self, arguments: Value) -> Value {
         Self::done(self.call("plan_drawing", arguments).await)
+    }
+
+    /// Asks for a drawing, and waits until the arm is at it, not until it is over.
+    async fn begins_to_draw(&self, desk: &Desk) -> RequestHandle<RoleClient> {
+        let planned = self.plans(square()).await;
+        let draw = json!({"drawing": planned["drawing"], "wait_s": 600});
+        let request = CallToolRequest::new(params("draw", draw));
+        let request = ClientRequest::CallToolRequest(request);
+        let options = PeerRequestOptions::no_options();
+        let drawing = self.0.send_cancellable_request(request, options).await;
+        tokio::task::block_in_place(|| desk.draws());
+        drawing.expect("it is sent")
     }
 }
 
@@ -260,16 +272,7 @@ async fn a_drawing_is_seen_before_it_is_drawn_and_another_call_stops_it() {
 async fn a_call_that_is_cancelled_stops_the_arm() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
-    let planned = agent.plans(square()).await;
-    let draw = params(
-        "draw",
-        json!({"drawing": planned["drawing"], "wait_s": 600}),
-    );
-    let request = ClientRequest::CallToolRequest(CallToolRequest::new(draw));
-    let options = PeerRequestOptions::no_options();
-    let drawing = agent.0.send_cancellable_request(request, options).await;
-    tokio::task::block_in_place(|| desk.draws());
-    let drawing = drawing.expect("it is sent");
+    let drawing = agent.begins_to_draw(&desk).await;
     drawing
         .cancel(Some("enough".to_owned()))
         .await
@@ -293,15 +296,7 @@ async fn stopped(up: &Up) {
 async fn an_agent_that_ends_amid_a_drawing_stops_the_arm() {
     let desk = Desk::new();
     let agent = Agent::new(&desk.up, &[]).await;
-    let planned = agent.plans(square()).await;
-    let draw = params(
-        "draw",
-        json!({"drawing": planned["drawing"], "wait_s": 600}),
-    );
-    let request = ClientRequest::CallToolRequest(CallToolRequest::new(draw));
-    let options = PeerRequestOptions::no_options();
-    let _drawing = agent.0.send_cancellable_request(request, options).await;
-    tokio::task::block_in_place(|| desk.draws());
+    let _drawing = agent.begins_to_draw(&desk).await;
     agent.0.cancel().await.expect("it ends");
     stopped(&desk.up).await;
 }
