@@ -15,7 +15,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption(
         "--dobot-personality", default="specification", metavar="NAME",
         help="how virtual arms behave: specification, or firmware-1.1 as the arms that were sold do",
-    )  # fmt: skip
+    )
 
 
 def pytest_configure(config: pytest.Config) -> None:

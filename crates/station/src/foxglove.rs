@@ -157,6 +157,10 @@ impl Teller {
     }
 
     fn packet(&mut self, packet: &PassedPacket) {
+        if !self.channels.values().any(|it| it.has_sinks()) {
+            // Nobody looks on.
+            return;
+        }
         let bytes = packet.bytes.to_vec();
         let record = if packet.to_arm {
             Record::ToArm(bytes)
