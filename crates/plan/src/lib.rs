@@ -38,6 +38,7 @@ mod seen;
 mod speeds;
 mod summary;
 mod tick;
+mod tick_chain;
 mod tick_fit;
 mod ticker;
 mod tool;

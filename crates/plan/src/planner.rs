@@ -1,6 +1,5 @@
 //! From strokes to vectors: the ways of the tool, chain by chain.
 
-use dobot_arm::TICK_S;
 use dobot_geometry::{Point, Stroke};
 
 use crate::chain::{ChainSpeeds, LEAST_SHARE};
@@ -9,7 +8,8 @@ use crate::landing::Landing;
 use crate::lookahead::ChainVector;
 use crate::seen::TickPositions;
 use crate::speeds::Speeds;
-use crate::tick_fit::{MOST_FITS, OVER};
+use crate::tick_chain::{Breadth, TickChain};
+use crate::tick_fit::{OVER, TickFit};
 use crate::ticker::Ticker;
 use crate::vector::length;
 use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
@@ -154,52 +154,93 @@ impl<'a> Planner<'a> {
 /// A chain in ticks.
 impl Planner<'_> {
     /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
-    /// are taken slower, and all is planned again. A laser keeps its even speed.
+    /// are taken slower, and what that changes is planned again. A laser keeps its even speed.
     fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker) {
         let draws = self.moves[begin..]
             .iter()
             .any(|it| it.kind == MoveKind::Draw);
-        let rounds = if draws { MOST_ROUNDS } else { 0 };
         let mut over = vec![OVER; self.chain.len()];
-        let mut ways = 1;
-        for left in (0..=rounds).rev() {
-            let attempt = self.attempt(begin, ticker.clone(), &over, ways);
-            let fits = attempt.shares.iter().all(|it| *it >= 1.0);
-            if left == 0 || fits && (ways > 1 || attempt.late_share < MOST_LATE_SHARE) {
-                self.chain_speeds = attempt.chain_speeds;
-                self.ticker = Some(attempt.ticker);
-                return;
+        let mut attempt = self.attempt(begin, ticker, &over, Breadth::ONE);
+        if draws && !attempt.is_good() {
+            attempt = self.attempt(begin, ticker, &over, Breadth::FEW);
+            if attempt.late_share() > MUCH_LATE_SHARE {
+                attempt = self.attempt(begin, ticker, &over, Breadth::MANY);
             }
-            if ways > 1 {
-                self.take_slower(&attempt, &mut over);
+            for _ in 0..MOST_ROUNDS {
+                if attempt.shares.iter().all(|it| *it >= 1.0) {
+                    break;
+                }
+                self.take_slower(ticker, &attempt, &mut over);
+                self.repair(begin, ticker, &over, &mut attempt);
             }
-            ways = MOST_FITS;
+        }
+        let mut ticker = ticker.clone();
+        ticker.set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
+        self.ticker = Some(ticker);
+        self.chain_speeds = attempt.chain_speeds;
+    }
+
+    fn attempt(
+        &mut self,
+        begin: usize,
+        ticker: &Ticker,
+        over: &[f64],
+        breadth: Breadth,
+    ) -> Attempt {
+        let mut chain_speeds = self.chain_speeds.clone();
+        let speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
+        let fits = self.in_ticks(begin, &speeds, over).fits(ticker, breadth);
+        Attempt {
+            shares: self.shares(&fits),
+            chain_speeds,
+            speeds,
+            fits,
         }
     }
 
-    fn attempt(&mut self, begin: usize, mut ticker: Ticker, over: &[f64], ways: usize) -> Attempt {
+    /// Plans again what has changed since an attempt.
+    fn repair(&mut self, begin: usize, ticker: &Ticker, over: &[f64], attempt: &mut Attempt) {
         let mut chain_speeds = self.chain_speeds.clone();
         let speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
-        let mut ticks = TickPositions::default();
-        let cuts = ticker.set(&mut self.moves[begin..], &self.chain, &speeds, over, ways);
-        for (run, cut) in self.chain.iter().zip(&cuts) {
-            ticks.push(run, cut);
-        }
-        let wanted_s: f64 = speeds.iter().map(|it| it.duration_s).sum();
-        let took_s: f64 = cuts.iter().map(|it| f64::from(it.ticks()) * TICK_S).sum();
-        Attempt {
-            chain_speeds,
-            ticker,
+        let both = speeds.iter().zip(&attempt.speeds);
+        let changed: Vec<bool> = both
+            .zip(&attempt.shares)
+            .map(|((now, before), share)| now != before || *share < 1.0)
+            .collect();
+        let chain = self.in_ticks(begin, &speeds, over);
+        chain.repair(ticker, &mut attempt.fits, &changed, Breadth::FEW);
+        attempt.shares = self.shares(&attempt.fits);
+        attempt.chain_speeds = chain_speeds;
+        attempt.speeds = speeds;
+    }
+
+    fn in_ticks<'a>(
+        &'a self,
+        begin: usize,
+        speeds: &'a [Speeds],
+        over: &'a [f64],
+    ) -> TickChain<'a> {
+        TickChain {
+            moves: &self.moves[begin..],
+            chain: &self.chain,
             speeds,
-            late_share: took_s / wanted_s - 1.0,
-            shares: ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE),
+            over,
         }
+    }
+
+    /// What share of the acceleration seen at the corner behind each vector is allowed.
+    fn shares(&self, fits: &[TickFit]) -> Vec<f64> {
+        let mut ticks = TickPositions::default();
+        for (run, fit) in self.chain.iter().zip(fits) {
+            ticks.push(run, &fit.cut);
+        }
+        ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE)
     }
 
     /// Corners that are too fast, round after round more so; those that are hardly faster than one
     /// tick becomes a stop in the end.
-    fn take_slower(&mut self, attempt: &Attempt, over: &mut [f64]) {
-        let step_mm_s = f64::from(attempt.ticker.step_mm_s());
+    fn take_slower(&mut self, ticker: &Ticker, attempt: &Attempt, over: &mut [f64]) {
+        let step_mm_s = f64::from(ticker.step_mm_s());
         let shares = attempt.shares.iter().enumerate();
         for (i, share) in shares.filter(|it| *it.1 < 1.0) {
             over[i] = (2.0 * over[i]).min(MOST_OVER);
@@ -213,13 +254,26 @@ impl Planner<'_> {
 /// A chain as it comes out in ticks.
 struct Attempt {
     chain_speeds: ChainSpeeds,
-    ticker: Ticker,
     /// What was wanted of each vector.
     speeds: Vec<Speeds>,
-    /// How much longer all of them take than wanted, as a share of that.
-    late_share: f64,
+    /// What comes out.
+    fits: Vec<TickFit>,
     /// What share of the acceleration seen at the corner behind each vector is allowed.
     shares: Vec<f64>,
+}
+
+impl Attempt {
+    /// Whether no search could make it much better.
+    fn is_good(&self) -> bool {
+        self.late_share() < MOST_LATE_SHARE && self.shares.iter().all(|it| *it >= 1.0)
+    }
+
+    /// How much longer all of it takes than wanted, as a share of that.
+    fn late_share(&self) -> f64 {
+        let wanted_s: f64 = self.speeds.iter().map(|it| it.duration_s).sum();
+        let took_s: f64 = self.fits.iter().map(TickFit::duration_s).sum();
+        took_s / wanted_s - 1.0
+    }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
@@ -244,6 +298,8 @@ pub(super) fn round_down(value: f64) -> f32 {
 pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
 /// What takes no longer than this beyond what is wanted is not worth a search.
 const MOST_LATE_SHARE: f64 = 0.01;
+/// What takes longer than this is worth a long search.
+const MUCH_LATE_SHARE: f64 = 0.05;
 /// How often a chain is planned again for the ticks of a stock arm.
 const MOST_ROUNDS: u32 = 12;
 /// How much an end speed above the one wanted counts at the most.

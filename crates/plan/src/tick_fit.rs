@@ -61,6 +61,16 @@ impl TickFit {
         }
     }
 
+    /// How many ticks it takes.
+    pub(super) fn ticks(&self) -> u32 {
+        u32::from(self.cut.ticks().unsigned_abs())
+    }
+
+    /// How long it takes, in s.
+    pub(super) fn duration_s(&self) -> f64 {
+        f64::from(self.cut.ticks()) * f64::from(TICK_S)
+    }
+
     /// Whether the next vector would not tell them from each other.
     fn leaves_as_much(&self, other: &Self) -> bool {
         let apart_mm_s = (self.cut.end_mm_s - other.cut.end_mm_s).abs();

@@ -3,13 +3,10 @@
 use dobot_motion::Cut;
 use dobot_wire::{WriteMode, WriteVector};
 
-use crate::commands::write;
 use crate::link::Credit;
-use crate::lookahead::ChainVector;
-use crate::seen::{WINDOW_TICKS, at_ticks, second_difference, seen_mm};
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::tick_fit::{OVER, SAME_SHARE, TickFit, TickTarget};
+use crate::tick_fit::{OVER, TickFit, TickTarget};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -48,63 +45,36 @@ impl Ticker {
         self.most_mm_s = most_mm_s.max(1.5 * self.step_mm_s());
     }
 
-    /// Gives the vectors of a chain the speeds with which a stock arm comes nearest to these, and tells
-    /// how it runs them then.
-    ///
-    /// What is best for one vector may leave a speed from which the next cannot be run in the
-    /// ticks that it should take, or turns the tool too fast. So up to `most_ways` choices are followed.
-    pub(super) fn set(
-        &mut self,
-        moves: &mut [PlannedVector],
-        chain: &[ChainVector],
-        speeds: &[Speeds],
-        over: &[f64],
-        most_ways: usize,
-    ) -> Vec<Cut> {
-        let mut steps: Vec<Step> = Vec::with_capacity(chain.len() * most_ways * most_ways);
-        let mut ways = vec![Way::new(self)];
-        for (i, vector) in moves.iter().enumerate() {
-            let packet = write(vector);
-            let mut next: Vec<Way> = Vec::with_capacity(most_ways * most_ways);
-            for way in &ways {
-                let target =
-                    way.ticker
-                        .target(length(&packet), speeds[i], factor(&packet), over[i]);
-                for fit in target
-                    .fits(way.ticker.stored_mm_s)
-                    .into_iter()
-                    .take(most_ways)
-                {
-                    next.push(way.step(steps.len(), &speeds[i], &fit, chain[i].direction));
-                    steps.push(Step {
-                        fit,
-                        before: way.last,
-                    });
-                }
-            }
-            ways = the_best(next, most_ways);
-        }
-        let best = ways.swap_remove(0);
-        let mut fits: Vec<TickFit> = Vec::with_capacity(chain.len());
-        let mut last = best.last;
-        while let Some(step) = last.map(|it| &steps[it]) {
-            fits.push(step.fit);
-            last = step.before;
-        }
-        fits.reverse();
-        let mut stored_mm_s = self.stored_mm_s;
-        for (vector, fit) in moves.iter_mut().zip(&fits) {
-            vector.start_speed_mm_s = stored_mm_s.min(fit.max_mm_s);
+    /// Gives the vectors of a chain these speeds: they are run behind those before.
+    pub(super) fn set(&mut self, moves: &mut [PlannedVector], speeds: &[Speeds], fits: &[TickFit]) {
+        for ((vector, speeds), fit) in moves.iter_mut().zip(speeds).zip(fits) {
+            vector.start_speed_mm_s = self.stored_mm_s.min(fit.max_mm_s);
             vector.end_speed_mm_s = fit.end_mm_s;
             vector.max_speed_mm_s = fit.max_mm_s;
             vector.duration_s = f32::from(fit.cut.ticks()) * TICK_S;
-            stored_mm_s = fit.cut.end_mm_s;
+            self.take(speeds, fit);
         }
-        *self = best.ticker;
-        fits.into_iter().map(|fit| fit.cut).collect()
     }
 
-    /// The same for a vector of a job, whose speeds are those of a plan without ticks.
+    /// The speeds with which the next vector comes nearest to these, the best first.
+    pub(super) fn fits(&self, vector: &WriteVector, speeds: Speeds, over: f64) -> Vec<TickFit> {
+        let target = self.target(length(vector), speeds, factor(vector), over);
+        target.fits(self.stored_mm_s)
+    }
+
+    /// What becomes of the next vector with the speeds of this fit.
+    pub(super) fn cut_with(&self, vector: &WriteVector, fit: &TickFit) -> Cut {
+        let acceleration_mm_s2 = factor(vector) * self.acceleration_mm_s2;
+        Cut::of(
+            length(vector),
+            self.stored_mm_s,
+            fit.end_mm_s,
+            fit.max_mm_s,
+            acceleration_mm_s2,
+        )
+    }
+
+    /// Gives a vector of a job the speeds with which a stock arm comes nearest to its own, whose speeds are those of a plan without ticks.
     pub(super) fn respeed(&mut self, vector: &mut WriteVector, rests: bool, acceleration: f64) {
         let [start, end, max] = [
             vector.start_speed_mm_s,
@@ -142,6 +112,49 @@ impl Ticker {
         })
     }
 
+    /// What the arm has in hand before each vector of a chain that it runs like that.
+    pub(super) fn credits(&self, fits: &[TickFit]) -> Vec<Credit> {
+        let mut credit = self.credit;
+        let before = |fit: &TickFit| {
+            let before = credit;
+            credit.take(fit.duration_s());
+            before
+        };
+        fits.iter().map(before).collect()
+    }
+
+    /// Whether none of these vectors comes too late, until the arm has as much in hand as stands beside them.
+    pub(super) fn keeps_up<'a>(
+        &self,
+        rest: impl IntoIterator<Item = (&'a TickFit, &'a Credit)>,
+    ) -> bool {
+        let mut credit = self.credit;
+        for (fit, was) in rest {
+            if credit.least_s() <= was.least_s() {
+                return true;
+            }
+            if i32::from(fit.cut.ticks()) < i32::from(least_ticks(credit)) {
+                return false;
+            }
+            credit.take(fit.duration_s());
+        }
+        false
+    }
+
+    /// How many ticks the next vector has to take at the least.
+    #[cfg(test)]
+    pub(super) fn least_ticks(&self) -> u32 {
+        u32::from(least_ticks(self.credit).unsigned_abs())
+    }
+
+    pub(super) const fn stored_mm_s(&self) -> f32 {
+        self.stored_mm_s
+    }
+
+    pub(super) fn acceleration_mm_s2(&self) -> f64 {
+        self.acceleration_mm_s2.into()
+    }
+
     /// How much faster one tick may be than the one before, in mm/s.
     pub(super) fn step_mm_s(&self) -> f32 {
         self.acceleration_mm_s2 * TICK_S
@@ -172,80 +185,13 @@ impl Ticker {
     }
 
     /// The next vector is run like that.
-    fn take(&mut self, speeds: &Speeds, fit: &TickFit) {
+    pub(super) fn take(&mut self, speeds: &Speeds, fit: &TickFit) {
         let ticks = speeds.duration_s / f64::from(TICK_S);
         let took = f64::from(fit.cut.ticks());
         self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
-        self.credit.take(took * f64::from(TICK_S));
+        self.credit.take(fit.duration_s());
         self.stored_mm_s = fit.cut.end_mm_s;
     }
-}
-
-/// A way to run the first vectors of a chain.
-#[derive(Clone, Debug)]
-struct Way {
-    /// What the arm carries over behind them.
-    ticker: Ticker,
-    cost: f64,
-    /// Its last step.
-    last: Option<usize>,
-    /// Where the tool was at the last ticks, in mm from where the chain begins.
-    places: [[f64; 3]; SEEN_TICKS],
-}
-
-impl Way {
-    /// Before the first vector: the tool stands.
-    fn new(ticker: &Ticker) -> Self {
-        Self {
-            ticker: ticker.clone(),
-            cost: 0.0,
-            last: None,
-            places: [[0.0; 3]; SEEN_TICKS],
-        }
-    }
-
-    /// The way with one more vector, that becomes step number `step`.
-    fn step(&self, step: usize, speeds: &Speeds, fit: &TickFit, direction: [f64; 3]) -> Self {
-        let mut next = self.clone();
-        next.last = Some(step);
-        next.ticker.take(speeds, fit);
-        next.cost += fit.cost;
-        let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2.into());
-        for place in at_ticks(self.places[SEEN_TICKS - 1], direction, &fit.cut) {
-            let [before, now] = [next.places[0], next.places[SEEN_TICKS / 2]];
-            let beyond = second_difference(before, now, place) / allowed_mm - 1.0;
-            next.cost += beyond.max(0.0).powi(2) * BEYOND;
-            next.places.rotate_left(1);
-            next.places[SEEN_TICKS - 1] = place;
-        }
-        next
-    }
-}
-
-/// How one vector of a way is run.
-#[derive(Clone, Copy, Debug)]
-struct Step {
-    fit: TickFit,
-    /// The step before, where there is one.
-    before: Option<usize>,
-}
-
-/// The cheapest ways that leave different speeds, the best first.
-fn the_best(mut ways: Vec<Way>, most: usize) -> Vec<Way> {
-    ways.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    let mut best: Vec<Way> = Vec::with_capacity(most);
-    for way in ways {
-        let step_mm_s = SAME_SHARE * way.ticker.step_mm_s();
-        let is_new =
-            |other: &Way| (other.ticker.stored_mm_s - way.ticker.stored_mm_s).abs() >= step_mm_s;
-        if best.iter().all(is_new) {
-            best.push(way);
-            if best.len() == most {
-                break;
-            }
-        }
-    }
-    best
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a handful")]
@@ -273,7 +219,3 @@ fn factor(vector: &WriteVector) -> f32 {
 /// With the laser off, laser mode accelerates that much faster (note N48).
 const RAPID_FACTOR: f32 = 100.0;
 const MOST_EARLY: f64 = 0.5;
-/// From where the tool was a window ago to where it is, both ends included, without the last.
-const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
-/// How much it counts if the tool is seen to accelerate by all of what is allowed too much; in the square.
-const BEYOND: f64 = 2500.0;

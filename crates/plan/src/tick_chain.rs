@@ -1,0 +1,303 @@
+//! How a stock arm is to run a chain of vectors: a search among the ways that its ticks allow.
+
+use crate::PlannedVector;
+use crate::commands::write;
+use crate::lookahead::ChainVector;
+use crate::seen::{WINDOW_TICKS, at_ticks, second_difference, seen_mm};
+use crate::speeds::Speeds;
+use crate::tick_fit::{MOST_FITS, SAME_SHARE, TickFit};
+use crate::ticker::Ticker;
+
+/// A chain, and what is wanted of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TickChain<'a> {
+    pub moves: &'a [PlannedVector],
+    pub chain: &'a [ChainVector],
+    pub speeds: &'a [Speeds],
+    /// How much an end speed above the one wanted counts, for each vector.
+    pub over: &'a [f64],
+}
+
+/// How far a search looks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Breadth {
+    /// So many ways are followed.
+    ways: usize,
+    /// Each is continued so often, at most [`MOST_FITS`] times.
+    fits: usize,
+}
+
+impl Breadth {
+    pub(super) const ONE: Self = Self { ways: 1, fits: 1 };
+    pub(super) const FEW: Self = Self {
+        ways: 3,
+        fits: MOST_FITS,
+    };
+    pub(super) const MANY: Self = Self {
+        ways: 8,
+        fits: MOST_FITS,
+    };
+}
+
+impl TickChain<'_> {
+    /// The speeds with which a stock arm comes nearest to those wanted, and how it runs the vectors then.
+    ///
+    /// What is best for one vector may leave a speed from which the next cannot be run in the
+    /// ticks that it should take, or turns the tool too fast. So several choices are followed.
+    pub(super) fn fits(&self, ticker: &Ticker, breadth: Breadth) -> Vec<TickFit> {
+        self.follow(0, Way::new(ticker), breadth, |_, _| None)
+    }
+
+    /// Runs the changed vectors anew, and those after them until the arm goes on as it did and the link keeps up: what
+    /// lies between the changes stays as it is.
+    pub(super) fn repair(
+        &self,
+        ticker: &Ticker,
+        fits: &mut [TickFit],
+        changed: &[bool],
+        breadth: Breadth,
+    ) {
+        let credits = ticker.credits(fits);
+        let (mut here, mut at) = (ticker.clone(), 0);
+        let next_change = |from: usize| (from..changed.len()).find(|&i| changed[i]);
+        while let Some(change) = next_change(at) {
+            let begin = change.saturating_sub(MARGIN).max(at);
+            for (speeds, fit) in self.speeds[at..begin].iter().zip(&fits[at..begin]) {
+                here.take(speeds, fit);
+            }
+            let mut way = Way::new(&here);
+            way.places = self.places_before(begin, fits);
+            let goes_on = |i: usize, ways: &[Way]| {
+                let ends = (i + 1..changed.len().min(i + 1 + MARGIN)).all(|it| !changed[it]);
+                let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
+                let most_cost = ways[0].cost + MOST_LOSS;
+                ways.iter().position(|way| {
+                    let same = way.ticker.cut_with(&write(&self.moves[i + 1]), next) == next.cut;
+                    let rest = fits[i + 1..].iter().zip(&credits[i + 1..]);
+                    same && way.cost <= most_cost && way.ticker.keeps_up(rest.take(MOST_AHEAD))
+                })
+            };
+            let anew = self.follow(begin, way, breadth, goes_on);
+            at = begin + anew.len();
+            for (speeds, fit) in self.speeds[begin..at].iter().zip(&anew) {
+                here.take(speeds, fit);
+            }
+            fits[begin..at].copy_from_slice(&anew);
+        }
+    }
+
+    /// The best way from a vector on, as far as the chain goes or `ends` chooses one of the ways behind a vector.
+    fn follow(
+        &self,
+        begin: usize,
+        first: Way,
+        breadth: Breadth,
+        ends: impl Fn(usize, &[Way]) -> Option<usize>,
+    ) -> Vec<TickFit> {
+        let mut steps: Vec<Step> = Vec::new();
+        let mut ways = vec![first];
+        for i in begin..self.moves.len() {
+            let mut next: Vec<Way> = Vec::with_capacity(breadth.fits * breadth.ways);
+            for way in &ways {
+                let fits = way
+                    .ticker
+                    .fits(&write(&self.moves[i]), self.speeds[i], self.over[i]);
+                for fit in fits.into_iter().take(breadth.fits) {
+                    next.push(way.step(
+                        steps.len(),
+                        &self.speeds[i],
+                        &fit,
+                        self.chain[i].direction,
+                    ));
+                    steps.push(Step {
+                        fit,
+                        before: way.last,
+                    });
+                }
+            }
+            ways = the_best(next, breadth.ways);
+            if let Some(chosen) = ends(i, &ways) {
+                ways.swap(0, chosen);
+                break;
+            }
+        }
+        let mut fits = Vec::new();
+        let mut last = ways[0].last;
+        while let Some(step) = last.map(|it| &steps[it]) {
+            fits.push(step.fit);
+            last = step.before;
+        }
+        fits.reverse();
+        fits
+    }
+
+    /// Where the tool is at the last ticks before a vector, in mm from where the first of them leads from.
+    fn places_before(&self, begin: usize, fits: &[TickFit]) -> [[f64; 3]; SEEN_TICKS] {
+        let mut from = begin;
+        let mut ticks = 0;
+        while from > 0 && ticks < SEEN_TICKS {
+            from -= 1;
+            ticks += fits[from].ticks() as usize;
+        }
+        let mut places = [[0.0; 3]; SEEN_TICKS];
+        for (run, fit) in self.chain[from..begin].iter().zip(&fits[from..begin]) {
+            for place in at_ticks(places[SEEN_TICKS - 1], run.direction, &fit.cut) {
+                places.rotate_left(1);
+                places[SEEN_TICKS - 1] = place;
+            }
+        }
+        places
+    }
+}
+
+/// A way to run the first vectors of a chain.
+#[derive(Clone, Debug)]
+struct Way {
+    /// What the arm carries over behind them.
+    ticker: Ticker,
+    cost: f64,
+    /// Its last step.
+    last: Option<usize>,
+    /// Where the tool was at the last ticks, in mm from where the chain begins.
+    places: [[f64; 3]; SEEN_TICKS],
+}
+
+impl Way {
+    /// Before the first vector: the tool stands.
+    fn new(ticker: &Ticker) -> Self {
+        Self {
+            ticker: ticker.clone(),
+            cost: 0.0,
+            last: None,
+            places: [[0.0; 3]; SEEN_TICKS],
+        }
+    }
+
+    /// The way with one more vector, that becomes step number `step`.
+    fn step(&self, step: usize, speeds: &Speeds, fit: &TickFit, direction: [f64; 3]) -> Self {
+        let mut next = self.clone();
+        next.last = Some(step);
+        next.ticker.take(speeds, fit);
+        next.cost += fit.cost;
+        let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
+        for place in at_ticks(self.places[SEEN_TICKS - 1], direction, &fit.cut) {
+            let [before, now] = [next.places[0], next.places[SEEN_TICKS / 2]];
+            let beyond = second_difference(before, now, place) / allowed_mm - 1.0;
+            next.cost += beyond.max(0.0).powi(2) * BEYOND;
+            next.places.rotate_left(1);
+            next.places[SEEN_TICKS - 1] = place;
+        }
+        next
+    }
+}
+
+/// How one vector of a way is run.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    fit: TickFit,
+    /// The step before, where there is one.
+    before: Option<usize>,
+}
+
+/// The cheapest ways that leave different speeds, the best first.
+fn the_best(mut ways: Vec<Way>, most: usize) -> Vec<Way> {
+    ways.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let mut best: Vec<Way> = Vec::with_capacity(most);
+    for way in ways {
+        let step_mm_s = SAME_SHARE * way.ticker.step_mm_s();
+        let is_new = |other: &Way| {
+            (other.ticker.stored_mm_s() - way.ticker.stored_mm_s()).abs() >= step_mm_s
+        };
+        if best.iter().all(is_new) {
+            best.push(way);
+            if best.len() == most {
+                break;
+            }
+        }
+    }
+    best
+}
+
+/// From where the tool was a window ago to where it is, both ends included, without the last.
+const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
+/// How much it counts if the tool is seen to accelerate by all of what is allowed too much; in the square.
+const BEYOND: f64 = 2500.0;
+/// So many vectors before a change and behind it are run anew too.
+const MARGIN: usize = 4;
+/// How much worse than the best a way may be that goes on as the arm did.
+const MOST_LOSS: f64 = 4.0;
+/// So many vectors later the link is to wait for none of them more than it did.
+const MOST_AHEAD: usize = 200;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::chain::ChainSpeeds;
+    use crate::tick_fit::OVER;
+    use crate::{Machine, MoveKind};
+
+    fn vector([x_mm, y_mm]: [f32; 2]) -> PlannedVector {
+        PlannedVector {
+            x_mm,
+            y_mm,
+            z_mm: 0.0,
+            start_speed_mm_s: 0.0,
+            end_speed_mm_s: 0.0,
+            max_speed_mm_s: 0.0,
+            duration_s: 0.0,
+            kind: MoveKind::Draw,
+            stroke: 0,
+            pass: 0,
+        }
+    }
+
+    /// Each vector is as long as it should be, and none is over before its successor can be there.
+    fn check(
+        ticker: &Ticker,
+        moves: &[PlannedVector],
+        speeds: &[Speeds],
+        fits: &[TickFit],
+    ) -> Result<(), TestCaseError> {
+        let mut ticker = ticker.clone();
+        for ((vector, speeds), fit) in moves.iter().zip(speeds).zip(fits) {
+            let packet = write(vector);
+            prop_assert_eq!(ticker.cut_with(&packet, fit), fit.cut);
+            prop_assert!(fit.cut.is_true());
+            prop_assert!(fit.ticks() >= ticker.least_ticks());
+            ticker.take(speeds, fit);
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn a_repaired_chain_runs_true_and_keeps_up_with_the_link(
+            ways in proptest::collection::vec([-3.0..3.0_f32, 0.1..3.0_f32], 2..60),
+            slower in proptest::collection::vec((0..60_usize, 0.1..0.9_f64), 1..6),
+        ) {
+            let machine = Machine { has_ticks: true, ..Machine::default() };
+            let mut ticker = Ticker::new(&machine, 0.0);
+            ticker.limit(40.0);
+            let moves: Vec<PlannedVector> = ways.into_iter().map(vector).collect();
+            let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
+            let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
+            let over = vec![OVER; moves.len()];
+            let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
+            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, over: &over }
+                .fits(&ticker, Breadth::FEW);
+            check(&ticker, &moves, &before, &fits)?;
+            for (at, share) in slower {
+                let at = at % chain.len();
+                chain[at].corner_mm_s = before[at].end_mm_s * share;
+            }
+            let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
+            let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
+            TickChain { moves: &moves, chain: &chain, speeds: &speeds, over: &over }
+                .repair(&ticker, &mut fits, &changed, Breadth::FEW);
+            prop_assert_eq!(fits.len(), moves.len());
+            check(&ticker, &moves, &speeds, &fits)?;
+        }
+    }
+}
