@@ -52,10 +52,10 @@ mod picture;
 mod place;
 mod prepare;
 mod preview;
+mod program_files;
 mod sheet;
 mod simplify;
 mod start;
-mod step;
 mod timeline;
 mod together;
 mod trace;
@@ -83,9 +83,9 @@ pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
 pub use prepare::{
     NamedSource, PrepareError, Prepared, Settings, prepare, prepare_passes, prepare_together,
 };
+pub use program_files::ProgramFiles;
 pub use sheet::{PaperSize, SheetPlace};
 pub use simplify::{MIN_VECTOR_MM, simplify, simplify_at};
 pub use start::{StartError, StartFrom};
-pub use step::draw_step;
 pub use timeline::{Moves, Path, Timeline};
 pub use trace::{Sample, StartNotReached, Trace};

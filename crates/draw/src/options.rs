@@ -48,3 +48,15 @@ pub struct Options {
     #[command(flatten)]
     pub way: PathOptions,
 }
+
+impl Options {
+    /// Whether they fit what is drawn, and each other.
+    ///
+    /// # Errors
+    ///
+    /// [`OptionsError`]: the first option that is out of its range, that another one excludes, or that would do
+    /// nothing.
+    pub fn check(&self, subject: &Subject) -> Result<(), OptionsError> {
+        check::check(self, &subject.sources, &subject.title)
+    }
+}

@@ -58,6 +58,12 @@ impl Subject {
         Ok(Self::of(name, Source::of_file(name, bytes)?))
     }
 
+    /// Lines of points that a program has calculated: x to the right, y down, in mm; `name` is what a person calls them.
+    #[must_use]
+    pub fn of_lines(name: &str, lines: Vec<Vec<Point>>) -> Self {
+        Self::of(name, Source::Lines(lines))
+    }
+
     /// The text or the test card that the options tell; none where a file is to be drawn.
     #[must_use]
     pub fn of_text(what: &ContentOptions) -> Option<Self> {

@@ -108,6 +108,20 @@ pub enum OptionsError {
 }
 
 impl OptionsError {
+    /// The option that is wrong, where one is.
+    #[must_use]
+    pub const fn option(&self) -> Option<&'static str> {
+        match self {
+            Self::Misfit { option, .. }
+            | Self::Both { option, .. }
+            | Self::Alone { option, .. }
+            | Self::NoPlace { option, .. }
+            | Self::Range { option, .. }
+            | Self::Count { option, .. } => Some(option),
+            _ => None,
+        }
+    }
+
     /// What to do about it, where something helps.
     #[must_use]
     pub fn hint(&self) -> Option<String> {

@@ -41,8 +41,26 @@ impl<'a> LocalSearch<'a> {
         self.tour.keep();
     }
 
-    /// Kicks the tour somewhere, settles it again, and takes that back where it has not gained.
-    pub(super) fn kick(&mut self, random: &mut Random) {
+    /// Kicks the tour somewhere and settles it again, so many times. What is worse is taken back, but for a little at
+    /// the beginning, less and less of it: so the search leaves a hollow in which it would stay. `mean` is what a way
+    /// between strokes costs.
+    pub(super) fn anneal(&mut self, kicks: u32, mean: f64, random: &mut Random) {
+        let work = u64::from(kicks) * KICK_WRITES;
+        let begin = self.tour.written();
+        for kick in 0_u64.. {
+            let done = kick * KICK_WRITES + (self.tour.written() - begin);
+            if done >= work {
+                break;
+            }
+            #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+            let left = 1.0 - done as f64 / work as f64;
+            self.kick(WARMTH * mean * left, random);
+        }
+    }
+
+    /// Kicks the tour somewhere, settles it again, and takes that back where it is worse: by how much it may be worse is
+    /// left to chance, and is `warmth` on average.
+    fn kick(&mut self, warmth: f64, random: &mut Random) {
         let Some(places) = self.kick_places(random) else {
             return;
         };
@@ -64,7 +82,8 @@ impl<'a> LocalSearch<'a> {
             self.touch(end);
         }
         gain += self.settle();
-        if gain < -EPSILON {
+        let chance = f64::from(random.below(CHANCES) + 1) / f64::from(CHANCES);
+        if gain < warmth * chance.ln() - EPSILON {
             self.tour.take_back();
         }
         self.tour.keep();
@@ -220,6 +239,12 @@ const BREADTH: [usize; MOST - 1] = [5, 3, 1];
 const MOST_STEPS: usize = 5;
 /// Kicks cut the tour in four places out of so many in a row.
 const WINDOW: u32 = 50;
+
+/// How much worse than before the tour may be after a kick, at the beginning and on average: of a way between strokes.
+const WARMTH: f64 = 0.3;
+const CHANCES: u32 = 1 << 30;
+/// A kick takes about as long as writing so many places; in large tours exchanges write far more.
+const KICK_WRITES: u64 = 16_000;
 
 /// What counts as a gain, in mm or s: more than rounding.
 const EPSILON: f64 = 1e-9;

@@ -12,6 +12,8 @@ pub(super) struct Tour {
     writings: Vec<(usize, usize)>,
     /// The most places that one exchange may write.
     reach: usize,
+    /// How many places were written so far.
+    written: u64,
 }
 
 /// An exchange that leaves one tour: where the tour is cut, and how the pieces follow each other.
@@ -36,7 +38,13 @@ impl Tour {
             undo: Vec::new(),
             writings: Vec::new(),
             reach,
+            written: 0,
         }
+    }
+
+    /// How many places were written so far: what the search costs beside looking.
+    pub(super) const fn written(&self) -> u64 {
+        self.written
     }
 
     pub(super) fn order(&self) -> &[u32] {
@@ -165,6 +173,7 @@ impl Tour {
     /// Takes back everything since the last `keep`.
     pub(super) fn take_back(&mut self) {
         while let Some((begin, saved)) = self.writings.pop() {
+            self.written += (self.undo.len() - saved) as u64;
             let mut place = begin;
             for &node in &self.undo[saved..] {
                 self.order[place] = node;
@@ -206,6 +215,7 @@ impl Tour {
     fn save(&mut self, begin: usize, length: usize) -> usize {
         let saved = self.undo.len();
         self.writings.push((begin, saved));
+        self.written += length as u64;
         let first = length.min(self.order.len() - begin);
         self.undo
             .extend_from_slice(&self.order[begin..begin + first]);

@@ -1,0 +1,50 @@
+//! The files that a taught program names: other programs, and drawings that become its steps.
+
+use dobot_api::CalibrationFile;
+use dobot_teach::{Drawing, Files};
+use dobot_wire::{Command, Dialect};
+
+use crate::{DrawingRequest, Materials, Subject};
+
+/// The files that a taught program names, from wherever `read` has their bytes; its drawings become what `dobot draw`
+/// makes of them, for one arm.
+#[derive(Clone, Debug)]
+pub struct ProgramFiles<R> {
+    read: R,
+    dialect: Dialect,
+    calibration: Option<CalibrationFile>,
+}
+
+impl<R: FnMut(&str) -> Result<Vec<u8>, String>> ProgramFiles<R> {
+    /// Files by their names in the program, for an arm with this dialect and calibration. What `read` answers with where
+    /// it has no such file names it.
+    pub const fn new(read: R, dialect: Dialect, calibration: Option<CalibrationFile>) -> Self {
+        Self {
+            read,
+            dialect,
+            calibration,
+        }
+    }
+}
+
+impl<R: FnMut(&str) -> Result<Vec<u8>, String>> Files for ProgramFiles<R> {
+    fn program(&mut self, path: &str) -> Result<String, String> {
+        String::from_utf8((self.read)(path)?)
+            .map_err(|_| format!("{path} is not text in UTF-8, so it is no program"))
+    }
+
+    fn drawing(&mut self, path: &str, drawing: &Drawing) -> Result<Vec<Command>, String> {
+        let told = |error: &dyn std::fmt::Display| format!("{path}: {error}");
+        let bytes = (self.read)(path)?;
+        let options = drawing.options.clone();
+        let options = options.try_into().map_err(|error| told(&error))?;
+        let subject = Subject::of_file(path, bytes).map_err(|error| told(&error))?;
+        let asked = DrawingRequest::new(options, subject, &Materials::built_in())
+            .map_err(|error| told(&error))?;
+        let prepared = asked
+            .calibrated(self.calibration.clone())
+            .prepare(Some(self.dialect), drawing.pen_down)
+            .map_err(|error| told(&error))?;
+        Ok(prepared.0.plan.commands().collect())
+    }
+}
