@@ -7,6 +7,8 @@ mod entity;
 mod file;
 mod frame;
 mod hatch;
+mod mesh;
+mod multileader;
 mod pairs;
 mod pattern;
 mod renderer;

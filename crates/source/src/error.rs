@@ -15,6 +15,16 @@ use crate::place::{Place, excerpt, place};
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SourceError {
+    /// A calculated point is beyond any table, or no number.
+    #[error("point {point} of line {line} is ({}, {}); allowed are two numbers from -1000000 to 1000000 (mm)", found.0, found.1)]
+    Point {
+        /// The line, counted from 1.
+        line: usize,
+        /// The point in it, counted from 1.
+        point: usize,
+        /// Its x and y.
+        found: (f64, f64),
+    },
     /// Neither name nor contents tell what it is.
     #[error(
         "{name:?} is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .csv and .json files"

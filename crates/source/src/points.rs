@@ -1,10 +1,12 @@
-//! Reading plain points: CSV and JSON, in millimetres, x to the right and y down as on a page.
+//! Reading plain points: CSV, JSON and lists, in millimetres, x to the right and y down as on a page.
 
 mod csv;
 mod json;
+mod lines;
 
 pub(crate) use self::csv::read as read_csv;
 pub(crate) use self::json::read as read_json;
+pub(crate) use self::lines::read as read_lines;
 
 #[cfg(test)]
 mod tests;

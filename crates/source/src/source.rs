@@ -24,6 +24,8 @@ pub enum Source {
     Dxf(Vec<u8>),
     /// Points in lines: x to the right, y down, in mm.
     Csv(String),
+    /// Lines of points that a program has calculated: x to the right, y down, in mm.
+    Lines(Vec<Vec<Point>>),
     /// Points in JSON: lists of strokes, which are lists of points, in mm.
     Json(String),
     /// Text, in letters of single lines or outlines.
@@ -99,6 +101,7 @@ impl Source {
             Self::Dxf(text) => dxf::read(text, options),
             Self::Csv(text) => points::read_csv(text, options),
             Self::Json(text) => points::read_json(text, options),
+            Self::Lines(lines) => points::read_lines(lines, options),
             Self::Picture(bytes) => picture::read(bytes, options),
         }
     }

@@ -26,6 +26,11 @@ impl<'a> Entity<'a> {
         })
     }
 
+    /// The same entity with other groups.
+    pub(super) fn with(&self, pairs: Vec<Pair<'a>>) -> Self {
+        Self { pairs, ..*self }
+    }
+
     pub(super) fn name(&self) -> String {
         String::from_utf8_lossy(self.kind).into_owned()
     }

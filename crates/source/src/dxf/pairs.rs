@@ -20,6 +20,11 @@ pub(super) struct Pair<'a> {
 }
 
 impl<'a> Pair<'a> {
+    /// The same value under another code.
+    pub(super) const fn with_code(self, code: i32) -> Self {
+        Self { code, ..self }
+    }
+
     pub(super) fn is(&self, code: i32, value: &[u8]) -> bool {
         self.code == code && self.value == value
     }

@@ -120,7 +120,13 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             b"SPLINE" => self.spline(&it, copy.frame),
             b"SOLID" | b"TRACE" => self.solid(&it, frame),
             b"3DFACE" => self.face(&it, copy.frame),
+            b"MESH" => self.mesh(&it, copy.frame),
             b"LEADER" => self.leader(&it, copy.frame),
+            b"MULTILEADER" | b"MLEADER" => self.multileader(&it, copy.frame),
+            b"WIPEOUT" => {
+                self.left_out(&it, "left out, what it covers is drawn");
+                Ok(())
+            }
             b"HATCH" => self.hatch(&it, frame),
             // The end of a POLYLINE, and the window of a sheet.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),

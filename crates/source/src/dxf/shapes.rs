@@ -221,7 +221,7 @@ impl EntityRenderer<'_, '_> {
         self.sketch.stroke(points)
     }
 
-    fn places(
+    pub(super) fn places(
         &self,
         it: &Entity<'_>,
         frame: Affine,

@@ -115,3 +115,78 @@ fn faces_tables_and_leaders_are_drawn() {
     assert_eq!(artwork.layers[0].strokes[0].points.len(), 3);
     assert_eq!(warnings, ["27:1: 1 LEADER: drawn without its arrow"]);
 }
+
+#[test]
+fn a_multileader_is_drawn_with_its_lines_and_its_note() {
+    let note = |text: &str| {
+        format!(
+            "0 MULTILEADER 8 notes 300 CONTEXT_DATA{{ 40 1 10 30 20 20 41 2.5 290 1 304 {text} 11 0 21 0 31 1 \
+             12 31 22 21 32 0 13 1 23 0 33 0 43 0 45 1 171 1 296 0 \
+             302 LEADER{{ 290 1 291 1 10 20 20 20 30 0 11 1 21 0 31 0 90 0 40 10 \
+             304 LEADER_LINE{{ 10 0 20 0 30 0 10 5 20 15 30 0 91 0 305 }} \
+             304 LEADER_LINE{{ 10 9 20 0 30 0 91 1 305 }} 303 }} 301 }} 340 1E 11 7 21 7"
+        )
+    };
+    let (artwork, warnings) = draw(&note("I"));
+    assert_eq!(artwork.layers[0].name, "notes");
+    let strokes = &artwork.layers[0].strokes;
+    let leaders: Vec<f64> = strokes[..2].iter().map(Stroke::length_mm).collect();
+    let expected = [
+        5_f64.hypot(15.0) + 15_f64.hypot(5.0) + 10.0,
+        11_f64.hypot(20.0) + 10.0,
+    ];
+    for (found, expected) in leaders.iter().zip(expected) {
+        assert!(
+            (found - expected).abs() < 1e-9,
+            "{found}, expected {expected}"
+        );
+    }
+    // The letter hangs from where the note says, 1 mm above the place to which the lines lead.
+    let letter = bounds_of_strokes(&strokes[2..]);
+    let above = strokes[0].points.last().unwrap().y - letter.y0;
+    let found = [letter.x0, letter.height(), above];
+    for (found, expected) in found.into_iter().zip([31.0, 2.5, 1.0]) {
+        assert!((found - expected).abs() < 0.01, "{letter:?}, {above} mm");
+    }
+    assert!(
+        warnings[0].ends_with("1 MULTILEADER: drawn without its arrow"),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn a_mesh_is_drawn_by_the_edges_of_its_faces_each_once() {
+    let corners = "92 4 10 0 20 0 30 0 10 4 20 0 30 0 10 4 20 3 30 1 10 0 20 3 30 1";
+    let mesh = |faces: &str| {
+        format!("0 MESH 71 2 72 0 91 0 {corners} {faces} 94 1 90 0 90 1 95 1 140 0 90 0")
+    };
+    let (artwork, warnings) = draw(&mesh("93 8 90 3 90 0 90 1 90 2 90 3 90 0 90 2 90 3"));
+    let length_mm: f64 = artwork.layers[0]
+        .strokes
+        .iter()
+        .map(Stroke::length_mm)
+        .sum();
+    assert_eq!(
+        (length_mm, artwork.layers[0].strokes.len()),
+        (4.0 + 3.0 + 4.0 + 3.0 + 5.0, 5)
+    );
+    assert_eq!(warnings, [""; 0]);
+    for wrong in [
+        "93 2 90 3 90 0",
+        "93 4 90 3 90 0 90 1 90 4",
+        "93 1 90 -1",
+        "93 1 90 1.5",
+    ] {
+        let error = error(file("", "", &mesh(wrong)).as_bytes());
+        assert!(error.contains("MESH"), "{wrong}: {error}");
+    }
+}
+
+#[test]
+fn a_wipeout_is_told_to_cover_nothing() {
+    let (_, warnings) = draw("0 LINE 10 0 20 0 11 5 21 5 0 WIPEOUT 10 0 20 0 11 1 21 0 12 0 22 1");
+    assert!(
+        warnings[0].ends_with("1 WIPEOUT: left out, what it covers is drawn"),
+        "{warnings:?}"
+    );
+}
