@@ -7,9 +7,11 @@ use dobot_api::JobState;
 use dobot_wire::Command;
 use redb::{ReadOnlyTable, ReadTransaction, ReadableTable, StorageBackend, WriteTransaction};
 
+use crate::new_rows::NewRows;
+use crate::offers::keep_outcome;
 use crate::rows::{self, JobRow};
 use crate::store::{
-    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, NEXT_JOB_FACT, PLACES, STEPS, Store,
+    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, OFFERS, PLACES, REFUSALS, STEPS, Store,
     WINDOWS,
 };
 use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
@@ -86,24 +88,14 @@ impl Journal {
     /// [`JournalError`] where a command or the lift makes no sense, another job was asked for with the same key, or the storage
     /// fails.
     pub fn submit(&self, job: &PlannedJob) -> Result<JobId, JournalError> {
-        finite("the planned time", job.planned_s)?;
-        let row = JobRow::new(job)?.to_bytes();
-        let packets = rows::packets(job)?;
-        let steps = rows::steps_bytes(&job.program);
+        let rows = NewRows::of(job)?;
         let mut store = self.store();
         if let Some(id) = asked_before(&store.jobs()?, job)? {
             return Ok(id);
         }
-        let id = store.read(|look| fact(look, NEXT_JOB_FACT))?;
+        let mut id = 0;
         store.write(|change| {
-            change.open_table(FACTS)?.insert(NEXT_JOB_FACT, id + 1)?;
-            change
-                .open_table(COMMANDS)?
-                .insert(id, packets.as_slice())?;
-            if !steps.is_empty() {
-                change.open_table(STEPS)?.insert(id, steps.as_slice())?;
-            }
-            change.open_table(JOBS)?.insert(id, row.as_slice())?;
+            id = rows.insert(change)?;
             Ok(())
         })?;
         Ok(JobId(id))
@@ -181,9 +173,10 @@ impl Journal {
     ///
     /// # Errors
     ///
-    /// [`JournalError::NoSuchJob`], or the storage fails.
+    /// [`JournalError::NoSuchJob`], [`JournalError::NotRunning`] where one that is over was to run, or the storage
+    /// fails.
     pub fn set_state(&self, id: JobId, state: &JobState) -> Result<(), JournalError> {
-        self.change(id, |row| row.state = state.clone())
+        self.change(id, |row| row.go_on(id, state))
     }
 
     /// The same, together with what the job has behind it.
@@ -199,8 +192,9 @@ impl Journal {
     ) -> Result<(), JournalError> {
         finite("the time that it ran", behind.ran_s)?;
         self.change(id, |row| {
-            row.state = state.clone();
+            row.go_on(id, state)?;
             row.behind = behind;
+            Ok(())
         })
     }
 
@@ -217,13 +211,20 @@ impl Journal {
             "a height",
             heights.iter().flat_map(|it| [it.begin_mm, it.offset_mm]),
         )?;
-        self.change(id, |row| row.adjustment = adjustment.clone())
+        self.change(id, |row| {
+            row.adjustment = adjustment.clone();
+            Ok(())
+        })
     }
 
-    fn change(&self, id: JobId, change: impl FnOnce(&mut JobRow)) -> Result<(), JournalError> {
+    pub(crate) fn change(
+        &self,
+        id: JobId,
+        change: impl FnOnce(&mut JobRow) -> Result<(), JournalError>,
+    ) -> Result<(), JournalError> {
         let mut store = self.store();
         let mut row = store.row(id)?;
-        change(&mut row);
+        change(&mut row)?;
         let row = row.to_bytes();
         store.write(|change| {
             change.open_table(JOBS)?.insert(id.0, row.as_slice())?;
@@ -301,6 +302,8 @@ impl Journal {
             change.open_table(FACTS)?.insert(FORMAT_FACT, FORMAT)?;
             change.open_table(STEPS)?;
             change.open_table(PLACES)?;
+            change.open_table(OFFERS)?;
+            change.open_table(REFUSALS)?;
             note_clean(change, false)
         })?;
         Ok(Self {
@@ -310,13 +313,13 @@ impl Journal {
     }
 
     /// A panic in the middle leaves nothing half: what is not committed is not there.
-    fn store(&self) -> MutexGuard<'_, Store> {
+    pub(crate) fn store(&self) -> MutexGuard<'_, Store> {
         self.store.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 impl Store {
-    fn jobs(&mut self) -> Result<Vec<Job>, JournalError> {
+    pub(crate) fn jobs(&mut self) -> Result<Vec<Job>, JournalError> {
         let jobs = self.read(|look| {
             let tables = JobTables::open(look)?;
             let jobs = tables.in_order()?.into_iter();
@@ -419,7 +422,10 @@ fn check_window(id: JobId, row: &JobRow, done: usize, window: &Window) -> Result
 }
 
 /// JSON has no words for other numbers.
-fn finite(name: &'static str, numbers: impl IntoIterator<Item = f64>) -> Result<(), JournalError> {
+pub(crate) fn finite(
+    name: &'static str,
+    numbers: impl IntoIterator<Item = f64>,
+) -> Result<(), JournalError> {
     match numbers.into_iter().find(|it| !it.is_finite()) {
         Some(found) => Err(JournalError::Number { name, found }),
         None => Ok(()),
@@ -444,6 +450,9 @@ fn note_clean(change: &WriteTransaction, clean: bool) -> Result<(), redb::Error>
 }
 
 fn forget(change: &WriteTransaction, jobs: &[JobId]) -> Result<(), redb::Error> {
+    for job in jobs {
+        keep_outcome(change, *job)?;
+    }
     let mut rows = change.open_table(JOBS)?;
     let mut commands = change.open_table(COMMANDS)?;
     let mut steps = change.open_table(STEPS)?;

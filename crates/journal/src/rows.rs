@@ -35,7 +35,7 @@ pub(crate) struct JobRow {
     calibration: Option<[f64; 10]>,
     // Nor those of format 4 this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    key: Option<String>,
+    pub(crate) key: Option<String>,
 }
 
 /// A job that began before anybody counted.
@@ -84,6 +84,16 @@ impl JobRow {
 
     pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
         serde_json::from_slice(bytes).map_err(|error| format!("a row of a job: {error}"))
+    }
+
+    /// Puts it into another state. One that is over never runs again: whoever ended it may have told so already.
+    pub(crate) fn go_on(&mut self, job: JobId, state: &JobState) -> Result<(), JournalError> {
+        if self.state.is_over() && *state == JobState::Running {
+            let state = self.state.clone();
+            return Err(JournalError::NotRunning { job, state });
+        }
+        self.state = state.clone();
+        Ok(())
     }
 
     pub(crate) fn dialect(&self) -> Result<Dialect, String> {

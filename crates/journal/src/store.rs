@@ -198,6 +198,8 @@ fn initialise(database: &Database) -> Result<(), redb::Error> {
         transaction.open_table(STEPS)?;
         transaction.open_table(WINDOWS)?;
         transaction.open_table(PLACES)?;
+        transaction.open_table(OFFERS)?;
+        transaction.open_table(REFUSALS)?;
         Ok(())
     })
 }
@@ -273,4 +275,10 @@ pub(crate) const WINDOWS: TableDefinition<'_, u64, (u64, u64, &[u8])> =
     TableDefinition::new("windows");
 /// Which place jobs have in the list that were moved; that of all others is their number.
 pub(crate) const PLACES: TableDefinition<'_, u64, u64> = TableDefinition::new("places");
+/// What was answered to the offers of other stations, by their keys, as JSON.
+pub(crate) const OFFERS: TableDefinition<'_, &str, &[u8]> = TableDefinition::new("offers");
+/// The keys of the latest refusals, in their order.
+pub(crate) const REFUSALS: TableDefinition<'_, u64, &str> = TableDefinition::new("refusals");
+/// How many offers were refused.
+pub(crate) const REFUSED_FACT: &str = "refused offers";
 const CACHE_BYTES: usize = 8 << 20;
