@@ -99,6 +99,12 @@ impl Folders {
         self.data.join("tokens.toml")
     }
 
+    /// The options that a person gives each drawing.
+    #[must_use]
+    pub fn drawing_defaults(&self) -> PathBuf {
+        self.data.join("draw.toml")
+    }
+
     /// What is known of each arm that was met.
     #[must_use]
     pub fn arms(&self) -> PathBuf {
@@ -109,6 +115,18 @@ impl Folders {
     #[must_use]
     pub fn guardian(&self) -> PathBuf {
         self.data.join("guardian.txt")
+    }
+
+    /// The number that the station goes by in a fleet.
+    #[must_use]
+    pub fn fleet_id(&self) -> PathBuf {
+        self.data.join("fleet-id.txt")
+    }
+
+    /// The work for any arm of the fleet that was submitted to the station, a folder.
+    #[must_use]
+    pub fn fleet_work(&self) -> PathBuf {
+        self.data.join("fleet-work")
     }
 
     /// The station's own certificate and its key, a folder.

@@ -15,6 +15,7 @@
 
 mod button;
 mod calibration;
+mod fleet;
 #[cfg(feature = "remote")]
 mod folders;
 mod job;
@@ -22,6 +23,8 @@ mod job_state;
 mod lease;
 mod message;
 mod notice;
+#[cfg(feature = "remote")]
+mod private;
 mod problem;
 pub mod problem_kinds;
 #[cfg(feature = "remote")]
@@ -33,11 +36,16 @@ mod role;
 mod running;
 mod state;
 mod way;
+mod work;
 
 pub use button::{Button, ButtonError, JogFrame};
 pub use calibration::{
     Axis, Backlash, CalibrationFile, Calibrations, NoSuchArm, PaperPlane, ToolOffset, Touched,
     Zeros,
+};
+pub use fleet::{
+    ApiAnswer, ApiRequest, FleetView, Member, MemberAbout, MemberAnswer, Presence, Recipients,
+    is_fleet_name,
 };
 #[cfg(feature = "remote")]
 pub use folders::{Folders, make_private};
@@ -46,12 +54,16 @@ pub use job_state::JobState;
 pub use lease::{Asking, ClientId, LeaseView};
 pub use message::{FromClient, Hello, ToClient};
 pub use notice::{News, Notice};
+#[cfg(feature = "remote")]
+pub use private::write_private;
 pub use problem::Problem;
+#[cfg(feature = "options")]
+pub use remote::StationOptions;
 #[cfg(feature = "remote")]
 pub use remote::{
     CertificateTrust, ConnectError, Remote, RemoteError, SearchError, StationAddress,
-    StationAddressError, StationEvent, StationSearch, TrustError, fetch, fingerprint, is_station,
-    post, running,
+    StationAddressError, StationEvent, StationSearch, TrustError, delete, fetch, fingerprint,
+    is_station, post, running,
 };
 pub use reply::Reply;
 pub use request::{Jog, Request};
@@ -59,6 +71,8 @@ pub use role::{Role, UnknownRole};
 #[cfg(feature = "remote")]
 pub use running::{Running, RunningError};
 pub use state::{
-    ArmView, CalibratedView, LaserView, LinkPhase, LinkView, QueueView, State, StopView, TrustView,
+    ArmView, CalibratedView, LaserView, LinkPhase, LinkView, LockView, QueueView, State, StopView,
+    TrustView,
 };
 pub use way::{JobPath, WayView};
+pub use work::{TakesWork, WorkBefore, WorkMember, WorkPhase, WorkView};

@@ -89,6 +89,15 @@ pub enum News {
     AtRest,
     /// A person let the arm move again.
     StopReset,
+    /// An administrator keeps the arm.
+    Locked,
+    /// Everyone may take control of the arm again.
+    Unlocked,
+    /// A person tells something to all who watch.
+    Message {
+        /// Who.
+        client: ClientId,
+    },
     /// The laser may be switched on.
     LaserArmed,
     /// The laser was switched off and stays so.

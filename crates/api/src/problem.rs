@@ -28,3 +28,13 @@ pub struct Problem {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub nearest_mm: Option<[f64; 3]>,
 }
+
+impl Problem {
+    /// The name of its kind: the last part of the address, as in `no-lease`.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.kind
+            .rsplit_once('/')
+            .map_or(self.kind.as_str(), |it| it.1)
+    }
+}

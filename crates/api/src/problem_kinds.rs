@@ -90,10 +90,22 @@ kinds! {
         "No recording has this name; the oldest are deleted when there are too many. `/api/v1/recordings` lists all of them.";
     NO_SUCH_TOKEN = 404 "no-such-token" "there is no such token"
         "No token has this name. `/api/v1/tokens` lists all of them.";
+    NO_FLEET = 404 "no-fleet" "this station belongs to no fleet"
+        "A station joins a fleet when it is started with `dobot up --fleet`.";
+    NO_SUCH_MEMBER = 404 "no-such-member" "the fleet has no such station"
+        "No station of this name, or none of this group, has been seen. `/api/v1/fleet` lists all of them.";
+    NO_SUCH_WORK = 404 "no-such-work" "there is no such work"
+        "This station has no work of this number for its fleet, or was offered none under this key. `GET /api/v1/fleet/work` lists what was submitted here.";
     METHOD = 405 "method" "this address does not take this method"
         "The path exists, but not with this method. The Allow header lists those that it takes.";
     TIMEOUT = 408 "timeout" "the request came too slowly"
         "The body was not there in time. Nothing has changed.";
+    WORK_REFUSED = 409 "work-refused" "the station does not take this work"
+        "No job has come of the offer, and none will under its key: the work can be offered to another station. The detail says why.";
+    ARM_BUSY = 409 "arm-busy" "the arm has other work"
+        "The arm has a job that is not over. No job has come of the offer, and none will under its key: it can be offered again under another one.";
+    WORK_PHASE = 409 "work-phase" "this cannot be done with it now"
+        "What can be done with work for any arm depends on how far it is. The detail says how far it is, and what is allowed.";
     TOKEN_TAKEN = 409 "token-taken" "another token has this name"
         "Remove the other token first, or take another name.";
     NOT_VIRTUAL = 409 "not-virtual" "the arm is no virtual one of this station"
@@ -102,6 +114,8 @@ kinds! {
         "One client at a time has control of the arm. Take the lease with `POST /api/v1/lease`; if somebody has it, ask for it. Stopping takes no lease.";
     LEASE_GONE = 409 "lease-gone" "the lease token is not valid any more"
         "A lease that was taken over plain HTTP ends when its token is not used for ten seconds. Take it again.";
+    LOCKED = 409 "locked" "the arm is locked"
+        "An administrator keeps the arm for himself, as a teacher does who wants to be listened to. The detail says who, and why. Stopping takes no control.";
     NOT_ASKING = 409 "not-asking" "nobody asks for control"
         "Control can be given only to a client that asks for it; the state lists those that do.";
     STOPPED = 409 "stopped" "the arm is stopped"
@@ -176,6 +190,12 @@ kinds! {
         "The station serves as many clients as it can. Try again later.";
     NO_LINK = 503 "no-link" "there is no arm"
         "The station has no link to an arm. The state says what it waits for.";
+    MEMBER_AWAY = 503 "member-away" "the station cannot be reached"
+        "The station of the fleet has ended, or the network between it and this one is cut. What was asked for may have been done all the same: look before it is asked for again. Its own page stops its arm.";
+    MEMBER_REFUSED = 409 "member-refused" "nothing is asked of this station"
+        "Two stations claim one name, or a station speaks another version of the fleet's messages. The detail says which, and what to do.";
+    WORK_FILE = 507 "work-file" "the work cannot be written"
+        "Work for the fleet is written to the disk before anybody is asked to do it, and that failed. Make room on the disk, or check the folder's permissions.";
     ENDING = 503 "ending" "the station is shutting down"
         "The station ends. The laser is off.";
     JOURNAL = 507 "journal" "the journal cannot be written"

@@ -3,6 +3,8 @@
 mod address;
 mod fetch;
 mod find;
+#[cfg(feature = "options")]
+mod options;
 mod stream;
 mod trust;
 
@@ -22,8 +24,10 @@ use self::stream::{Bytes, open, soon};
 use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient};
 
 pub use self::address::{CertificateTrust, StationAddress, StationAddressError, fingerprint};
-pub use self::fetch::{fetch, is_station, post};
+pub use self::fetch::{delete, fetch, is_station, post};
 pub use self::find::{SearchError, StationSearch, running};
+#[cfg(feature = "options")]
+pub use self::options::StationOptions;
 pub use self::stream::ConnectError;
 pub use self::trust::TrustError;
 
@@ -102,7 +106,7 @@ impl RemoteError {
     #[must_use]
     pub fn kind(&self) -> Option<&str> {
         match self {
-            Self::Refused(problem) => problem.kind.rsplit('/').next(),
+            Self::Refused(problem) => Some(problem.name()),
             _ => None,
         }
     }

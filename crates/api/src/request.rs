@@ -58,6 +58,21 @@ pub enum Request {
     /// Take control from whoever has it.
     #[serde(deserialize_with = "without_fields")]
     SeizeLease,
+    /// Keep the arm for administrators: whoever else has control loses it, and a job that runs is paused. Said again, it
+    /// changes the message.
+    Lock {
+        /// Why, for those who want to move the arm, as in "eyes on me". What is longer than 200 characters is cut.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        message: Option<String>,
+    },
+    /// Let everyone take control again.
+    #[serde(deserialize_with = "without_fields")]
+    Unlock,
+    /// Tell something to all who watch.
+    Message {
+        /// What. What is longer than 200 characters is cut.
+        text: String,
+    },
     /// Let the laser be switched on for a while: a person has put the goggles on. For a program on the raw
     /// port that has control an administrator says so.
     ArmLaser {
@@ -173,7 +188,11 @@ impl Request {
         match self {
             Self::Stop { .. } | Self::CheckCommand { .. } => Role::Watch,
             Self::SubmitJob { .. } | Self::QueueAgain { .. } => Role::Queue,
-            Self::SetDialect { .. } | Self::Calibrate { .. } | Self::SeizeLease => Role::Admin,
+            Self::SetDialect { .. }
+            | Self::Calibrate { .. }
+            | Self::SeizeLease
+            | Self::Lock { .. }
+            | Self::Unlock => Role::Admin,
             _ => Role::Control,
         }
     }

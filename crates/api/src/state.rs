@@ -26,6 +26,9 @@ pub struct State {
     pub queue: QueueView,
     /// Who has control, if anybody has.
     pub lease: Option<LeaseView>,
+    /// The lock that holds the arm for administrators, if one does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lock: Option<LockView>,
     /// The stop that holds the arm, if one does.
     pub stop: Option<StopView>,
     /// The laser's interlock.
@@ -112,6 +115,17 @@ pub struct QueueView {
     pub under_way: usize,
     /// How long those under way still take, in seconds, by the motion model.
     pub ahead_s: f64,
+}
+
+/// A lock: only an administrator gets control of the arm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LockView {
+    /// Who locked it.
+    pub by: String,
+    /// Why, for those who want to move the arm.
+    pub message: Option<String>,
+    /// When, in seconds since the station started.
+    pub at_s: f64,
 }
 
 /// A stop that holds the arm.

@@ -35,6 +35,18 @@ pub async fn post<T: DeserializeOwned>(
     answered(address, &question(address, "POST", path, &body)).await
 }
 
+/// Asks a station to remove or to end something.
+///
+/// # Errors
+///
+/// [`ConnectError`] where the station cannot be reached or refuses.
+pub async fn delete<T: DeserializeOwned>(
+    address: &StationAddress,
+    path: &str,
+) -> Result<T, ConnectError> {
+    answered(address, &question(address, "DELETE", path, "")).await
+}
+
 async fn answered<T: DeserializeOwned>(
     address: &StationAddress,
     question: &str,

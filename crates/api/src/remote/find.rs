@@ -57,7 +57,7 @@ impl StationSearch {
             return self.named(&name).map(Some);
         }
         if let Some(address) = running(&here()?)? {
-            return Ok(Some(address));
+            return Ok(Some(self.of_here(address)));
         }
         // One that was started with a folder of its own is most likely where all are.
         let usual = self.named(USUAL)?;
@@ -69,6 +69,13 @@ impl StationSearch {
     #[must_use]
     pub fn name(&self) -> Option<String> {
         self.address.clone().or_else(|| variable("DOBOT_STATION"))
+    }
+
+    /// The station of this machine, with what was said of it.
+    fn of_here(&self, mut here: StationAddress) -> StationAddress {
+        here.token = self.token.clone().or(here.token);
+        here.trust = self.trust.clone().or(here.trust);
+        here
     }
 
     fn named(&self, name: &str) -> Result<StationAddress, SearchError> {
@@ -114,3 +121,23 @@ fn variable(name: &str) -> Option<String> {
 
 /// Where a station is served unless told otherwise.
 const USUAL: &str = "http://127.0.0.1";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn who_says_a_token_is_known_by_that_one_at_the_station_of_this_machine_too() {
+        let mut here = StationAddress::new(USUAL).expect("it is an address");
+        here.token = Some("everything".to_owned());
+        let says = |token: Option<&str>| {
+            let search = StationSearch {
+                token: token.map(str::to_owned),
+                ..StationSearch::default()
+            };
+            search.of_here(here.clone()).token
+        };
+        assert_eq!(says(Some("less")).as_deref(), Some("less"));
+        assert_eq!(says(None).as_deref(), Some("everything"));
+    }
+}

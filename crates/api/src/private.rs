@@ -1,0 +1,57 @@
+//! Files that nobody else may read.
+
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::make_private;
+
+/// Writes a file whole or not at all, for its driver's eyes only; its folder is made where it is
+/// missing.
+///
+/// # Errors
+///
+/// What the operating system says; what was there before is still there then.
+pub fn write_private(file: &Path, text: &str) -> io::Result<()> {
+    if let Some(folder) = file.parent() {
+        make_private(folder)?;
+    }
+    let new = file.with_extension(format!("new-{}", std::process::id()));
+    let written = write_new(&new, text).and_then(|()| fs::rename(&new, file));
+    if written.is_err() {
+        // What is left of it is of no use; why it could not be written is what counts.
+        let _ = fs::remove_file(&new);
+    }
+    written
+}
+
+fn write_new(file: &Path, text: &str) -> io::Result<()> {
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    let mut file = options.open(file)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()
+}
+
+#[cfg(all(test, unix))]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::os::unix::fs::PermissionsExt;
+
+    use super::*;
+
+    #[test]
+    fn a_file_that_others_could_read_is_private_when_it_is_written_anew() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("in/here.toml");
+        write_private(&file, "one").unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o644)).unwrap();
+        write_private(&file, "two").unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), "two");
+        let mode = fs::metadata(&file).unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o600, "{mode:o}");
+        assert_eq!(fs::read_dir(folder.path().join("in")).unwrap().count(), 1);
+    }
+}
