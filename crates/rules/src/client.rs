@@ -12,9 +12,9 @@ use dobot_api::{
     RemoteError, Reply, Request, Role, State, StationAddress, StationEvent, fetch,
 };
 use dobot_client::Address;
-use dobot_controller::PowerUp;
+use dobot_controller::{Controller, PowerUp};
 use dobot_safety::Policy;
-use dobot_sim::VirtualArm;
+use dobot_sim::{SerialLine, VirtualArm};
 use tokio::time::{Instant, timeout};
 
 use crate::{PlannedFor, Refusal, Rules};
@@ -115,7 +115,23 @@ impl StationClient {
     /// Never: a journal in memory can always be made.
     #[must_use]
     pub fn with_virtual_arm(power_up: PowerUp, policy: Policy, name: &str) -> Self {
-        let station = InVirtualTime::new(power_up, policy, name);
+        let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+        Self::with_this_virtual_arm(arm, power_up, policy, name)
+    }
+
+    /// The same with an arm of one's own: with faults, or in a world. `power_up` is how its controller was switched on.
+    ///
+    /// # Panics
+    ///
+    /// Never: a journal in memory can always be made.
+    #[must_use]
+    pub fn with_this_virtual_arm(
+        arm: VirtualArm,
+        power_up: PowerUp,
+        policy: Policy,
+        name: &str,
+    ) -> Self {
+        let station = InVirtualTime::new(arm, power_up, policy, name);
         Self::new(ClientRoute::Virtual(Box::new(station)))
     }
 
@@ -193,6 +209,27 @@ impl StationClient {
             ClientRoute::Virtual(station) => station.told(),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
+    }
+
+    /// Waits until nothing is under way any more, or no arm is there to do anything: three states in a row say so, for
+    /// between two commands it looks like that, too.
+    ///
+    /// # Errors
+    ///
+    /// As of [`next`](Self::next); [`RemoteError::Silent`] where no state comes for five seconds.
+    pub async fn idle(&mut self) -> Result<(), RemoteError> {
+        let mut idle = 0;
+        while idle < 3 {
+            let state = timeout(PATIENCE, self.state()).await;
+            let state = state.map_err(|_| RemoteError::Silent)??;
+            if state.link.phase != LinkPhase::Up {
+                return Ok(());
+            }
+            let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+            let busy = moving || state.queue.waiting + state.queue.under_way > 0;
+            idle = if busy { 0 } else { idle + 1 };
+        }
+        Ok(())
     }
 
     /// The first state with an arm that tells where it is. A station that has just been started is waited

@@ -349,6 +349,11 @@ impl Driver {
                 let _ = reply.send(changed);
             }
             Message::JobPath { job, reply } => self.jobs.clone().path(job, reply),
+            Message::Offer { key, ask, reply } => {
+                let model = self.supervisor.planning_model();
+                let jobs = self.jobs.clone();
+                jobs.answer_offer(key, ask, model, now_ms(), reply);
+            }
             Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
             Message::Failed(text) => self.fail(text),
             Message::End => self.end(),
@@ -514,7 +519,10 @@ impl Driver {
     fn withdraw_start(&mut self, request: &Request) {
         let rests = matches!(
             request,
-            Request::PauseJob | Request::CancelJob { .. } | Request::Stop { .. }
+            Request::PauseJob
+                | Request::CancelJob { .. }
+                | Request::Stop { .. }
+                | Request::Lock { .. }
         );
         if let Some(held) = self.held_start.take_if(|_| rests) {
             let why = "it was told to rest before it had come to rest".to_owned();

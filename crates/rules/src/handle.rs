@@ -5,7 +5,10 @@ use std::sync::{Arc, Mutex, PoisonError, RwLock};
 use std::time::Duration;
 
 use bytes::Bytes;
-use dobot_api::{Calibrations, ClientId, JobPath, JobView, Notice, Reply, Request, Role, State};
+use dobot_api::{
+    Calibrations, ClientId, JobPath, JobView, NewJob, Notice, Reply, Request, Role, State,
+};
+use dobot_arm::Calibration;
 use dobot_safety::Policy;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
@@ -187,12 +190,61 @@ pub enum Message {
         /// The answer.
         reply: oneshot::Sender<Result<JobPath, Refusal>>,
     },
+    /// Another station offers a job, or asks what has become of its offer.
+    Offer {
+        /// Under which key.
+        key: String,
+        /// What it wants.
+        ask: OfferAsk,
+        /// The answer.
+        reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
+    },
     /// A client behaves badly, in one line: those who watch are to know.
     Trouble(String),
     /// Something that the arm depends on failed, in one line: end, and say so.
     Failed(String),
     /// End: laser off, and no more.
     End,
+}
+
+/// What another station wants, which offers a job under a key. What is answered to an offer holds for good.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OfferAsk {
+    /// That the job is queued, if the arm has no other that is not over.
+    Take {
+        /// The job.
+        job: Box<NewJob>,
+        /// The calibration of the arm that its places are meant for, where it was not planned for this one.
+        made_for: Option<Calibration>,
+    },
+    /// That it is refused: this station cannot do it.
+    Refuse {
+        /// Why.
+        reason: String,
+    },
+    /// That no job comes of it, and that the one that has come of it ends if it has not begun.
+    Withdraw {
+        /// What the other station is called.
+        by: String,
+    },
+    /// To know what has become of it.
+    Look,
+}
+
+/// What is answered to an offer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OfferAnswer {
+    /// It was taken: the job as it is now.
+    Taken(Box<JobView>),
+    /// It was refused: no job comes of it any more.
+    Refused {
+        /// Why.
+        reason: String,
+        /// Whether it may be taken later, when it is offered anew.
+        busy: bool,
+    },
+    /// Nothing was offered under this key.
+    Unknown,
 }
 
 impl Ends {
@@ -355,6 +407,18 @@ impl Handle {
     pub async fn job_path(&self, job: u64) -> Result<JobPath, Refusal> {
         let (reply, answer) = oneshot::channel();
         self.send(Message::JobPath { job, reply }).await?;
+        answer.await.map_err(|_| Refusal::Ending)?
+    }
+
+    /// Another station offers a job under a key, or asks what has become of its offer.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`], [`Refusal::Journal`]; then nothing is answered, and it can be asked again.
+    pub async fn offer(&self, key: &str, ask: OfferAsk) -> Result<OfferAnswer, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        let key = key.to_owned();
+        self.send(Message::Offer { key, ask, reply }).await?;
         answer.await.map_err(|_| Refusal::Ending)?
     }
 

@@ -2,20 +2,22 @@
 
 mod check;
 mod list;
+mod offers;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use dobot_api::{ClientId, JobPath, JobState, JobView, NewJob, Reply};
 use dobot_arm::{Joints, Tool};
-use dobot_journal::{Job, JobId, Journal, JournalError, Window};
+use dobot_journal::{Job, JobId, Journal, JournalError, PlannedJob, Window};
 use dobot_safety::Policy;
 use dobot_trajectory::{ArmPlace, Model};
 use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
 pub(crate) use self::list::{FORGETTABLE, again, forget, list, move_before};
-use crate::handle::Message;
+pub(crate) use self::offers::answer;
+use crate::handle::{Message, OfferAnswer, OfferAsk};
 use crate::job_path::path_of;
 use crate::supervisor::{Begun, Effect, JobPlan};
 use crate::{Refusal, plain};
@@ -124,6 +126,24 @@ impl Jobs {
     ) {
         self.answer(reply, move |jobs| {
             jobs.keep(again(&jobs.journal, job, &model)?, key, model, now_ms)
+        });
+    }
+
+    /// Answers another station that offers a job, or asks what has become of its offer.
+    pub(crate) fn answer_offer(
+        self,
+        key: String,
+        ask: OfferAsk,
+        model: Result<Model, Refusal>,
+        now_ms: i64,
+        reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            let answered = answer(&jobs.journal, &jobs.policy, &key, ask, model, now_ms);
+            // The history may be longer than wanted until the next time.
+            let _ = jobs.journal.keep_last(HISTORY);
+            answered
         });
     }
 
@@ -311,11 +331,25 @@ pub(crate) fn view(job: &Job) -> JobView {
 pub(crate) fn submit(
     journal: &Journal,
     policy: &Policy,
-    mut job: NewJob,
+    job: NewJob,
     key: Option<String>,
     model: Model,
     now_ms: i64,
 ) -> Result<JobId, Refusal> {
+    let planned = planned(policy, job, key, model, now_ms)?;
+    journal
+        .submit(&planned)
+        .map_err(|error| journal_refusal(&error))
+}
+
+/// Plans a new job from its first command to its last.
+fn planned(
+    policy: &Policy,
+    mut job: NewJob,
+    key: Option<String>,
+    model: Model,
+    now_ms: i64,
+) -> Result<PlannedJob, Refusal> {
     key.as_deref().map_or(Ok(()), check_key)?;
     job.title = plain(&job.title, usize::MAX);
     check_new(&job)?;
@@ -329,21 +363,19 @@ pub(crate) fn submit(
         0,
         &job.program,
     )?;
-    journal
-        .submit(&dobot_journal::PlannedJob {
-            title: job.title,
-            kind: job.kind,
-            dialect,
-            calibration: model.calibration,
-            lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
-            created_ms: now_ms,
-            planned_s: plan.planned_s(),
-            commands: job.commands,
-            pauses: job.pauses,
-            program: job.program,
-            key,
-        })
-        .map_err(|error| journal_refusal(&error))
+    Ok(PlannedJob {
+        title: job.title,
+        kind: job.kind,
+        dialect,
+        calibration: model.calibration,
+        lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
+        created_ms: now_ms,
+        planned_s: plan.planned_s(),
+        commands: job.commands,
+        pauses: job.pauses,
+        program: job.program,
+        key,
+    })
 }
 
 /// Looks at a job that is to be started or gone on with.

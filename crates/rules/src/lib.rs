@@ -70,7 +70,9 @@ pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Sea
 #[cfg(unix)]
 pub use guardian::guard;
 pub use guardian::{Guardian, Hazards, Heartbeat, JogKind, Silence};
-pub use handle::{Client, Ends, Handle, Message, PassedPacket, Rules, Snapshot};
+pub use handle::{
+    Client, Ends, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+};
 pub use host::{Host, HostError, Setup};
 pub use known_arms::KnownArmsError;
 pub use planned_for::PlannedFor;

@@ -239,6 +239,7 @@ mod tests {
                 ahead_s: 0.0,
             },
             lease: None,
+            lock: None,
             stop: None,
             laser: LaserView {
                 armed_for_s: 0.0,

@@ -25,6 +25,14 @@ pub enum Refusal {
         /// Who has it.
         holder: Option<Holder>,
     },
+    /// An administrator keeps the arm.
+    #[error("the arm was locked by {by}{}", message.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    Locked {
+        /// Who locked it.
+        by: String,
+        /// Why.
+        message: Option<String>,
+    },
     /// Nobody of that number asked for control.
     #[error("client {0} does not ask for control")]
     NotAsking(u64),
@@ -163,6 +171,10 @@ impl Refusal {
                 return (problem_kinds::ROLE, Some(hint.into()));
             }
             Self::NoLease { holder } => (problem_kinds::NO_LEASE, lease_hint(holder.as_ref())),
+            Self::Locked { .. } => (
+                problem_kinds::LOCKED,
+                "wait until it is unlocked; anybody may stop the arm meanwhile",
+            ),
             Self::NotAsking(_) => (problem_kinds::NOT_ASKING, "`dobot lease` shows who asks"),
             Self::Stopped { .. } => (
                 problem_kinds::STOPPED,

@@ -265,6 +265,7 @@ impl Supervisor {
                 ahead_s: self.arm.session().ahead_s(),
             },
             lease: self.leases.view(),
+            lock: self.leases.lock_view(),
             stop: self.stop.view(),
             laser: self.arm.laser_view(),
             job: self.job(),

@@ -12,10 +12,10 @@ use dobot_safety::Policy;
 use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::Packet;
 
-use crate::Refusal;
 use crate::job_path::path_of;
 use crate::jobs;
 use crate::supervisor::{Begun, Effect, Supervisor};
+use crate::{OfferAnswer, OfferAsk, Refusal};
 
 /// A supervisor and a virtual arm, in virtual time, with a real journal: for tests of everything that
 /// can go wrong, thousands of times faster than it would.
@@ -186,8 +186,13 @@ impl VirtualStation {
 
     /// A client that may do everything.
     pub fn client(&mut self, name: &str) -> ClientId {
+        self.client_as(name, Role::Admin)
+    }
+
+    /// A client of a role.
+    pub fn client_as(&mut self, name: &str, role: Role) -> ClientId {
         let now = self.supervisor_now();
-        self.supervisor.handle_client(now, name, Role::Admin)
+        self.supervisor.handle_client(now, name, role)
     }
 
     /// Puts another policy in place of the one that holds.
@@ -201,12 +206,6 @@ impl VirtualStation {
         self.policy = policy;
         self.settle();
         Ok(())
-    }
-
-    /// A client that may only watch.
-    pub fn watcher(&mut self, name: &str) -> ClientId {
-        let now = self.supervisor_now();
-        self.supervisor.handle_client(now, name, Role::Watch)
     }
 
     /// A client leaves, or is lost.
@@ -296,6 +295,17 @@ impl VirtualStation {
     /// [`Refusal`].
     pub fn submit(&mut self, job: &NewJob) -> Result<u64, Refusal> {
         self.submit_as(job, None)
+    }
+
+    /// Another station offers a job under a key, or asks what has become of its offer.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`] where the journal cannot be written; nothing is answered then.
+    pub fn offer(&mut self, key: &str, ask: OfferAsk) -> Result<OfferAnswer, Refusal> {
+        self.catch_up();
+        let model = self.supervisor.planning_model();
+        jobs::answer(&self.journal, &self.policy, key, ask, model, 0)
     }
 
     fn submit_as(&self, job: &NewJob, key: Option<String>) -> Result<u64, Refusal> {

@@ -31,6 +31,7 @@ impl Report {
         self.stands(60_u64.div_ceil(fewer));
         self.line(TAIL);
         self.fuzz(200 / fewer);
+        self.work();
     }
 
     fn kills(&mut self, kills: u64) {
@@ -256,6 +257,12 @@ impl Report {
         self.wrong(fuzz::run(0, cases).wrong);
     }
 
+    /// What the storms of the fleet came to stands in a file of its own: the fleet is above the rules.
+    fn work(&mut self) {
+        self.line(WORK);
+        self.line(include_str!("work.md").trim_end());
+    }
+
     fn stands(&mut self, programs: u64) {
         self.line(STANDS);
         self.table(
@@ -434,6 +441,13 @@ The arm has no command that stops it. It finishes the command in execution and t
 within half a second (`queue.ahead_s` of the policy). The promised time is the longest that these may take,
 so it is longer than the time that they take. Just after a start nobody knows what the arm was sent before. The promised
 time is then the time of all commands that, by the journal, the arm may have.";
+
+const WORK: &str = "
+## Work for any arm
+
+A drawing that is submitted to \"any arm that has a pen\" is offered to one station after another, while stations are killed and the
+network falls apart (`docs/fleet.md`). After each storm the journals of all arms say which drawings were begun.
+";
 
 const FUZZ: &str = "
 ## Anything that anybody may ask

@@ -23,9 +23,9 @@ pub(super) struct InVirtualTime {
 }
 
 impl InVirtualTime {
-    pub(super) fn new(power_up: PowerUp, policy: Policy, name: &str) -> Self {
+    pub(super) fn new(arm: VirtualArm, power_up: PowerUp, policy: Policy, name: &str) -> Self {
         let dead_man_s = policy.jog.dead_man_s;
-        let mut station = VirtualStation::new(power_up, policy);
+        let mut station = VirtualStation::with_arm(arm, power_up, policy);
         station.free_laser();
         let client = station.client(name);
         Self {

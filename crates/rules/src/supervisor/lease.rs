@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::time::Duration;
 
-use dobot_api::{Asking, ClientId, LeaseView, Role};
+use dobot_api::{Asking, ClientId, LeaseView, LockView, Role};
 
 use crate::plain;
 use crate::refusal::{Holder, Refusal};
@@ -14,6 +14,8 @@ pub(super) struct Leases {
     clients: HashMap<ClientId, LeaseClient>,
     next_client: u64,
     lease: Option<Lease>,
+    /// The lock that keeps control for administrators.
+    lock: Option<Lock>,
 }
 
 /// A client that is connected.
@@ -35,6 +37,14 @@ struct Lease {
     asked_by: Vec<ClientId>,
 }
 
+/// A lock.
+#[derive(Debug)]
+struct Lock {
+    by: String,
+    message: Option<String>,
+    at: Duration,
+}
+
 /// What became of the lease, in order.
 #[derive(Debug)]
 pub(super) enum Change {
@@ -53,6 +63,7 @@ impl Leases {
             clients: HashMap::new(),
             next_client: 1,
             lease: None,
+            lock: None,
         }
     }
 
@@ -87,6 +98,7 @@ impl Leases {
     }
 
     pub(super) fn take(&mut self, now: Duration, client: ClientId) -> Result<Vec<Change>, Refusal> {
+        self.check_lock(client)?;
         let mut changes = Vec::new();
         if self.holder_cannot_answer() && self.is_admin(client) && !self.is_program(client) {
             let name = self.name(client);
@@ -105,7 +117,53 @@ impl Leases {
         Ok(self.end("control was given back"))
     }
 
+    /// Keeps control for administrators: whoever else has it loses it.
+    pub(super) fn lock(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        message: Option<String>,
+    ) -> Vec<Change> {
+        let by = self.name(client);
+        let why = format!("{by} locked the arm");
+        self.lock = Some(Lock {
+            by,
+            message,
+            at: now,
+        });
+        let holder = self.lease.as_ref().map(|it| it.client);
+        match holder {
+            Some(holder) if !self.is_admin(holder) => self.end(&why),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Lets everyone take control again; says whether there was a lock.
+    pub(super) fn unlock(&mut self) -> bool {
+        self.lock.take().is_some()
+    }
+
+    pub(super) fn lock_view(&self) -> Option<LockView> {
+        self.lock.as_ref().map(|it| LockView {
+            by: it.by.clone(),
+            message: it.message.clone(),
+            at_s: it.at.as_secs_f64(),
+        })
+    }
+
+    /// Whether a lock lets a client have control.
+    fn check_lock(&self, client: ClientId) -> Result<(), Refusal> {
+        match &self.lock {
+            Some(lock) if !self.is_admin(client) => Err(Refusal::Locked {
+                by: lock.by.clone(),
+                message: lock.message.clone(),
+            }),
+            _ => Ok(()),
+        }
+    }
+
     pub(super) fn ask(&mut self, now: Duration, client: ClientId) -> Result<Vec<Change>, Refusal> {
+        self.check_lock(client)?;
         match &mut self.lease {
             None => self.take(now, client),
             Some(lease) if lease.client == client || lease.asked_by.contains(&client) => {
@@ -129,6 +187,7 @@ impl Leases {
         if !self.lease.as_ref().is_some_and(asks) {
             return Err(Refusal::NotAsking(to.0));
         }
+        self.check_lock(to)?;
         let mut changes = self.end("control was given to another client");
         changes.push(self.give(now, to));
         Ok(changes)
@@ -148,7 +207,8 @@ impl Leases {
         if let Some(known) = self.clients.get_mut(&client) {
             known.is_program = true;
         }
-        self.lease.is_none().then(|| self.give(now, client))
+        let may_have = self.lease.is_none() && self.check_lock(client).is_ok();
+        may_have.then(|| self.give(now, client))
     }
 
     /// Takes what is changed of what a client sends; says whether that is news.
@@ -174,6 +234,7 @@ impl Leases {
         if self.has(client) {
             return Ok(());
         }
+        self.check_lock(client)?;
         let holder = self.lease.as_ref().map(|it| Holder {
             name: self.name(it.client),
             is_program: self.is_program(it.client),

@@ -219,6 +219,20 @@ impl Supervisor {
             | Request::AskLease
             | Request::GrantLease { .. }
             | Request::SeizeLease => self.change_lease(client, &request),
+            Request::Lock { message } => Ok(self.lock(client, message)),
+            Request::Unlock => {
+                if self.leases.unlock() {
+                    let text = format!("{} unlocked the arm", self.client_name(client));
+                    self.notify(News::Unlocked, text);
+                }
+                Ok(Reply::Done)
+            }
+            Request::Message { text } => {
+                let text = plain(&text, REASON_LEN);
+                let text = format!("{}: {text}", self.client_name(client));
+                self.notify(News::Message { client }, text);
+                Ok(Reply::Done)
+            }
             Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
             Request::DisarmLaser => {
                 self.disarm_laser("a client asked for it");
@@ -278,6 +292,22 @@ impl Supervisor {
             self.notify(News::StopReset, text);
         }
         Ok(Reply::Done)
+    }
+
+    /// Keeps the arm for administrators. A job that runs comes to rest; an administrator goes on with it.
+    fn lock(&mut self, client: ClientId, message: Option<String>) -> Reply {
+        let message = message.map(|it| plain(&it, REASON_LEN));
+        let by = self.client_name(client);
+        let text = match &message {
+            Some(message) => format!("{by} locked the arm: {message}"),
+            None => format!("{by} locked the arm"),
+        };
+        let ended = self.leases.lock(self.arm.now(), client, message);
+        self.follow_lease(ended);
+        // Where none runs there is nothing to pause.
+        let _ = self.pause_job(client);
+        self.notify(News::Locked, text);
+        Reply::Done
     }
 
     fn change_lease(&mut self, client: ClientId, request: &Request) -> Result<Reply, Refusal> {

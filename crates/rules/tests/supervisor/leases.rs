@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{Jog, Request};
+use dobot_api::{JobPhase, Jog, Request, Role};
 use dobot_controller::Personality;
 use dobot_rules::{Refusal, VirtualStation};
 use dobot_trajectory::LASER_OFF;
@@ -79,13 +79,105 @@ fn an_administrator_may_take_control_from_somebody() {
 #[test]
 fn a_watcher_may_stop_and_nothing_else() {
     let mut it = virtual_station(Personality::Specification);
-    let watcher = it.watcher("the class");
+    let watcher = it.client_as("the class", Role::Watch);
     assert_eq!(
         it.ask(watcher, Request::TakeLease).unwrap_err().kind(),
         "role"
     );
     it.ask(watcher, Request::Stop { reason: None }).unwrap();
     assert!(it.supervisor().state().stop.is_some());
+}
+
+#[test]
+fn a_locked_arm_is_the_administrators_and_says_so_to_everyone_else() {
+    let mut it = virtual_station(Personality::Specification);
+    let teacher = it.client("Ms Weber");
+    let anna = it.client_as("Anna", Role::Control);
+    let ben = it.client_as("Ben", Role::Control);
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(ben, Request::AskLease).unwrap();
+    let message = Some("eyes on me".into());
+    assert_eq!(
+        it.ask(anna, Request::Lock { message: None })
+            .unwrap_err()
+            .kind(),
+        "role"
+    );
+    it.ask(teacher, Request::Lock { message }).unwrap();
+    assert_eq!(holder(&it), None);
+    for (who, request) in [
+        (anna, UP),
+        (anna, Request::TakeLease),
+        (ben, Request::AskLease),
+        (ben, Request::ArmLaser { for_s: 60.0 }),
+    ] {
+        let refused = it.ask(who, request).unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "the arm was locked by Ms Weber: eyes on me"
+        );
+        assert_eq!(refused.kind(), "locked");
+    }
+    let before = it.packets().len();
+    assert!(it.send_raw(ben, &packet(40.0)).is_err());
+    assert_eq!(it.packets().len(), before, "nothing was sent");
+    // The teacher has the arm, and gives it to nobody while it is locked.
+    it.ask(teacher, Request::TakeLease).unwrap();
+    it.ask(teacher, UP).unwrap();
+    it.ask(anna, Request::Stop { reason: None }).unwrap();
+    it.ask(teacher, Request::Unlock).unwrap();
+    it.ask(teacher, Request::ReleaseLease).unwrap();
+    assert_eq!(it.supervisor().state().lock, None);
+    it.ask(anna, Request::TakeLease).unwrap();
+}
+
+#[test]
+fn a_lock_lets_go_of_what_is_held_and_brings_a_drawing_to_rest() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let teacher = it.client("Ms Weber");
+    let anna = it.client_as("Anna", Role::Control);
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(anna, UP).unwrap();
+    it.run_for(Duration::from_millis(100));
+    it.ask(teacher, Request::Lock { message: None }).unwrap();
+    it.run_for(Duration::from_secs(2));
+    let rest = it.supervisor().state().arm.unwrap();
+    assert!(!rest.moving);
+    it.ask(teacher, Request::Unlock).unwrap();
+
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&spiral(8)).unwrap();
+    it.start(anna, job).unwrap();
+    it.run_for(Duration::from_secs(2));
+    it.ask(teacher, Request::Lock { message: None }).unwrap();
+    let minute = it.now() + Duration::from_mins(1);
+    let paused = |it: &VirtualStation| {
+        it.supervisor()
+            .state()
+            .job
+            .is_some_and(|it| it.phase == JobPhase::Paused)
+    };
+    assert!(it.run_until(minute, paused));
+    it.run_for(Duration::from_secs(5));
+    assert_eq!(it.start(anna, job).unwrap_err().kind(), "locked");
+    it.ask(teacher, Request::TakeLease).unwrap();
+    it.start(teacher, job).unwrap();
+    let minute = it.now() + Duration::from_mins(1);
+    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+}
+
+#[test]
+fn a_message_reaches_all_who_watch_and_takes_no_control() {
+    let mut it = virtual_station(Personality::Specification);
+    let teacher = it.client_as("Ms Weber", Role::Control);
+    let text = "five more minutes\u{7}".to_owned();
+    it.ask(teacher, Request::Message { text }).unwrap();
+    let told = it
+        .notices()
+        .iter()
+        .any(|it| it.text == "Ms Weber: five more minutes");
+    assert!(told, "{:?}", it.notices());
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{Jog, News, Request};
+use dobot_api::{Jog, News, Request, Role};
 use dobot_rules::{Refusal, VirtualStation};
 use dobot_safety::Policy;
 use dobot_wire::{Command, LinearJog, LinearJogAxis, MoveTo};
@@ -66,7 +66,7 @@ fn what_is_under_way_was_judged_by_the_old_policy_and_has_to_be_over_first() {
 fn only_an_administrator_changes_the_policy_and_an_armed_laser_does_not_outlive_it() {
     for personality in PERSONALITIES {
         let (mut it, anna) = over(personality, 0);
-        let pupil = it.watcher("pupil");
+        let pupil = it.client_as("pupil", Role::Watch);
         let refused = it.set_policy(pupil, low());
         assert!(matches!(refused, Err(Refusal::Role { .. })), "{refused:?}");
         it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, Request};
+use dobot_api::{ClientId, Request, Role};
 use dobot_controller::{Personality, Refused};
 use dobot_rules::VirtualStation;
 use dobot_wire::{Command, LinearJog, LinearJogAxis, MoveTo, MovingMode, Packet};
@@ -89,7 +89,7 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
     if let Some(job) = job {
         scene.finish(job)?;
     }
-    let watcher = scene.it.watcher("the class");
+    let watcher = scene.it.client_as("the class", Role::Watch);
     scene.it.ask(watcher, Request::Stop { reason: None })?;
     scene.it.run_for(Duration::from_secs(20));
     overruns(figures, &mut scene.it);

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
-use dobot_api::{ClientId, Request};
+use dobot_api::{ClientId, Request, Role};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_rules::{Refusal, VirtualStation};
 use dobot_safety::Policy;
@@ -139,7 +139,7 @@ impl Case {
             .any(|it| it.contains("reset") || it.contains("power"));
         let jogs = !faults.iter().any(|it| it.contains("close"));
         let people = ["Anna", "Ben", "a raw program"].map(|name| it.client(name));
-        let watcher = it.watcher("the class");
+        let watcher = it.client_as("the class", Role::Watch);
         Self {
             judge: Judge::new(policy, burns, resets),
             asking: Asking {

@@ -173,6 +173,8 @@ impl Asking {
             9 => Request::Stop {
                 reason: Some("by chance".into()),
             },
+            10 if chance.below(3) == 0 => Request::Lock { message: None },
+            11 => Request::Unlock,
             _ => Request::TakeLease,
         }
     }
