@@ -13,6 +13,9 @@ mod drawings;
 mod events;
 #[cfg(test)]
 mod fake;
+mod fleet;
+mod fleet_offers;
+mod fleet_work;
 mod http_leases;
 mod listen;
 mod messages;
@@ -20,7 +23,6 @@ mod metrics;
 mod packets;
 mod page;
 mod paging;
-mod private;
 mod programs;
 mod rate;
 mod recordings;
@@ -28,6 +30,7 @@ mod route;
 mod routes;
 mod served;
 mod socket;
+mod station_api;
 mod strict_json;
 #[cfg(test)]
 mod tests;
@@ -35,5 +38,6 @@ mod tls;
 mod tokens;
 
 pub use served::{ServeError, Served, Web, serve};
+pub use station_api::StationApi;
 pub use tls::TlsError;
 pub use tokens::{Token, Tokens, TokensError};

@@ -37,6 +37,7 @@ mod bridge;
 mod config;
 #[cfg(test)]
 mod fake;
+mod fleet;
 mod foxglove;
 mod http;
 mod program;
@@ -48,8 +49,9 @@ mod start;
 mod virtual_port;
 
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
+pub use fleet::{FleetAsk, FleetEnd, FleetPort, FleetWish, Members, NewWork, OFFERS, WorkWish};
 pub use foxglove::{FoxglovePort, FoxglovePortError};
-pub use http::{ServeError, Served, TlsError, Token, Tokens, TokensError, Web, serve};
+pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensError, Web, serve};
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};
 pub use start::{Failed, StartError, Station};

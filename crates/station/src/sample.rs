@@ -68,6 +68,7 @@ pub(crate) fn state(at_s: f64) -> State {
             ahead_s: 0.4,
         },
         lease: None,
+        lock: None,
         stop: None,
         laser: LaserView {
             armed_for_s: 0.0,

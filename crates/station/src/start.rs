@@ -13,7 +13,7 @@ use crate::VirtualPort;
 use crate::http;
 use crate::{
     Config, FoxglovePort, FoxglovePortError, ProgramNews, RawPort, RawPortError, ServeError,
-    Served, Web,
+    Served, StationApi, Web,
 };
 
 /// A station that runs.
@@ -141,6 +141,18 @@ impl Station {
     #[must_use]
     pub const fn handle(&self) -> &Handle {
         self.host.handle()
+    }
+
+    /// How its fleet asks it for something.
+    #[must_use]
+    pub const fn api(&self) -> &StationApi {
+        self.http.api()
+    }
+
+    /// The address at which page and API are served.
+    #[must_use]
+    pub const fn address(&self) -> SocketAddr {
+        self.http.address()
     }
 
     /// Where page and API are served, as in `http://127.0.0.1:8642`.

@@ -1,8 +1,9 @@
 //! What all requests share.
 
+use std::collections::HashSet;
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
@@ -17,6 +18,7 @@ use super::listen::ConnectionSlot;
 use super::rate::Addresses;
 use super::recordings::Recordings;
 use super::tokens::Tokens;
+use crate::FleetPort;
 
 /// What all requests share.
 #[derive(Debug)]
@@ -37,6 +39,10 @@ pub(super) struct App {
     /// The drawings that are planned.
     pub(super) drawings: Drawings,
     pub(super) recordings: Recordings,
+    /// The way to the fleet, once the station belongs to one.
+    pub(super) fleet: OnceLock<FleetPort>,
+    /// The keys of the offers whose drawings are being planned.
+    pub(super) planning: Mutex<HashSet<String>>,
     pub(super) addresses: Addresses,
     /// How many more WebSockets there may be.
     pub(super) sockets: Arc<Semaphore>,
@@ -75,6 +81,8 @@ impl App {
             http_leases: HttpLeases::default(),
             drawings: Drawings::default(),
             recordings: Recordings::new(files.recordings),
+            fleet: OnceLock::new(),
+            planning: Mutex::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,
@@ -95,6 +103,11 @@ impl App {
     /// Name and role of whoever has this token.
     pub(super) fn holder(&self, secret: &str) -> Option<(String, Role)> {
         self.tokens().holder(secret)
+    }
+
+    /// Whether this is the token of programs on the same machine.
+    pub(super) fn is_local(&self, secret: &str) -> bool {
+        self.tokens().is_local(secret)
     }
 
     /// A place for one who stays: on a WebSocket, or to listen to events.
@@ -122,8 +135,10 @@ pub(super) struct Peer {
     pub(super) to: SocketAddr,
     /// Whether it is encrypted.
     pub(super) secure: bool,
-    /// Its place among all connections, for as long as any part of it is there.
-    pub(super) _slot: Arc<ConnectionSlot>,
+    /// Whether it is the fleet: whoever comes so without a token may watch and stop, wherever the station is served.
+    pub(super) by_fleet: bool,
+    /// Its place among all connections, for as long as any part of it is there; the fleet has none.
+    pub(super) _slot: Option<Arc<ConnectionSlot>>,
 }
 
 /// Who asks.

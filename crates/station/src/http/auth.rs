@@ -59,7 +59,7 @@ fn look(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Response> {
     let host = host(request).map_err(refused)?;
     check_host(app, peer, &host).map_err(refused)?;
     check_origin(peer, &host, request.headers()).map_err(refused)?;
-    let caller = identify(app, request);
+    let caller = identify(app, peer, request);
     let cost = match &caller {
         Err(_) => WRONG_TOKEN,
         Ok(_) if page::has(request.uri().path()) => FILE,
@@ -154,9 +154,9 @@ const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 
 /// Who asks, by the token or for want of one.
-fn identify(app: &App, request: &Request) -> Result<Caller, Problem> {
+fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem> {
     let anyone = |role| Caller {
-        name: "http".into(),
+        name: if peer.by_fleet { "fleet" } else { "http" }.into(),
         role,
     };
     match presented(request.headers())? {
@@ -164,13 +164,13 @@ fn identify(app: &App, request: &Request) -> Result<Caller, Problem> {
             Some((name, role)) => Ok(Caller { name, role }),
             None => Err(UNAUTHORISED.problem("the station does not know this token")),
         },
-        None if is_open(request) => Ok(anyone(Role::Watch)),
+        None if is_open(request) || peer.by_fleet => Ok(anyone(Role::Watch)),
         None => app.without_token.map(anyone).ok_or_else(no_token),
     }
 }
 
 /// The token that comes with a request.
-fn presented(headers: &HeaderMap) -> Result<Option<String>, Problem> {
+pub(super) fn presented(headers: &HeaderMap) -> Result<Option<String>, Problem> {
     if let Some(value) = headers.get(AUTHORIZATION) {
         let text = value.to_str().unwrap_or_default();
         return match text.split_once(' ') {
@@ -206,5 +206,5 @@ fn is_open(request: &Request) -> bool {
 }
 
 fn is_stop(request: &Request) -> bool {
-    request.method() == Method::POST && request.uri().path() == routes::STOP
+    request.method() == Method::POST && routes::STOPS.contains(&request.uri().path())
 }

@@ -9,7 +9,7 @@ use axum::http::request::Parts;
 use axum::http::{HeaderName, Method, StatusCode, Uri};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
-use dobot_api::{NewJob, Notice, Reply, Request, Role};
+use dobot_api::{NewJob, Notice, Reply, Request, Role, write_private};
 use dobot_rules::{Client, Refusal, is_plain};
 use dobot_safety::Policy;
 use schemars::JsonSchema;
@@ -17,7 +17,7 @@ use serde::Deserialize;
 
 use super::answer::{Body, NotDone, json};
 use super::app::{App, Caller};
-use super::private;
+use super::auth;
 
 /// The header with the token of a lease that was taken over plain HTTP.
 pub(super) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
@@ -30,6 +30,8 @@ pub(super) const KEY: HeaderName = HeaderName::from_static("idempotency-key");
 pub(super) struct Asker {
     pub(super) app: Arc<App>,
     pub(super) caller: Caller,
+    /// The token that came with the request, if one did.
+    pub(super) token: Option<String>,
     /// The token of a lease.
     pub(super) lease: Option<String>,
     /// What the sender calls the request.
@@ -49,6 +51,7 @@ impl FromRequestParts<Arc<App>> for Asker {
         Ok(Self {
             app: app.clone(),
             caller: caller.expect("authorisation lets only callers in"),
+            token: auth::presented(&parts.headers)?,
             lease: header(LEASE),
             key: header(KEY),
         })
@@ -160,7 +163,7 @@ pub(super) async fn set_policy(
     let client = asker.client().await?;
     client.set_policy(policy.clone()).await?;
     let file = &asker.app.policy_file;
-    private::write(file, &new.text).map_err(|error| {
+    write_private(file, &new.text).map_err(|error| {
         POLICY_FILE.problem(format!("cannot write {}: {error}", file.display()))
     })?;
     Ok(Json(policy))

@@ -21,7 +21,7 @@ use tokio::task::AbortHandle;
 use super::answer::beside;
 
 /// A drawing that is to be planned: a file, the text that the options tell or both, or a test card.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct NewDrawing {
     /// The name of the file: its ending tells what kind it is.
@@ -203,6 +203,27 @@ impl Drawings {
         })
     }
 
+    /// Plans a drawing, and gives the job that does all of it.
+    ///
+    /// # Errors
+    ///
+    /// A problem where it cannot be planned, or as many are under way as may be.
+    pub(super) async fn plan(
+        &self,
+        new: NewDrawing,
+        planned_for: PlannedFor,
+    ) -> Result<NewJob, Problem> {
+        let number = self.begin(new, planned_for)?.drawing;
+        let mut progress = self.find(number, |it| it.progress.clone())?;
+        let over = progress.wait_for(|it| !matches!(it, Progress::Waiting | Progress::Planning));
+        // One that was forgotten meanwhile is not found below.
+        drop(over.await);
+        let job = self.job(number, DrawingPart::Whole);
+        // Nobody else knows it, and its place is wanted.
+        let _ = self.forget(number);
+        job
+    }
+
     /// Forgets a drawing; a plan under way is given up.
     ///
     /// # Errors
@@ -301,7 +322,7 @@ impl Drop for Drawing {
 
 impl NewDrawing {
     /// What a person calls it, within what a job may be called.
-    fn title(&self) -> String {
+    pub(super) fn title(&self) -> String {
         let text = Subject::of_text(&self.options.what).map(|it| it.title);
         let title = self.name.clone().or(text).unwrap_or_default();
         let title: String = title.trim().chars().take(MOST_LETTERS).collect();

@@ -1,9 +1,10 @@
 //! A stand-in for the driver of an arm: it grants everything, and remembers what it was asked.
 
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
-use dobot_api::{ClientId, JobPath, LeaseView, Reply, Request, Role};
-use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
+use dobot_api::{ClientId, JobPath, JobView, LeaseView, Reply, Request, Role};
+use dobot_rules::{Ends, Handle, Message, OfferAnswer, OfferAsk, Refusal, Rules};
 use tokio::sync::mpsc;
 
 use crate::sample::{job, state};
@@ -53,6 +54,7 @@ pub(super) struct FakeNews {
 async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, asked: Asked) {
     let mut next = 1;
     let mut refusing = std::collections::HashSet::new();
+    let mut offers = HashMap::new();
     while let Some(message) = messages.recv().await {
         match message {
             Message::Came { name, role, reply } => {
@@ -95,11 +97,40 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
             Message::JobPath { job, reply } => {
                 let _ = reply.send(Err(Refusal::NoSuchJob(job)));
             }
+            Message::Offer { key, ask, reply } => {
+                let _ = reply.send(Ok(answer(&mut offers, key, ask)));
+            }
             Message::Trouble(text) => telling.trouble.lock().expect("as above").push(text),
             Message::Failed(text) => panic!("{text}"),
             Message::End => break,
         }
     }
+}
+
+/// Takes one offer, and refuses all others.
+fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferAsk) -> OfferAnswer {
+    let refused = |reason: &str, busy| OfferAnswer::Refused {
+        reason: reason.into(),
+        busy,
+    };
+    let is_busy = offers
+        .values()
+        .any(|it| matches!(it, OfferAnswer::Taken(_)));
+    if let Some(known) = offers.get(&key) {
+        return known.clone();
+    }
+    let answer = match ask {
+        OfferAsk::Look => return OfferAnswer::Unknown,
+        OfferAsk::Withdraw { by } => refused(&format!("withdrawn by {by}"), false),
+        OfferAsk::Refuse { reason } => refused(&reason, false),
+        OfferAsk::Take { .. } if is_busy => refused("job 7 is queued here", true),
+        OfferAsk::Take { job: new, .. } => {
+            let title = new.title;
+            OfferAnswer::Taken(Box::new(JobView { title, ..job(7) }))
+        }
+    };
+    offers.insert(key, answer.clone());
+    answer
 }
 
 fn granted(client: ClientId, request: &Request) -> Reply {

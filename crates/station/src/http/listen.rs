@@ -79,7 +79,8 @@ impl Connection {
                 from,
                 to: stream.local_addr().ok()?,
                 secure: tls.is_some(),
-                _slot: Arc::new(slot),
+                by_fleet: false,
+                _slot: Some(Arc::new(slot)),
             },
             tls,
         })

@@ -5,14 +5,12 @@ use std::ops::RangeInclusive;
 
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
-use dobot_draw::draw_step;
+use dobot_draw::ProgramFiles;
 use dobot_rules::PlannedFor;
-use dobot_teach::vendor;
 use dobot_teach::{
-    Action, Compiled, Drawing, Files, Point, Program, ProgramDocument, ProgramError, RecordedPlace,
+    Action, Compiled, Point, Program, ProgramDocument, ProgramError, ProgramForm, RecordedPlace,
     Report, Times, ToolState, check, path_steps, simplified,
 };
-use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -192,19 +190,6 @@ pub(super) struct ConvertProgram {
     to: ProgramForm,
 }
 
-/// A form of programs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum ProgramForm {
-    /// The text of a program.
-    #[default]
-    Toml,
-    /// `PlayBackPoints.xml`.
-    Xml,
-    /// `.play`.
-    Play,
-}
-
 /// A program in the form that was asked for.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub(super) struct ConvertedProgram {
@@ -224,35 +209,14 @@ pub(super) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Proble
             .map_err(|error| BAD_PROGRAM.problem(format!("data is not base64: {error}")))?,
         _ => return Err(BAD_PROGRAM.problem("one of text and data says what it is")),
     };
-    let points = match asked.from {
-        ProgramForm::Toml => None,
-        ProgramForm::Xml => Some(vendor::read_points(&bytes)),
-        ProgramForm::Play => Some(vendor::read_play(&bytes)),
-    };
-    let (program, mut warnings) = if let Some(read) = points {
-        let read = read.map_err(bad)?;
-        (vendor::program_of(&read.it), read.warnings)
-    } else {
-        let text = String::from_utf8(bytes)
-            .map_err(|_| BAD_PROGRAM.problem("it is not text in UTF-8, so it is no program"))?;
-        (Program::from_toml(&text).map_err(bad)?, Vec::new())
-    };
-    if asked.to == ProgramForm::Toml {
-        let text = program.to_toml();
-        return Ok(ConvertedProgram { text, warnings });
-    }
-    let (points, lost) = vendor::points_of(&program);
-    if points.is_empty() {
-        return Err(BAD_PROGRAM.problem(
-            "the program has no point that this form can carry: it knows joint angles alone",
-        ));
-    }
-    warnings.extend(lost);
-    let text = match asked.to {
-        ProgramForm::Play => vendor::write_play(&points),
-        _ => vendor::write_points(&points),
-    };
-    Ok(ConvertedProgram { text, warnings })
+    let program = asked.from.read(&bytes).map_err(bad)?;
+    let written = asked.to.write(&program.it).map_err(bad)?;
+    let mut warnings = program.warnings;
+    warnings.extend(written.warnings);
+    Ok(ConvertedProgram {
+        text: written.it,
+        warnings,
+    })
 }
 
 /// Looks at a whole program.
@@ -398,45 +362,18 @@ fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError>
 }
 
 fn compile(program: &ProgramText, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
-    let mut files = Texts {
-        files: &program.files,
-        arm,
+    let read = |path: &str| match program.files.get(path) {
+        Some(text) => Ok(text.clone().into_bytes()),
+        None => Err(format!(
+            "{path} did not come with the program; `files` names what did"
+        )),
     };
+    let mut files = ProgramFiles::new(read, arm.dialect(), arm.calibration.clone());
     Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
 }
 
 fn look(compiled: &Compiled, arm: &PlannedFor) -> Report {
     check(compiled, &arm.rules.policy, arm.model())
-}
-
-/// The files that came with a program.
-struct Texts<'a> {
-    files: &'a BTreeMap<String, String>,
-    arm: &'a PlannedFor,
-}
-
-impl Texts<'_> {
-    fn text(&self, path: &str) -> Result<&String, String> {
-        let named = || format!("{path} did not come with the program; `files` names what did");
-        self.files.get(path).ok_or_else(named)
-    }
-}
-
-impl Files for Texts<'_> {
-    fn program(&mut self, path: &str) -> Result<String, String> {
-        self.text(path).cloned()
-    }
-
-    fn drawing(&mut self, path: &str, drawing: &Drawing) -> Result<Vec<Command>, String> {
-        let bytes = self.text(path)?.clone().into_bytes();
-        let options = drawing.options.clone();
-        let options = options
-            .try_into()
-            .map_err(|error| format!("{path}: {error}"))?;
-        let calibration = self.arm.calibration.clone();
-        let dialect = self.arm.dialect();
-        draw_step(path, bytes, options, drawing.pen_down, dialect, calibration)
-    }
 }
 
 /// How far the lines of a path may be from its places.

@@ -79,11 +79,21 @@ const FAR: Rate = Rate {
     burst: 200.0,
 };
 
+/// What all members of the fleet may do together, who come without an address.
+const FLEET: Rate = Rate {
+    per_s: 500.0,
+    burst: 1000.0,
+};
+
 /// How many addresses are known at once; those that have been quiet are forgotten then.
 const MOST_ADDRESSES: usize = 10_000;
 
 fn rate_of(from: IpAddr) -> Rate {
-    if from.is_loopback() { NEAR } else { FAR }
+    match from {
+        _ if from.is_loopback() => NEAR,
+        _ if from.is_unspecified() => FLEET,
+        _ => FAR,
+    }
 }
 
 /// Whom an address stands for: in IPv6 everybody has a whole network of addresses.

@@ -161,10 +161,16 @@ impl Route {
     }
 
     /// A route that queues a job, once for each key.
-    pub(super) fn queues(mut self) -> Self {
-        self.queues = true;
-        self.gives::<Reply>(201, "the job is queued; the header Location names it")
+    pub(super) fn queues(self) -> Self {
+        self.keyed()
+            .gives::<Reply>(201, "the job is queued; the header Location names it")
             .problems(&[MALFORMED, KEY_REUSED])
+    }
+
+    /// A route that does what is asked once for each key.
+    pub(super) fn keyed(mut self) -> Self {
+        self.queues = true;
+        self
     }
 
     /// An example of the body.

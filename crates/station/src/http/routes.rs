@@ -5,6 +5,7 @@
 mod arm;
 mod calibration;
 mod drawings;
+mod fleet;
 mod jobs;
 mod leases;
 mod motion;
@@ -21,8 +22,8 @@ use axum::Router;
 use axum::http::Method;
 use axum::middleware::from_fn_with_state;
 use dobot_api::problem_kinds::{
-    CANNOT_RESUME, COMMAND, DETECTING, JOB_RUNNING, LASER_DISARMED, NO_JOB_RUNS, NO_LEASE, NO_LINK,
-    NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, STILL_MOVING, STOPPED, TOO_MANY,
+    CANNOT_RESUME, COMMAND, DETECTING, JOB_RUNNING, LASER_DISARMED, LOCKED, NO_JOB_RUNS, NO_LEASE,
+    NO_LINK, NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, STILL_MOVING, STOPPED, TOO_MANY,
 };
 
 pub(super) use self::calibration::{NewTouches, PaperTouches};
@@ -51,6 +52,10 @@ pub(super) fn is_open(method: &Method, path: &str) -> bool {
 
 /// Where the arm is stopped.
 pub(super) const STOP: &str = "/api/v1/stop";
+/// Where the arms of the fleet are.
+const FLEET_STOP: &str = "/api/v1/fleet/stop";
+/// Whoever asks for one of these is never told to wait.
+pub(super) const STOPS: [&str; 2] = [STOP, FLEET_STOP];
 
 /// All routes.
 pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
@@ -68,6 +73,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         drawings::all(),
         tokens::all(),
         virtual_arm::all(),
+        fleet::all(),
     ]
     .concat()
 });
@@ -80,6 +86,7 @@ const DELETE: Method = Method::DELETE;
 /// What moving the arm may be refused for.
 const MOVES: &[ProblemKind] = &[
     NO_LEASE,
+    LOCKED,
     STOPPED,
     STILL_MOVING,
     LASER_DISARMED,
@@ -95,6 +102,7 @@ const MOVES: &[ProblemKind] = &[
 /// What changing a job while it runs may be refused for.
 const ADJUSTS: &[ProblemKind] = &[
     NO_LEASE,
+    LOCKED,
     NO_JOB_RUNS,
     STILL_MOVING,
     NO_VECTORS,

@@ -12,6 +12,7 @@ use tokio::task::JoinHandle;
 
 use super::app::{App, AppFiles};
 use super::listen;
+use super::station_api::StationApi;
 use super::tls::{Certificate, TlsError};
 use super::tokens::{Tokens, TokensError};
 use crate::TlsFiles;
@@ -68,6 +69,7 @@ impl Web {
 #[derive(Debug)]
 pub struct Served {
     address: SocketAddr,
+    api: StationApi,
     running: Running,
     file: PathBuf,
     ends: watch::Sender<bool>,
@@ -114,6 +116,7 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
     let tls = certificate.map(|it| it.acceptor);
     Ok(Served {
         address,
+        api: StationApi::new(app.clone(), address),
         running,
         file,
         ends,
@@ -142,6 +145,12 @@ impl Served {
     #[must_use]
     pub const fn address(&self) -> SocketAddr {
         self.address
+    }
+
+    /// How the fleet asks the station for something.
+    #[must_use]
+    pub const fn api(&self) -> &StationApi {
+        &self.api
     }
 
     /// Where to go with a browser on the same machine.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use dobot_api::problem_kinds::{INVALID, MALFORMED};
-use dobot_api::{FromClient, Problem};
+use dobot_api::{FromClient, Problem, Recipients};
 use schemars::schema_for;
 use serde::Deserialize;
 use serde::de::{
@@ -13,6 +13,8 @@ use serde::de::{
 use serde_json::Value;
 
 use super::drawings::NewDrawing;
+use super::fleet_offers::FleetOffer;
+use super::fleet_work::FleetWork;
 use super::programs::EditProgram;
 use super::routes::{NewFaults, NewTouches, PaperTouches};
 
@@ -127,9 +129,12 @@ static LISTS: LazyLock<Vec<(String, usize)>> = LazyLock::new(|| {
     collect_lists(schema_for!(FromClient).as_value(), &mut lists);
     collect_lists(schema_for!(EditProgram).as_value(), &mut lists);
     collect_lists(schema_for!(NewDrawing).as_value(), &mut lists);
+    collect_lists(schema_for!(FleetWork).as_value(), &mut lists);
+    collect_lists(schema_for!(FleetOffer).as_value(), &mut lists);
     collect_lists(schema_for!(NewFaults).as_value(), &mut lists);
     collect_lists(schema_for!(NewTouches).as_value(), &mut lists);
     collect_lists(schema_for!(PaperTouches).as_value(), &mut lists);
+    collect_lists(schema_for!(Recipients).as_value(), &mut lists);
     lists
 });
 
@@ -283,6 +288,13 @@ mod tests {
             read(command("200").as_bytes()).unwrap(),
             Command::MoveTo(target) if target.x_mm == 200.0
         ));
+    }
+
+    #[test]
+    fn several_stations_of_a_fleet_are_asked_by_their_names() {
+        let named = read::<Recipients>(br#"{"members": ["desk-3", "desk-7"]}"#).unwrap();
+        let expected = ["desk-3", "desk-7"].map(String::from).to_vec();
+        assert_eq!(named, Recipients::Members(expected));
     }
 
     #[test]

@@ -7,6 +7,8 @@ mod bad_input;
 mod calibrating;
 mod document;
 mod drawings;
+mod fleet;
+mod fleet_work;
 mod leases;
 mod observing;
 mod policies;
@@ -113,7 +115,8 @@ impl Harness {
                 from,
                 to,
                 secure,
-                _slot: Arc::new(slot),
+                by_fleet: false,
+                _slot: Some(Arc::new(slot)),
             },
             _end: end,
             tokens: made.into(),

@@ -6,13 +6,13 @@ use std::net::IpAddr;
 use std::path::Path;
 use std::sync::Arc;
 
+use dobot_api::write_private;
 use rustls::ServerConfig;
 use rustls::pki_types::pem::PemObject;
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use sha2::{Digest, Sha256};
 use tokio_rustls::TlsAcceptor;
 
-use super::private;
 use super::tokens::hex;
 use crate::TlsFiles;
 
@@ -59,7 +59,7 @@ impl Certificate {
         let made_for = fs::read_to_string(&list).unwrap_or_default();
         if !files.key.exists() || made_for.lines().ne(subjects.iter().map(String::as_str)) {
             make(&files, &subjects)?;
-            private::write(&list, &subjects.join("\n"))
+            write_private(&list, &subjects.join("\n"))
                 .map_err(|source| TlsError::write(&list, source))?;
         }
         Self::read(&files)
@@ -127,7 +127,7 @@ fn subjects(names: &[String], address: IpAddr) -> Vec<String> {
 fn make(files: &TlsFiles, subjects: &[String]) -> Result<(), TlsError> {
     let made = rcgen::generate_simple_self_signed(subjects)?;
     let write = |file: &Path, text: String| {
-        private::write(file, &text).map_err(|source| TlsError::write(file, source))
+        write_private(file, &text).map_err(|source| TlsError::write(file, source))
     };
     write(&files.key, made.signing_key.serialize_pem())?;
     write(&files.certificate, made.cert.pem())

@@ -5,16 +5,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use dobot_api::Role;
+use dobot_api::{Role, write_private};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
-
-use super::private;
 
 /// The tokens that a station accepts: the file `tokens.toml`, which holds their digests only.
 ///
 /// ```
-/// use dobot_api::Role;
+/// use dobot_api::{Role, write_private};
 /// use dobot_station::Tokens;
 ///
 /// let folder = tempfile::tempdir()?;
@@ -56,6 +54,17 @@ impl Tokens {
     ///
     /// [`TokensError`] where the name is taken or is no name, or the file cannot be written.
     pub fn add(&mut self, role: Role, name: &str) -> Result<Token, TokensError> {
+        let token = Token::random().map_err(TokensError::Random)?;
+        self.accept(role, name, &token)?;
+        Ok(token)
+    }
+
+    /// Accepts a token that another station has made, so that its holder is known to both.
+    ///
+    /// # Errors
+    ///
+    /// As with [`add`](Self::add), and [`TokensError::Known`] where a token is accepted that is the same.
+    pub fn accept(&mut self, role: Role, name: &str, token: &Token) -> Result<(), TokensError> {
         self.follow()?;
         if !is_name(name) {
             return Err(TokensError::Name(name.into()));
@@ -63,14 +72,22 @@ impl Tokens {
         if self.known.iter().any(|it| it.name == name) {
             return Err(TokensError::Taken(name.into()));
         }
-        let token = Token::random().map_err(TokensError::Random)?;
+        let sha256 = hex(&digest(token.secret()));
+        if let Some(same) = self.known.iter().find(|it| it.sha256 == sha256) {
+            return Err(TokensError::Known(same.name.clone()));
+        }
         self.known.push(Known {
             name: name.into(),
             role,
-            sha256: hex(&digest(token.secret())),
+            sha256,
         });
-        self.write()?;
-        Ok(token)
+        self.write()
+    }
+
+    /// Whether this is the token of programs on the same machine.
+    pub(super) fn is_local(&self, secret: &str) -> bool {
+        self.local
+            .is_some_and(|local| same(&local, &digest(secret)))
     }
 
     /// Removes a token: it is refused from now on.
@@ -113,11 +130,10 @@ impl Tokens {
             self.known.clear();
             self.version = None;
         }
-        let digest = digest(secret);
-        if self.local.is_some_and(|local| same(&local, &digest)) {
+        if self.is_local(secret) {
             return Some(("local program".into(), Role::Admin));
         }
-        let digest = hex(&digest);
+        let digest = hex(&digest(secret));
         let found = self.known.iter().fold(None, |found, it| {
             if same(it.sha256.as_bytes(), digest.as_bytes()) {
                 Some(it)
@@ -156,7 +172,7 @@ impl Tokens {
             token: self.known.clone(),
         };
         let text = toml::to_string(&content).expect("a list of tables of texts is TOML");
-        private::write(&self.file, &text).map_err(|error| self.io(error))?;
+        write_private(&self.file, &text).map_err(|error| self.io(error))?;
         self.version = Version::of(&self.file).map_err(|error| self.io(error))?;
         Ok(())
     }
@@ -178,6 +194,17 @@ impl Token {
     #[must_use]
     pub fn secret(&self) -> &str {
         &self.0
+    }
+
+    /// One that a station has made.
+    ///
+    /// # Errors
+    ///
+    /// [`TokensError::NoToken`] where it has not 64 hexadecimal digits.
+    pub fn of_secret(secret: &str) -> Result<Self, TokensError> {
+        let is_secret = secret.len() == 64 && secret.bytes().all(|it| it.is_ascii_hexdigit());
+        let token = is_secret.then(|| Self(secret.to_ascii_lowercase()));
+        token.ok_or(TokensError::NoToken)
     }
 
     /// A new one of 256 random bits.
@@ -223,6 +250,12 @@ pub enum TokensError {
     /// A name is given already.
     #[error("there is a token of the name {0:?} already; remove it first")]
     Taken(String),
+    /// The same token is accepted under another name.
+    #[error("this token is accepted already, under the name {0:?}")]
+    Known(String),
+    /// It is no token.
+    #[error("a token is 64 hexadecimal digits, as `dobot token add` shows them; this is none")]
+    NoToken,
     /// No token has this name.
     #[error("there is no token of the name {0:?}")]
     Unknown(String),

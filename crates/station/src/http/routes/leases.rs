@@ -1,7 +1,7 @@
 //! Control of the arm.
 
 use axum::Json;
-use dobot_api::problem_kinds::{INVALID, NO_LEASE, NOT_ASKING, TOO_MANY_CLIENTS};
+use dobot_api::problem_kinds::{INVALID, LOCKED, NO_LEASE, NOT_ASKING, TOO_MANY_CLIENTS};
 use dobot_api::{ClientId, LeaseView, Problem, Reply, Request};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -21,7 +21,7 @@ pub(super) fn all() -> Vec<Route> {
             "control",
             Request::TakeLease,
         )
-        .problems(&[NO_LEASE, TOO_MANY_CLIENTS]),
+        .problems(&[NO_LEASE, LOCKED, TOO_MANY_CLIENTS]),
         Route::new(DELETE, "/api/v1/lease", "Gives control back", release)
             .brings::<Maybe<Nothing>>()
             .gives::<Reply>(200, "control is free")
@@ -32,7 +32,7 @@ pub(super) fn all() -> Vec<Route> {
             "a lease token, for when control is granted",
             Request::AskLease,
         )
-        .problems(&[TOO_MANY_CLIENTS]),
+        .problems(&[LOCKED, TOO_MANY_CLIENTS]),
         Route::asks(
             POST,
             "/api/v1/lease/grant",
@@ -41,7 +41,7 @@ pub(super) fn all() -> Vec<Route> {
         )
         .example(r#"{"to": 3}"#)
         .gives::<Reply>(200, "who has control now")
-        .problems(&[NO_LEASE, NOT_ASKING]),
+        .problems(&[NO_LEASE, NOT_ASKING, LOCKED]),
         holds(
             "/api/v1/lease/seize",
             "Takes control from whoever has it (admin)",
@@ -49,7 +49,49 @@ pub(super) fn all() -> Vec<Route> {
             Request::SeizeLease,
         )
         .problems(&[TOO_MANY_CLIENTS]),
+        Route::asks(
+            POST,
+            "/api/v1/lock",
+            "Keeps the arm for administrators (admin): whoever else has control loses it, and a job that runs is paused",
+            |Maybe(new): Maybe<NewLock>| Request::Lock {
+                message: new.message,
+            },
+        )
+        .example(r#"{"message": "eyes on me"}"#)
+        .gives::<Reply>(200, "the arm is locked"),
+        Route::asks(
+            DELETE,
+            "/api/v1/lock",
+            "Lets everyone take control again (admin)",
+            |_: Maybe<Nothing>| Request::Unlock,
+        )
+        .gives::<Reply>(200, "the arm is not locked"),
+        Route::asks(
+            POST,
+            "/api/v1/message",
+            "Tells something to all who watch",
+            |Body(new): Body<NewMessage>| Request::Message { text: new.text },
+        )
+        .example(r#"{"text": "five more minutes"}"#)
+        .gives::<Reply>(200, "it is told"),
     ]
+}
+
+/// Why the arm is locked.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewLock {
+    /// For those who want to move the arm. What is longer than 200 characters is cut.
+    #[serde(default)]
+    message: Option<String>,
+}
+
+/// What to tell.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewMessage {
+    /// The text. What is longer than 200 characters is cut.
+    text: String,
 }
 
 /// A route that asks for control, and keeps the client if that is granted.

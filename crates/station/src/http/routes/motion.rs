@@ -6,7 +6,8 @@ use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{
-    COMMAND, LASER_DISARMED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, STILL_MOVING,
+    COMMAND, LASER_DISARMED, LOCKED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY,
+    STILL_MOVING,
 };
 use dobot_api::{Jog, News, Notice, Problem, Reply, Request};
 use dobot_rules::Refusal;
@@ -63,7 +64,7 @@ pub(super) fn all() -> Vec<Route> {
             |_: Maybe<Nothing>| Request::Release,
         )
         .gives::<Reply>(200, "the button is released")
-        .problems(&[NO_LEASE]),
+        .problems(&[NO_LEASE, LOCKED]),
         Route::asks(
             POST,
             STOP,

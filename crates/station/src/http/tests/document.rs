@@ -75,6 +75,7 @@ async fn the_router_has_every_route_of_the_document_and_no_other() {
     for (path, operations) in document["paths"].as_object().unwrap() {
         let real = path.replace("{id}", "7").replace("{kind}", "policy");
         let real = real.replace("{name}", "watch");
+        let real = real.replace("{work}", "7").replace("{key}", "7");
         for method in ["GET", "POST", "PUT", "DELETE", "PATCH"] {
             let answer = harness.bare(method, &real).await;
             // What has no number 7 is known, too.

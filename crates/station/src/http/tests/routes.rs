@@ -99,6 +99,9 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         ("POST", "/api/v1/stop", r#"{"reason": "hot"}"#),
         ("DELETE", "/api/v1/stop", ""),
         ("POST", "/api/v1/lease/grant", r#"{"to": 3}"#),
+        ("POST", "/api/v1/lock", r#"{"message": "eyes on me"}"#),
+        ("DELETE", "/api/v1/lock", ""),
+        ("POST", "/api/v1/message", r#"{"text": "well done"}"#),
         ("POST", "/api/v1/laser", r#"{"for_s": 60}"#),
         ("DELETE", "/api/v1/laser", ""),
         ("POST", "/api/v1/pose/confirm", "{}"),
@@ -125,6 +128,13 @@ async fn each_route_asks_the_driver_for_what_it_says() {
         },
         Request::ResetStop,
         Request::GrantLease { to: ClientId(3) },
+        Request::Lock {
+            message: Some("eyes on me".into()),
+        },
+        Request::Unlock,
+        Request::Message {
+            text: "well done".into(),
+        },
         Request::ArmLaser { for_s: 60.0 },
         Request::DisarmLaser,
         Request::ConfirmPose,

@@ -1,0 +1,186 @@
+//! The fleet, for its board: who is there, and requests to several stations at once.
+
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Json;
+use axum::extract::State;
+use axum::response::sse::{Event, KeepAlive, Sse};
+use dobot_api::problem_kinds::NO_FLEET;
+use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients};
+use futures_util::Stream;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use tokio::sync::{OwnedSemaphorePermit, watch};
+use tokio::time::{Interval, MissedTickBehavior, interval};
+
+use super::answer::{Body, JOB, Maybe, NotDone};
+use super::app::App;
+use super::calls::Asker;
+use super::events::ALIVE_EVERY;
+use super::routes;
+use crate::{FleetPort, Members};
+
+/// What the station knows of its fleet.
+pub(super) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>, NotDone> {
+    let port = app.fleet()?;
+    let members = port.look().await?.borrow().clone();
+    Ok(Json(FleetView {
+        name: port.name().into(),
+        at_s: app.handle.state().state().at_s,
+        members: members.iter().map(|it| (**it).clone()).collect(),
+    }))
+}
+
+/// Tells of each member as it changes; first of all of them.
+pub(super) async fn events(
+    State(app): State<Arc<App>>,
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
+    let mut pace = interval(TELL_EVERY);
+    pace.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    let watching = Watching {
+        members: app.fleet()?.look().await?,
+        told: Members::default(),
+        waiting: Vec::new(),
+        pace,
+        ending: app.ending.clone(),
+        _place: app.place()?,
+    };
+    let stream = futures_util::stream::unfold(watching, |mut it| async move {
+        let event = it.next().await?;
+        Some((Ok(event), it))
+    });
+    Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
+}
+
+/// So often the members are looked at: that is as often as a person sees a tile move.
+const TELL_EVERY: Duration = Duration::from_millis(100);
+
+/// One who watches the fleet, until he goes or the station ends.
+struct Watching {
+    members: watch::Receiver<Members>,
+    /// The members as they were told.
+    told: Members,
+    /// Those that have still to be told.
+    waiting: Vec<Arc<Member>>,
+    pace: Interval,
+    ending: watch::Receiver<bool>,
+    _place: OwnedSemaphorePermit,
+}
+
+impl Watching {
+    async fn next(&mut self) -> Option<Event> {
+        while self.waiting.is_empty() {
+            let ends = tokio::select! {
+                _ = self.pace.tick() => false,
+                _ = self.ending.wait_for(|it| *it) => true,
+            };
+            if ends {
+                return None;
+            }
+            self.look();
+        }
+        let member = self.waiting.pop()?;
+        let text = serde_json::to_string(&*member).expect("structures with text keys are JSON");
+        Some(Event::default().event("member").data(text))
+    }
+
+    fn look(&mut self) {
+        let now = self.members.borrow_and_update().clone();
+        let is_told = |it: &&Arc<Member>| self.told.iter().any(|told| Arc::ptr_eq(told, it));
+        if !Arc::ptr_eq(&now, &self.told) {
+            self.waiting = now.iter().filter(|it| !is_told(it)).cloned().collect();
+            self.told = now;
+        }
+    }
+}
+
+/// Whom to stop.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FleetStop {
+    /// Which stations; all where it is not said.
+    #[serde(default = "all")]
+    to: Recipients,
+    /// Why, for those who find their arm stopped.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+}
+
+impl Default for FleetStop {
+    fn default() -> Self {
+        Self {
+            to: all(),
+            reason: None,
+        }
+    }
+}
+
+const fn all() -> Recipients {
+    Recipients::All
+}
+
+/// Stops the arms of several stations.
+pub(super) async fn stop(
+    asker: Asker,
+    Maybe(wanted): Maybe<FleetStop>,
+) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+    // Anyone may stop, and a token that another station does not know would keep it from that.
+    let reason = wanted.reason.map(|it| serde_json::json!({ "reason": it }));
+    let request = ApiRequest {
+        method: "POST".into(),
+        path: routes::STOP.into(),
+        body: reason,
+        ..ApiRequest::default()
+    };
+    Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
+}
+
+/// A request to several stations at once.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FleetRequest {
+    /// Which stations.
+    to: Recipients,
+    /// The method, as in `POST`.
+    method: String,
+    /// The path with its query, as in `/api/v1/jobs/pause`.
+    path: String,
+    /// The token of a lease of the one station that is asked.
+    #[serde(default)]
+    lease: Option<String>,
+    /// What the sender calls this request.
+    #[serde(default)]
+    key: Option<String>,
+    /// The body, where there is one.
+    #[serde(default)]
+    body: Option<serde_json::Value>,
+}
+
+/// Asks several stations for the same; the token of the request goes with it.
+pub(super) async fn request(
+    asker: Asker,
+    Body(wanted): Body<FleetRequest, JOB>,
+) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+    let request = ApiRequest {
+        method: wanted.method,
+        path: wanted.path,
+        lease: wanted.lease,
+        key: wanted.key,
+        body: wanted.body,
+        // What programs of this machine say here is known here alone.
+        token: asker.token.filter(|it| !asker.app.is_local(it)),
+    };
+    Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
+}
+
+impl App {
+    /// The way to the fleet, if the station belongs to one.
+    pub(super) fn fleet(&self) -> Result<&FleetPort, Problem> {
+        let hint = "`dobot up --fleet` joins one";
+        self.fleet
+            .get()
+            .ok_or_else(|| NO_FLEET.hinted("this station belongs to no fleet", hint))
+    }
+}

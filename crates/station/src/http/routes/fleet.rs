@@ -1,0 +1,165 @@
+//! The fleet that the station belongs to.
+
+use dobot_api::problem_kinds::{
+    ARM_BUSY, DRAWING_PHASE, ENDING, INVALID, JOURNAL, MALFORMED, NO_FLEET, NO_SUCH_MEMBER,
+    NO_SUCH_WORK, ProblemKind, ROLE, TOO_MANY, TOO_MANY_CLIENTS, WORK_FILE, WORK_PHASE,
+    WORK_REFUSED,
+};
+use dobot_api::{FleetView, JobView, MemberAnswer, WorkView};
+
+use super::super::answer::{Body, JOB, Maybe};
+use super::super::events::ServerSentEvent;
+use super::super::fleet::{self, FleetRequest, FleetStop};
+use super::super::fleet_offers::{self, FleetOffer};
+use super::super::fleet_work::{self, FleetWork};
+use super::super::route::Route;
+use super::{DELETE, FLEET_STOP, GET, POST};
+
+pub(super) fn all() -> Vec<Route> {
+    [stations(), work(), offers()].concat()
+}
+
+/// The stations together.
+fn stations() -> Vec<Route> {
+    vec![
+        Route::new(
+            GET,
+            "/api/v1/fleet",
+            "All stations of the fleet that have been seen",
+            fleet::fleet,
+        )
+        .gives::<FleetView>(200, "the fleet")
+        .problems(&[NO_FLEET]),
+        Route::new(
+            GET,
+            "/api/v1/fleet/events",
+            "The stations of the fleet as server-sent events: `member`, each with a message as in `Member`; first all of \
+                them, then each one that changes, ten times in a second at the most",
+            fleet::events,
+        )
+        .gives_as::<ServerSentEvent>(200, "text/event-stream", "the events")
+        .problems(&[NO_FLEET, TOO_MANY_CLIENTS, ENDING]),
+        Route::new(
+            POST,
+            FLEET_STOP,
+            "Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which \
+                did not answer: their own pages stop them",
+            fleet::stop,
+        )
+        .brings::<Maybe<FleetStop>>()
+        .example(r#"{"to": {"group": "room-2"}, "reason": "smoke"}"#)
+        .gives::<Vec<MemberAnswer>>(200, "the answer of each")
+        .problems(ASKS),
+        Route::new(
+            POST,
+            "/api/v1/fleet/requests",
+            "Asks several stations for the same: method, path and body are those of their own API. The token of this \
+                request goes with it, and each station looks by itself what its holder may do",
+            fleet::request,
+        )
+        .brings::<Body<FleetRequest, JOB>>()
+        .example(r#"{"to": {"members": ["desk-3"]}, "method": "GET", "path": "/api/v1/jobs"}"#)
+        .gives::<Vec<MemberAnswer>>(200, "the answer of each")
+        .problems(ASKS),
+    ]
+}
+
+/// Work for any arm, where it is submitted.
+fn work() -> Vec<Route> {
+    vec![
+        Route::new(
+            POST,
+            "/api/v1/fleet/work",
+            "Submits a drawing or a job to any arm of the fleet that has what it needs: one that is free does it, once",
+            fleet_work::submit,
+        )
+        .brings::<Body<FleetWork, JOB>>()
+        .example(WORK_EXAMPLE)
+        .keyed()
+        .gives::<WorkView>(201, "it waits for an arm")
+        .problems(WORKS)
+        .problems(&[WORK_FILE, TOO_MANY]),
+        Route::new(
+            GET,
+            "/api/v1/fleet/work",
+            "All work that was submitted to this station for any arm, in the order in which it came",
+            fleet_work::all,
+        )
+        .gives::<Vec<WorkView>>(200, "the work")
+        .problems(WORKS),
+        Route::new(
+            DELETE,
+            "/api/v1/fleet/work/{work}",
+            "Cancels work: the station that has it lets it be, unless its arm is at it",
+            fleet_work::cancel,
+        )
+        .gives::<WorkView>(200, "it is cancelled, or is being withdrawn")
+        .problems(WORKS)
+        .problems(&[NO_SUCH_WORK, WORK_PHASE]),
+        Route::new(
+            POST,
+            "/api/v1/fleet/work/{work}/give",
+            "Gives work that is in doubt or has failed to another arm. This is for a person who has looked at the first one: \
+                what was drawn there may be drawn again",
+            fleet_work::give,
+        )
+        .gives::<WorkView>(200, "it waits for another arm")
+        .problems(WORKS)
+        .problems(&[NO_SUCH_WORK, WORK_PHASE]),
+    ]
+}
+
+/// Work that other stations offer.
+fn offers() -> Vec<Route> {
+    vec![
+        Route::new(
+            POST,
+            crate::OFFERS,
+            "Takes work of the fleet under a key, if no other job is queued or under way here. What is answered under a key \
+                is the answer for good: the same request gets the same job, and what was refused is never done",
+            fleet_offers::offer,
+        )
+        .brings::<Body<FleetOffer, JOB>>()
+        .example(OFFER_EXAMPLE)
+        .keyed()
+        .gives::<JobView>(200, "it is taken: the job")
+        .problems(&[ARM_BUSY, WORK_REFUSED, NO_FLEET, INVALID, MALFORMED, DRAWING_PHASE])
+        .problems(&[TOO_MANY, JOURNAL, ENDING]),
+        Route::new(
+            GET,
+            "/api/v1/fleet/offers/{key}",
+            "What has become of work that was offered under a key",
+            fleet_offers::look,
+        )
+        .gives::<JobView>(200, "it was taken: the job as it is now")
+        .problems(OFFERED),
+        Route::new(
+            DELETE,
+            "/api/v1/fleet/offers/{key}",
+            "Takes an offer back: it is refused whenever it comes, and a job that has come of it ends if it has not begun",
+            fleet_offers::withdraw,
+        )
+        .gives::<JobView>(200, "it was taken before: the job as it is now")
+        .problems(OFFERED),
+    ]
+}
+
+const WORK_EXAMPLE: &str = r#"{"drawing": {"options": {"what": {"text": "Hello"}, "place": {"at": [210, 0], "pen_down": -40}}}, "needs": ["pen", "a5"], "student": "Anna"}"#;
+
+const OFFER_EXAMPLE: &str = r#"{"by": "desk-1", "student": "Anna", "drawing": {"options": {"what": {"text": "Hello"}, "place": {"at": [210, 0], "pen_down": -40}}}}"#;
+
+/// What work for any arm may be refused for.
+const WORKS: &[ProblemKind] = &[NO_FLEET, INVALID, ENDING, ROLE];
+
+/// What is answered about an offer of which no job has come.
+const OFFERED: &[ProblemKind] = &[
+    ARM_BUSY,
+    WORK_REFUSED,
+    NO_SUCH_WORK,
+    MALFORMED,
+    JOURNAL,
+    ENDING,
+];
+
+/// What asking the fleet may be refused for.
+const ASKS: &[ProblemKind] = &[NO_FLEET, NO_SUCH_MEMBER, INVALID, ENDING];

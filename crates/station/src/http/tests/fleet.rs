@@ -1,0 +1,229 @@
+//! The fleet, with a stand-in for what joins stations.
+
+use std::sync::Arc;
+
+use dobot_api::{
+    ApiAnswer, ApiRequest, Member, MemberAbout, MemberAnswer, Presence, Request, Role,
+};
+use serde_json::json;
+
+use super::Harness;
+use crate::http::StationApi;
+use crate::{FleetEnd, FleetPort, FleetWish, Members};
+
+fn member(name: &str, group: &str) -> Arc<Member> {
+    Arc::new(Member {
+        name: name.into(),
+        id: "0".repeat(32),
+        here: name == "desk-1",
+        presence: Presence::Present,
+        heard_at_s: 1.0,
+        about: Some(MemberAbout {
+            groups: vec![group.into()],
+            ..MemberAbout::default()
+        }),
+        state: None,
+    })
+}
+
+/// A station that has joined: every member answers with its own request.
+fn joined(harness: &Harness) -> tokio::task::JoinHandle<Vec<ApiRequest>> {
+    let (port, end) = FleetPort::new("desk-1");
+    harness.app.fleet.set(port).unwrap();
+    let members: Members = [
+        member("desk-1", "room-1"),
+        member("desk-2", "room-2"),
+        member("desk-3", "room-2"),
+    ]
+    .into();
+    end.members.send_replace(members);
+    tokio::spawn(stand_in(end))
+}
+
+async fn stand_in(mut end: FleetEnd) -> Vec<ApiRequest> {
+    let mut asked = Vec::new();
+    while let Some(wish) = end.wishes.recv().await {
+        match wish {
+            FleetWish::Look(seen) => drop(seen.send(())),
+            FleetWish::Ask(ask) => {
+                let answer = |member: &Arc<Member>| MemberAnswer {
+                    member: member.name.clone(),
+                    id: member.id.clone(),
+                    answer: ApiAnswer {
+                        status: 200,
+                        body: json!({}),
+                    },
+                    took_ms: 1.0,
+                };
+                drop(ask.answers.send(ask.to.iter().map(answer).collect()));
+                asked.push(ask.request);
+            }
+            FleetWish::Work(wish) => panic!("nobody submits work here: {wish:?}"),
+        }
+    }
+    asked
+}
+
+#[tokio::test]
+async fn a_station_alone_says_how_to_join_a_fleet() {
+    let harness = Harness::near();
+    for (method, path) in [
+        ("GET", "/api/v1/fleet"),
+        ("GET", "/api/v1/fleet/events"),
+        ("POST", "/api/v1/fleet/stop"),
+    ] {
+        harness
+            .bare(method, path)
+            .await
+            .is(404)
+            .is_problem("no-fleet");
+    }
+}
+
+#[tokio::test]
+async fn a_request_reaches_those_of_a_group_with_the_token_that_came_with_it() {
+    let harness = Harness::far();
+    let stand_in = joined(&harness);
+    let body = r#"{"to": {"group": "room-2"}, "method": "POST", "path": "/api/v1/jobs/pause"}"#;
+    let request = harness
+        .request("POST", "/api/v1/fleet/requests")
+        .header("content-type", "application/json")
+        .header("authorization", harness.bearer(Role::Control));
+    let answer = harness.send(request.body(body.into()).unwrap()).await;
+    let answered = answer.is(200).value();
+    let names: Vec<_> = answered
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| it["member"].clone())
+        .collect();
+    assert_eq!(names, ["desk-2", "desk-3"]);
+    let secret = harness.tokens[Role::Control as usize].secret().to_owned();
+    drop(harness);
+    let asked = stand_in.await.unwrap();
+    assert_eq!(asked[0].token, Some(secret));
+    assert_eq!(
+        (&*asked[0].method, &*asked[0].path),
+        ("POST", "/api/v1/jobs/pause")
+    );
+}
+
+#[tokio::test]
+async fn anyone_stops_all_and_no_unknown_token_keeps_them_from_it() {
+    let harness = Harness::far();
+    let stand_in = joined(&harness);
+    let request = harness
+        .request("POST", "/api/v1/fleet/stop")
+        .header("content-type", "application/json")
+        .header("authorization", harness.bearer(Role::Watch));
+    let body = r#"{"reason": "smoke"}"#;
+    let answer = harness.send(request.body(body.into()).unwrap()).await;
+    assert_eq!(answer.is(200).value().as_array().unwrap().len(), 3);
+    drop(harness);
+    let asked = stand_in.await.unwrap();
+    assert_eq!(asked[0].token, None);
+    assert_eq!(asked[0].path, "/api/v1/stop");
+    assert_eq!(asked[0].body, Some(json!({"reason": "smoke"})));
+}
+
+#[tokio::test]
+async fn a_station_that_was_never_seen_is_told_and_nobody_is_asked() {
+    let harness = Harness::near();
+    let stand_in = joined(&harness);
+    for to in [
+        r#"{"members": ["desk-2", "desk-9"]}"#,
+        r#"{"group": "room-9"}"#,
+    ] {
+        let body = format!(r#"{{"to": {to}, "method": "POST", "path": "/api/v1/stop"}}"#);
+        let answer = harness.json("POST", "/api/v1/fleet/requests", body).await;
+        answer.is(404).is_problem("no-such-member");
+    }
+    drop(harness);
+    assert!(stand_in.await.unwrap().is_empty());
+}
+
+fn api(harness: &Harness) -> StationApi {
+    StationApi::new(harness.app.clone(), harness.peer.to)
+}
+
+fn stop() -> ApiRequest {
+    ApiRequest {
+        method: "POST".into(),
+        path: "/api/v1/stop".into(),
+        ..ApiRequest::default()
+    }
+}
+
+#[tokio::test]
+async fn one_who_comes_by_the_fleet_without_a_token_watches_and_stops_and_does_nothing_else() {
+    // Over HTTP on this machine everyone may do everything; by the fleet nobody is on this machine.
+    let harness = Harness::near();
+    let api = api(&harness);
+    assert_eq!(api.call(&stop()).await.status, 200);
+    let tokens = ApiRequest {
+        method: "GET".into(),
+        path: "/api/v1/tokens".into(),
+        ..ApiRequest::default()
+    };
+    let refused = api.call(&tokens).await;
+    assert_eq!(
+        (refused.status, &refused.body["title"]),
+        (403, &json!("the role does not allow this"))
+    );
+    let with_token = ApiRequest {
+        token: Some(harness.tokens[Role::Admin as usize].secret().into()),
+        ..tokens
+    };
+    assert_eq!(api.call(&with_token).await.status, 200);
+    assert_eq!(harness.asked(), [Request::Stop { reason: None }]);
+}
+
+#[tokio::test]
+async fn a_stolen_token_that_was_removed_opens_nothing_any_more() {
+    let harness = Harness::near();
+    let api = api(&harness);
+    let request = ApiRequest {
+        path: "/api/v1/lease".into(),
+        token: Some(harness.tokens[Role::Control as usize].secret().into()),
+        ..stop()
+    };
+    harness.app.tokens().remove("control").unwrap();
+    assert_eq!(api.call(&request).await.status, 401);
+    assert!(harness.asked().is_empty());
+}
+
+#[tokio::test]
+async fn what_does_not_end_and_what_is_no_request_is_told_as_such() {
+    let harness = Harness::near();
+    let api = api(&harness);
+    let get = |path: &str| ApiRequest {
+        method: "GET".into(),
+        path: path.into(),
+        ..ApiRequest::default()
+    };
+    for (request, status) in [
+        (get("/api/v1/events"), 422),
+        (get("/api/v1/packets"), 422),
+        (get("/api/v1/ws"), 426),
+        (get("no path"), 400),
+        (get("http://elsewhere/api/v1/state"), 400),
+        (
+            ApiRequest {
+                method: "G E T".into(),
+                ..get("/api/v1/state")
+            },
+            422,
+        ),
+        (
+            ApiRequest {
+                token: Some("a\nb".into()),
+                ..get("/api/v1/state")
+            },
+            422,
+        ),
+    ] {
+        let answer = api.call(&request).await;
+        assert_eq!(answer.status, status, "{request:?}: {answer:?}");
+        assert!(answer.body["detail"].is_string(), "{answer:?}");
+    }
+}
