@@ -1,0 +1,264 @@
+//! The tasks around the engine: the disk, the other stations, and whoever submits.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+use dobot_api::problem_kinds::{ARM_BUSY, NO_FLEET, NO_SUCH_WORK, WORK_FILE, WORK_REFUSED};
+use dobot_api::{ApiAnswer, ApiRequest, Problem, WorkView};
+use dobot_station::{Members, NewWork, OFFERS, StationApi, WorkWish};
+use tokio::sync::oneshot;
+use tokio::task::{JoinError, JoinSet, spawn_blocking};
+use zenoh::Session;
+
+use super::engine::{Answer, Ask, What, Wish, Work};
+use super::kept::Kept;
+use super::ticket::{Place, Ticket};
+use crate::asking::ask_one;
+use crate::id::new_id;
+
+/// The work that was submitted to this station.
+pub(crate) struct Working {
+    engine: Work,
+    /// Nothing where the station has no folder for it.
+    kept: Option<Arc<Kept>>,
+    /// What is being done.
+    pub(crate) doing: JoinSet<Done>,
+    /// Those whose decisions are being written, with the tickets.
+    waiting: Vec<(String, Reply)>,
+    /// Why it could not be written last.
+    trouble: Option<String>,
+    started: Instant,
+}
+
+/// What was done.
+pub(crate) enum Done {
+    Kept(Result<(), String>),
+    Submitted(Box<Ticket>, Result<(), String>, Reply),
+    Answered(Ask, Answer),
+    Forgotten,
+}
+
+type Reply = oneshot::Sender<Result<WorkView, Problem>>;
+
+impl Working {
+    /// Goes on with what is in the folder; says what in it is no work.
+    pub(crate) fn open(folder: Option<&Path>) -> std::io::Result<(Self, Vec<String>)> {
+        let (kept, tickets, wrong) = match folder {
+            None => (None, Vec::new(), Vec::new()),
+            Some(folder) => {
+                let (kept, tickets, wrong) = Kept::open(folder)?;
+                (Some(Arc::new(kept)), tickets, wrong)
+            }
+        };
+        let working = Self {
+            engine: Work::new(tickets, || new_id().ok()),
+            kept,
+            doing: JoinSet::new(),
+            waiting: Vec::new(),
+            trouble: None,
+            started: Instant::now(),
+        };
+        Ok((working, wrong))
+    }
+
+    /// Whether it has to be known what the other stations do.
+    pub(crate) fn needs_members(&self) -> bool {
+        self.engine.needs_members()
+    }
+
+    /// Somebody here wants something.
+    pub(crate) fn handle(&mut self, wish: WorkWish) {
+        // Whoever asked may be gone.
+        match wish {
+            WorkWish::Submit(work, reply) => self.submit(*work, reply),
+            WorkWish::List(reply) => drop(reply.send(Ok(self.engine.views()))),
+            WorkWish::Cancel(id, reply) => match self.engine.cancel(&id) {
+                Ok(_) => self.waiting.push((id, reply)),
+                Err(problem) => drop(reply.send(Err(problem))),
+            },
+            WorkWish::Give(id, reply) => match self.engine.give(&id) {
+                Ok(_) => self.waiting.push((id, reply)),
+                Err(problem) => drop(reply.send(Err(problem))),
+            },
+        }
+    }
+
+    fn submit(&mut self, work: NewWork, reply: Reply) {
+        let asked_before = work.key.as_deref();
+        let asked_before = asked_before.and_then(|it| self.engine.asked_before(&work.student, it));
+        if let Some(view) = asked_before {
+            return drop(reply.send(Ok(view)));
+        }
+        let Some(kept) = self.kept.clone() else {
+            let none = "this station keeps no work for its fleet";
+            return drop(reply.send(Err(NO_FLEET.problem(none))));
+        };
+        if let Err(problem) = self.engine.check_room() {
+            return drop(reply.send(Err(problem)));
+        }
+        let id = match new_id() {
+            Ok(id) => id,
+            Err(error) => {
+                let none = format!("the computer gives no random number: {error}");
+                return drop(reply.send(Err(WORK_FILE.problem(none))));
+            }
+        };
+        let ticket = Box::new(Ticket {
+            id,
+            number: self.engine.next_number(),
+            title: work.title,
+            student: work.student,
+            group: work.group,
+            needs: work.needs,
+            submitted_ms: work.submitted_ms,
+            key: work.key,
+            at: Place::Waiting,
+            refused: Vec::new(),
+            before: Vec::new(),
+        });
+        self.doing.spawn(async move {
+            let copy = ticket.clone();
+            let written = written(spawn_blocking(move || kept.submit(&copy, &work.offer)).await);
+            Done::Submitted(ticket, written, reply)
+        });
+    }
+
+    /// Something was done. Says what goes wrong with the disk, once.
+    pub(crate) fn settle(&mut self, done: Result<Done, JoinError>) -> Option<String> {
+        let now = self.started.elapsed();
+        match done {
+            Ok(Done::Answered(ask, answer)) => self.engine.handle_answer(now, &ask, answer),
+            Ok(Done::Submitted(ticket, Ok(()), reply)) => {
+                // Whoever asked may be gone.
+                drop(reply.send(Ok(self.engine.submitted(*ticket))));
+            }
+            Ok(Done::Submitted(_, Err(why), reply)) => {
+                drop(reply.send(Err(WORK_FILE.problem(why))));
+            }
+            Ok(Done::Kept(outcome)) => {
+                self.engine.handle_kept(now, outcome.is_ok());
+                self.tell(outcome.as_ref().err());
+                let was = std::mem::replace(&mut self.trouble, outcome.err());
+                return self.trouble.clone().filter(|_| was.is_none());
+            }
+            Ok(Done::Forgotten) => {}
+            // Tasks do not panic; should one, its question is asked again when the station is started again.
+            Err(error) => return Some(format!("work for the fleet: {error}")),
+        }
+        None
+    }
+
+    /// Tells those who decided something that it is on the disk, or why it is not yet.
+    fn tell(&mut self, trouble: Option<&String>) {
+        let engine = &self.engine;
+        let ready = |(id, _): &mut (String, Reply)| trouble.is_some() || engine.is_kept(id);
+        for (id, reply) in self.waiting.extract_if(.., ready) {
+            // Whoever asked may be gone.
+            drop(reply.send(match trouble {
+                None => engine.one(&id),
+                Some(why) => {
+                    Err(WORK_FILE.hinted(why, "it is written as soon as that is possible"))
+                }
+            }));
+        }
+    }
+
+    /// Begins what is to be done now.
+    pub(crate) fn go_on(&mut self, session: Option<&Session>, api: &StationApi, members: &Members) {
+        let Some(kept) = &self.kept else {
+            return;
+        };
+        self.engine.see(members);
+        while let Some(wish) = self.engine.poll_wish(self.started.elapsed()) {
+            let kept = kept.clone();
+            match wish {
+                Wish::Keep(ticket) => {
+                    self.doing.spawn(async move {
+                        Done::Kept(written(spawn_blocking(move || kept.keep(&ticket)).await))
+                    });
+                }
+                Wish::Forget(id) => {
+                    self.doing.spawn(async move {
+                        // What stays is forgotten after the next start.
+                        drop(spawn_blocking(move || kept.forget(&id)).await);
+                        Done::Forgotten
+                    });
+                }
+                Wish::Ask(ask) => {
+                    let member = members.iter().find(|it| it.id == ask.member.id).cloned();
+                    let (session, api) = (session.cloned(), api.clone());
+                    self.doing.spawn(async move {
+                        let answer = match (request(&kept, &ask).await, member) {
+                            (Ok(request), Some(member)) => read(
+                                &ask_one(session.as_ref(), &api, &member, &request)
+                                    .await
+                                    .answer,
+                            ),
+                            (Err(why), _) => Answer::Unclear(why),
+                            (_, None) => Answer::Unclear("it is not there".into()),
+                        };
+                        Done::Answered(ask, answer)
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// Whether something is on the disk, or why not.
+fn written(outcome: Result<std::io::Result<()>, JoinError>) -> Result<(), String> {
+    let told = |why: String| format!("work for the fleet cannot be written: {why}");
+    match outcome {
+        Ok(outcome) => outcome.map_err(|error| told(error.to_string())),
+        Err(error) => Err(told(error.to_string())),
+    }
+}
+
+/// The request by which a station is asked.
+async fn request(kept: &Arc<Kept>, ask: &Ask) -> Result<ApiRequest, String> {
+    let of_key = format!("{OFFERS}/{}", ask.key);
+    let (method, path) = match ask.what {
+        What::Look => ("GET", of_key),
+        What::Withdraw => ("DELETE", of_key),
+        What::Offer => ("POST", OFFERS.to_owned()),
+    };
+    let body = if ask.what == What::Offer {
+        let (kept, id) = (kept.clone(), ask.ticket.clone());
+        let read = spawn_blocking(move || kept.offer(&id)).await;
+        let read = read.map_err(|error| error.to_string())?;
+        Some(read.map_err(|error| format!("it cannot be read from the disk: {error}"))?)
+    } else {
+        None
+    };
+    Ok(ApiRequest {
+        method: method.into(),
+        path,
+        key: Some(ask.key.clone()),
+        body,
+        ..ApiRequest::default()
+    })
+}
+
+/// What an answer says. Only what the other station's journal has answered counts.
+fn read(answer: &ApiAnswer) -> Answer {
+    if answer.is_success() {
+        return match serde_json::from_value(answer.body.clone()) {
+            Ok(job) => Answer::Taken(job),
+            Err(error) => Answer::Unclear(format!("its answer is not understood: {error}")),
+        };
+    }
+    let Ok(problem) = serde_json::from_value::<Problem>(answer.body.clone()) else {
+        return Answer::Unclear(format!("it answered with the status {}", answer.status));
+    };
+    let is = |name: &str| problem.kind == format!("/api/v1/problems/{name}");
+    let (busy, refused) = (is(ARM_BUSY.name), is(WORK_REFUSED.name));
+    if busy || refused {
+        let reason = problem.detail;
+        return Answer::Refused { reason, busy };
+    }
+    if is(NO_SUCH_WORK.name) {
+        return Answer::Unknown;
+    }
+    Answer::Unclear(problem.detail)
+}

@@ -1,0 +1,285 @@
+//! Work for any arm, against stations in virtual time with real journals.
+
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+mod world;
+
+use std::time::Duration;
+
+use dobot_api::{JobPhase, WorkPhase};
+
+use self::world::World;
+use super::kept::Kept;
+
+/// A queue of short drawings, while stations are killed and the network falls apart.
+struct Storm {
+    seed: u64,
+    homes: usize,
+    desks: usize,
+    drawings: u64,
+    kills: usize,
+    splits: usize,
+}
+
+impl Storm {
+    /// Lets it pass, and tells what is left of it.
+    fn pass(&self) -> World {
+        let mut world = World::new(self.seed, self.homes, self.desks);
+        for number in 1..=self.drawings {
+            let home = world.one_of(self.homes);
+            let student = format!("student-{}", number % 30);
+            world.submit(home, number, &student);
+        }
+        let mut heals = Duration::ZERO;
+        let hour = Duration::from_secs(4 * 3600);
+        while !is_over(&world) {
+            assert!(world.now < hour, "it comes to an end: {:?}", open(&world));
+            world.step();
+            let kills = world.figures.kills_of_homes + world.figures.kills_of_desks;
+            // Spread over the time that all of it takes.
+            if kills < self.kills && world.below(4) == 0 {
+                let which = world.one_of(self.homes + self.desks);
+                match which.checked_sub(self.homes) {
+                    None => world.kill_home(which),
+                    Some(desk) => world.kill_desk(desk),
+                }
+            }
+            if world.now >= heals && world.figures.splits < self.splits && world.below(10) == 0 {
+                world.split();
+                heals = world.now + Duration::from_millis(1000 + world.below(3_500));
+            } else if world.now >= heals {
+                world.join();
+            }
+        }
+        world
+    }
+}
+
+fn is_over(world: &World) -> bool {
+    let all = world.homes.iter().all(|it| it.work.is_some());
+    all && world.views().iter().all(|it| it.phase.is_over())
+}
+
+fn open(world: &World) -> Vec<dobot_api::WorkView> {
+    let open = world.views().into_iter().filter(|it| !it.phase.is_over());
+    open.take(3).collect()
+}
+
+/// Each drawing was begun by one arm, once, and its ticket says what became of it there.
+fn check(world: &mut World, drawings: u64) {
+    let views = world.views();
+    assert_eq!(views.len() as u64, drawings, "none is lost");
+    let begun = world.begun();
+    assert_eq!(begun.len() as u64, drawings);
+    for view in views {
+        let found = &begun[&view.title];
+        let member = view.member.unwrap().name;
+        let phase = if view.phase == WorkPhase::Done {
+            JobPhase::Done
+        } else {
+            view.job.unwrap().phase
+        };
+        assert_eq!(*found, [(member, phase)], "{} is done once", view.title);
+    }
+}
+
+#[test]
+fn five_hundred_drawings_are_done_once_each_through_two_hundred_kills_and_fifty_splits() {
+    let storm = Storm {
+        seed: 21,
+        homes: 4,
+        desks: 20,
+        drawings: 500,
+        kills: 200,
+        splits: 50,
+    };
+    let mut world = storm.pass();
+    check(&mut world, storm.drawings);
+    let figures = &world.figures;
+    println!("{figures:?}, {:?}", world.now);
+    assert_eq!(figures.kills_of_homes + figures.kills_of_desks, 200);
+    assert_eq!(figures.splits, 50);
+    assert!(
+        figures.in_doubt > 0,
+        "each doubt was shown: the world looks at each step"
+    );
+}
+
+#[test]
+fn whatever_happens_each_drawing_is_begun_by_one_arm() {
+    for seed in 0..20 {
+        let storm = Storm {
+            seed,
+            homes: 3,
+            desks: 4,
+            drawings: 40,
+            kills: 60,
+            splits: 15,
+        };
+        check(&mut storm.pass(), storm.drawings);
+    }
+}
+
+/// A fleet of one home, in which the one station that has a drawing is gone for ever.
+fn without_the_taker() -> (World, String) {
+    let mut world = World::new(3, 1, 1);
+    world.submit(0, 1, "Anna");
+    while world.views()[0].phase != WorkPhase::Taken {
+        world.step();
+    }
+    world.desks[0].is_gone = true;
+    for _ in 0..50 {
+        world.step();
+    }
+    let id = world.views()[0].id.clone();
+    (world, id)
+}
+
+#[test]
+fn what_a_station_that_is_gone_has_is_in_doubt_until_a_person_gives_it_to_another() {
+    let (mut world, id) = without_the_taker();
+    world.add_desk();
+    for _ in 0..100 {
+        world.step();
+    }
+    let view = world.views().remove(0);
+    assert_eq!(
+        view.phase,
+        WorkPhase::Taken,
+        "the other one does not get it by itself"
+    );
+    assert!(view.doubt.unwrap().contains("desk-1 cannot be reached"));
+    world.work_of(0).give(&id).unwrap();
+    while world.views()[0].phase != WorkPhase::Done {
+        world.step();
+    }
+    let view = world.views().remove(0);
+    assert_eq!(view.member.unwrap().name, "desk-2");
+    assert_eq!(view.before[0].member.name, "desk-1");
+    assert!(
+        !view.before[0].is_settled,
+        "nobody knows yet what the first one has drawn"
+    );
+}
+
+#[test]
+fn what_was_given_to_another_arm_is_not_begun_by_the_first_one_when_that_comes_back() {
+    let mut world = World::new(3, 1, 1);
+    world.desks[0].has_person = false;
+    world.submit(0, 1, "Anna");
+    while world.views()[0].phase != WorkPhase::Taken {
+        world.step();
+    }
+    world.sides[1] = true;
+    while world.views()[0].doubt.is_none() {
+        world.step();
+    }
+    let id = world.views()[0].id.clone();
+    world.work_of(0).give(&id).unwrap();
+    world.join();
+    while !world.views()[0].before[0].is_settled {
+        world.step();
+    }
+    world.desks[0].has_person = true;
+    world.add_desk();
+    while world.views()[0].phase != WorkPhase::Done {
+        world.step();
+    }
+    let found: Vec<_> = world.begun().into_values().flatten().collect();
+    assert_eq!(found, [("desk-2".to_owned(), JobPhase::Done)]);
+}
+
+#[test]
+fn work_that_is_neither_in_doubt_nor_failed_is_given_to_no_other() {
+    let mut world = World::new(1, 1, 1);
+    world.submit(0, 1, "Anna");
+    let id = world.views()[0].id.clone();
+    let refused = world.work_of(0).give(&id).unwrap_err();
+    assert!(
+        refused.detail.contains("not in doubt"),
+        "{}",
+        refused.detail
+    );
+    assert_eq!(world.work_of(0).give("7").unwrap_err().status, 404);
+}
+
+#[test]
+fn work_that_is_cancelled_before_it_is_begun_is_begun_by_nobody() {
+    let mut world = World::new(5, 1, 1);
+    world.desks[0].has_person = false;
+    for number in 1..=2 {
+        world.submit(0, number, "Anna");
+    }
+    while world.views()[0].phase != WorkPhase::Taken {
+        world.step();
+    }
+    for view in world.views() {
+        world.work_of(0).cancel(&view.id).unwrap();
+    }
+    while world
+        .views()
+        .iter()
+        .any(|it| it.phase != WorkPhase::Cancelled)
+    {
+        world.step();
+    }
+    world.desks[0].has_person = true;
+    for _ in 0..50 {
+        world.step();
+    }
+    assert!(world.begun().is_empty());
+    let id = world.views()[0].id.clone();
+    assert_eq!(world.work_of(0).cancel(&id).unwrap_err().status, 409);
+}
+
+#[test]
+fn a_student_with_one_drawing_does_not_wait_for_the_ten_of_another() {
+    let mut world = World::new(7, 1, 1);
+    for number in 1..=10 {
+        world.submit(0, number, "Ben");
+    }
+    world.submit(0, 11, "Anna");
+    while !is_over(&world) {
+        world.step();
+    }
+    let order: Vec<String> = world.desks[0].titles();
+    let place = order.iter().position(|it| it == "drawing 11 of home 0");
+    assert_eq!(place, Some(1), "{order:?}");
+}
+
+#[test]
+fn work_that_no_station_has_the_means_for_waits_and_says_so() {
+    let mut world = World::new(9, 1, 2);
+    let mut ticket = world::ticket(0, 1, "Anna");
+    ticket.needs = vec!["laser".into()];
+    world.work_of(0).submitted(ticket);
+    for _ in 0..50 {
+        world.step();
+    }
+    let view = world.views().remove(0);
+    assert_eq!(view.phase, WorkPhase::Waiting);
+    assert!(view.reason.unwrap().contains("has laser"));
+}
+
+#[test]
+fn tickets_are_there_again_after_a_kill_and_a_file_that_is_none_is_left_and_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let ticket = world::ticket(0, 1, "Anna");
+    let offer = serde_json::json!({"by": "desk-1"});
+    let (kept, none, wrong) = Kept::open(folder.path()).unwrap();
+    assert!(none.is_empty() && wrong.is_empty());
+    kept.submit(&ticket, &offer).unwrap();
+    let half = folder.path().join(format!("{}.json", "f".repeat(32)));
+    std::fs::write(&half, "{\"id\": ").unwrap();
+    std::fs::write(folder.path().join("0.new-17"), "half").unwrap();
+    let (kept, found, wrong) = Kept::open(folder.path()).unwrap();
+    assert_eq!(found, std::slice::from_ref(&ticket));
+    assert_eq!(kept.offer(&ticket.id).unwrap(), offer);
+    assert!(
+        wrong.len() == 1 && wrong[0].contains("ffff.json"),
+        "{wrong:?}"
+    );
+    assert!(half.exists());
+    kept.forget(&ticket.id).unwrap();
+    assert!(Kept::open(folder.path()).unwrap().1.is_empty());
+}

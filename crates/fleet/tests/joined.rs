@@ -1,0 +1,408 @@
+//! Stations with virtual arms that join, over real sockets of this machine.
+
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+use std::net::TcpListener;
+use std::path::Path;
+use std::time::Duration;
+
+use dobot_api::{
+    ApiRequest, FleetView, Folders, Member, MemberAbout, MemberAnswer, Presence, Role,
+};
+use dobot_client::Address;
+use dobot_fleet::{Credentials, Fleet, FleetConfig, Router, own_id};
+use dobot_station::{Config, Station, Tokens};
+use dobot_trajectory::LASER_OFF;
+use serde_json::{Value, json};
+use tokio::time::{interval, timeout};
+
+/// A station, and its place in its fleet.
+struct Desk {
+    station: Station,
+    fleet: Fleet,
+    name: String,
+    folder: tempfile::TempDir,
+}
+
+/// How long anything may take on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A port that nothing listens on.
+fn free_port() -> u16 {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    listener.local_addr().unwrap().port()
+}
+
+impl Desk {
+    async fn up(name: &str, connect: &str, credentials: Option<Credentials>) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        Self::in_folder(name, connect, credentials, folder).await
+    }
+
+    async fn in_folder(
+        name: &str,
+        connect: &str,
+        credentials: Option<Credentials>,
+        folder: tempfile::TempDir,
+    ) -> Self {
+        let station = Station::start(Config {
+            arm: Some(Address::Virtual),
+            http: "127.0.0.1:0".parse().unwrap(),
+            raw: None,
+            ..Config::new(Folders::at(folder.path()))
+        });
+        let station = station.await.unwrap();
+        let config = FleetConfig {
+            name: name.into(),
+            about: MemberAbout {
+                groups: vec!["room-1".into()],
+                ..MemberAbout::default()
+            },
+            work: None,
+            connect: vec![connect.into()],
+            credentials,
+        };
+        let id = own_id(&Folders::at(folder.path()).fleet_id()).unwrap();
+        let fleet = Fleet::join(&config, &id, station.api()).await.unwrap();
+        Self {
+            station,
+            fleet,
+            name: name.into(),
+            folder,
+        }
+    }
+
+    async fn ask(&self, method: &str, path: &str, body: Option<Value>) -> (u16, Value) {
+        self.ask_as(Some(self.admin()), method, path, body).await
+    }
+
+    async fn ask_as(
+        &self,
+        token: Option<String>,
+        method: &str,
+        path: &str,
+        body: Option<Value>,
+    ) -> (u16, Value) {
+        let request = ApiRequest {
+            method: method.into(),
+            path: path.into(),
+            token,
+            body,
+            ..ApiRequest::default()
+        };
+        let answer = self.station.api().call(&request).await;
+        (answer.status, answer.body)
+    }
+
+    /// A token that only this station knows.
+    fn admin(&self) -> String {
+        let file = self.folder.path().join("admin.txt");
+        if let Ok(known) = std::fs::read_to_string(&file) {
+            return known;
+        }
+        let mut tokens = Tokens::open(&Folders::at(self.folder.path()).tokens()).unwrap();
+        let token = tokens.add(Role::Admin, "test").unwrap();
+        std::fs::write(&file, token.secret()).unwrap();
+        token.secret().into()
+    }
+
+    async fn members(&self) -> Vec<Member> {
+        let (status, body) = self.ask("GET", "/api/v1/fleet", None).await;
+        assert_eq!(status, 200, "{body}");
+        serde_json::from_value::<FleetView>(body).unwrap().members
+    }
+
+    /// Waits until this station sees what it should.
+    async fn sees(&self, what: &str, is_so: impl Fn(&[Member]) -> bool) {
+        let mut looks = interval(Duration::from_millis(50));
+        let looking = async {
+            while !is_so(&self.members().await) {
+                looks.tick().await;
+            }
+        };
+        let looked = timeout(PATIENCE, looking).await;
+        let members = self.members().await;
+        assert!(
+            looked.is_ok(),
+            "{} does not see {what}: {members:#?}",
+            self.name
+        );
+    }
+
+    /// Asks several stations, with a token that this one knows, or none.
+    async fn all_as(&self, token: Option<String>, body: Value) -> Vec<MemberAnswer> {
+        let path = "/api/v1/fleet/requests";
+        let (status, body) = self.ask_as(token, "POST", path, Some(body)).await;
+        assert_eq!(status, 200, "{body}");
+        serde_json::from_value(body).unwrap()
+    }
+
+    async fn stop_all(&self) -> Vec<MemberAnswer> {
+        let (status, body) = self.ask("POST", "/api/v1/fleet/stop", None).await;
+        assert_eq!(status, 200, "{body}");
+        serde_json::from_value(body).unwrap()
+    }
+
+    async fn end(self) {
+        self.fleet.leave().await;
+        self.station.end().await.unwrap();
+    }
+}
+
+fn present(names: &[&str]) -> impl Fn(&[Member]) -> bool {
+    let names: Vec<String> = names.iter().map(|&it| it.into()).collect();
+    move |members| {
+        let there: Vec<_> = members
+            .iter()
+            .filter(|it| it.presence == Presence::Present && it.state.is_some())
+            .map(|it| it.name.clone())
+            .collect();
+        there == names
+    }
+}
+
+fn is_away(name: &str) -> impl Fn(&[Member]) -> bool {
+    move |members| {
+        let member = members.iter().find(|it| it.name == name);
+        member.is_some_and(|it| it.presence == Presence::Away)
+    }
+}
+
+async fn router(port: u16) -> (Router, String) {
+    let address = format!("tcp/127.0.0.1:{port}");
+    let router = Router::start(std::slice::from_ref(&address), None).await;
+    (router.unwrap(), address)
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn stations_see_each_other_and_one_that_left_is_away() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let two = Desk::up("desk-2", &at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    two.sees("both", present(&["desk-1", "desk-2"])).await;
+    let group = r#"{"group": "room-1"}"#;
+    let to: Value = serde_json::from_str(group).unwrap();
+    let answers = one
+        .all_as(None, json!({"to": to, "method": "GET", "path": "/healthz"}))
+        .await;
+    assert_eq!(answers.len(), 2);
+    assert!(
+        answers.iter().all(|it| it.answer.body == json!("ok\n")),
+        "{answers:?}"
+    );
+    two.end().await;
+    one.sees("that desk-2 is away", is_away("desk-2")).await;
+    let answers = one
+        .all_as(
+            None,
+            json!({"to": {"members": ["desk-2"]}, "method": "GET", "path": "/healthz"}),
+        )
+        .await;
+    assert_eq!(answers[0].answer.status, 503);
+    one.end().await;
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_stop_of_all_switches_every_laser_off() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let two = Desk::up("desk-2", &at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let mut packets = [&one, &two].map(|it| it.station.handle().passed());
+    let answers = one.stop_all().await;
+    assert!(
+        answers.iter().all(|it| it.answer.is_success()),
+        "{answers:?}"
+    );
+    for packets in &mut packets {
+        let laser_off = async {
+            loop {
+                let packet = packets.recv().await.unwrap();
+                if packet.to_arm && packet.bytes == LASER_OFF.emit(&dialect()).to_bytes() {
+                    return;
+                }
+            }
+        };
+        timeout(PATIENCE, laser_off).await.unwrap();
+    }
+    for desk in [&one, &two] {
+        let (_, state) = desk.ask("GET", "/api/v1/state", None).await;
+        assert!(state["stop"].is_object(), "{state}");
+    }
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    router.end().await;
+}
+
+fn dialect() -> dobot_wire::Dialect {
+    dobot_wire::Dialect::SPECIFICATION
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn each_station_judges_by_its_own_tokens() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let two = Desk::up("desk-2", &at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let lease = json!({"to": "all", "method": "POST", "path": "/api/v1/lease"});
+    let answers = one.all_as(Some(one.admin()), lease).await;
+    let statuses: Vec<_> = answers.iter().map(|it| it.answer.status).collect();
+    // The token is one of desk-1.
+    assert_eq!(statuses, [200, 401]);
+    let (_, state) = two.ask("GET", "/api/v1/state", None).await;
+    assert!(state["lease"].is_null(), "{state}");
+    // Accepted there, too, it opens both.
+    let token = dobot_station::Token::of_secret(&one.admin()).unwrap();
+    let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
+    tokens.accept(Role::Control, "teacher", &token).unwrap();
+    let lease = json!({"to": {"members": ["desk-2"]}, "method": "POST", "path": "/api/v1/lease"});
+    let answers = one.all_as(Some(one.admin()), lease).await;
+    assert_eq!(answers[0].answer.status, 200, "{answers:?}");
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn without_its_router_a_station_goes_on_and_finds_the_others_again() {
+    let port = free_port();
+    let at = format!("tcp/127.0.0.1:{port}");
+    let one = Desk::up("desk-1", &at, None).await;
+    one.sees("itself, before there is a router", present(&["desk-1"]))
+        .await;
+    let answers = one.stop_all().await;
+    assert!(answers[0].answer.is_success(), "{answers:?}");
+    let (first, at) = router(port).await;
+    let two = Desk::up("desk-2", &at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    first.end().await;
+    one.sees("that desk-2 is away", is_away("desk-2")).await;
+    let answers = one.stop_all().await;
+    let stopped = |name: &str| {
+        let of = answers.iter().find(|it| it.member == name).unwrap();
+        of.answer.is_success()
+    };
+    assert!(stopped("desk-1") && !stopped("desk-2"), "{answers:?}");
+    let (status, _) = two.ask("POST", "/api/v1/stop", None).await;
+    assert_eq!(status, 200, "its own stop needs no network");
+    let (again, _) = router(port).await;
+    one.sees("both again", present(&["desk-1", "desk-2"])).await;
+    two.sees("both again", present(&["desk-1", "desk-2"])).await;
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    again.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn two_stations_of_one_name_are_told_and_both_can_be_stopped() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let twins = [
+        Desk::up("desk-2", &at, None).await,
+        Desk::up("desk-2", &at, None).await,
+    ];
+    let refused = |members: &[Member]| {
+        let refused = |it: &&Member| matches!(it.presence, Presence::Refused { .. });
+        members.iter().filter(refused).count() == 2
+    };
+    one.sees("that both are refused", refused).await;
+    let answers = one
+        .all_as(
+            None,
+            json!({"to": {"members": ["desk-2"]}, "method": "GET", "path": "/healthz"}),
+        )
+        .await;
+    let refused = |it: &MemberAnswer| it.answer.status == 409;
+    assert!(
+        answers.len() == 2 && answers.iter().all(refused),
+        "{answers:?}"
+    );
+    let answers = one.stop_all().await;
+    assert!(
+        answers.len() == 3 && answers.iter().all(|it| it.answer.is_success()),
+        "{answers:?}"
+    );
+    for desk in twins {
+        desk.end().await;
+    }
+    one.sees("that they left", is_away("desk-2")).await;
+    one.end().await;
+    router.end().await;
+}
+
+fn certificates(folder: &Path) -> Vec<Credentials> {
+    let holders = ["router=127.0.0.1", "desk-1", "desk-2"].map(|it| it.parse().unwrap());
+    Credentials::make(folder, &holders).unwrap()
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn only_those_with_a_certificate_of_the_fleet_belong_to_it() {
+    let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+    let [ours, strange] = folders.each_ref().map(|it| certificates(it.path()));
+    let at = format!("tls/127.0.0.1:{}", free_port());
+    let router = Router::start(std::slice::from_ref(&at), Some(&ours[0])).await;
+    let router = router.unwrap();
+    let stranger = Desk::up("stranger", &at, Some(strange[1].clone())).await;
+    let one = Desk::up("desk-1", &at, Some(ours[1].clone())).await;
+    let two = Desk::up("desk-2", &at, Some(ours[2].clone())).await;
+    one.sees("desk-2 and no stranger", present(&["desk-1", "desk-2"]))
+        .await;
+    let seen = stranger.members().await;
+    assert_eq!(seen.len(), 1, "{seen:?}");
+    for desk in [one, two, stranger] {
+        desk.end().await;
+    }
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    one.sees("itself", present(&["desk-1"])).await;
+    let mut config = zenoh::Config::default();
+    config.insert_json5("mode", "\"client\"").unwrap();
+    let endpoints = format!("[\"{at}\"]");
+    config
+        .insert_json5("connect/endpoints", &endpoints)
+        .unwrap();
+    let stranger = zenoh::open(config).await.unwrap();
+    for (payload, status) in [
+        (&b"\xff\x00"[..], 400),
+        (b"{}", 400),
+        (
+            br#"{"method": "POST", "path": "/api/v1/lease", "power": 9000}"#,
+            400,
+        ),
+        (br#"{"method": "POST", "path": "/api/v1/lease"}"#, 403),
+        (br#"{"method": "POST", "path": "/api/v1/stop"}"#, 200),
+    ] {
+        let replies = stranger.get("dobot/1/desk-1/*/api").payload(payload).await;
+        let reply = timeout(PATIENCE, replies.unwrap().recv_async()).await;
+        let reply = reply.unwrap().unwrap();
+        let answer = reply.result().unwrap().payload().to_bytes();
+        let answer: Value = serde_json::from_slice(&answer).unwrap();
+        assert_eq!(answer["status"], status, "{answer}");
+    }
+    // What is told under a name that nobody has is nobody's.
+    stranger.put("dobot/1/ghost/00/told", "{}").await.unwrap();
+    let token = "dobot/alive/9/9.9.9/future/00112233445566778899aabbccddeeff";
+    let _token = stranger.liveliness().declare_token(token).await.unwrap();
+    let versions = |members: &[Member]| {
+        members.iter().any(|it| match &it.presence {
+            Presence::Refused { problem } => {
+                it.name == "future" && problem.detail.contains("dobot 9.9.9")
+            }
+            _ => false,
+        })
+    };
+    one.sees("a station of another version", versions).await;
+    one.end().await;
+    stranger.close().await.unwrap();
+    router.end().await;
+}
