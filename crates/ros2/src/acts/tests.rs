@@ -1,0 +1,154 @@
+use dobot_controller::{Personality, PowerUp};
+use dobot_safety::Policy;
+use ros2_client::builtin_interfaces::Time;
+
+use super::*;
+use crate::goal::tests::goal;
+
+fn station(personality: Personality) -> StationClient {
+    let power_up = PowerUp::new(personality);
+    StationClient::with_virtual_arm(power_up, Policy::default(), "ros2")
+}
+
+fn never() -> watch::Receiver<bool> {
+    watch::Sender::new(false).subscribe()
+}
+
+/// A trajectory that begins where the arm stands.
+async fn planned(
+    station: &mut StationClient,
+    points: &[(&[f64], f64)],
+) -> (Wanted, Result<FollowPlan, Fault>) {
+    let Stand { status, period } = take_at_rest(station).await.expect("it tells");
+    let goal = goal(&["base", "rear", "fore"], points);
+    let wanted = Wanted::new(&goal, degrees_of(&status), Time::ZERO).expect("it makes sense");
+    let plan = FollowPlan::new(&wanted, &status, period, 1.0);
+    (wanted, plan)
+}
+
+async fn where_it_stands(station: &mut StationClient) -> [f64; 4] {
+    degrees_of(&stands(station).await.expect("it tells").status)
+}
+
+fn near(found: [f64; 4], expected: [f64; 4], tolerance: f64) {
+    for (a, b) in found.iter().zip(expected) {
+        assert!((a - b).abs() < tolerance, "{found:?}, not {expected:?}");
+    }
+}
+
+#[tokio::test]
+async fn both_arms_follow_a_trajectory_to_its_end_in_the_time_that_was_wanted() {
+    for personality in [Personality::Specification, Personality::Firmware11] {
+        let mut station = station(personality);
+        let points: [(&[f64], f64); 3] = [
+            (&[10.0, 40.0, 45.0], 1.0),
+            (&[20.0, 40.0, 40.0], 2.0),
+            (&[0.0, 45.0, 45.0], 4.0),
+        ];
+        let (wanted, plan) = planned(&mut station, &points).await;
+        let began = station.now();
+        let (mut last_s, mut never) = (0.0, never());
+        let followed = follow(
+            &mut station,
+            &wanted,
+            plan.expect("it can be followed"),
+            &mut never,
+            |_, at_s| last_s = at_s,
+        );
+        let followed = followed.await.expect("it is followed");
+        assert!(matches!(followed, Followed::Done(_)), "{followed:?}");
+        near(
+            where_it_stands(&mut station).await,
+            [0.0, 45.0, 45.0, 0.0],
+            0.05,
+        );
+        let took = station.now().saturating_sub(began).as_secs_f64();
+        assert!((3.9..6.0).contains(&took), "{personality:?} took {took} s");
+        assert!(last_s > 3.0, "{last_s}");
+    }
+}
+
+#[tokio::test]
+async fn a_trajectory_that_the_policy_forbids_moves_nothing_and_says_why() {
+    let mut station = station(Personality::Firmware11);
+    let before = where_it_stands(&mut station).await;
+    let (wanted, plan) = planned(&mut station, &[(&[170.0, 45.0, 45.0], 8.0)]).await;
+    let plan = plan.expect("the policy is the station's");
+    let followed = follow(&mut station, &wanted, plan, &mut never(), |_, _| {}).await;
+    let fault = followed.unwrap_err();
+    assert_eq!(fault.code, FaultCode::InvalidGoal);
+    assert!(fault.text.contains("base"), "{}", fault.text);
+    assert_eq!(where_it_stands(&mut station).await, before);
+}
+
+#[tokio::test]
+async fn a_cancelled_trajectory_holds_on_its_way_and_leaves_no_job_behind() {
+    let mut station = station(Personality::Specification);
+    let (wanted, plan) = planned(
+        &mut station,
+        &[
+            (&[20.0, 45.0, 45.0], 2.0),
+            (&[20.0, 30.0, 45.0], 4.0),
+            (&[-60.0, 45.0, 45.0], 10.0),
+        ],
+    )
+    .await;
+    let cancel = watch::Sender::new(false);
+    let mut cancelled = cancel.subscribe();
+    let plan = plan.expect("it can be followed");
+    let followed = follow(&mut station, &wanted, plan, &mut cancelled, |_, at_s| {
+        if at_s > 1.0 {
+            cancel.send_replace(true);
+        }
+    });
+    let followed = followed.await.expect("it holds");
+    assert!(matches!(followed, Followed::Held(_)), "{followed:?}");
+    let held = where_it_stands(&mut station).await;
+    assert!(held[0] > 0.0, "{held:?}");
+    let jobs = station.jobs().await.expect("they are told");
+    assert!(jobs.iter().all(|it| it.phase.is_over()), "{jobs:?}");
+}
+
+#[tokio::test]
+async fn an_end_that_is_farther_off_than_the_goal_allows_is_told() {
+    let mut station = station(Personality::Specification);
+    let (mut wanted, _) = planned(&mut station, &[(&[10.0, 45.0, 45.0], 1.0)]).await;
+    wanted.end_deg[0] = Some(1.0);
+    let fault = check_end(&mut station, &wanted).await.unwrap_err();
+    assert_eq!(fault.code, FaultCode::GoalToleranceViolated);
+    assert!(fault.text.starts_with("base is "), "{}", fault.text);
+}
+
+#[tokio::test]
+async fn pump_and_gripper_do_as_they_are_told_and_the_arm_stays() {
+    let mut station = station(Personality::Firmware11);
+    let before = where_it_stands(&mut station).await;
+    suction(&mut station, true).await.expect("it is allowed");
+    gripper(&mut station, true, &mut never())
+        .await
+        .expect("it is allowed");
+    let status = stands(&mut station).await.expect("it tells").status;
+    assert!(status.suction, "{status:?}");
+    assert!((status.gripper_deg + 90.0).abs() < 0.1, "{status:?}");
+    near(degrees_of(&status), before, 0.05);
+}
+
+#[tokio::test]
+async fn an_arm_that_is_stopped_goes_nowhere_and_says_who_has_to_look() {
+    let mut station = station(Personality::Specification);
+    let told = stop(&mut station, "a hand").await.expect("anyone may");
+    assert!(told.contains("a person looks"), "{told}");
+    let target = Target {
+        place: TargetPlace::Point {
+            mm: [220.0, 0.0, 50.0],
+            rotation_deg: None,
+        },
+        servo_deg: None,
+        mode: MovingMode::MovJ,
+        suction: None,
+        gripper_deg: None,
+        pause_s: 0.0,
+    };
+    let refused = go(&mut station, &target, &mut never()).await.unwrap_err();
+    assert!(refused.contains("stopped"), "{refused}");
+}

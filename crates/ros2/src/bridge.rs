@@ -1,0 +1,272 @@
+//! The station's arm as a node of ROS 2.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_model::Model;
+use dobot_rules::StationClient;
+use futures_util::StreamExt;
+use ros2_client::{Message, Server, Subscription};
+use tokio::sync::{mpsc, oneshot, watch};
+use tokio::time::timeout;
+
+use crate::acts::{ended, go, gripper, suction};
+use crate::buttons::{Buttons, Said};
+use crate::frames::Frames;
+use crate::goals::Goals;
+use crate::jog;
+use crate::messages::{
+    Answer, JointJog, PoseStamped, SetBoolRequest, TriggerRequest, TwistStamped,
+};
+use crate::node::{Listeners, Names, NodeError, Publishers, Servers, node};
+use crate::settings::Settings;
+use crate::station::Station;
+use crate::target::target;
+use crate::told::Told;
+use crate::watch::{WantedStop, Watch};
+
+/// Takes part in ROS 2 until `ending` becomes true; what is under way then ends first, with the arm at rest.
+///
+/// # Errors
+///
+/// [`NodeError`] where DDS does not start.
+///
+/// # Panics
+///
+/// Outside of a tokio runtime.
+pub async fn run(settings: Settings, mut ending: watch::Receiver<bool>) -> Result<(), NodeError> {
+    let mut node = node(&settings)?;
+    let names = Names {
+        namespace: &settings.namespace,
+    };
+    let publishers = Publishers::new(&mut node, names)?;
+    let listeners = Listeners::new(&mut node, names)?;
+    let servers = Servers::new(&mut node, names, settings.middleware.mapping())?;
+    let told = Arc::new(Told::new(node.logging_handle()));
+    let spinner = node.spinner()?;
+    tokio::spawn(spinner.spin());
+
+    let station = Station::new(settings.station);
+    let frames = Frames::new(&settings.namespace);
+    let (stop, stops) = mpsc::channel(STOPS);
+    let watch = Watch {
+        station: station.clone(),
+        publishers,
+        frames: frames.clone(),
+        model: Model::new(settings.tool),
+        told: told.clone(),
+        stops,
+        policy: None,
+        diagnosed_s: None,
+    };
+    tokio::spawn(watch.run());
+    tokio::spawn(serve_stop(servers.stop, stop, told.clone()));
+
+    // What is under way holds one of these.
+    let (busy, mut over) = mpsc::channel::<()>(1);
+    let shared = Shared {
+        station,
+        told,
+        frames,
+        ending: ending.clone(),
+        busy,
+    };
+    shared.serve(servers.suction, Switch::Suction);
+    shared.serve(servers.gripper, Switch::Gripper);
+    shared.take_targets(listeners.target);
+    shared.take_jogs(listeners.twist, listeners.joints);
+    let goals = Arc::new(Goals {
+        server: servers.follow,
+        station: shared.station.clone(),
+        told: shared.told.clone(),
+        deviation_deg: settings.deviation_deg,
+        running: std::sync::Mutex::default(),
+        results: tokio::sync::Mutex::default(),
+    });
+    tokio::spawn(goals.run(ending.clone(), shared.busy.clone()));
+    shared.told.info("the arm takes part in ROS 2");
+
+    ended(&mut ending).await;
+    drop(shared);
+    let _ = timeout(PATIENCE, over.recv()).await;
+    Ok(())
+}
+
+/// What all that moves the arm needs.
+#[derive(Clone)]
+struct Shared {
+    station: Station,
+    told: Arc<Told>,
+    frames: Frames,
+    ending: watch::Receiver<bool>,
+    busy: mpsc::Sender<()>,
+}
+
+impl Shared {
+    /// Serves a switch.
+    fn serve(&self, server: Server<SetBoolRequest, Answer>, switch: Switch) {
+        let name = switch.name();
+        let mut shared = self.clone();
+        tokio::spawn(async move {
+            let requests = server.receive_request_stream();
+            tokio::pin!(requests);
+            while let Some(request) = shared.next(&mut requests).await {
+                let (id, SetBoolRequest { data }) = match request {
+                    Ok(request) => request,
+                    Err(error) => {
+                        shared.unreadable(name, &error);
+                        continue;
+                    }
+                };
+                let done = shared.switch(switch, data).await;
+                shared.told.outcome(name, &done);
+                let answered = server.async_send_response(id, Answer::of(done));
+                if let Err(error) = answered.await {
+                    shared
+                        .told
+                        .warn(&format!("{name} cannot be answered: {error:?}"));
+                }
+            }
+        });
+    }
+
+    async fn switch(&mut self, switch: Switch, on: bool) -> Result<String, String> {
+        let mut station = self.station.connect(switch.name()).await?;
+        match switch {
+            Switch::Suction => suction(&mut station, on).await,
+            Switch::Gripper => gripper(&mut station, on, &mut self.ending).await,
+        }
+    }
+
+    /// Goes to targets, one after the other; of those that come on the way the last one is gone to.
+    fn take_targets(&self, listener: Subscription<PoseStamped>) {
+        let (wanted, mut targets) = watch::channel(None);
+        tokio::spawn(pass_on(listener, wanted, Some, self.told.clone()));
+        let mut shared = self.clone();
+        tokio::spawn(async move {
+            while shared.changed(&mut targets).await {
+                let wanted: Option<PoseStamped> = targets.borrow_and_update().clone();
+                if let Some(wanted) = wanted {
+                    let done = shared.go(&wanted).await;
+                    shared.told.outcome("target", &done);
+                }
+            }
+        });
+    }
+
+    async fn go(&mut self, wanted: &PoseStamped) -> Result<String, String> {
+        let target = target(wanted, &self.frames)?;
+        let mut station: StationClient = self.station.connect("target").await?;
+        go(&mut station, &target, &mut self.ending).await
+    }
+
+    fn take_jogs(&self, twist: Subscription<TwistStamped>, joints: Subscription<JointJog>) {
+        let (press, said) = watch::channel::<Said>(None);
+        let frames = self.frames.clone();
+        let of_twist = move |it| Some(jog::of_twist(&it, &frames));
+        tokio::spawn(pass_on(twist, press.clone(), of_twist, self.told.clone()));
+        let of_joints = |it| Some(jog::of_joints(&it));
+        tokio::spawn(pass_on(joints, press, of_joints, self.told.clone()));
+        let buttons = Buttons {
+            station: self.station.clone(),
+            told: self.told.clone(),
+            said,
+            ending: self.ending.clone(),
+        };
+        let busy = self.busy.clone();
+        let mut ending = self.ending.clone();
+        tokio::spawn(async move {
+            tokio::select! {
+                () = buttons.run() => {}
+                () = ended(&mut ending) => {}
+            }
+            drop(busy);
+        });
+    }
+
+    /// The next of a stream, until the program ends.
+    async fn next<S: futures_util::Stream + Unpin>(&mut self, stream: &mut S) -> Option<S::Item> {
+        tokio::select! {
+            next = stream.next() => next,
+            () = ended(&mut self.ending) => None,
+        }
+    }
+
+    /// Whether there is something new, until the program ends.
+    async fn changed<T>(&mut self, value: &mut watch::Receiver<T>) -> bool {
+        tokio::select! {
+            changed = value.changed() => changed.is_ok(),
+            () = ended(&mut self.ending) => false,
+        }
+    }
+
+    fn unreadable(&self, name: &str, error: &dyn std::fmt::Debug) {
+        self.told
+            .warn(&format!("what came for {name} cannot be read: {error:?}"));
+    }
+}
+
+/// What is switched by a service.
+#[derive(Clone, Copy)]
+enum Switch {
+    Suction,
+    Gripper,
+}
+
+impl Switch {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Suction => "suction",
+            Self::Gripper => "gripper",
+        }
+    }
+}
+
+/// Passes on what comes; of what comes while nobody looks, the last.
+async fn pass_on<M: Message + 'static, T>(
+    listener: Subscription<M>,
+    to: watch::Sender<T>,
+    read: impl Fn(M) -> T,
+    told: Arc<Told>,
+) {
+    let messages = listener.async_stream();
+    tokio::pin!(messages);
+    while let Some(message) = messages.next().await {
+        match message {
+            Ok((message, _)) => {
+                to.send_replace(read(message));
+            }
+            Err(error) => told.warn(&format!("a message cannot be read: {error:?}")),
+        }
+    }
+}
+
+/// Serves the stop, over the connection that looks on.
+async fn serve_stop(
+    server: Server<TriggerRequest, Answer>,
+    stop: mpsc::Sender<WantedStop>,
+    told: Arc<Told>,
+) {
+    let requests = server.receive_request_stream();
+    tokio::pin!(requests);
+    while let Some(request) = requests.next().await {
+        // A stop that cannot be read is a stop too, but there is nobody to answer.
+        let (answer, answered) = oneshot::channel();
+        let passed = stop.send(answer).await.is_ok();
+        let done = match answered.await {
+            Ok(done) if passed => done,
+            _ => Err("the stop cannot be passed on: the program ends".to_owned()),
+        };
+        told.outcome("stop", &done);
+        if let Ok((id, _)) = request
+            && let Err(error) = server.async_send_response(id, Answer::of(done)).await
+        {
+            told.warn(&format!("the stop cannot be answered: {error:?}"));
+        }
+    }
+}
+
+/// How many stops may wait.
+const STOPS: usize = 16;
+/// How long what is under way gets to come to its end.
+const PATIENCE: Duration = Duration::from_secs(12);

@@ -1,0 +1,313 @@
+//! From a trajectory to a job: as many targets as the link carries, each as fast as the trajectory has it.
+
+use std::time::Duration;
+
+use dobot_api::{JobKind, JobProgram, NewJob};
+use dobot_arm::Joints;
+use dobot_motion::{JointMove, Speeds};
+use dobot_wire::{Command, MoveJoints, MovingMode, PlaybackAdjustment, Status, single};
+
+use crate::goal::{Fault, FaultCode, Wanted, rad};
+use crate::joints::JOINTS;
+use crate::thin::{Thinned, thinned};
+
+/// How a trajectory is followed.
+#[derive(Clone, Debug)]
+pub(crate) struct FollowPlan {
+    pub(crate) job: NewJob,
+    /// How long it takes by the motion model, in seconds.
+    #[cfg(test)]
+    pub(crate) takes_s: f64,
+    /// What is different from what was wanted, for a person.
+    pub(crate) told: String,
+}
+
+impl FollowPlan {
+    /// Through the places of a trajectory, for an arm that stands so and sends a status once in a period. Where nothing else
+    /// is told, the joints stay within the tolerance (in degrees, together) as far as the link carries that.
+    ///
+    /// # Errors
+    ///
+    /// [`Fault`] where a tolerance of the goal cannot be kept.
+    pub(crate) fn new(
+        wanted: &Wanted,
+        stands: &Status,
+        period: Duration,
+        tolerance_deg: f64,
+    ) -> Result<Self, Fault> {
+        let told = wanted.path_deg.iter().flatten();
+        let tolerance_deg = told.fold(tolerance_deg, |least, it| least.min(*it));
+        let most = carried(wanted.duration_s(), period);
+        let thin = thinned(&wanted.places, &holds(wanted, period), tolerance_deg, most);
+        check_path(wanted, &thin)?;
+        let moves = moves(wanted, &thin);
+        let takes_s: f64 = moves.iter().map(FollowMove::takes_s).sum();
+        check_time(wanted, takes_s)?;
+        Ok(Self {
+            told: told_of(wanted, &thin, moves.len(), takes_s),
+            job: job(&moves, stands),
+            #[cfg(test)]
+            takes_s,
+        })
+    }
+}
+
+/// How many targets the link carries in a time: each is two commands, its speed and itself, and a status permits one
+/// (note N20).
+fn carried(duration_s: f64, period: Duration) -> usize {
+    let commands = duration_s / period.as_secs_f64();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "an hour has 45,000 periods"
+    )]
+    let targets = (commands / 2.0) as usize;
+    targets.max(1)
+}
+
+/// Where the trajectory stands for a while: the first and the last place of each stand. They are so long that the link
+/// carries two targets for each, and one more.
+fn holds(wanted: &Wanted, period: Duration) -> Vec<usize> {
+    let least_s = HOLD_PERIODS * period.as_secs_f64();
+    let mut holds = Vec::new();
+    let mut first = 0;
+    for at in 1..=wanted.places.len() {
+        let place = wanted.places.get(at);
+        if place.is_some_and(|it| way_deg(&wanted.places[first], it) < STILL_DEG) {
+            continue;
+        }
+        let last = at - 1;
+        if wanted.at_s[last] - wanted.at_s[first] >= least_s {
+            holds.extend([first, last]);
+        }
+        first = at;
+    }
+    holds
+}
+
+/// How far the joint turns that turns farthest, in degrees.
+fn way_deg(from: &[f64; 4], to: &[f64; 4]) -> f64 {
+    let ways = from.iter().zip(to).map(|(from, to)| (to - from).abs());
+    ways.fold(0.0, f64::max)
+}
+
+fn check_path(wanted: &Wanted, thin: &Thinned) -> Result<(), Fault> {
+    let broken = (0..4).find(|it| wanted.path_deg[*it].is_some_and(|it| thin.deviation > it));
+    let Some(joint) = broken else {
+        return Ok(());
+    };
+    let (name, found) = (JOINTS[joint], rad(thin.deviation));
+    let allowed = rad(wanted.path_deg[joint].unwrap_or_default());
+    Err(Fault::new(
+        FaultCode::PathToleranceViolated,
+        format!(
+            "the link carries {} targets in {} s, which go {found} rad beside the trajectory; path_tolerance allows {allowed} rad for {name}: give it more time, or a larger tolerance",
+            thin.kept.len() - 1,
+            wanted.duration_s(),
+        ),
+    ))
+}
+
+fn check_time(wanted: &Wanted, takes_s: f64) -> Result<(), Fault> {
+    let (within_s, late_s) = (wanted.duration_s(), takes_s - wanted.duration_s());
+    match wanted.late_s {
+        Some(allowed_s) if late_s > allowed_s => Err(Fault::new(
+            FaultCode::GoalToleranceViolated,
+            format!(
+                "the arm takes {takes_s:.2} s, and the trajectory {within_s:.2} s; goal_time_tolerance allows {allowed_s:.2} s more: give it more time"
+            ),
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// A target, and how the arm goes there from rest to rest.
+#[derive(Clone, Copy, Debug)]
+struct FollowMove {
+    to_deg: [f64; 4],
+    /// In percent of the configured speed.
+    percent: f64,
+    /// How long it moves, in seconds.
+    moves_s: f64,
+    /// How long it waits there, in seconds.
+    pause_s: f64,
+}
+
+/// The targets, each in the time that the trajectory gives it or as fast as the arm may.
+///
+/// The arm cannot be told to leave a target that it is on its way to. So none takes longer than it may take to hold: what
+/// would is divided.
+fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
+    let mut moves: Vec<FollowMove> = Vec::new();
+    let (mut from_deg, mut from_s) = (wanted.places[0], 0.0);
+    for &at in &thin.kept[1..] {
+        let (to_deg, within_s) = (wanted.places[at], wanted.at_s[at] - from_s);
+        if way_deg(&from_deg, &to_deg) >= STILL_DEG {
+            moves.extend(divided(from_deg, to_deg, within_s));
+            from_deg = to_deg;
+        } else if let Some(before) = moves.last().copied() {
+            moves.extend(waits(before, within_s));
+        } else {
+            // It stands at the beginning: the first target gets more time.
+            continue;
+        }
+        from_s = wanted.at_s[at];
+    }
+    moves
+}
+
+/// A straight way of joints, in as many pieces as it takes.
+fn divided(
+    from_deg: [f64; 4],
+    to_deg: [f64; 4],
+    within_s: f64,
+) -> impl Iterator<Item = FollowMove> {
+    let pieces = (within_s / HOLD_S).ceil().max(1.0);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "an hour has 1,800 pieces"
+    )]
+    let count = pieces as u32;
+    let at = move |n: u32| {
+        let share = f64::from(n) / pieces;
+        std::array::from_fn(|i| from_deg[i] + (to_deg[i] - from_deg[i]) * share)
+    };
+    (1..=count).map(move |n| {
+        let end = if n == count { to_deg } else { at(n) };
+        FollowMove::new(at(n - 1), end, within_s / pieces)
+    })
+}
+
+/// Stands where the move before ended, in as many pieces as it takes.
+fn waits(before: FollowMove, wait_s: f64) -> impl Iterator<Item = FollowMove> {
+    let there = before.to_deg;
+    divided(there, there, wait_s).map(move |it| FollowMove {
+        percent: before.percent,
+        ..it
+    })
+}
+
+impl FollowMove {
+    fn new(from_deg: [f64; 4], to_deg: [f64; 4], within_s: f64) -> Self {
+        let percent = percent(way_deg(&from_deg, &to_deg), within_s);
+        let [from, to] = [from_deg, to_deg].map(|[a, b, c, d]| Joints::new(a, b, c, d));
+        let speeds = Speeds::STOCK.scaled(percent, ACCELERATION_PERCENT);
+        let planned = JointMove::new(from, to, &speeds).expect("its numbers are finite");
+        let moves_s = planned.duration_s();
+        let early_s = within_s - moves_s;
+        Self {
+            to_deg,
+            percent,
+            moves_s,
+            pause_s: if early_s < NO_PAUSE_S { 0.0 } else { early_s },
+        }
+    }
+
+    fn takes_s(&self) -> f64 {
+        self.moves_s + self.pause_s
+    }
+}
+
+/// How fast, in percent of the configured speed, joints turn that go so far from rest to rest in a time.
+///
+/// ```text
+///  speed |    ______          way = v T - v^2 / a, from which
+///      v |   /      \         v = (a T - sqrt(a^2 T^2 - 4 a way)) / 2;
+///        |__/________\____    where there is no such v, not even speeding up half the way and slowing down
+///           <--- T --->       the other half is enough
+/// ```
+fn percent(way_deg: f64, within_s: f64) -> f64 {
+    let a = Speeds::STOCK.joint_deg_s2 * ACCELERATION_PERCENT / 100.0;
+    let under_root = (a * within_s).powi(2) - 4.0 * a * way_deg;
+    if under_root < 0.0 {
+        return MOST_PERCENT;
+    }
+    let deg_s = (a * within_s - under_root.sqrt()) / 2.0;
+    (deg_s / Speeds::STOCK.joint_deg_s * 100.0).clamp(LEAST_PERCENT, MOST_PERCENT)
+}
+
+/// The commands: pump and gripper stay as they are, and the speed is that of power-up at the end.
+fn job(moves: &[FollowMove], stands: &Status) -> NewJob {
+    let mut commands = Vec::new();
+    let mut steps = Vec::new();
+    let mut now_percent: Option<f64> = None;
+    for it in moves {
+        steps.push(commands.len());
+        // A hundredth more or less of it is not worth a packet.
+        if now_percent.is_none_or(|now| (it.percent - now).abs() >= now / 100.0) {
+            commands.push(speed(it.percent));
+            now_percent = Some(it.percent);
+        }
+        commands.push(target(it, stands));
+    }
+    if !moves.is_empty() {
+        commands.push(speed(MOST_PERCENT));
+    }
+    NewJob {
+        title: "trajectory of ROS 2".to_owned(),
+        kind: JobKind::Program,
+        commands,
+        lift_mm: 0.0,
+        pauses: Vec::new(),
+        program: JobProgram {
+            steps,
+            repeat: None,
+        },
+    }
+}
+
+fn speed(percent: f64) -> Command {
+    PlaybackAdjustment {
+        speed_percent: single(percent),
+        acceleration_percent: single(ACCELERATION_PERCENT),
+        teach_speed_percent: 100.0,
+    }
+    .into()
+}
+
+fn target(to: &FollowMove, stands: &Status) -> Command {
+    let pause_s = single(to.pause_s);
+    MoveJoints {
+        suction: stands.suction,
+        gripper_deg: stands.gripper_deg,
+        mode: MovingMode::MovJ,
+        pause_s,
+        ..MoveJoints::to(to.to_deg.map(single))
+    }
+    .into()
+}
+
+fn told_of(wanted: &Wanted, thin: &Thinned, targets: usize, takes_s: f64) -> String {
+    let points = wanted.places.len() - 1;
+    let aside = match thin.farthest {
+        Some(at) => format!(
+            "at most {} rad beside the trajectory, at {:.2} s of it",
+            rad(thin.deviation),
+            wanted.at_s[at]
+        ),
+        None => "nowhere beside the trajectory".to_owned(),
+    };
+    let time = format!(
+        "{takes_s:.2} s by the motion model, for {:.2} s",
+        wanted.duration_s()
+    );
+    format!("{targets} targets for {points} points, {aside}; {time}")
+}
+
+/// The percentages of an arm that was switched on; no trajectory is followed faster than those.
+const ACCELERATION_PERCENT: f64 = 50.0;
+const MOST_PERCENT: f64 = 50.0;
+const LEAST_PERCENT: f64 = 1.0;
+/// Less than the arm can tell.
+const STILL_DEG: f64 = 0.01;
+/// A shorter stand is a part of the way.
+const HOLD_PERIODS: f64 = 6.0;
+/// A tick of the controller.
+const NO_PAUSE_S: f64 = dobot_arm::TICK_S;
+/// So long the arm goes on at the most when it is told to hold, besides what it has got already.
+const HOLD_S: f64 = 2.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests;

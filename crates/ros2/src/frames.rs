@@ -1,0 +1,142 @@
+//! The frames of `/tf` and `/tf_static` (REP 105), and what the messages of others say of them.
+
+use dobot_model::{LinkFrame, Model};
+use dobot_wire::Status;
+
+use crate::joints::joints_of;
+use crate::messages::{Header, Pose, Quaternion, TfMessage, TransformStamped, Vector3};
+
+/// How the frames of this arm are named: as the links of its description, behind the namespace where it has one.
+#[derive(Clone, Debug)]
+pub(crate) struct Frames {
+    prefix: String,
+}
+
+impl Frames {
+    /// Under a namespace, as `/desk_3`; `/` is none.
+    pub(crate) fn new(namespace: &str) -> Self {
+        let name = namespace.trim_matches('/');
+        let prefix = if name.is_empty() {
+            String::new()
+        } else {
+            format!("{name}/")
+        };
+        Self { prefix }
+    }
+
+    /// The frame of a link.
+    pub(crate) fn of(&self, link: &str) -> String {
+        format!("{}{link}", self.prefix)
+    }
+
+    /// Whether a message is in the base frame, or in none, which is taken for it.
+    ///
+    /// # Errors
+    ///
+    /// What was found and what is allowed.
+    pub(crate) fn check_base(&self, header: &Header) -> Result<(), String> {
+        let base = self.of("base");
+        if header.frame_id.is_empty() || header.frame_id == base {
+            return Ok(());
+        }
+        let found = &header.frame_id;
+        Err(format!(
+            "header.frame_id is {found:?}; allowed is {base:?}: transform it first"
+        ))
+    }
+
+    /// The transforms that change with the arm, or those that never do.
+    pub(crate) fn transforms(&self, model: &Model, status: &Status, fixed: bool) -> TfMessage {
+        let frames = model.link_frames(&joints_of(status)).into_iter();
+        let wanted = frames.filter(|it| it.is_fixed == fixed);
+        TfMessage {
+            transforms: wanted.map(|it| self.transform(&it)).collect(),
+        }
+    }
+
+    fn transform(&self, frame: &LinkFrame) -> TransformStamped {
+        let [x, y, z] = frame.at_mm.map(metres);
+        TransformStamped {
+            header: Header::now(self.of(&frame.parent)),
+            child_frame_id: self.of(&frame.child),
+            transform: Pose {
+                position: Vector3 { x, y, z },
+                orientation: turned(frame.axis, frame.angle.0.to_radians()),
+            },
+        }
+    }
+}
+
+/// A turn by an angle about a unit vector.
+fn turned([x, y, z]: [f64; 3], angle_rad: f64) -> Quaternion {
+    let (sin, w) = (angle_rad / 2.0).sin_cos();
+    Quaternion {
+        x: x * sin,
+        y: y * sin,
+        z: z * sin,
+        w,
+    }
+}
+
+/// Millimetres in metres.
+pub(crate) fn metres(mm: f64) -> f64 {
+    mm / 1000.0
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_arm::Millimeters;
+    use dobot_model::{MountedTool, ToolKind};
+
+    use super::*;
+
+    fn model() -> Model {
+        let tool = MountedTool::new(ToolKind::Pen, Millimeters(62.0)).expect("it is allowed");
+        Model::new(Some(tool))
+    }
+
+    #[test]
+    fn the_tip_hangs_below_the_tool_for_ever() {
+        let fixed = Frames::new("/").transforms(&model(), &Status::AT_ZERO, true);
+        let [tip] = &fixed.transforms[..] else {
+            panic!("{fixed:?}");
+        };
+        assert_eq!(
+            (&*tip.header.frame_id, &*tip.child_frame_id),
+            ("tool", "tip")
+        );
+        assert!((tip.transform.position.z + 0.062).abs() < 1e-12, "{tip:?}");
+    }
+
+    #[test]
+    fn a_base_that_points_to_the_left_is_a_quarter_turn_about_z() {
+        let status = Status {
+            base_deg: 90.0,
+            ..Status::AT_ZERO
+        };
+        let moving = Frames::new("/desk_3").transforms(&model(), &status, false);
+        let turret = &moving.transforms[0];
+        assert_eq!(turret.header.frame_id, "desk_3/base");
+        assert_eq!(turret.child_frame_id, "desk_3/turret");
+        let (turn, half) = (
+            &turret.transform.orientation,
+            std::f64::consts::FRAC_1_SQRT_2,
+        );
+        assert!(
+            (turn.z - half).abs() < 1e-12 && (turn.w - half).abs() < 1e-12,
+            "{turn:?}"
+        );
+        assert!(turn.x == 0.0 && turn.y == 0.0, "{turn:?}");
+    }
+
+    #[test]
+    fn another_frame_than_the_base_is_refused_with_the_one_that_is_allowed() {
+        let frames = Frames::new("/desk_3");
+        for allowed in ["", "desk_3/base"] {
+            assert_eq!(frames.check_base(&Header::now(allowed)), Ok(()));
+        }
+        let refused = frames.check_base(&Header::now("base")).unwrap_err();
+        assert!(refused.contains("desk_3/base"), "{refused}");
+    }
+}

@@ -1,0 +1,307 @@
+//! What a goal of `FollowJointTrajectory` asks for, where it makes sense.
+
+use ros2_client::builtin_interfaces::Time;
+
+use crate::joints::JOINTS;
+use crate::messages::{FollowGoal, FollowResult, JointTolerance, seconds};
+
+/// A trajectory that makes sense: where the joints are to be when, and how exactly.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Wanted {
+    /// From where the arm stands, at 0 s; in the order of [`JOINTS`], in degrees.
+    pub(crate) places: Vec<[f64; 4]>,
+    /// When the joints are to be at each place, in seconds since the beginning.
+    pub(crate) at_s: Vec<f64>,
+    /// How far each joint may be off on the way, in degrees, where that is told.
+    pub(crate) path_deg: [Option<f64>; 4],
+    /// How far each joint may be off at the end, in degrees, where that is told.
+    pub(crate) end_deg: [Option<f64>; 4],
+    /// How much later than told the end may be reached, in seconds, where that is told.
+    pub(crate) late_s: Option<f64>,
+}
+
+/// Why a trajectory is not followed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Fault {
+    pub(crate) code: FaultCode,
+    pub(crate) text: String,
+}
+
+/// The error codes of `control_msgs/FollowJointTrajectory`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FaultCode {
+    InvalidGoal = -1,
+    InvalidJoints = -2,
+    OldHeaderTimestamp = -3,
+    PathToleranceViolated = -4,
+    GoalToleranceViolated = -5,
+}
+
+impl Fault {
+    pub(crate) fn new(code: FaultCode, text: impl Into<String>) -> Self {
+        Self {
+            code,
+            text: text.into(),
+        }
+    }
+
+    /// The goal is wrong, or the station refuses it.
+    pub(crate) fn invalid(text: impl Into<String>) -> Self {
+        Self::new(FaultCode::InvalidGoal, text)
+    }
+}
+
+impl From<Result<String, Fault>> for FollowResult {
+    fn from(done: Result<String, Fault>) -> Self {
+        match done {
+            Ok(error_string) => Self {
+                error_code: 0,
+                error_string,
+            },
+            Err(Fault { code, text }) => Self {
+                error_code: code as i32,
+                error_string: text,
+            },
+        }
+    }
+}
+
+impl Wanted {
+    /// What a goal asks of an arm that stands so (in degrees), at this time.
+    ///
+    /// Joints that are not named stay where they are.
+    ///
+    /// # Errors
+    ///
+    /// [`Fault`] with what was found and what is allowed.
+    pub(crate) fn new(goal: &FollowGoal, stands_deg: [f64; 4], now: Time) -> Result<Self, Fault> {
+        if !goal.multi_dof_trajectory.joint_names.is_empty()
+            || !goal.multi_dof_trajectory.points.is_empty()
+            || !goal.component_path_tolerance.is_empty()
+            || !goal.component_goal_tolerance.is_empty()
+        {
+            return Err(Fault::invalid(
+                "multi_dof_trajectory or a tolerance of its components is given; the arm has no such joints",
+            ));
+        }
+        let joints = joints(&goal.trajectory.joint_names)?;
+        let (places, at_s) = places(goal, &joints, stands_deg)?;
+        let ends_s = at_s.last().copied().unwrap_or_default();
+        check_start(goal.trajectory.header.stamp, ends_s, now)?;
+        let late_s = seconds(&goal.goal_time_tolerance);
+        Ok(Self {
+            places,
+            at_s,
+            path_deg: tolerances("path_tolerance", &goal.path_tolerance)?,
+            end_deg: tolerances("goal_tolerance", &goal.goal_tolerance)?,
+            late_s: (late_s > 0.0).then_some(late_s),
+        })
+    }
+
+    /// How long it is to take, in seconds.
+    pub(crate) fn duration_s(&self) -> f64 {
+        self.at_s.last().copied().unwrap_or_default()
+    }
+
+    /// Where the joints are to be at a time, in degrees: evenly from each place to the next.
+    pub(crate) fn at(&self, time_s: f64) -> [f64; 4] {
+        let next = self.at_s.partition_point(|it| *it <= time_s);
+        let Some(to) = self.places.get(next) else {
+            return self.places[self.places.len() - 1];
+        };
+        let Some(before) = next.checked_sub(1) else {
+            return *to;
+        };
+        let (from, [begin, end]) = (self.places[before], [before, next].map(|it| self.at_s[it]));
+        let share = (time_s - begin) / (end - begin);
+        std::array::from_fn(|i| from[i] + (to[i] - from[i]) * share)
+    }
+}
+
+/// Which joint each name means.
+fn joints(names: &[String]) -> Result<Vec<usize>, Fault> {
+    let allowed = JOINTS.join(", ");
+    let fault = |text| Err(Fault::new(FaultCode::InvalidJoints, text));
+    if names.is_empty() {
+        return fault(format!("joint_names is empty; allowed are {allowed}"));
+    }
+    let mut found = Vec::new();
+    for name in names {
+        let Some(joint) = JOINTS.iter().position(|it| it == name) else {
+            return fault(format!(
+                "joint_names has {name:?}; allowed are {allowed}: all others follow these"
+            ));
+        };
+        if found.contains(&joint) {
+            return fault(format!("joint_names has {name:?} twice"));
+        }
+        found.push(joint);
+    }
+    Ok(found)
+}
+
+/// The places and their times, from where the arm stands.
+fn places(
+    goal: &FollowGoal,
+    joints: &[usize],
+    stands_deg: [f64; 4],
+) -> Result<(Vec<[f64; 4]>, Vec<f64>), Fault> {
+    let points = &goal.trajectory.points;
+    if !(1..=MOST_POINTS).contains(&points.len()) {
+        let found = points.len();
+        return Err(Fault::invalid(format!(
+            "the trajectory has {found} points; allowed are 1 to {MOST_POINTS}"
+        )));
+    }
+    let (mut places, mut at_s) = (vec![stands_deg], vec![0.0]);
+    for (number, point) in points.iter().enumerate() {
+        let place = place(number, &point.positions, joints, stands_deg)?;
+        for (name, values) in [
+            ("velocities", &point.velocities),
+            ("accelerations", &point.accelerations),
+        ] {
+            check_rates(number, name, values, joints.len())?;
+        }
+        if !point.effort.is_empty() {
+            return Err(Fault::invalid(format!(
+                "points[{number}].effort is given; the arm knows no forces"
+            )));
+        }
+        let time_s = seconds(&point.time_from_start);
+        if number == 0 && time_s <= 0.0 {
+            check_stands(&place, stands_deg)?;
+        }
+        if number == 0 && time_s == 0.0 {
+            continue;
+        }
+        let least = at_s.last().copied().unwrap_or_default();
+        if time_s <= least || time_s > LONGEST_S {
+            return Err(Fault::invalid(format!(
+                "points[{number}].time_from_start is {time_s} s; allowed is more than {least} s, the time before, and up to {LONGEST_S} s"
+            )));
+        }
+        places.push(place);
+        at_s.push(time_s);
+    }
+    Ok((places, at_s))
+}
+
+/// Where all joints are to be, in degrees.
+fn place(
+    number: usize,
+    positions: &[f64],
+    joints: &[usize],
+    stands_deg: [f64; 4],
+) -> Result<[f64; 4], Fault> {
+    if positions.len() != joints.len() {
+        let (found, allowed) = (positions.len(), joints.len());
+        return Err(Fault::invalid(format!(
+            "points[{number}] has {found} positions; allowed are {allowed}, one for each of joint_names"
+        )));
+    }
+    let mut place = stands_deg;
+    for (joint, rad) in joints.iter().zip(positions) {
+        let deg = rad.to_degrees();
+        if !(-FULL_TURN_DEG..=FULL_TURN_DEG).contains(&deg) {
+            let name = JOINTS[*joint];
+            return Err(Fault::invalid(format!(
+                "points[{number}].positions has {rad} for {name}; allowed are radians within a full turn either way"
+            )));
+        }
+        place[*joint] = deg;
+    }
+    Ok(place)
+}
+
+/// Speeds and accelerations are what the places and their times say already, but nonsense is told.
+fn check_rates(number: usize, name: &str, values: &[f64], joints: usize) -> Result<(), Fault> {
+    if values.is_empty() || values.len() == joints && values.iter().all(|it| it.is_finite()) {
+        return Ok(());
+    }
+    Err(Fault::invalid(format!(
+        "points[{number}].{name} is {values:?}; allowed are {joints} finite numbers, or none"
+    )))
+}
+
+/// Whether a trajectory that says where it begins does so where the arm stands.
+fn check_stands(begins: &[f64; 4], stands: [f64; 4]) -> Result<(), Fault> {
+    let off = (0..4).find(|joint| (begins[*joint] - stands[*joint]).abs() > START_DEG);
+    let Some(joint) = off else {
+        return Ok(());
+    };
+    let [name, begins, stands, allowed] = [
+        JOINTS[joint].to_owned(),
+        rad(begins[joint]),
+        rad(stands[joint]),
+        rad(START_DEG),
+    ];
+    Err(Fault::invalid(format!(
+        "the trajectory begins with {name} at {begins} rad, and the arm stands at {stands} rad; allowed is {allowed} rad off: plan it from joint_states"
+    )))
+}
+
+/// Whether it is to begin now: no stamp, or one that is not ahead and not so old that all of it is over.
+fn check_start(stamp: Time, ends_s: f64, now: Time) -> Result<(), Fault> {
+    if stamp == Time::ZERO {
+        return Ok(());
+    }
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "nobody tells microseconds of years"
+    )]
+    let ahead_s = stamp.to_nanos().saturating_sub(now.to_nanos()) as f64 / 1e9;
+    if ahead_s > AHEAD_S {
+        return Err(Fault::invalid(format!(
+            "header.stamp is {ahead_s:.3} s ahead; allowed is 0, for now"
+        )));
+    }
+    if ahead_s + ends_s < 0.0 {
+        return Err(Fault::new(
+            FaultCode::OldHeaderTimestamp,
+            format!(
+                "header.stamp is {:.3} s old, and the trajectory takes {ends_s} s; allowed is 0, for now",
+                -ahead_s
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// The tolerance of each joint, in degrees: 0 is none told, and below 0 is any.
+fn tolerances(field: &str, told: &[JointTolerance]) -> Result<[Option<f64>; 4], Fault> {
+    let mut found = [None; 4];
+    for it in told {
+        let Some(joint) = JOINTS.iter().position(|name| *name == it.name) else {
+            let (name, allowed) = (&it.name, JOINTS.join(", "));
+            return Err(Fault::new(
+                FaultCode::InvalidJoints,
+                format!("{field} has {name:?}; allowed are {allowed}"),
+            ));
+        };
+        if it.position.is_nan() {
+            let name = &it.name;
+            return Err(Fault::invalid(format!(
+                "{field} of {name} is NaN; allowed are radians"
+            )));
+        }
+        found[joint] = (it.position > 0.0).then(|| it.position.to_degrees());
+    }
+    Ok(found)
+}
+
+/// Degrees as the messages tell them.
+pub(crate) fn rad(degrees: f64) -> String {
+    format!("{:.4}", degrees.to_radians())
+}
+
+const MOST_POINTS: usize = 10_000;
+const LONGEST_S: f64 = 3600.0;
+const FULL_TURN_DEG: f64 = 360.0;
+/// How far off the arm may stand where a trajectory says that it begins.
+const START_DEG: f64 = 1.0;
+/// Clocks differ a little.
+const AHEAD_S: f64 = 1.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+pub(crate) mod tests;

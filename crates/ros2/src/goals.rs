@@ -1,0 +1,196 @@
+//! The action `follow_joint_trajectory`: its goals, what becomes of them, and who cancels them.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use dobot_api::State;
+use futures_util::FutureExt;
+use ros2_client::action::{
+    AsyncActionServer, CancelHandle, ExecutingGoalHandle, GoalEndStatus, GoalId, NewGoalHandle,
+};
+use ros2_client::builtin_interfaces::Time;
+use tokio::sync::{mpsc, watch};
+use tokio::time::timeout;
+
+use crate::acts::{Followed, Stand, ended, follow, take_at_rest};
+use crate::follow_plan::FollowPlan;
+use crate::goal::{Fault, Wanted};
+use crate::joints::{JOINTS, degrees_of};
+use crate::messages::{
+    FollowFeedback, FollowGoal, FollowResult, Header, JointTrajectoryPoint, MultiDofPoint,
+};
+use crate::station::Station;
+use crate::told::Told;
+
+/// The server of the action.
+pub(crate) type Server = AsyncActionServer<FollowGoal, FollowResult, FollowFeedback>;
+
+/// Follows trajectories, one at a time: the others do not get control.
+pub(crate) struct Goals {
+    pub(crate) server: Server,
+    pub(crate) station: Station,
+    pub(crate) told: Arc<Told>,
+    pub(crate) deviation_deg: f64,
+    /// By what each goal is told that it is to end.
+    pub(crate) running: Mutex<BTreeMap<GoalId, watch::Sender<bool>>>,
+    /// Results are asked for one after the other.
+    pub(crate) results: tokio::sync::Mutex<()>,
+}
+
+impl Goals {
+    /// Takes goals until the program ends; then all of them are told to end.
+    pub(crate) async fn run(
+        self: Arc<Self>,
+        mut ending: watch::Receiver<bool>,
+        busy: mpsc::Sender<()>,
+    ) {
+        loop {
+            tokio::select! {
+                goal = self.server.receive_new_goal() => match goal {
+                    Ok(goal) => {
+                        let (goals, busy) = (self.clone(), busy.clone());
+                        tokio::spawn(async move {
+                            goals.take(goal).await;
+                            drop(busy);
+                        });
+                    }
+                    Err(error) => self.told.warn(&format!("a goal cannot be read: {error:?}")),
+                },
+                cancel = self.server.receive_cancel_request() => match cancel {
+                    Ok(cancel) => self.cancel(&cancel).await,
+                    Err(error) => self.told.warn(&format!("a cancel request cannot be read: {error:?}")),
+                },
+                () = ended(&mut ending) => break,
+            }
+        }
+        for goal in self.running().values() {
+            goal.send_replace(true);
+        }
+    }
+
+    async fn cancel(&self, request: &CancelHandle) {
+        let goals: Vec<GoalId> = request.goals().collect();
+        let answered = self
+            .server
+            .respond_to_cancel_requests(request, goals.iter().copied());
+        if let Err(error) = answered.await {
+            self.told
+                .warn(&format!("a cancel request cannot be answered: {error:?}"));
+        }
+        let running = self.running();
+        for goal in goals {
+            if let Some(cancel) = running.get(&goal) {
+                cancel.send_replace(true);
+            }
+        }
+    }
+
+    /// Takes a goal. One that cannot be followed is accepted too and aborted at once, since a rejection carries no words.
+    async fn take(&self, new: NewGoalHandle<FollowGoal>) {
+        let Some(goal) = self.server.get_new_goal(new.clone()) else {
+            return;
+        };
+        let id = new.goal_id();
+        let cancel = watch::Sender::new(false);
+        let mut cancelled = cancel.subscribe();
+        self.running().insert(id, cancel);
+        let executing = async {
+            let accepted = self.server.accept_goal(new).await?;
+            self.server.start_executing_goal(accepted).await
+        };
+        match executing.await {
+            Ok(executing) => {
+                let followed = self.follow(&goal, &executing, &mut cancelled).await;
+                self.answer(executing, followed).await;
+            }
+            Err(error) => self
+                .told
+                .warn(&format!("a goal cannot be accepted: {error:?}")),
+        }
+        self.running().remove(&id);
+    }
+
+    async fn follow(
+        &self,
+        goal: &FollowGoal,
+        executing: &ExecutingGoalHandle<FollowGoal>,
+        cancelled: &mut watch::Receiver<bool>,
+    ) -> Result<Followed, Fault> {
+        let mut station = self
+            .station
+            .connect("trajectory")
+            .await
+            .map_err(Fault::invalid)?;
+        let stand = take_at_rest(&mut station).await.map_err(Fault::invalid)?;
+        let Stand { status, period } = stand;
+        let wanted = Wanted::new(goal, degrees_of(&status), Time::now())?;
+        let plan = FollowPlan::new(&wanted, &status, period, self.deviation_deg)?;
+        self.told
+            .info(&format!("follow_joint_trajectory: {}", plan.told));
+        let see = |state: &State, at_s: f64| {
+            if let Some(arm) = &state.arm {
+                let told = feedback(&wanted, degrees_of(&arm.status), at_s);
+                // It waits for nothing; one that is lost is followed by the next.
+                let _ = self
+                    .server
+                    .publish_feedback(executing.clone(), told)
+                    .now_or_never();
+            }
+        };
+        follow(&mut station, &wanted, plan, cancelled, see).await
+    }
+
+    /// Tells the result to whoever asks for it, for a while.
+    async fn answer(
+        &self,
+        executing: ExecutingGoalHandle<FollowGoal>,
+        followed: Result<Followed, Fault>,
+    ) {
+        let (status, result) = match followed {
+            Ok(Followed::Done(told)) => (GoalEndStatus::Succeeded, Ok(told)),
+            Ok(Followed::Held(told)) => (GoalEndStatus::Canceled, Ok(told)),
+            Err(fault) => (GoalEndStatus::Aborted, Err(fault)),
+        };
+        let text = result.clone().map_err(|it| it.text);
+        self.told.outcome("follow_joint_trajectory", &text);
+        let _one = self.results.lock().await;
+        let sent = self
+            .server
+            .send_result_response(executing, status, result.into());
+        match timeout(ASKED, sent).await {
+            Ok(Ok(())) => {}
+            Ok(Err(error)) => self
+                .told
+                .warn(&format!("a result cannot be told: {error:?}")),
+            Err(_) => self
+                .told
+                .warn("nobody asked for the result of a trajectory"),
+        }
+    }
+
+    fn running(&self) -> std::sync::MutexGuard<'_, BTreeMap<GoalId, watch::Sender<bool>>> {
+        self.running.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Where the joints are wanted and where they are, after a time.
+fn feedback(wanted: &Wanted, actual_deg: [f64; 4], at_s: f64) -> FollowFeedback {
+    let desired_deg = wanted.at(at_s);
+    let error_deg: [f64; 4] = std::array::from_fn(|it| desired_deg[it] - actual_deg[it]);
+    let point = |deg: [f64; 4]| JointTrajectoryPoint::at(deg.map(f64::to_radians), at_s);
+    FollowFeedback {
+        header: Header::now(""),
+        joint_names: JOINTS.map(str::to_owned).to_vec(),
+        desired: point(desired_deg),
+        actual: point(actual_deg),
+        error: point(error_deg),
+        multi_dof_joint_names: Vec::new(),
+        multi_dof_desired: MultiDofPoint::empty(),
+        multi_dof_actual: MultiDofPoint::empty(),
+        multi_dof_error: MultiDofPoint::empty(),
+    }
+}
+
+/// So long a result is kept for whoever asks for it.
+const ASKED: Duration = Duration::from_secs(10);

@@ -1,0 +1,40 @@
+//! A Dobot Arm in ROS 2, without a ROS installation: the station's arm as a node that speaks DDS.
+//!
+//! It is a client of a station, and never talks to an arm itself: lease, policy, stop and trust are the station's. It tells
+//! joint states, transforms, diagnostics and the robot's description, and takes targets, jogs, a stop, and the action
+//! `FollowJointTrajectory`. `docs/ros2.md` has the list.
+//!
+//! A trajectory has more points than the link of this arm carries, so it is [`thinned`], and the largest deviation is told
+//! with its result:
+//!
+//! ```
+//! use dobot_ros2::thinned;
+//!
+//! let points: Vec<[f64; 2]> = (0..=100).map(|n| [f64::from(n), (f64::from(n) / 50.0).powi(2)]).collect();
+//! let thin = thinned(&points, &[], 0.1, 12);
+//! assert!(thin.kept.len() <= 13 && thin.deviation <= 0.1);
+//! ```
+
+mod acts;
+mod bridge;
+mod buttons;
+mod diagnostics;
+mod follow_plan;
+mod frames;
+mod goal;
+mod goals;
+mod jog;
+mod joints;
+mod messages;
+mod node;
+mod settings;
+mod station;
+mod target;
+mod thin;
+mod told;
+mod watch;
+
+pub use bridge::run;
+pub use node::NodeError;
+pub use settings::{BadNamespace, Middleware, Settings, UnknownMiddleware, check_namespace};
+pub use thin::{Thinned, thinned};

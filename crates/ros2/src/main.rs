@@ -1,0 +1,180 @@
+//! `dobot-ros2`: the arm of a station in ROS 2.
+
+use std::net::Ipv4Addr;
+use std::process::ExitCode;
+
+use anyhow::{Context, anyhow};
+use clap::Parser;
+use dobot_api::StationOptions;
+use dobot_model::ToolOptions;
+use dobot_ros2::{Middleware, Settings, check_namespace, run};
+use dobot_safety::Policy;
+use tokio::sync::watch;
+
+/// The arm of a station in ROS 2, without a ROS installation
+///
+/// It offers joint states, transforms, diagnostics and the robot's description, and takes targets, jogs, a stop, and
+/// trajectories. It is a client of the station: all of the station's rules hold.
+#[derive(Debug, Parser)]
+#[command(
+    name = "dobot-ros2",
+    version,
+    max_term_width = 100,
+    after_help = "\
+Examples:
+  dobot up                              first, in another terminal: the station
+  dobot-ros2                            for programs of this machine
+  dobot-ros2 --interface 192.168.1.5    for those of that network, too: whoever is in it may then move the arm
+  dobot-ros2 --domain 7 --namespace /desk_3
+  RMW_IMPLEMENTATION=rmw_cyclonedds_cpp dobot-ros2
+
+DDS asks nobody for a token. A token of the role `watch` (`dobot token`) makes it look on only."
+)]
+struct Args {
+    #[command(flatten)]
+    station: StationOptions,
+    /// The domain of DDS, 0 to 232 [default: that of `ROS_DOMAIN_ID`, or 0]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(0..=232))]
+    domain: Option<u16>,
+    /// Before the names of topics, services and frames, as `/desk_3`
+    #[arg(long, value_name = "NAME", default_value = "/", value_parser = namespace)]
+    namespace: String,
+    /// An address of this machine under which it takes part; may be given more than once
+    #[arg(
+        long = "interface",
+        value_name = "ADDRESS",
+        default_value = "127.0.0.1"
+    )]
+    interfaces: Vec<Ipv4Addr>,
+    #[command(flatten)]
+    tool: ToolOptions,
+    /// How far a thinned trajectory may be from the one that was wanted, in degrees, as far as the link carries it
+    #[arg(long, value_name = "DEGREES", default_value_t = 1.0, value_parser = deviation)]
+    deviation: f64,
+}
+
+fn main() -> ExitCode {
+    match start(Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn start(args: Args) -> anyhow::Result<()> {
+    let settings = args.settings()?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build()
+        .context("no threads can be started")?;
+    let done = runtime.block_on(async {
+        let (end, ending) = watch::channel(false);
+        let interrupted = interrupt();
+        tokio::spawn(async move {
+            interrupted.await;
+            end.send_replace(true);
+        });
+        run(settings, ending).await
+    });
+    runtime.shutdown_background();
+    Ok(done?)
+}
+
+impl Args {
+    fn settings(self) -> anyhow::Result<Settings> {
+        let lengths = Policy::default().tool_length;
+        let tool = self.tool.mounted(|tool| lengths.of(tool))?;
+        let domain = match (self.domain, variable("ROS_DOMAIN_ID")) {
+            (Some(domain), _) => domain,
+            (None, None) => 0,
+            (None, Some(text)) => domain(&text)?,
+        };
+        let middleware = variable("RMW_IMPLEMENTATION");
+        let middleware = middleware.map(|it| Middleware::named(&it)).transpose();
+        Ok(Settings {
+            station: self.station,
+            domain,
+            namespace: self.namespace,
+            interfaces: self.interfaces,
+            middleware: middleware
+                .context("RMW_IMPLEMENTATION")?
+                .unwrap_or_default(),
+            tool,
+            deviation_deg: self.deviation,
+        })
+    }
+}
+
+fn namespace(text: &str) -> Result<String, String> {
+    check_namespace(text).map_err(|it| it.to_string())?;
+    Ok(text.to_owned())
+}
+
+fn domain(text: &str) -> anyhow::Result<u16> {
+    let found = text.parse().ok().filter(|it| *it <= 232);
+    found.ok_or_else(|| anyhow!("ROS_DOMAIN_ID is {text:?}; allowed are 0 to 232"))
+}
+
+fn deviation(text: &str) -> Result<f64, String> {
+    let found = text.parse().ok().filter(|it| (0.0..=90.0).contains(it));
+    found.ok_or_else(|| "allowed are 0 to 90 degrees".to_owned())
+}
+
+/// An environment variable that is set to something.
+fn variable(name: &str) -> Option<String> {
+    std::env::var(name).ok().filter(|it| !it.is_empty())
+}
+
+/// Ctrl-C, or the request of a system that shuts down.
+#[cfg(unix)]
+fn interrupt() -> impl Future<Output = ()> {
+    use tokio::signal::unix::{SignalKind, signal};
+
+    let signals = [SignalKind::interrupt(), SignalKind::terminate()].map(signal);
+    async move {
+        let [Ok(mut interrupt), Ok(mut terminate)] = signals else {
+            return std::future::pending().await;
+        };
+        tokio::select! {
+            _ = interrupt.recv() => {}
+            _ = terminate.recv() => {}
+        }
+    }
+}
+
+/// Ctrl-C.
+#[cfg(not(unix))]
+async fn interrupt() {
+    if tokio::signal::ctrl_c().await.is_err() {
+        std::future::pending::<()>().await;
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        use clap::CommandFactory;
+        Args::command().debug_assert();
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused_with_what_can() {
+        for (words, says) in [
+            (vec!["--domain", "233"], "0..=232"),
+            (vec!["--namespace", "desk-3"], "/desk_3"),
+            (vec!["--interface", "eth0"], "ADDRESS"),
+            (vec!["--deviation", "NaN"], "0 to 90"),
+        ] {
+            let words = ["dobot-ros2"].into_iter().chain(words);
+            let error = Args::try_parse_from(words).unwrap_err().to_string();
+            assert!(error.contains(says), "{error}");
+        }
+        assert!(domain("300").is_err() && domain("x").is_err());
+    }
+}

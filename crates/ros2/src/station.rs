@@ -1,0 +1,58 @@
+//! The station of the arm: found anew for each connection, since one that was started again has another token.
+
+use dobot_api::{ConnectError, RemoteError, StationAddress, StationOptions, fetch};
+use dobot_rules::StationClient;
+use dobot_safety::Policy;
+
+/// How the station is reached.
+#[derive(Clone, Debug)]
+pub(crate) struct Station {
+    options: StationOptions,
+}
+
+impl Station {
+    pub(crate) const fn new(options: StationOptions) -> Self {
+        Self { options }
+    }
+
+    /// A connection under a name that the others see; what it holds ends with it.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none, and what to do about it.
+    pub(crate) async fn connect(&self, name: &str) -> Result<StationClient, String> {
+        let address = self.address().await?;
+        let connected = StationClient::connect(&address, &format!("ros2 {name}")).await;
+        connected.map_err(|it| not_connected(&it))
+    }
+
+    /// Its policy.
+    pub(crate) async fn policy(&self) -> Option<Policy> {
+        let address = self.address().await.ok()?;
+        fetch(&address, "/api/v1/policy").await.ok()
+    }
+
+    async fn address(&self) -> Result<StationAddress, String> {
+        let found = self.options.search().find().await;
+        let found = found.map_err(|it| with_hint(&it, it.hint()))?;
+        found.ok_or_else(|| {
+            "no station runs on this machine; `dobot up` starts one, and `--station URL` names another".to_owned()
+        })
+    }
+}
+
+fn not_connected(error: &ConnectError) -> String {
+    with_hint(error, error.hint())
+}
+
+/// What a station says, and what to do about it.
+pub(crate) fn refused(error: &RemoteError) -> String {
+    with_hint(error, error.hint())
+}
+
+fn with_hint(error: &impl std::fmt::Display, hint: Option<impl AsRef<str>>) -> String {
+    match hint {
+        Some(hint) => format!("{error}; {}", hint.as_ref()),
+        None => error.to_string(),
+    }
+}

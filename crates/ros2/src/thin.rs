@@ -1,0 +1,195 @@
+//! Fewer places for the same way.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use dobot_geometry::distance_from_chord;
+
+/// What is left of the places of a way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Thinned {
+    /// Which places are kept, in order: the first and the last among them.
+    pub kept: Vec<usize>,
+    /// How far the way through those is from the whole one at the most, in the unit of the coordinates.
+    pub deviation: f64,
+    /// The place that is so far off, where one is.
+    pub farthest: Option<usize>,
+}
+
+/// Leaves out places of a way, which goes straight from each to the next: no more than `most` pieces are left, and fewer
+/// where that stays within the tolerance. At least one piece is left, and all `corners` stay, which are places by their
+/// numbers.
+///
+/// The place that is farthest from its chord is taken in first (Ramer, Douglas and Peucker's choice), so that whatever is
+/// allowed goes to where it helps most. The distance is that of all coordinates together; none alone is farther off.
+///
+/// ```
+/// use dobot_ros2::thinned;
+///
+/// let corner = [[0.0, 0.0], [5.0, 0.1], [10.0, 0.0], [10.0, 5.0], [10.0, 10.0]];
+/// let thin = thinned(&corner, &[], 0.5, 10);
+/// assert_eq!((thin.kept, thin.farthest), (vec![0, 2, 4], Some(1)));
+/// assert!((thin.deviation - 0.1).abs() < 1e-12);
+/// ```
+#[must_use]
+pub fn thinned<const N: usize>(
+    places: &[[f64; N]],
+    corners: &[usize],
+    tolerance: f64,
+    most: usize,
+) -> Thinned {
+    let last = places.len().saturating_sub(1);
+    let mut kept: Vec<usize> = [0, last]
+        .into_iter()
+        .chain(corners.iter().copied())
+        .collect();
+    kept.retain(|it| *it < places.len());
+    kept.sort_unstable();
+    kept.dedup();
+    let pieces = kept.windows(2);
+    let mut spans: BinaryHeap<Span> = pieces
+        .filter_map(|ends| Span::new(places, ends[0], ends[1]))
+        .collect();
+    while let Some(worst) = spans.peek()
+        && worst.distance > tolerance
+        && kept.len() <= most
+    {
+        let Span { from, at, to, .. } = *worst;
+        spans.pop();
+        kept.push(at);
+        let halves = [(from, at), (at, to)];
+        spans.extend(
+            halves
+                .into_iter()
+                .filter_map(|(a, b)| Span::new(places, a, b)),
+        );
+    }
+    kept.sort_unstable();
+    let worst = spans.peek();
+    Thinned {
+        kept,
+        deviation: worst.map_or(0.0, |it| it.distance),
+        farthest: worst.map(|it| it.at),
+    }
+}
+
+/// A chord, and the place between its ends that is farthest from it.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    from: usize,
+    to: usize,
+    at: usize,
+    distance: f64,
+}
+
+impl Span {
+    /// None where nothing lies between the ends.
+    fn new<const N: usize>(places: &[[f64; N]], from: usize, to: usize) -> Option<Self> {
+        let between = (from + 1..to).map(|at| Self {
+            from,
+            to,
+            at,
+            distance: distance_from_chord(places[at], places[from], places[to]),
+        });
+        between.max_by(Self::cmp)
+    }
+}
+
+impl Ord for Span {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.distance.total_cmp(&other.distance)
+    }
+}
+
+impl PartialOrd for Span {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Span {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Span {}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn places() -> impl Strategy<Value = Vec<[f64; 4]>> {
+        prop::collection::vec(prop::array::uniform4(-135.0..135.0), 1..60)
+    }
+
+    /// How far a point is from the nearest piece of a way.
+    fn off(point: [f64; 4], way: &[[f64; 4]]) -> f64 {
+        let pieces = way.windows(2);
+        let nearest = pieces
+            .map(|ends| distance_from_chord(point, ends[0], ends[1]))
+            .min_by(f64::total_cmp);
+        nearest.unwrap_or_else(|| distance_from_chord(point, way[0], way[0]))
+    }
+
+    proptest! {
+        #[test]
+        fn no_point_of_the_whole_way_is_farther_off_than_is_told(
+            places in places(), tolerance in 0.0..90.0_f64, most in 0_usize..30,
+        ) {
+            let thin = thinned(&places, &[], tolerance, most);
+            let way: Vec<[f64; 4]> = thin.kept.iter().map(|it| places[*it]).collect();
+            // Between the places too, where the way goes straight.
+            for ends in places.windows(2) {
+                for share in [0.0, 0.3, 0.7, 1.0] {
+                    let point = std::array::from_fn(|i| ends[0][i] + (ends[1][i] - ends[0][i]) * share);
+                    let found = off(point, &way);
+                    prop_assert!(found <= thin.deviation + 1e-9, "{found}, told {}", thin.deviation);
+                }
+            }
+        }
+
+        #[test]
+        fn both_ends_stay_and_there_are_never_more_pieces_than_allowed(
+            places in places(), tolerance in 0.0..90.0_f64, most in 0_usize..30,
+        ) {
+            let thin = thinned(&places, &[], tolerance, most);
+            prop_assert_eq!(thin.kept.first(), Some(&0));
+            prop_assert_eq!(thin.kept.last(), Some(&(places.len() - 1)));
+            prop_assert!(thin.kept.len() - 1 <= most.max(1), "{:?}", thin.kept);
+            prop_assert!(thin.kept.is_sorted_by(|a, b| a < b));
+        }
+
+        #[test]
+        fn where_enough_pieces_are_allowed_the_tolerance_is_kept(
+            places in places(), tolerance in 0.0..90.0_f64,
+        ) {
+            let thin = thinned(&places, &[], tolerance, places.len());
+            prop_assert!(thin.deviation <= tolerance, "{}", thin.deviation);
+        }
+    }
+
+    #[test]
+    fn a_straight_way_is_its_two_ends() {
+        let way: Vec<[f64; 2]> = (0..100)
+            .map(|it| [f64::from(it), 2.0 * f64::from(it)])
+            .collect();
+        let thin = thinned(&way, &[], 0.001, 50);
+        assert_eq!(thin.kept, [0, 99]);
+        assert!(thin.deviation < 1e-9, "{}", thin.deviation);
+    }
+
+    #[test]
+    fn corners_stay_on_a_straight_way_too_and_those_that_are_none_are_none() {
+        let way: Vec<[f64; 1]> = (0..10).map(|it| [f64::from(it)]).collect();
+        assert_eq!(thinned(&way, &[4, 4, 99], 1.0, 1).kept, [0, 4, 9]);
+    }
+
+    #[test]
+    fn nothing_stays_nothing() {
+        assert!(thinned::<4>(&[], &[], 1.0, 5).kept.is_empty());
+        assert_eq!(thinned(&[[1.0]], &[], 1.0, 5).kept, [0]);
+    }
+}
