@@ -20,10 +20,16 @@ mod json;
 mod mjcf;
 mod model;
 mod mounted_tool;
+#[cfg(feature = "options")]
+mod options;
 mod part;
 mod shape;
+mod tree;
 mod urdf;
 mod xml;
 
 pub use model::Model;
 pub use mounted_tool::{BadLength, MountedTool, ToolKind};
+#[cfg(feature = "options")]
+pub use options::{ToolOptions, ToolOptionsError};
+pub use tree::LinkFrame;

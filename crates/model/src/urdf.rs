@@ -4,9 +4,10 @@ use dobot_arm::{Degrees, Span};
 use dobot_motion::Speeds;
 use xmlwriter::XmlWriter;
 
-use crate::joint::{Axis, Joint, Turn, span_of_follower};
+use crate::joint::{Axis, Turn, span_of_follower};
 use crate::model::{Model, Part};
 use crate::shape::{Colour, Shape, Solid};
+use crate::tree::TreeJoint;
 use crate::xml::{TITLE, document, element, metres, numbers, radians};
 
 impl Model {
@@ -29,70 +30,47 @@ impl Model {
         for part in &self.parts {
             link(&mut xml, part);
         }
-        for joint in &self.joints {
-            self.urdf_joint(&mut xml, joint);
+        for joint in self.tree() {
+            if !self.parts.iter().any(|it| it.name == joint.child) {
+                element(&mut xml, "link", &[("name", &joint.child)]);
+            }
+            self.urdf_joint(&mut xml, &joint);
         }
         xml.end_document()
     }
 
-    fn urdf_joint(&self, xml: &mut XmlWriter, joint: &Joint) {
-        let names = [joint.name, joint.parent, joint.child];
+    fn urdf_joint(&self, xml: &mut XmlWriter, joint: &TreeJoint) {
         match joint.turn {
-            Turn::Fixed => {
-                start(xml, "fixed", names, joint.at_mm);
-                xml.end_element();
-            }
+            Turn::Fixed => start(xml, "fixed", joint),
             Turn::Driven { axis, span, deg_s } => {
-                start(xml, "revolute", names, joint.at_mm);
+                start(xml, "revolute", joint);
                 turning(xml, axis, &span, deg_s);
-                xml.end_element();
-            }
-            Turn::Follows { rear, fore: 0.0 } => {
-                self.mimic(xml, names, joint.at_mm, ("rear", [rear, 0.0]));
-            }
-            Turn::Follows { rear: 0.0, fore } => {
-                self.mimic(xml, names, joint.at_mm, ("fore", [0.0, fore]));
             }
             Turn::Follows { rear, fore } => {
-                let between = &format!("{}_level", joint.child);
-                element(xml, "link", &[("name", between)]);
-                let first = [between, joint.parent, between];
-                self.mimic(xml, first, joint.at_mm, ("rear", [rear, 0.0]));
-                let second = [joint.name, between, joint.child];
-                self.mimic(xml, second, [0.0; 3], ("fore", [0.0, fore]));
+                let driver = if fore == 0.0 { "rear" } else { "fore" };
+                let span = span_of_follower(rear, fore, &self.limits);
+                start(xml, "revolute", joint);
+                turning(xml, Axis::Y, &span, Speeds::STOCK.joint_deg_s);
+                let times = numbers([rear + fore]);
+                element(
+                    xml,
+                    "mimic",
+                    &[("joint", driver), ("multiplier", &times), ("offset", "0")],
+                );
             }
         }
-    }
-
-    /// A joint that turns so many times as far as another.
-    fn mimic(
-        &self,
-        xml: &mut XmlWriter,
-        names: [&str; 3],
-        at_mm: [f64; 3],
-        (driver, [rear, fore]): (&str, [f64; 2]),
-    ) {
-        let span = span_of_follower(rear, fore, &self.limits);
-        start(xml, "revolute", names, at_mm);
-        turning(xml, Axis::Y, &span, Speeds::STOCK.joint_deg_s);
-        let times = numbers([rear + fore]);
-        element(
-            xml,
-            "mimic",
-            &[("joint", driver), ("multiplier", &times), ("offset", "0")],
-        );
         xml.end_element();
     }
 }
 
-/// Starts a joint: its name, parent and child.
-fn start(xml: &mut XmlWriter, kind: &str, [name, parent, child]: [&str; 3], at_mm: [f64; 3]) {
+/// Starts a joint: its name, parent, child and place.
+fn start(xml: &mut XmlWriter, kind: &str, joint: &TreeJoint) {
     xml.start_element("joint");
-    xml.write_attribute("name", name);
+    xml.write_attribute("name", &joint.name);
     xml.write_attribute("type", kind);
-    element(xml, "parent", &[("link", parent)]);
-    element(xml, "child", &[("link", child)]);
-    element(xml, "origin", &[("xyz", &metres(at_mm))]);
+    element(xml, "parent", &[("link", &joint.parent)]);
+    element(xml, "child", &[("link", &joint.child)]);
+    element(xml, "origin", &[("xyz", &metres(joint.at_mm))]);
 }
 
 fn turning(xml: &mut XmlWriter, axis: Axis, span: &Span<Degrees>, deg_s: f64) {

@@ -1,6 +1,7 @@
 //! Why a recording cannot be exported.
 
 use std::io;
+use std::path::PathBuf;
 
 /// Why a recording cannot be exported.
 #[derive(Debug, thiserror::Error)]
@@ -9,6 +10,15 @@ pub enum ExportError {
     /// A file cannot be written.
     #[error("cannot write it")]
     Io(#[from] io::Error),
+    /// A file cannot be begun.
+    #[error("cannot write {}", file.display())]
+    File {
+        /// Which.
+        file: PathBuf,
+        /// What the system says.
+        #[source]
+        source: io::Error,
+    },
     /// A CSV file cannot be written.
     #[error("cannot write it")]
     Csv(#[from] csv::Error),

@@ -39,7 +39,9 @@ mod cell;
 mod columns;
 mod error;
 mod features;
+mod files;
 mod frames;
+mod in_memory;
 mod lerobot;
 mod parquet_table;
 mod rows;
@@ -47,6 +49,8 @@ mod summary;
 mod table;
 
 pub use error::ExportError;
+pub use files::{TableForm, export_files};
+pub use in_memory::{TableColumn, Tables, Values, read_tables};
 pub use lerobot::{Dataset, export_lerobot};
 pub use rows::{Written, export_tables, holds_packets};
 pub use table::Table;

@@ -7,6 +7,7 @@ use std::time::Duration;
 use dobot_record::{Entry, Moment, Recording, meaning};
 use dobot_wire::{Commands, Decoder, Packet, Status, Statuses};
 
+use crate::cell::Cell;
 use crate::columns::{of_command, of_status};
 use crate::error::ExportError;
 use crate::table::Table;
@@ -33,8 +34,35 @@ pub fn export_tables<S: Write + Send, C: Write + Send>(
     mut statuses: Table<S>,
     mut commands: Table<C>,
 ) -> Result<Written, ExportError> {
-    let mut packets = Packets::new();
     let mut written = Written::default();
+    each_row(recording, stretch, |row| match row {
+        Row::Status(cells) => {
+            written.statuses += 1;
+            statuses.push(cells)
+        }
+        Row::Command(cells) => {
+            written.commands += 1;
+            commands.push(cells)
+        }
+    })?;
+    statuses.finish()?;
+    commands.finish()?;
+    Ok(written)
+}
+
+/// A row of one of both tables.
+pub(crate) enum Row {
+    Status(Vec<Cell>),
+    Command(Vec<Cell>),
+}
+
+/// Goes through the rows of both tables, in the order of their times.
+pub(crate) fn each_row(
+    recording: &mut Recording,
+    stretch: &RangeInclusive<Duration>,
+    mut take: impl FnMut(Row) -> Result<(), ExportError>,
+) -> Result<(), ExportError> {
+    let mut packets = Packets::new();
     while let Some(moment) = recording.next() {
         if moment.at > *stretch.end() {
             break;
@@ -46,18 +74,14 @@ pub fn export_tables<S: Write + Send, C: Write + Send>(
         let start = recording.start().unwrap_or_default();
         let dialect = recording.about().and_then(|it| it.dialect);
         for status in told {
-            statuses.push(of_status(start, moment.at, &status))?;
-            written.statuses += 1;
+            take(Row::Status(of_status(start, moment.at, &status)))?;
         }
         for packet in sent {
             let meaning = meaning(&packet, dialect);
-            commands.push(of_command(start, moment.at, &packet, meaning))?;
-            written.commands += 1;
+            take(Row::Command(of_command(start, moment.at, &packet, meaning)))?;
         }
     }
-    statuses.finish()?;
-    commands.finish()?;
-    Ok(written)
+    Ok(())
 }
 
 /// Whether a stretch of a recording holds a status or a command: else there is nothing to export.

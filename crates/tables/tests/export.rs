@@ -9,7 +9,8 @@ use std::time::Duration;
 use bytes::Bytes;
 use dobot_record::{About, Limits, Record, Recorder, Recording, recordings};
 use dobot_tables::{
-    Dataset, ExportError, Table, Written, export_lerobot, export_tables, holds_packets,
+    Dataset, ExportError, Table, TableForm, Values, Written, export_files, export_lerobot,
+    export_tables, holds_packets, read_tables,
 };
 use dobot_wire::{Dialect, JointJog, JointJogAxis, MoveTo, Status};
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -255,4 +256,61 @@ fn samples() {
     let folder =
         std::env::var_os("DOBOT_RECORD_SAMPLES").expect("DOBOT_RECORD_SAMPLES names a folder");
     recorded(Path::new(&folder), session());
+}
+
+#[test]
+fn columns_in_memory_hold_what_csv_holds() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let stretch = Duration::from_millis(300)..=Duration::from_secs(5);
+    let (_, [statuses, commands, ..]) = tables(&file, &stretch);
+    let read = read_tables(&mut Recording::open(&file).unwrap(), &stretch);
+    for (columns, csv) in [(read.statuses, statuses), (read.commands, commands)] {
+        let rows = rows(&csv);
+        assert!(!rows.is_empty() || columns[0].name == "time");
+        for (at, column) in columns.iter().enumerate() {
+            let texts: Vec<String> = rows.iter().map(|it| it[at].clone()).collect();
+            let read: Vec<String> = match &column.values {
+                Values::Floats(all) => all.iter().map(ToString::to_string).collect(),
+                Values::Doubles(all) => all.iter().map(ToString::to_string).collect(),
+                Values::Truths(all) => all.iter().map(ToString::to_string).collect(),
+                Values::Texts(all) => all
+                    .iter()
+                    .map(|it| it.clone().unwrap_or_default())
+                    .collect(),
+                // 2026-11-21T12:30:00Z
+                Values::Times(all) => {
+                    let begun_ns = 1_795_264_200_000_000_000_i64;
+                    assert!(
+                        all.iter()
+                            .all(|it| (300_000_000..=5_000_000_000).contains(&(it - begun_ns)))
+                    );
+                    continue;
+                }
+            };
+            assert_eq!(read, texts, "{}", column.name);
+        }
+    }
+}
+
+#[test]
+fn files_that_are_there_are_written_over_only_where_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let out = folder.path().join("run.csv");
+    let beside = folder.path().join("run.commands.csv");
+    let export = |overwrites| {
+        let mut recording = Recording::open(&file).unwrap();
+        export_files(&mut recording, &ALL, TableForm::Csv, &out, overwrites)
+    };
+    std::fs::write(&beside, "mine").unwrap();
+    let error = export(false).unwrap_err();
+    assert!(error.to_string().contains("run.commands.csv"), "{error}");
+    assert!(!out.exists(), "half of it is left behind");
+    assert_eq!(std::fs::read_to_string(&beside).unwrap(), "mine");
+    let (written, told) = export(true).unwrap();
+    assert_eq!((written.statuses, told), (43, beside.clone()));
+    assert_eq!(rows(&std::fs::read(&beside).unwrap()).len(), 3);
+    assert!(matches!(export(false), Err(ExportError::File { .. })));
+    assert_eq!(rows(&std::fs::read(&out).unwrap()).len(), 43);
 }

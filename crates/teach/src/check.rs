@@ -1,5 +1,7 @@
 //! The whole program looked at by the motion model, before anything moves.
 
+use std::fmt;
+
 use dobot_api::JobRepeat;
 use dobot_arm::{Joints, Limits, Tool};
 use dobot_safety::{Policy, Violation};
@@ -43,6 +45,22 @@ pub struct Problem {
     pub message: String,
     /// What helps.
     pub remedy: String,
+}
+
+/// `step 3 (line 12, go to tray): what is wrong; what helps`.
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "step {} (", self.step)?;
+        if let Some(file) = &self.file {
+            write!(f, "{file}, ")?;
+        }
+        let (line, label) = (self.line, &self.label);
+        write!(
+            f,
+            "line {line}, {label}): {}; {}",
+            self.message, self.remedy
+        )
+    }
 }
 
 /// Looks at every command of a program under a policy, from what is believed of the arm. The way to the first target

@@ -25,15 +25,14 @@ impl ProgramDocument {
         Program::from_toml(text)?;
         let document: DocumentMut = text
             .parse()
-            .map_err(|error: toml_edit::TomlError| bad(error.to_string()))?;
+            .map_err(|error: toml_edit::TomlError| ProgramError::new(error.to_string()))?;
         if document
             .get("steps")
             .and_then(Item::as_array_of_tables)
             .is_none()
         {
-            return Err(bad(
-                "the steps are in one array; to be edited each has to be written as [[steps]]"
-                    .into(),
+            return Err(ProgramError::new(
+                "the steps are in one array; to be edited each has to be written as [[steps]]",
             ));
         }
         Ok(Self {
@@ -132,7 +131,8 @@ impl ProgramDocument {
     /// [`ProgramError`] if it is in a frame that is not there.
     pub fn set_point(&mut self, name: &str, point: &Point) -> Result<(), ProgramError> {
         let mut new = self.document.clone();
-        let fields = toml_edit::ser::to_document(point).map_err(|error| bad(error.to_string()))?;
+        let fields = toml_edit::ser::to_document(point)
+            .map_err(|error| ProgramError::new(error.to_string()))?;
         let had_points = new.contains_key("points");
         let points = new.entry("points").or_insert_with(|| {
             let mut table = Table::new();
@@ -143,7 +143,7 @@ impl ProgramDocument {
         });
         let points = points
             .as_table_like_mut()
-            .ok_or_else(|| bad("points is no table".into()))?;
+            .ok_or_else(|| ProgramError::new("points is no table"))?;
         let mut inline = fields.as_table().clone().into_inline_table();
         inline.fmt();
         match points.get_mut(name).and_then(Item::as_table_like_mut) {
@@ -192,7 +192,7 @@ impl ProgramDocument {
     ) -> Result<(), ProgramError> {
         let mut new = self.document.clone();
         let steps = new.get_mut("steps").and_then(Item::as_array_of_tables_mut);
-        let steps = steps.ok_or_else(|| bad("there are no [[steps]]".into()))?;
+        let steps = steps.ok_or_else(|| ProgramError::new("there are no [[steps]]"))?;
         edit(steps)?;
         // In the order of the list, wherever they stood in the text.
         steps.iter_mut().for_each(forget_position);
@@ -232,12 +232,12 @@ fn table_of(action: Action) -> Result<Table, ProgramError> {
     let one = One {
         steps: Steps::new(vec![action]),
     };
-    let document = on_lines(&one).map_err(bad)?;
+    let document = on_lines(&one).map_err(ProgramError::new)?;
     let steps = document.get("steps").and_then(Item::as_array_of_tables);
     let mut table = steps
         .and_then(|it| it.get(0))
         .cloned()
-        .ok_or_else(|| bad("a step cannot be written".into()))?;
+        .ok_or_else(|| ProgramError::new("a step cannot be written"))?;
     table.decor_mut().set_prefix("\n");
     Ok(table)
 }
@@ -274,13 +274,7 @@ fn within(at: usize, count: usize) -> Result<(), ProgramError> {
         return Ok(());
     }
     let most = count.saturating_sub(1);
-    Err(bad(format!("the step is {at}; allowed are 0 to {most}")))
-}
-
-const fn bad(reason: String) -> ProgramError {
-    ProgramError {
-        file: None,
-        line: None,
-        reason,
-    }
+    Err(ProgramError::new(format!(
+        "the step is {at}; allowed are 0 to {most}"
+    )))
 }

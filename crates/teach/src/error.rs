@@ -16,6 +16,18 @@ pub struct ProgramError {
     pub reason: String,
 }
 
+impl ProgramError {
+    /// Something that is wrong with the program itself, on no line of its own.
+    #[must_use]
+    pub fn new(reason: impl Into<String>) -> Self {
+        Self {
+            file: None,
+            line: None,
+            reason: reason.into(),
+        }
+    }
+}
+
 struct At<'a>(&'a ProgramError);
 
 impl fmt::Display for At<'_> {

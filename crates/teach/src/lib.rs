@@ -52,6 +52,7 @@ mod lines;
 mod number;
 mod place;
 mod program;
+mod program_form;
 mod read;
 mod recorded_path;
 mod round;
@@ -68,4 +69,5 @@ pub use program::{
     Action, Arc, DEFAULT_TOLERANCE_MM, Drawing, Frame, Go, Grid, Here, MountedTool, Offset,
     Program, Speed, Steps, Times,
 };
+pub use program_form::ProgramForm;
 pub use recorded_path::{RecordedPlace, ToolState, path_steps, simplified};

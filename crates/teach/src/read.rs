@@ -114,11 +114,7 @@ impl Program {
     fn check_steps(&self, steps: &Steps, depth: usize) -> Result<(), ProgramError> {
         if steps.0.is_empty() {
             let reason = "the program has no steps; it needs one at least, as [[steps]]".to_owned();
-            return Err(ProgramError {
-                file: None,
-                line: None,
-                reason,
-            });
+            return Err(ProgramError::new(reason));
         }
         let grids: Vec<&str> = Vec::new();
         self.check_within(steps, &grids, depth)

@@ -1,5 +1,6 @@
 //! A path that was jogged, with as few points as keep it within a tolerance.
 
+use dobot_geometry::distance_from_chord;
 use dobot_wire::{MovingMode, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -96,7 +97,7 @@ fn split(places: &[RecordedPlace], from: usize, to: usize, tolerance: f64) -> Op
         return Some(at);
     }
     let (a, b) = (places.get(from)?.joined(), places.get(to)?.joined());
-    let far = |at: usize| distance(places[at].joined(), a, b);
+    let far = |at: usize| distance_from_chord(places[at].joined(), a, b);
     let farthest = between.next().map(|first| {
         between.fold((first, far(first)), |best, at| {
             let found = far(at);
@@ -104,21 +105,6 @@ fn split(places: &[RecordedPlace], from: usize, to: usize, tolerance: f64) -> Op
         })
     });
     farthest.filter(|it| it.1 > tolerance).map(|it| it.0)
-}
-
-/// How far a point is from the line from `a` to `b`.
-fn distance(point: [f64; 4], a: [f64; 4], b: [f64; 4]) -> f64 {
-    let less = |p: [f64; 4], q: [f64; 4]| std::array::from_fn(|i| p[i] - q[i]);
-    let dot = |p: [f64; 4], q: [f64; 4]| p.iter().zip(q).map(|(p, q)| p * q).sum::<f64>();
-    let (way, off): ([f64; 4], [f64; 4]) = (less(b, a), less(point, a));
-    let length2 = dot(way, way);
-    let share = if length2 > 0.0 {
-        (dot(off, way) / length2).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    let rest: [f64; 4] = std::array::from_fn(|i| off[i] - way[i] * share);
-    dot(rest, rest).sqrt()
 }
 
 /// What the tool does at some place of a program.
@@ -262,7 +248,7 @@ mod tests {
             prop_assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));
             for it in &path {
                 let near = kept.windows(2).any(|ends| {
-                    distance(it.joined(), ends[0].joined(), ends[1].joined()) <= tolerance + 1e-9
+                    distance_from_chord(it.joined(), ends[0].joined(), ends[1].joined()) <= tolerance + 1e-9
                 });
                 prop_assert!(near || kept.contains(it));
             }

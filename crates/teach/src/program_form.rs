@@ -1,0 +1,164 @@
+//! The forms that programs have in files: taught ones, and those of the vendor's programs.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::vendor::{self, Read};
+use crate::{Program, ProgramError};
+
+/// A form of programs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum ProgramForm {
+    /// The text of a program.
+    #[default]
+    Toml,
+    /// `PlayBackPoints.xml`.
+    Xml,
+    /// `.play`.
+    Play,
+}
+
+impl ProgramForm {
+    /// The form of a file, by the end of its name; letters may be large or small.
+    ///
+    /// ```
+    /// use dobot_teach::ProgramForm;
+    ///
+    /// assert_eq!(ProgramForm::of_name("PlayBackPoints.XML"), Some(ProgramForm::Xml));
+    /// assert_eq!(ProgramForm::of_name("cubes"), None);
+    /// ```
+    #[must_use]
+    pub fn of_name(name: &str) -> Option<Self> {
+        let (_, end) = name.rsplit_once('.')?;
+        match end.to_ascii_lowercase().as_str() {
+            "toml" => Some(Self::Toml),
+            "xml" => Some(Self::Xml),
+            "play" => Some(Self::Play),
+            _ => None,
+        }
+    }
+
+    /// Reads a program of this form, and says what was surprising in it.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`]: where it is no such program.
+    pub fn read(self, bytes: &[u8]) -> Result<Read<Program>, ProgramError> {
+        let points = match self {
+            Self::Toml => {
+                let it = Program::from_toml(text_of(bytes)?)?;
+                return Ok(Read {
+                    it,
+                    warnings: Vec::new(),
+                });
+            }
+            Self::Xml => vendor::read_points(bytes),
+            Self::Play => vendor::read_play(bytes),
+        }?;
+        Ok(Read {
+            it: vendor::program_of(&points.it),
+            warnings: points.warnings,
+        })
+    }
+
+    /// The text of a program in this form, and what that cannot carry.
+    ///
+    /// # Errors
+    ///
+    /// [`ProgramError`] where nothing would be left of it.
+    pub fn write(self, program: &Program) -> Result<Read<String>, ProgramError> {
+        let write = match self {
+            Self::Toml => {
+                return Ok(Read {
+                    it: program.to_toml(),
+                    warnings: Vec::new(),
+                });
+            }
+            Self::Xml => vendor::write_points,
+            Self::Play => vendor::write_play,
+        };
+        let (points, warnings) = vendor::points_of(program);
+        if points.is_empty() {
+            return Err(ProgramError::new(
+                "the program has no point that this form can carry: it knows joint angles alone",
+            ));
+        }
+        Ok(Read {
+            it: write(&points),
+            warnings,
+        })
+    }
+}
+
+fn text_of(bytes: &[u8]) -> Result<&str, ProgramError> {
+    std::str::from_utf8(bytes)
+        .map_err(|_| ProgramError::new("it is not text in UTF-8, so it is no program"))
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    const FORMS: [ProgramForm; 3] = [ProgramForm::Toml, ProgramForm::Xml, ProgramForm::Play];
+
+    const JOINTS: &str = "[[steps]]\ngo = { base = 10, rear = 40, fore = 40 }\nsuction = true\n\
+                          [[steps]]\ngo = { base = -10, rear = 40, fore = 40 }\npath = \"movj\"\n";
+
+    #[test]
+    fn a_program_of_joint_angles_comes_back_from_every_form() {
+        let program = Program::from_toml(JOINTS).unwrap();
+        for form in FORMS {
+            let written = form.write(&program).unwrap();
+            assert!(written.warnings.is_empty(), "{form:?}");
+            let read = form.read(written.it.as_bytes()).unwrap();
+            let ways = |it: &Program| -> Vec<_> {
+                let steps = it.steps.0.iter().map(|it| it.get_ref().clone());
+                steps
+                    .map(|it| match it {
+                        crate::Action::Go(go) => (go.to, go.path, go.then.suction.unwrap_or(true)),
+                        other => panic!("{other:?}"),
+                    })
+                    .collect()
+            };
+            assert_eq!(ways(&read.it), ways(&program), "{form:?}");
+        }
+    }
+
+    #[test]
+    fn what_a_form_cannot_carry_is_told() {
+        let mixed = format!("{JOINTS}[[steps]]\ngo = {{ x = 200, y = 0, z = 0 }}\n");
+        let mixed = Program::from_toml(&mixed).unwrap();
+        let places = Program::from_toml("[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n").unwrap();
+        for form in [ProgramForm::Xml, ProgramForm::Play] {
+            let [warning] = <[String; 1]>::try_from(form.write(&mixed).unwrap().warnings).unwrap();
+            assert!(warning.starts_with("line 7: "), "{warning}");
+            let error = form.write(&places).unwrap_err().to_string();
+            assert!(error.contains("joint angles alone"), "{error}");
+        }
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_are_no_program() {
+        let error = ProgramForm::Toml.read(b"title = \"\xff\"").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "it is not text in UTF-8, so it is no program"
+        );
+    }
+
+    #[test]
+    fn names_tell_the_form_by_their_end_alone() {
+        for (name, form) in [
+            ("PlayBackPoints.xml", Some(ProgramForm::Xml)),
+            ("a.toml.PLAY", Some(ProgramForm::Play)),
+            ("x/y.d/cubes.Toml", Some(ProgramForm::Toml)),
+            ("x.toml/cubes", None),
+            ("PlayBackParams.json", None),
+            ("toml", None),
+        ] {
+            assert_eq!(ProgramForm::of_name(name), form, "{name}");
+        }
+    }
+}
