@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::{ArmView, LinkPhase, RemoteError, Reply, Request, State};
+use dobot_api::{ArmView, RemoteError, Reply, Request, State};
 use dobot_rules::{PlannedFor, Rules, StationClient};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Status};
@@ -177,22 +177,6 @@ pub(crate) async fn rest(station: &mut StationClient) -> Result<Status, Failure>
 pub(crate) async fn rest_soon(station: &mut StationClient) -> Result<(), Failure> {
     let until = station.now() + PATIENCE;
     while arm(station).await?.0.moving && station.now() < until {}
-    Ok(())
-}
-
-/// Waits until nothing is under way any more, or no arm is there to do anything: three states in a
-/// row say so, for between two commands it looks like that, too.
-pub(crate) async fn idle(station: &mut StationClient) -> Result<(), Failure> {
-    let mut idle = 0;
-    while idle < 3 {
-        let state = first_state(station).await?;
-        if state.link.phase != LinkPhase::Up {
-            return Ok(());
-        }
-        let moving = state.arm.as_ref().is_some_and(|it| it.moving);
-        let busy = moving || state.queue.waiting + state.queue.under_way > 0;
-        idle = if busy { 0 } else { idle + 1 };
-    }
     Ok(())
 }
 

@@ -25,6 +25,12 @@ impl Failure {
         }
     }
 
+    /// The same failure; where nothing else helps, this may.
+    pub(crate) fn or_hint(mut self, hint: impl FnOnce() -> Option<String>) -> Self {
+        self.hint = self.hint().or_else(hint);
+        self
+    }
+
     /// What went wrong, in one line.
     pub(crate) fn detail(&self) -> String {
         format!("{:#}", self.error)

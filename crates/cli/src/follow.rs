@@ -8,7 +8,7 @@ use dobot_api::{JobPhase, JobView, ProgramView, RemoteError, Request, State, Sta
 use dobot_rules::{JobWatch, StationClient};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::control::{self, take_control};
+use crate::control::take_control;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
@@ -34,7 +34,7 @@ pub(crate) async fn start(
         let ended = follow(station, job, &mut see).await?;
         if matches!(ended, End::Paused(_) | End::Interrupted) {
             // What the arm has got already it does, and it lifts the tool.
-            control::idle(station).await?;
+            station.idle().await?;
         }
         match ended {
             End::Done => return took(station, job).await,
@@ -50,7 +50,7 @@ pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Fa
     take_control(station).await?;
     station.request_at_rest(Request::StepJob { job }).await?;
     let ended = follow(station, job, |_| {}).await?;
-    control::idle(station).await?;
+    station.idle().await?;
     match ended {
         End::Over(text) => Err(anyhow!(text).into()),
         End::Done | End::Paused(_) | End::Interrupted => Ok(()),

@@ -12,10 +12,12 @@ mod program_file;
 mod reach;
 mod verbs;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::logging::LogFormat;
 use crate::verbs::Verb;
 
 /// Everything that a person needs to use the original Dobot Arm (V1.0, 2016), with or without it.
@@ -28,7 +30,12 @@ struct Cli {
 
 /// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
 fn main() -> ExitCode {
-    let verb = Cli::parse().verb.unwrap_or_else(default_verb);
+    let words: Vec<OsString> = std::env::args_os().collect();
+    let verb = match verbs::with_defaults(&words) {
+        Some(Ok(verb)) => verb,
+        Some(Err(failure)) => return failure.report(LogFormat::Text),
+        None => Cli::parse_from(words).verb.unwrap_or_else(default_verb),
+    };
     let log = verb.log_format();
     log.start();
     match verb.run() {

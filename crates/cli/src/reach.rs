@@ -3,9 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::anyhow;
-use dobot_api::{
-    CertificateTrust, Folders, SearchError, StationAddress, StationSearch, fingerprint,
-};
+use dobot_api::{Folders, SearchError, StationAddress, StationOptions};
 use dobot_rules::StationClient;
 
 use crate::failure::Failure;
@@ -13,38 +11,19 @@ use crate::failure::Failure;
 /// Which station.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(crate) struct Station {
-    /// The station's address, as in <http://127.0.0.1:8642>
-    ///
-    /// Without it, the environment variable `DOBOT_STATION` is used, and then the station that
-    /// runs on this machine: the one of this person's data folder, or what answers at port 8642.
-    #[arg(id = "station", long = "station", value_name = "URL", global = true)]
-    address: Option<String>,
-    /// What allows more than watching; better given in the environment variable `DOBOT_TOKEN`
-    #[arg(long, value_name = "TOKEN", global = true, hide_short_help = true)]
-    token: Option<String>,
-    /// The SHA-256 digest of the station's certificate, which the station prints when it starts
-    #[arg(long, value_name = "DIGEST", global = true, hide_short_help = true, value_parser = fingerprint)]
-    fingerprint: Option<[u8; 32]>,
-    /// A PEM file with the certificate that the station's own one was issued by
-    #[arg(
-        long,
-        value_name = "FILE",
-        global = true,
-        hide_short_help = true,
-        conflicts_with = "fingerprint"
-    )]
-    ca: Option<PathBuf>,
+    #[command(flatten)]
+    options: StationOptions,
 }
 
 impl Station {
     /// Whether a person said which station it is to be.
     pub(crate) fn is_named(&self) -> bool {
-        self.search().name().is_some()
+        self.options.search().name().is_some()
     }
 
     /// Where the station is; `None` where none is named and none says that it runs.
     pub(crate) async fn address(&self) -> Result<Option<StationAddress>, Failure> {
-        self.search().find().await.map_err(no_search)
+        self.options.search().find().await.map_err(no_search)
     }
 
     /// Where the station is.
@@ -61,15 +40,6 @@ impl Station {
     pub(crate) async fn client(&self, verb: &str) -> Result<StationClient, Failure> {
         let address = self.address_of_running().await?;
         Ok(StationClient::connect(&address, &client_name(verb)).await?)
-    }
-
-    fn search(&self) -> StationSearch {
-        let fingerprint = self.fingerprint.map(CertificateTrust::Fingerprint);
-        StationSearch {
-            address: self.address.clone(),
-            token: self.token.clone(),
-            trust: fingerprint.or_else(|| self.ca.clone().map(CertificateTrust::Authority)),
-        }
     }
 }
 

@@ -10,6 +10,7 @@ mod convert;
 mod decode;
 mod detect;
 mod draw;
+mod fleet;
 #[cfg(unix)]
 mod guardian;
 mod hand;
@@ -43,6 +44,7 @@ mod world;
 
 use clap::Subcommand;
 
+pub(crate) use self::draw::read as with_defaults;
 use crate::failure::Failure;
 use crate::logging::LogFormat;
 
@@ -78,6 +80,7 @@ pub(crate) enum Verb {
     Watch(watch::Args),
     Jobs(jobs::Args),
     Play(Box<play::Args>),
+    Fleet(fleet::Args),
     Mcp(mcp::Args),
     Lease(lease::Args),
     Confirm(confirm::Args),
@@ -133,6 +136,7 @@ impl Verb {
             Self::Watch(args) => wait_for(watch::run(args)),
             Self::Jobs(args) => wait_for(jobs::run(args)),
             Self::Play(args) => wait_for(play::run(*args)),
+            Self::Fleet(args) => wait_for(fleet::run(args)),
             Self::Mcp(args) => wait_for(mcp::run(args)),
             Self::Lease(args) => wait_for(lease::run(args)),
             Self::Confirm(args) => wait_for(confirm::run(args)),

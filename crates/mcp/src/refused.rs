@@ -56,7 +56,7 @@ impl Refused {
 
 impl From<Problem> for Refused {
     fn from(problem: Problem) -> Self {
-        let kind = problem.kind.rsplit('/').next().unwrap_or_default();
+        let kind = problem.name();
         Self {
             kind: kind.to_owned(),
             detail: problem.detail,

@@ -75,7 +75,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn lines(compiled: &Compiled, report: &Report) -> Vec<String> {
-    let mut lines: Vec<String> = program_file::problems(report);
+    let mut lines: Vec<String> = report.problems.iter().map(ToString::to_string).collect();
     lines.push(format!(
         "{}: {} steps, {} commands, {} waits for a person",
         compiled.title,

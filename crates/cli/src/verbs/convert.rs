@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
-use dobot_teach::vendor::{self, PlaybackParams};
+use dobot_teach::vendor::PlaybackParams;
 use dobot_teach::{Action, Program};
 
 use crate::failure::Failure;
@@ -33,34 +33,19 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let to = Kind::of(&args.to)?;
     let program = match Kind::of(&args.from)? {
         Kind::Params => speeds(&args.from)?,
-        _ => program_file::read(&args.from)?,
+        Kind::Program(form) => program_file::read(&args.from, form)?,
     };
-    let (text, lost) = written(&program, to)?;
+    let (text, lost) = match to {
+        Kind::Params => params(&program)?,
+        Kind::Program(form) => {
+            let written = form.write(&program)?;
+            (written.it, written.warnings)
+        }
+    };
     for reason in lost {
         eprintln!("warning: {}: {reason}", args.from.display());
     }
     output::file(&args.to, text.as_bytes(), args.force)
-}
-
-/// The program in another form, and what that cannot carry.
-fn written(program: &Program, to: Kind) -> Result<(String, Vec<String>), Failure> {
-    let (points, lost) = match to {
-        Kind::Program => return Ok((program.to_toml(), Vec::new())),
-        Kind::Params => return params(program),
-        Kind::Points | Kind::Play => vendor::points_of(program),
-    };
-    if points.is_empty() {
-        return Err(anyhow!(
-            "the program has no point that this form can carry: it knows joint angles alone"
-        )
-        .into());
-    }
-    let text = if to == Kind::Play {
-        vendor::write_play(&points)
-    } else {
-        vendor::write_points(&points)
-    };
-    Ok((text, lost))
 }
 
 /// A program with one step, which sets the speeds of `PlayBackParams.json`.

@@ -1,6 +1,7 @@
 //! `dobot draw`: from a drawing, a picture or a text to ink on the paper.
 
 mod args;
+mod defaults;
 mod estimates;
 mod execute;
 mod input;
@@ -24,6 +25,8 @@ use dobot_wire::{Dialect, Status};
 
 pub(crate) use self::args::Args;
 use self::args::export_format;
+use self::defaults::Defaults;
+pub(crate) use self::defaults::read;
 use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
 use self::input::asked;
 pub(crate) use self::input::materials;
@@ -35,12 +38,19 @@ use crate::failure::Failure;
 use crate::output;
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    let defaults = args.from_file.clone();
+    let done = draw(args).await;
+    let hint = || defaults?.hint();
+    done.map_err(|failure| failure.or_hint(hint))
+}
+
+async fn draw(args: Args) -> Result<(), Failure> {
     let results = &args.result;
     let files = [&results.picture, &results.timeline, &results.export];
     for file in files.into_iter().flatten() {
         check_writable(file)?;
     }
-    let mut asked = asked(&args)?;
+    let (args, mut asked) = asked(args)?;
     // What is wrong with it is told before any arm is touched.
     let mut drawing = Drawing::new(&args, &asked, args.to.dialect, WITHOUT_ARM_Z_MM)?;
     for warning in &drawing.prepared.warnings {
@@ -220,7 +230,8 @@ impl<'a> Drawing<'a> {
         let results = &self.args.result;
         let estimate = carried.map(|it| &it.estimate);
         let sheet = self.settings.placement.sheet.as_ref();
-        let report = Report::new(&self.prepared, sheet, estimate, drawn, times);
+        let defaults = self.args.from_file.as_ref().map(Defaults::line);
+        let report = Report::new(&self.prepared, sheet, estimate, drawn, times, defaults);
         if let Some(file) = &results.export {
             let format = export_format(file).map_err(|error| anyhow!(error))?;
             let sheet = self.settings.placement.sheet.as_ref();

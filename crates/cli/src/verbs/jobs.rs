@@ -312,7 +312,8 @@ fn adjusted(job: &JobView) -> String {
     format!(" ({})", parts.join(", "))
 }
 
-fn read(file: &Path) -> Result<NewJob, Failure> {
+/// The job in a file, or on the standard input.
+pub(super) fn read(file: &Path) -> Result<NewJob, Failure> {
     let text = if file == Path::new("-") {
         let mut text = String::new();
         let read = std::io::stdin().read_to_string(&mut text);

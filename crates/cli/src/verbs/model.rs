@@ -2,10 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::anyhow;
 use clap::ValueEnum;
-use dobot_arm::Millimeters;
-use dobot_model::{Model, MountedTool, ToolKind};
+use dobot_model::{Model, ToolOptions, ToolOptionsError};
 use dobot_safety::Policy;
 
 use crate::failure::Failure;
@@ -25,12 +23,8 @@ pub(crate) struct Args {
     /// The format
     #[arg(long, value_enum, default_value_t = Format::Urdf)]
     format: Format,
-    /// What is mounted
-    #[arg(long, value_enum, default_value_t = Mounted::Cup)]
-    tool: Mounted,
-    /// How far the tip of the tool hangs below the wrist, in mm: 20 to 200; else as in the default policy
-    #[arg(long, value_name = "MM")]
-    length: Option<f64>,
+    #[command(flatten)]
+    tool: ToolOptions,
     /// Write to this file, or to `dobot_arm` with the ending of the format in this folder
     #[arg(short, long, value_name = "FILE|FOLDER")]
     out: Option<PathBuf>,
@@ -46,17 +40,10 @@ enum Format {
     Json,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Mounted {
-    None,
-    Cup,
-    Gripper,
-    Pen,
-    Laser,
-}
-
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let model = Model::new(args.mounted()?);
+    let lengths = Policy::default().tool_length;
+    let mounted = args.tool.mounted(|tool| lengths.of(tool));
+    let model = Model::new(mounted.map_err(no_such_tool)?);
     let text = match args.format {
         Format::Urdf => model.to_urdf(),
         Format::Mjcf => model.to_mjcf(),
@@ -65,23 +52,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     match &args.out {
         None => Ok(output::bytes(text.as_bytes())?),
         Some(out) => output::file(&args.format.file(out), text.as_bytes(), args.force),
-    }
-}
-
-impl Args {
-    fn mounted(&self) -> Result<Option<MountedTool>, Failure> {
-        let Some(kind) = self.tool.kind() else {
-            return match self.length {
-                None => Ok(None),
-                Some(_) => Err(Failure::new(
-                    anyhow!("--length is given without a tool; only a tool has a length"),
-                    "`--tool pen` mounts one",
-                )),
-            };
-        };
-        let lengths = Policy::default().tool_length;
-        let length = self.length.unwrap_or_else(|| lengths.of(kind.tool()));
-        Ok(Some(MountedTool::new(kind, Millimeters(length))?))
     }
 }
 
@@ -99,14 +69,9 @@ impl Format {
     }
 }
 
-impl Mounted {
-    const fn kind(self) -> Option<ToolKind> {
-        match self {
-            Self::None => None,
-            Self::Cup => Some(ToolKind::SuctionCup),
-            Self::Gripper => Some(ToolKind::Gripper),
-            Self::Pen => Some(ToolKind::Pen),
-            Self::Laser => Some(ToolKind::Laser),
-        }
+fn no_such_tool(error: ToolOptionsError) -> Failure {
+    match error.hint() {
+        Some(hint) => Failure::new(error, hint),
+        None => error.into(),
     }
 }

@@ -127,7 +127,7 @@ impl Planned {
         };
         let policy = &arm.rules.policy;
         let report = check(&compiled, policy, arm.model());
-        let problems = program_file::problems(&report);
+        let problems: Vec<String> = report.problems.iter().map(ToString::to_string).collect();
         if !problems.is_empty() {
             let (file, count) = (args.program.display(), problems.len());
             return Err(anyhow!("{file} has {count} problems:\n{}", problems.join("\n")).into());

@@ -1,10 +1,11 @@
 //! `dobot token`: who may do what over the network.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use anyhow::anyhow;
 use clap::Subcommand;
 use dobot_api::Role;
-use dobot_station::Tokens;
+use dobot_station::{Token, Tokens};
 
 use crate::failure::Failure;
 use crate::output;
@@ -17,6 +18,7 @@ Examples:
   dobot token add control plotter      a token for a client that moves the arm
   dobot token add queue agent          ... for one that queues drawings and programs, which a person starts
   dobot token add watch hall-screen    ... and for one that only watches (it may stop the arm, as anybody may)
+  dobot token add control teacher --same-as teacher.txt      the one that another station has made
   dobot token list
   dobot token remove plotter
 
@@ -38,6 +40,9 @@ enum Action {
         role: Role,
         /// Who it is for
         name: String,
+        /// The token that another station has made, in a file, or on standard input with -
+        #[arg(long, value_name = "FILE")]
+        same_as: Option<PathBuf>,
     },
     /// List the tokens, without showing them
     List,
@@ -48,13 +53,33 @@ enum Action {
     },
 }
 
+/// The token in a file.
+fn known(file: &Path) -> Result<Token, Failure> {
+    let text = if file == Path::new("-") {
+        std::io::read_to_string(std::io::stdin())
+    } else {
+        std::fs::read_to_string(file)
+    };
+    let text = text.map_err(|error| anyhow!("{}: {error}", file.display()))?;
+    Ok(Token::of_secret(text.trim())?)
+}
+
 pub(crate) fn run(args: Args) -> Result<(), Failure> {
     let mut tokens = Tokens::open(&folders(args.data)?.tokens())?;
     match args.action {
-        Action::Add { role, name } => {
+        Action::Add {
+            role,
+            name,
+            same_as: None,
+        } => {
             let token = tokens.add(role, &name)?;
             output::line(token.secret())?;
         }
+        Action::Add {
+            role,
+            name,
+            same_as: Some(file),
+        } => tokens.accept(role, &name, &known(&file)?)?,
         Action::List => {
             for (name, role) in tokens.list() {
                 output::line(&format!("{role:8} {name}"))?;

@@ -1,6 +1,7 @@
 //! `dobot up`: the station.
 
 mod browser;
+mod fleet;
 mod welcome;
 
 use std::io::{ErrorKind, IsTerminal};
@@ -24,6 +25,7 @@ use tokio::sync::broadcast::Receiver;
 use tokio::sync::broadcast::error::RecvError;
 
 use self::browser::Surroundings;
+use self::fleet::JoinArgs;
 use self::welcome::Welcome;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
@@ -44,6 +46,7 @@ Examples:
   dobot up --virtual --personality firmware-1.1
   dobot up --http 0.0.0.0:8642                for the whole network: with TLS, and tokens of `dobot token`
   dobot up --pty /tmp/dobot                   a virtual serial port, too, for old programs
+  dobot up --fleet --name desk-3              one of several stations of this machine (docs/fleet.md)
 
 The other verbs go through the station as long as it runs. Ctrl-C ends it: the laser goes off, and the arm comes
 to rest. A job that was not over can be gone on with after the next start.")]
@@ -95,6 +98,8 @@ pub(crate) struct Args {
     /// A name by which others reach this machine, as in lab-pc.local; may be given several times
     #[arg(long = "name", value_name = "NAME")]
     names: Vec<String>,
+    #[command(flatten)]
+    fleet: JoinArgs,
     /// Ask for a token on this machine, too
     #[arg(long)]
     token_required: bool,
@@ -120,7 +125,16 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         () = &mut interrupt => return Ok(()),
     };
     let notices = station.handle().notices();
-    let welcome = welcome(&station, args.personality, data);
+    let folders = folders(args.data.clone())?;
+    let fleet = match args.fleet.join(&args.names, &folders, &station).await {
+        Ok(fleet) => fleet,
+        Err(failure) => {
+            station.end().await?;
+            return Err(failure);
+        }
+    };
+    let mut welcome = welcome(&station, args.personality, data);
+    welcome.fleet = fleet.told();
     match log {
         LogFormat::Text => output::line(&welcome.text(std::io::stdout().is_terminal()))?,
         LogFormat::Json => welcome.log(),
@@ -136,8 +150,14 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     service_manager.tell(Notification::Stopping);
     log.tell("ending: the laser goes off, and the arm comes to rest");
+    // The others still see how it comes to rest.
+    let ended = async {
+        let ended = station.end().await;
+        fleet.leave().await;
+        ended
+    };
     tokio::select! {
-        ended = station.end() => Ok(ended?),
+        ended = ended => Ok(ended?),
         () = crate::interrupt::interrupt() => Ok(()),
     }
 }
@@ -234,6 +254,7 @@ fn welcome(station: &Station, personality: Personality, data: String) -> Welcome
         raw: station.raw().map(|it| format!("tcp:{it}")),
         foxglove: station.foxglove().map(|it| format!("ws://{it}")),
         pty: station.pty().map(|it| format!("serial:{}", it.display())),
+        fleet: None,
         data,
         notes: station.notes().to_vec(),
     }

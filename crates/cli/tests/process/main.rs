@@ -6,6 +6,7 @@ mod arguments;
 mod calibrating;
 mod conformance;
 mod decoding;
+mod defaults;
 mod drawing;
 mod going;
 #[cfg(unix)]

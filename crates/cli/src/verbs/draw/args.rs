@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use dobot_draw::{ExportFormat, Options};
 
+use super::defaults::{self, Defaults};
 use crate::connect::To;
 use crate::verbs::jog::laser_seconds;
 
@@ -71,8 +72,27 @@ pub(crate) struct Args {
     /// Move nothing: a virtual arm tells what it would be
     #[arg(long, help_heading = "How it is drawn")]
     pub(crate) dry_run: bool,
+    /// A TOML file with options for every drawing, as in pen = "marker"; what the command line gives wins (default:
+    /// draw.toml in the data folder, if there is one)
+    #[arg(long, value_name = "FILE", help_heading = "How it is drawn")]
+    pub(crate) defaults: Option<PathBuf>,
+    /// Leave that file out, or these options of it: several with commas between them
+    #[arg(
+        long,
+        value_name = "OPTION",
+        help_heading = "How it is drawn",
+        value_parser = default_option,
+        num_args = 0..,
+        require_equals = true,
+        value_delimiter = ',',
+        default_missing_value = ALL_DEFAULTS
+    )]
+    pub(crate) no_defaults: Option<Vec<String>>,
     #[command(flatten)]
     pub(crate) result: Results,
+    /// The file of defaults that these options come from, beside the command line.
+    #[arg(skip)]
+    pub(crate) from_file: Option<Defaults>,
 }
 
 /// What comes out.
@@ -99,6 +119,15 @@ pub(crate) struct Results {
     pub(crate) json: bool,
 }
 
+/// An option that a file of defaults may have, or all of them.
+fn default_option(text: &str) -> Result<String, String> {
+    let is_it = |it: &clap::Arg| it.get_long() == Some(text);
+    if text == ALL_DEFAULTS || defaults::known().iter().any(is_it) {
+        return Ok(text.to_owned());
+    }
+    Err("allowed are options that a file of defaults may have, without their dashes".to_owned())
+}
+
 fn export_file(text: &str) -> Result<PathBuf, String> {
     let file = PathBuf::from(text);
     export_format(&file)?;
@@ -122,6 +151,9 @@ fn picture_file(text: &str) -> Result<PathBuf, String> {
         _ => Err("allowed are names that end in .svg or .png".into()),
     }
 }
+
+/// What leaves all defaults out.
+pub(super) const ALL_DEFAULTS: &str = "all";
 
 #[cfg(test)]
 mod tests {

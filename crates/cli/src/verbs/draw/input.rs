@@ -10,16 +10,20 @@ use dobot_draw::{DrawingRequest, Materials, Options, Subject};
 use dobot_source::SourceError;
 
 use super::args::Args;
+use super::defaults::{fitted, told};
 use crate::failure::Failure;
 use crate::verbs::calibrate;
 
-/// What the arguments ask for.
-pub(super) fn asked(args: &Args) -> Result<DrawingRequest, Failure> {
+/// What the arguments ask for, and those of them that do something for what is drawn.
+pub(super) fn asked(args: Args) -> Result<(Args, DrawingRequest), Failure> {
+    let subject = subject(&args)?;
+    let args = fitted(args, &subject)?;
     let materials = materials(args.materials.as_deref())?;
-    let subject = subject(args)?;
     let calibration = args.calibration.as_deref().map(calibrate::read);
-    let asked = DrawingRequest::new(dated(&args.options), subject, &materials)?;
-    Ok(asked.calibrated(calibration.transpose()?))
+    let asked = DrawingRequest::new(dated(&args.options), subject, &materials);
+    let asked = asked.map_err(|error| told(&args, error))?;
+    let asked = asked.calibrated(calibration.transpose()?);
+    Ok((args, asked))
 }
 
 /// The files, and the text or the test card.

@@ -8,6 +8,7 @@ use dobot_plan::Pass;
 use dobot_source::Warning;
 use serde::Serialize;
 
+use super::defaults::DefaultsLine;
 use super::{Drawn, MeasuredFrom};
 use crate::output::{self, clock};
 
@@ -46,6 +47,8 @@ pub(super) struct Report {
     /// How near and how far from its axis the arm reaches the paper; absent where it was not asked.
     reach_mm: Option<[f64; 2]>,
     layers: Vec<LayerLine>,
+    /// The options that a file of defaults gave; absent where there is no such file.
+    defaults: Option<DefaultsLine>,
 }
 
 /// A warning.
@@ -106,6 +109,7 @@ impl Report {
         estimate: Option<&Estimate>,
         drawn: Option<&Drawn>,
         times: Times,
+        defaults: Option<DefaultsLine>,
     ) -> Self {
         let summary = prepared.plan.summary();
         let measured = drawn.filter(|it| it.is_measured());
@@ -137,6 +141,7 @@ impl Report {
             reach_mm: prepared.reach_mm,
             layers: prepared.passes.iter().map(LayerLine::of).collect(),
             passes,
+            defaults,
         }
     }
 
@@ -162,7 +167,7 @@ impl Report {
                 output::line(&pass_line(pass))?;
             }
         }
-        Ok(())
+        self.defaults.iter().try_for_each(print_defaults)
     }
 
     fn deviation(&self) -> String {
@@ -239,6 +244,21 @@ fn percent(factor: f64) -> String {
     let is_short = |&decimals: &i32| percent * 10_f64.powi(decimals) < 99.95;
     let decimals = (0..9).take_while(is_short).count();
     format!("{percent:.decimals$}")
+}
+
+fn print_defaults(defaults: &DefaultsLine) -> std::io::Result<()> {
+    let used = match &defaults.used[..] {
+        [] => "none".to_owned(),
+        used => used.join(", "),
+    };
+    output::line(&format!("defaults           {used} (of {})", defaults.file))?;
+    for unused in &defaults.unused {
+        output::line(&format!(
+            "  not used         {}: {}",
+            unused.option, unused.why
+        ))?;
+    }
+    Ok(())
 }
 
 fn pass_line(pass: &PassFigures) -> String {

@@ -1,16 +1,15 @@
 //! `dobot log FILE --export`: a recording as tables.
 
 use std::ffi::OsStr;
-use std::fs::File;
-use std::io::BufWriter;
+use std::io::ErrorKind;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 use clap::ValueEnum;
 use dobot_record::Recording;
-use dobot_tables::{ExportError, Table, export_lerobot, export_tables, holds_packets};
+use dobot_tables::{ExportError, TableForm, export_files, export_lerobot, holds_packets};
 
 use super::open;
 use crate::failure::Failure;
@@ -77,7 +76,8 @@ impl Export {
         }
         let mut recording = open(file)?;
         let told = match form {
-            Form::Csv | Form::Parquet => self.tables(form, &mut recording, stretch, &out),
+            Form::Csv => self.tables(TableForm::Csv, &mut recording, stretch, &out),
+            Form::Parquet => self.tables(TableForm::Parquet, &mut recording, stretch, &out),
             Form::Lerobot => self.dataset(&mut recording, stretch, &out),
         }?;
         if let Some(damage) = recording.damage() {
@@ -102,34 +102,13 @@ impl Export {
 
     fn tables(
         &self,
-        form: Form,
+        form: TableForm,
         recording: &mut Recording,
         stretch: &RangeInclusive<Duration>,
         out: &Path,
     ) -> Result<String, Failure> {
-        let beside = out.with_extension(format!("commands.{}", form.ending()));
-        let file = |path: &Path| -> Result<BufWriter<File>, Failure> {
-            Ok(BufWriter::new(output::new_file(path, self.force)?))
-        };
-        let statuses = file(out)?;
-        let commands = file(&beside).inspect_err(|_| {
-            if !self.force {
-                // It is ours, and empty; why the other one cannot be begun is what a person wants to know.
-                let _ = std::fs::remove_file(out);
-            }
-        })?;
-        let (statuses, commands) = match form {
-            Form::Parquet => (
-                Table::statuses_parquet(statuses)?,
-                Table::commands_parquet(commands)?,
-            ),
-            Form::Csv | Form::Lerobot => (
-                Table::statuses_csv(statuses)?,
-                Table::commands_csv(commands)?,
-            ),
-        };
-        let written = export_tables(recording, stretch, statuses, commands)
-            .with_context(|| out.display().to_string())?;
+        let (written, beside) = export_files(recording, stretch, form, out, self.force)
+            .map_err(|error| no_tables(out, error))?;
         Ok(format!(
             "{}: {} statuses\n{}: {} commands",
             out.display(),
@@ -164,9 +143,20 @@ fn is_same(one: &Path, other: &Path) -> bool {
     one.is_some() && one == other
 }
 
+fn no_tables(out: &Path, error: ExportError) -> Failure {
+    match &error {
+        ExportError::File { source, .. } if source.kind() == ErrorKind::AlreadyExists => {
+            Failure::new(error, "`--force` writes over it")
+        }
+        ExportError::File { .. } => error.into(),
+        _ => anyhow::Error::from(error)
+            .context(out.display().to_string())
+            .into(),
+    }
+}
+
 fn no_dataset(out: &Path, error: ExportError) -> Failure {
-    let exists =
-        matches!(&error, ExportError::Io(it) if it.kind() == std::io::ErrorKind::AlreadyExists);
+    let exists = matches!(&error, ExportError::Io(it) if it.kind() == ErrorKind::AlreadyExists);
     let error = anyhow::Error::from(error).context(out.display().to_string());
     if exists {
         Failure::new(
@@ -181,8 +171,8 @@ fn no_dataset(out: &Path, error: ExportError) -> Failure {
 impl Form {
     const fn ending(self) -> &'static str {
         match self {
-            Self::Csv => "csv",
-            Self::Parquet => "parquet",
+            Self::Csv => TableForm::Csv.ending(),
+            Self::Parquet => TableForm::Parquet.ending(),
             Self::Lerobot => "lerobot",
         }
     }

@@ -16,7 +16,7 @@ use super::keys::{TeachKey, teach_key};
 use super::lesson::{Lesson, Part};
 use super::screen;
 use crate::pendant::{Panel, Pendant};
-use crate::program_file::FilesBeside;
+use crate::program_file::files_beside;
 
 /// Teaches a program with keys.
 #[derive(Debug)]
@@ -227,7 +227,7 @@ impl Teacher {
             Some(state) => PlannedFor::of(rules, state),
             None => PlannedFor::any(rules, None),
         };
-        let mut files = FilesBeside::new(&self.file, arm.clone());
+        let mut files = files_beside(&self.file, &arm);
         match self.lesson.job(part, &mut files, &arm) {
             Ok(job) => {
                 if !self.arm_laser(&job) {

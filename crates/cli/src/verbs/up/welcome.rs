@@ -17,6 +17,8 @@ pub(crate) struct Welcome {
     pub(crate) pty: Option<String>,
     /// Where Foxglove looks on.
     pub(crate) foxglove: Option<String>,
+    /// What it is called in its fleet.
+    pub(crate) fleet: Option<String>,
     /// Where the station keeps its data.
     pub(crate) data: String,
     /// What else a person should know.
@@ -66,6 +68,7 @@ impl Welcome {
             raw,
             pty,
             foxglove,
+            fleet,
             data,
             notes,
         } = self;
@@ -76,6 +79,7 @@ impl Welcome {
             raw,
             pty,
             foxglove,
+            fleet,
             data,
             "the station has started"
         );
@@ -106,6 +110,7 @@ impl Welcome {
                 &self.foxglove,
                 "for its Open connection; it looks on",
             ),
+            fact("fleet", &self.fleet, "the board is the page's /fleet"),
             fact("data", &Some(self.data.clone()), ""),
         ]
         .into_iter()

@@ -1,0 +1,149 @@
+//! `dobot fleet`: several stations at once.
+
+#[cfg(feature = "fleet")]
+mod set_up;
+mod work;
+
+use clap::Subcommand;
+use dobot_api::{FleetView, LinkPhase, Member, MemberAnswer, Presence, fetch, post};
+use serde_json::json;
+
+use self::work::WorkArgs;
+use crate::failure::Failure;
+use crate::output;
+use crate::reach::Station;
+
+/// See the stations of a fleet, stop them all, and set a fleet up
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  dobot fleet                                    who is there, and what each does
+  dobot fleet stop --reason \"fire drill\"         all arms; `dobot fleet stop --group room-2` those of one group
+  dobot fleet certificates keys desk-1 desk-2 router=192.168.7.1    a folder with a certificate for each
+  dobot fleet router --listen tls/0.0.0.0:7447 --fleet=keys/router
+
+A station joins with `dobot up --fleet`; docs/fleet.md tells how a school sets one up. Each station keeps its rules,
+its tokens and its own page, where its arm is stopped even when the network is gone.")]
+pub(crate) struct Args {
+    #[command(subcommand)]
+    action: Option<Action>,
+    #[command(flatten)]
+    station: Station,
+    /// Print JSON (list, stop, work)
+    #[arg(long, global = true)]
+    json: bool,
+}
+
+#[derive(Clone, Debug, Subcommand)]
+enum Action {
+    /// List the stations
+    List,
+    /// Stop the arms of all stations, or of those of a group
+    Stop {
+        /// Only those of this group
+        #[arg(long, value_name = "NAME")]
+        group: Option<String>,
+        /// Why, for those who find their arm stopped
+        #[arg(long, value_name = "TEXT")]
+        reason: Option<String>,
+    },
+    /// Submit drawings and programs to any arm that has what they need, and see what has become of them
+    Work(WorkArgs),
+    #[cfg(feature = "fleet")]
+    /// Make a certificate for each station, and the authority where there is none yet
+    Certificates(set_up::Certificates),
+    #[cfg(feature = "fleet")]
+    /// Run a router, by which stations of several networks find each other
+    Router(set_up::RouterArgs),
+}
+
+pub(crate) async fn run(args: Args) -> Result<(), Failure> {
+    match args.action.unwrap_or(Action::List) {
+        Action::List => list(&args.station, args.json).await,
+        Action::Stop { group, reason } => stop(&args.station, group, reason, args.json).await,
+        Action::Work(work) => work.run(&args.station, args.json).await,
+        #[cfg(feature = "fleet")]
+        Action::Certificates(args) => args.run(),
+        #[cfg(feature = "fleet")]
+        Action::Router(args) => args.run().await,
+    }
+}
+
+async fn list(station: &Station, as_json: bool) -> Result<(), Failure> {
+    let address = station.address_of_running().await?;
+    let fleet: FleetView = fetch(&address, "/api/v1/fleet").await?;
+    if as_json {
+        return Ok(output::json(&fleet)?);
+    }
+    for member in &fleet.members {
+        output::line(&line(member))?;
+    }
+    Ok(())
+}
+
+/// What a person reads of a station.
+fn line(member: &Member) -> String {
+    let name = &member.name;
+    let groups = member.about.as_ref().map(|it| it.groups.join(" "));
+    let groups = groups.filter(|it| !it.is_empty()).unwrap_or("-".into());
+    format!("{name:20}  {groups:12}  {}", doing(member))
+}
+
+/// What a station does.
+fn doing(member: &Member) -> String {
+    match &member.presence {
+        Presence::Away => return "away; its own page stops its arm".into(),
+        Presence::Refused { problem } => return format!("refused: {}", problem.detail),
+        Presence::Present => {}
+    }
+    let Some(state) = &member.state else {
+        return "there, and has not told what it does".into();
+    };
+    let stop = state.stop.as_ref().map(|it| match &it.reason {
+        Some(reason) => format!("stopped by {}: {reason}", it.by),
+        None => format!("stopped by {}", it.by),
+    });
+    let link = (state.link.phase != LinkPhase::Up).then(|| "no arm".to_owned());
+    let job = state.job.as_ref().map(|job| {
+        let done = 100 * job.completed / job.commands.max(1);
+        let phase = format!("{:?}", job.phase).to_lowercase();
+        format!("{} ({phase}, {done} %)", job.title)
+    });
+    let lease = state.lease.as_ref();
+    let lease = lease.map(|it| format!("{} has control", it.name));
+    let all: Vec<_> = [stop, link, job, lease].into_iter().flatten().collect();
+    if all.is_empty() {
+        return "free".into();
+    }
+    all.join("; ")
+}
+
+async fn stop(
+    station: &Station,
+    group: Option<String>,
+    reason: Option<String>,
+    as_json: bool,
+) -> Result<(), Failure> {
+    let address = station.address_of_running().await?;
+    let to = group.map_or(json!("all"), |it| json!({ "group": it }));
+    let body = json!({ "to": to, "reason": reason });
+    let answers: Vec<MemberAnswer> = post(&address, "/api/v1/fleet/stop", &body).await?;
+    if as_json {
+        output::json(&answers)?;
+    }
+    let (stopped, silent): (Vec<_>, Vec<_>) = answers.iter().partition(|it| it.answer.is_success());
+    if !as_json {
+        output::line(&format!("{} of {} stopped", stopped.len(), answers.len()))?;
+        for it in &silent {
+            let why = it.answer.body["detail"].as_str().unwrap_or("no answer");
+            output::line(&format!("{}: {why}", it.member))?;
+        }
+    }
+    if silent.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::new(
+        anyhow::anyhow!("not every arm is known to be stopped"),
+        "stop those on their own pages, or with their switches",
+    ))
+}

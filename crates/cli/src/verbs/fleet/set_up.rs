@@ -1,0 +1,52 @@
+//! What a fleet is set up with: certificates and a router.
+
+use std::path::PathBuf;
+
+use dobot_fleet::{Credentials, Holder, Router};
+
+use crate::failure::Failure;
+use crate::interrupt::interrupt;
+use crate::output;
+
+/// Make certificates.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct Certificates {
+    /// Where the authority is, or is made; the folder of each station is made in it
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+    /// The stations, and the router with the names and addresses by which they connect to it
+    #[arg(value_name = "NAME[=HOST,...]", required = true)]
+    holders: Vec<Holder>,
+}
+
+impl Certificates {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        Credentials::make(&self.folder, &self.holders)?;
+        for holder in &self.holders {
+            output::line(&self.folder.join(holder.name()).display().to_string())?;
+        }
+        Ok(())
+    }
+}
+
+/// Run a router.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct RouterArgs {
+    /// Where stations reach it, as in tls/0.0.0.0:7447; may be given several times
+    #[arg(long, value_name = "ADDRESS", default_value = "tcp/127.0.0.1:7447")]
+    listen: Vec<String>,
+    /// The folder with its certificate
+    #[arg(long, value_name = "FOLDER")]
+    fleet: Option<PathBuf>,
+}
+
+impl RouterArgs {
+    pub(super) async fn run(&self) -> Result<(), Failure> {
+        let credentials = self.fleet.as_deref().map(Credentials::read).transpose()?;
+        let router = Router::start(&self.listen, credentials.as_ref()).await?;
+        output::line(&format!("the router is at {}", self.listen.join(", ")))?;
+        interrupt().await;
+        router.end().await;
+        Ok(())
+    }
+}

@@ -1,0 +1,172 @@
+//! The fleet that a station joins.
+
+use std::path::PathBuf;
+
+use dobot_api::Folders;
+use dobot_station::Station;
+
+use crate::failure::Failure;
+
+/// How a station joins a fleet.
+#[derive(Debug, Default, clap::Args)]
+pub(super) struct JoinArgs {
+    /// Join a fleet of stations under the first --name: those of this machine, or with the certificate in FOLDER those
+    /// of the network
+    #[arg(long, value_name = "FOLDER", num_args = 0..=1, require_equals = true)]
+    #[expect(
+        clippy::option_option,
+        reason = "it is given with a folder, without one, or not at all"
+    )]
+    fleet: Option<Option<PathBuf>>,
+    /// A router by which it joins, as in tls/router.school:7447; may be given several times (default: it looks for the
+    /// others by itself)
+    #[arg(long, value_name = "ADDRESS", requires = "fleet")]
+    connect: Vec<String>,
+    /// A group of the fleet that it belongs to, as in room-2; may be given several times
+    #[arg(long, value_name = "NAME", requires = "fleet")]
+    group: Vec<String>,
+    /// What it has for work, as in pen, laser or a5; may be given several times
+    #[arg(long, value_name = "WORD", requires = "fleet")]
+    offers: Vec<String>,
+    /// Take work of the fleet: to queue it, so that a person starts it at the arm, or to start it too while nobody has
+    /// control
+    #[arg(long, value_name = "HOW", requires = "fleet", num_args = 0..=1, require_equals = true,
+        default_missing_value = "queue")]
+    takes_work: Option<TakeWork>,
+}
+
+/// What a station does with work of its fleet.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum TakeWork {
+    Queue,
+    Start,
+}
+
+#[cfg(feature = "fleet")]
+mod joined {
+    use std::net::IpAddr;
+
+    use anyhow::anyhow;
+    use dobot_api::{MemberAbout, TakesWork};
+    use dobot_client::Address;
+    use dobot_fleet::{Credentials, Fleet, FleetConfig, own_id};
+
+    use super::{Failure, Folders, JoinArgs, Station, TakeWork};
+
+    /// The station's place in its fleet, if it has one.
+    #[derive(Debug, Default)]
+    pub(in super::super) struct Joined(Option<(String, Fleet)>);
+
+    impl JoinArgs {
+        /// Joins, if that was asked for.
+        pub(in super::super) async fn join(
+            &self,
+            names: &[String],
+            folders: &Folders,
+            station: &Station,
+        ) -> Result<Joined, Failure> {
+            let Some(credentials) = &self.fleet else {
+                return Ok(Joined::default());
+            };
+            let name = names.first().cloned().ok_or_else(|| {
+                Failure::new(
+                    anyhow!("a station of a fleet has a name"),
+                    "give it one: `--name desk-3`",
+                )
+            })?;
+            let config = FleetConfig {
+                about: self.about(&name, station),
+                name,
+                connect: self.connect.clone(),
+                credentials: credentials.as_deref().map(Credentials::read).transpose()?,
+                work: Some(folders.fleet_work()),
+            };
+            let id = own_id(&folders.fleet_id())?;
+            let fleet = Fleet::join(&config, &id, station.api()).await?;
+            Ok(Joined(Some((config.name, fleet))))
+        }
+
+        fn about(&self, name: &str, station: &Station) -> MemberAbout {
+            MemberAbout {
+                version: env!("CARGO_PKG_VERSION").into(),
+                page: Some(page(name, station)),
+                groups: self.group.clone(),
+                offers: self.offers.clone(),
+                is_virtual: station.arm() == Some(&Address::Virtual),
+                takes_work: self.takes_work.map(|it| match it {
+                    TakeWork::Queue => TakesWork::Queue,
+                    TakeWork::Start => TakesWork::Start,
+                }),
+            }
+        }
+    }
+
+    /// Where others find the page: under the station's name, where it is served for all.
+    fn page(name: &str, station: &Station) -> String {
+        let address = station.address();
+        let scheme = station.url().split("://").next().unwrap_or("http");
+        match address.ip() {
+            IpAddr::V4(ip) if ip.is_unspecified() => {
+                format!("{scheme}://{name}:{}", address.port())
+            }
+            IpAddr::V6(ip) if ip.is_unspecified() => {
+                format!("{scheme}://{name}:{}", address.port())
+            }
+            _ => station.url().to_owned(),
+        }
+    }
+
+    impl Joined {
+        /// What a person reads.
+        pub(in super::super) fn told(&self) -> Option<String> {
+            self.0.as_ref().map(|(name, _)| name.clone())
+        }
+
+        /// Leaves, if it has joined.
+        pub(in super::super) async fn leave(self) {
+            if let Some((_, fleet)) = self.0 {
+                fleet.leave().await;
+            }
+        }
+    }
+}
+
+#[cfg(not(feature = "fleet"))]
+mod joined {
+    use anyhow::anyhow;
+
+    use super::{Failure, Folders, JoinArgs, Station};
+
+    /// No place in any fleet.
+    #[derive(Debug)]
+    pub(in super::super) struct Joined;
+
+    impl JoinArgs {
+        /// This program joins none.
+        #[expect(clippy::unused_async, reason = "joining waits, where it is built")]
+        pub(in super::super) async fn join(
+            &self,
+            _: &[String],
+            _: &Folders,
+            _: &Station,
+        ) -> Result<Joined, Failure> {
+            match self {
+                Self { fleet: None, .. } => Ok(Joined),
+                Self { .. } => Err(Failure::new(
+                    anyhow!("this program was built without fleets"),
+                    "`cargo build --release --features fleet` builds one with them",
+                )),
+            }
+        }
+    }
+
+    impl Joined {
+        #[expect(clippy::unused_self, reason = "as where fleets are built")]
+        pub(in super::super) const fn told(&self) -> Option<String> {
+            None
+        }
+
+        #[expect(clippy::unused_async, reason = "as where fleets are built")]
+        pub(in super::super) async fn leave(self) {}
+    }
+}
