@@ -8,45 +8,55 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .arm import Arm, Jog
+from .arm import Arm, Jog, connect
 from .drawing import Plan, Progress, bar, plan
-from .errors import Closed, Error, Failed, LinkLost, Refused, Stopped
+from .errors import Closed, Error, Failed, Kind, LinkLost, Paused, Refused, Stopped, kinds
 from .operations import Button, Path
-from .place import core
+from .programs import Point, Program, ProgramProblem, ProgramReport, ProgramStep, Step, program, program_bar
 from .status import Status
+from .world import Object, World
 
 if TYPE_CHECKING:
     from .aio import AsyncArm, AsyncJog, aconnect
+    from .calibration import SHEET, Calibration, Touch, calibrate
+    from .recording import Recording, log
+    from .served import Served, serve
+    from .simulation import Simulation, simulate
+    from .table import Table
+    from .testing import assert_ink, assert_object
 
 __all__ = [
-    "Arm", "AsyncArm", "AsyncJog", "Button", "Closed", "Error", "Failed", "Jog", "LinkLost", "Path", "Plan",
-    "Progress", "Refused", "Status", "Stopped", "aconnect", "bar", "connect", "plan",
+    "Arm", "AsyncArm", "AsyncJog", "Button", "Calibration", "Closed", "Error", "Failed", "Jog", "Kind",
+    "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
+    "ProgramStep", "Progress", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
+    "Stopped", "Table", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
+    "connect", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
 ]
 
-
-def connect(
-    where: str, *, name: str = "python", token: str | None = None, dialect: str | None = None
-) -> Arm:
-    """Connects with an arm.
-
-    ``virtual:`` or ``virtual:firmware-1.1`` is a virtual one in this process, ``station`` that of the station
-    that runs on this machine, ``http://127.0.0.1:8642`` that of the station there; ``serial:/dev/ttyUSB0`` or
-    ``tcp:host:port`` is one whose rules are kept in this process, guarded by the program ``dobot``, which has
-    to be installed.
-
-    ``name`` is what others see; ``token`` allows more than watching (default: the environment variable
-    ``DOBOT_TOKEN``, then that of the station of this person); ``dialect`` is what an arm at an address
-    understands, ``specification`` or ``firmware-1.1``. Raises :class:`LinkLost` where nothing answers.
-    """
-    found = core(where, name, token, dialect)
-    found.connected().wait(None)
-    return Arm(found)
+_LATER = {
+    "AsyncArm": "aio",
+    "AsyncJog": "aio",
+    "aconnect": "aio",
+    "Calibration": "calibration",
+    "SHEET": "calibration",
+    "Touch": "calibration",
+    "calibrate": "calibration",
+    "Recording": "recording",
+    "log": "recording",
+    "Served": "served",
+    "serve": "served",
+    "Simulation": "simulation",
+    "simulate": "simulation",
+    "Table": "table",
+    "assert_ink": "testing",
+    "assert_object": "testing",
+}
+"""What is loaded when it is asked for: it takes longer than all the rest, or few need it."""
 
 
 def __getattr__(name: str) -> object:
-    """What is for coroutines is loaded when it is asked for: asyncio takes longer than all the rest."""
-    if name in ("AsyncArm", "AsyncJog", "aconnect"):
-        from . import aio
+    if name in _LATER:
+        from importlib import import_module
 
-        return getattr(aio, name)
+        return getattr(import_module(f".{_LATER[name]}", __name__), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

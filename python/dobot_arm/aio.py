@@ -6,18 +6,13 @@ import asyncio
 from collections.abc import AsyncIterator, Callable, Coroutine
 from functools import wraps
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
+from typing import Any, Concatenate, ParamSpec, TypeVar
 
-from . import operations
-from ._core import Pending, Statuses
-from .drawing import Progress
+from . import operations, place
+from ._core import Core, Pending, Statuses
 from .errors import Error
 from .operations import Begun, Button, Connection
-from .place import core
 from .status import Status
-
-if TYPE_CHECKING:
-    from ._core import Told
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -42,7 +37,7 @@ async def _told(source: Pending | Statuses) -> None:
     await told
 
 
-async def _over(pending: Pending, progress: Progress | None = None) -> Told:
+async def _over(pending: Pending, progress: Callable[..., object] | None = None) -> Any:
     while True:
         await _told(pending)
         part, told = pending.poll()
@@ -52,7 +47,9 @@ async def _over(pending: Pending, progress: Progress | None = None) -> Told:
             progress(*part)
 
 
-async def _over_or_stopped(arm: Connection, pending: Pending, progress: Progress | None) -> Told:
+async def _over_or_stopped(
+    arm: Connection, pending: Pending, progress: Callable[..., object] | None
+) -> Any:
     """A task that is cancelled, or progress that raises, stops the arm."""
     try:
         return await _over(pending, progress)
@@ -103,6 +100,12 @@ class AsyncArm(Connection):
     disarm_laser = _awaited(operations.disarm_laser)
     laser = _awaited(operations.laser)
     draw = _awaited(operations.draw)
+    run = _awaited(operations.run)
+    check = _awaited(operations.check)
+    resume = _awaited(operations.resume)
+    cancel = _awaited(operations.cancel)
+    world = _awaited(operations.world)
+    set_faults = _awaited(operations.set_faults)
     wait = _awaited(operations.wait)
     stop = _awaited(operations.stop)
     reset_stop = _awaited(operations.reset_stop)
@@ -127,13 +130,19 @@ class AsyncArm(Connection):
         await asyncio.to_thread(self._core.close)
 
 
-async def aconnect(
-    where: str, *, name: str = "python", token: str | None = None, dialect: str | None = None
-) -> AsyncArm:
-    """Connects with an arm for coroutines; otherwise as :func:`dobot_arm.connect`."""
-    found = core(where, name, token, dialect)
-    await _over(found.connected())
-    return AsyncArm(found)
+def _connecting(begin: Callable[P, Core]) -> Callable[P, Coroutine[Any, Any, AsyncArm]]:
+    """The same, as a coroutine."""
+
+    @wraps(begin)
+    async def aconnect(*args: P.args, **options: P.kwargs) -> AsyncArm:
+        core = begin(*args, **options)
+        await _over(core.connected())
+        return AsyncArm(core)
+
+    return aconnect
+
+
+aconnect = _connecting(place.connect)
 
 
 class AsyncJog:

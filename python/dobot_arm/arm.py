@@ -7,10 +7,12 @@ from functools import wraps
 from types import TracebackType
 from typing import Concatenate, ParamSpec, TypeVar
 
-from . import operations
+from . import operations, place
+from ._core import Core
 from .errors import Error
 from .operations import Begun, Button, Connection
 from .status import Status
+from .world import Object, Stroke
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -53,6 +55,12 @@ class Arm(Connection):
     disarm_laser = _waiting(operations.disarm_laser)
     laser = _waiting(operations.laser)
     draw = _waiting(operations.draw)
+    run = _waiting(operations.run)
+    check = _waiting(operations.check)
+    resume = _waiting(operations.resume)
+    cancel = _waiting(operations.cancel)
+    world = _waiting(operations.world)
+    set_faults = _waiting(operations.set_faults)
     wait = _waiting(operations.wait)
     stop = _waiting(operations.stop)
     reset_stop = _waiting(operations.reset_stop)
@@ -62,6 +70,16 @@ class Arm(Connection):
     def pose(self) -> Status:
         """Where the tool is, in millimetres: ``x_mm``, ``y_mm``, ``z_mm``, ``rotation_deg``."""
         return self.status()
+
+    @property
+    def ink(self) -> list[Stroke]:
+        """The lines of ink under a virtual arm of this process: x and y in the base frame, in mm."""
+        return self.world().ink
+
+    @property
+    def objects(self) -> dict[str, Object]:
+        """The objects around a virtual arm of this process, by their names."""
+        return self.world().objects
 
     @property
     def joints(self) -> Status:
@@ -86,6 +104,21 @@ class Arm(Connection):
     def close(self) -> None:
         """Lets go of the arm; leaving ``with`` does it, too."""
         self._core.close()
+
+
+def _connecting(begin: Callable[P, Core]) -> Callable[P, Arm]:
+    """The same, and waits until it is connected."""
+
+    @wraps(begin)
+    def connect(*args: P.args, **options: P.kwargs) -> Arm:
+        core = begin(*args, **options)
+        core.connected().wait(None)
+        return Arm(core)
+
+    return connect
+
+
+connect = _connecting(place.connect)
 
 
 class Jog:

@@ -5,9 +5,19 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from struct import Struct
+from typing import TYPE_CHECKING, Any
 
 from ._core import Drawing
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    Points = np.ndarray[Any, Any] | Iterable[tuple[float, float]]
+    """The points of a line: an array of shape (n, 2), or pairs."""
+
+_PAIR = Struct("<2d")
 
 Progress = Callable[[int, int], object]
 """Called with how many commands of how many are over."""
@@ -44,6 +54,11 @@ class Plan:
         """What the pen does not show, each a sentence."""
         return self._drawing.warnings
 
+    @property
+    def strokes(self) -> list[list[tuple[float, float]]]:
+        """What becomes ink, line by line: x and y in the base frame, in millimetres."""
+        return self._drawing.strokes()
+
     def svg(self) -> str:
         """A picture of it, as SVG."""
         return self._drawing.svg()
@@ -55,8 +70,13 @@ class Plan:
         return f"<Plan {self.title!r}: {self.vectors} vectors, {self.duration_s:.0f} s>"
 
 
-def plan(file: str | os.PathLike[str] | None = None, **options: object) -> Plan:
-    """Plans a drawing: a file (SVG, DXF, HP-GL, G-code, a picture, points), ``text="..."``, or both, the text below.
+def plan(
+    file: str | os.PathLike[str] | None = None, *, lines: Iterable[Points] | None = None, **options: object
+) -> Plan:
+    """Plans a drawing: a file (SVG, DXF, HP-GL, G-code, a picture, points), ``lines=[...]``, ``text="..."``, or one of the
+    first with a text below.
+
+    ``lines`` are arrays of shape (n, 2), or sequences of pairs: x to the right and y down, in millimetres, as on a page.
 
     The options are those of ``dobot draw`` with ``_`` for ``-``, lengths in millimetres, angles in degrees:
     ``paper_size="a5"``, ``landscape=True``, ``at=[210, 20]``, ``pen_down=-40``. ``paper="a5"`` is short for
@@ -71,7 +91,20 @@ def plan(file: str | os.PathLike[str] | None = None, **options: object) -> Plan:
         if "scale" not in options:
             options.setdefault("fit", True)
     name = None if file is None else os.fspath(file)
-    return Plan(Drawing(name, json.dumps(options, allow_nan=False)))
+    drawn = None if lines is None else [_numbers(line) for line in lines]
+    return Plan(Drawing(name, drawn, json.dumps(options, allow_nan=False)))
+
+
+def _numbers(line: Points) -> bytes:
+    """The points of a line as numbers of eight bytes, in pairs: a copy."""
+    if hasattr(line, "__array_interface__"):
+        import numpy as np
+
+        points = np.ascontiguousarray(line, dtype="<f8")
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise ValueError(f"a line is an array of the shape {points.shape}; allowed is (n, 2)")
+        return points.tobytes()
+    return b"".join(_PAIR.pack(x, y) for x, y in line)
 
 
 def bar(completed: int, commands: int) -> None:

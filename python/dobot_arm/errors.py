@@ -1,5 +1,29 @@
 """What goes wrong, and what to do about it."""
 
+from __future__ import annotations
+
+from typing import Literal
+
+Kind = Literal[
+    "bad-drawing", "bad-fault", "bad-job", "bad-policy", "bad-program", "bad-scene", "bad-touches",
+    "cannot-resume", "command", "detecting", "dialect-not-found", "drawing-phase", "ending",
+    "forbidden-host", "forbidden-origin", "invalid", "job-phase", "job-running", "journal",
+    "key-reused", "laser-disarmed", "lease-gone", "let-go", "malformed", "media-type", "method",
+    "no-job-runs", "no-lease", "no-link", "no-such-drawing", "no-such-job", "no-such-recording",
+    "no-such-token", "no-vectors", "not-asking", "not-reached", "not-virtual", "out-of-range",
+    "policy", "policy-file", "recording", "role", "still-moving", "stopped", "timeout",
+    "token-file", "token-name", "token-taken", "too-large", "too-many", "too-many-clients",
+    "too-many-requests", "unauthorised", "unknown-path", "upgrade",
+]
+"""Why something is refused: the kinds of problems of the API."""
+
+
+def kinds() -> dict[Kind, str]:
+    """What each kind of refusal means and what helps, in sentences."""
+    from ._core import problem_kinds
+
+    return {name: explanation for name, _, explanation in problem_kinds()}
+
 
 class Error(Exception):
     """Something was not done; ``hint`` tells what to do about it."""
@@ -18,8 +42,8 @@ class Error(Exception):
 class Refused(Error):
     """The rules refuse it; nothing was sent to the arm."""
 
-    kind: str
-    """The kind of problem: its address in the API."""
+    kind: Kind
+    """Why, in a word: ``policy``, ``stopped``, ``no-lease``. :func:`kinds` tells what each means."""
     rule: str | None
     """The rule of the policy that it would break."""
     at_mm: tuple[float, float, float] | None
@@ -32,7 +56,7 @@ class Refused(Error):
         detail: str,
         *,
         hint: str | None = None,
-        kind: str,
+        kind: Kind,
         rule: str | None = None,
         at_mm: tuple[float, float, float] | None = None,
         nearest_mm: tuple[float, float, float] | None = None,
@@ -46,6 +70,20 @@ class Refused(Error):
 
 class Failed(Error):
     """It was begun, and not done."""
+
+
+class Paused(Failed):
+    """A job rests: a step of a program waits for a person, a drawing for another pen, or somebody paused it.
+
+    ``arm.resume()`` goes on with it, ``arm.cancel()`` gives it up.
+    """
+
+    job: int
+    """The number of the job."""
+
+    def __init__(self, detail: str, *, hint: str | None = None, job: int) -> None:
+        super().__init__(detail, hint=hint)
+        self.job = job
 
 
 class LinkLost(Error):

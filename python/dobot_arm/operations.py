@@ -6,11 +6,13 @@ import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Generic, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
 from ._core import Core, Pending
 from .drawing import Plan, Progress, bar
+from .programs import Program, ProgramProgress, ProgramReport, program_bar
 from .status import Status
+from .world import World
 
 if TYPE_CHECKING:
     from ._core import Told
@@ -39,11 +41,11 @@ class Begun(Generic[T]):
     """An operation that goes on, and how to read what comes of it."""
 
     pending: Pending
-    read: Callable[[Told], T]
-    progress: Progress | None = None
+    read: Callable[[Any], T]
+    progress: Callable[..., object] | None = None
 
 
-def _nothing(told: Told) -> None:
+def _nothing(told: object) -> None:
     pass
 
 
@@ -75,7 +77,7 @@ def move_to(
     out stays as it is. Raises :class:`Refused` where the rules do not allow it, :class:`Stopped`
     where somebody stops the arm through this object. Ctrl-C stops the arm.
     """
-    return Begun(arm._core.move_to((x, y, z), r, path, suction, gripper, pause), _status)
+    return Begun(arm._core.move_to((x, y, z), r, (path, suction, gripper, pause)), _status)
 
 
 def move_joints(
@@ -100,7 +102,7 @@ def move_joints(
             f"the joint angles {joints} look like radians; they are degrees", stacklevel=3
         )
     return Begun(
-        arm._core.move_joints(joints, servo, path, suction, gripper, pause), _status
+        arm._core.move_joints(joints, servo, (path, suction, gripper, pause)), _status
     )
 
 
@@ -141,10 +143,67 @@ def draw(arm: Connection, plan: Plan, *, progress: Progress | None = bar) -> Beg
 
     The paper lies where the plan says (``pen_down``, ``paper``), else where a station knows it by
     calibration, else where the pen stands now. ``progress`` is called with how many commands of
-    how many are over; what it raises stops the arm. Raises :class:`Failed` where the job is
-    paused, cancelled or fails.
+    how many are over; what it raises stops the arm. Raises :class:`Paused` where it waits for another
+    pen or somebody pauses it, :class:`Failed` where it is cancelled or fails.
     """
     return Begun(arm._core.draw(plan._drawing), _nothing, progress)
+
+
+def run(
+    arm: Connection,
+    program: Program,
+    *,
+    times: int | Literal["forever"] | None = None,
+    from_step: int = 1,
+    progress: ProgramProgress | None = program_bar,
+) -> Begun[None]:
+    """Does a program as a job, and waits until that is over.
+
+    ``times`` is how often it is done, where that is not as often as it says itself; ``"forever"`` ends with
+    Ctrl-C, ``arm.stop()``, or where somebody ends the job. ``from_step`` is the step with which it begins,
+    as :attr:`ProgramReport.steps` counts them from 1. ``progress`` is called with the step, how many there are, the cycle, and how many
+    there are (None where it goes on for ever), all counted from 1; what it raises stops the arm.
+
+    Raises :class:`Refused` (kind ``bad-program``) with all that is wrong before anything moves,
+    :class:`Paused` where a step waits for a person, :class:`Failed` where it is cancelled or fails.
+    """
+    if times == "forever":
+        count: int | None = 0
+    elif times is None or (isinstance(times, int) and times >= 1):
+        count = times
+    else:
+        raise ValueError(f'times is {times!r}; allowed are 1 or more, and "forever"')
+    return Begun(arm._core.run(program._taught, count, from_step), _nothing, progress)
+
+
+def check(arm: Connection, program: Program) -> Begun[ProgramReport]:
+    """Looks at a program for this arm, where it stands; nothing moves."""
+    return Begun(arm._core.check(program._taught), ProgramReport._of)
+
+
+def resume(arm: Connection, *, progress: Callable[..., object] | None = None) -> Begun[None]:
+    """Goes on with the job that told it was :class:`Paused`, and waits until that is over."""
+    return Begun(arm._core.resume(), _nothing, progress)
+
+
+def cancel(arm: Connection) -> Begun[None]:
+    """Gives up the job that told it was :class:`Paused`."""
+    return Begun(arm._core.cancel(), _nothing)
+
+
+def world(arm: Connection) -> Begun[World]:
+    """What is around a virtual arm of this process: ink, objects and what happened. Raises :class:`Failed` for other arms,
+    and where nothing is around it."""
+    return Begun(arm._core.world(), World._of)
+
+
+def set_faults(arm: Connection, *faults: str, seed: int = 0) -> Begun[None]:
+    """Lets these things go wrong with a virtual arm of this process from now on, and nothing else any more.
+
+    ``"drop=1%"``, ``"delay=50ms"``, ``"withhold@1s..3s"``, ``"reset@12s"``, ``"lose=rear:30"``, ``"backlash=base:0.3"`` and others,
+    as `dobot arm --help` lists them; times count from now. Raises :class:`ValueError` for a text that is no fault.
+    """
+    return Begun(arm._core.set_faults(list(faults), seed), _nothing)
 
 
 def wait(arm: Connection, seconds: float) -> Begun[None]:

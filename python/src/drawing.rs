@@ -6,9 +6,13 @@ use dobot_draw::{
     Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared, Settings, Subject,
     View, WITHOUT_ARM_Z_MM,
 };
+use dobot_geometry::Point;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use serde_json::{Map, Value};
+
+use crate::failure::value_error;
 
 /// A drawing, planned for any arm; for the one that draws it, it is planned anew.
 #[pyclass(frozen)]
@@ -20,15 +24,28 @@ pub(crate) struct Drawing {
 
 #[pymethods]
 impl Drawing {
-    /// Plans a file (its name) or what the options tell; the options are a JSON object.
+    /// Plans a file (its name), lines, or what the options tell; the options are a JSON object. Each line is the bytes of
+    /// its points: x and y, numbers of eight bytes.
     #[new]
-    fn new(py: Python<'_>, file: Option<&str>, options: &str) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        file: Option<&str>,
+        lines: Option<Vec<Bound<'_, PyBytes>>>,
+        options: &str,
+    ) -> PyResult<Self> {
         let options = grouped(options)?;
-        let subject = match (file, Subject::of_text(&options.what)) {
-            (None, Some(subject)) => subject,
-            (Some(file), None) => of_file(file)?,
-            (None, None) => return Err(PyTypeError::new_err("give a file, or text=")),
-            (Some(file), Some(text)) => of_file(file)?.and(text),
+        let drawn = match (file, lines) {
+            (Some(file), None) => Some(of_file(file)?),
+            (None, Some(lines)) => Some(of_lines(&lines)),
+            (None, None) => None,
+            (Some(_), Some(_)) => {
+                return Err(PyTypeError::new_err("give a file or lines=, not both"));
+            }
+        };
+        let subject = match (drawn, Subject::of_text(&options.what)) {
+            (None, Some(subject)) | (Some(subject), None) => subject,
+            (None, None) => return Err(PyTypeError::new_err("give a file, lines= or text=")),
+            (Some(subject), Some(text)) => subject.and(text),
         };
         py.detach(|| {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
@@ -70,6 +87,14 @@ impl Drawing {
             .warnings
             .iter()
             .map(ToString::to_string)
+            .collect()
+    }
+
+    /// What becomes ink, in the base frame, in mm.
+    fn strokes(&self) -> Vec<Vec<(f64, f64)>> {
+        let strokes = self.prepared.planned().into_iter();
+        strokes
+            .map(|it| it.points.into_iter().map(<(f64, f64)>::from).collect())
             .collect()
     }
 
@@ -133,13 +158,24 @@ fn grouped(json: &str) -> PyResult<Options> {
     })
 }
 
+/// Lines as Python has calculated them: numbers of eight bytes, in pairs.
+fn of_lines(lines: &[Bound<'_, PyBytes>]) -> Subject {
+    let numbers = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, f64::from_le_bytes);
+    let line = |line: &Bound<'_, PyBytes>| {
+        let pairs = line
+            .as_bytes()
+            .chunks(16)
+            .map(|it| it.split_at(it.len().min(8)));
+        pairs
+            .map(|(x, y)| Point::new(numbers(x), numbers(y)))
+            .collect()
+    };
+    Subject::of_lines("lines", lines.iter().map(line).collect())
+}
+
 fn of_file(file: &str) -> PyResult<Subject> {
     let bytes = std::fs::read(file)?;
     let name = Path::new(file).file_name().map(|it| it.to_string_lossy());
     let subject = Subject::of_file(&name.unwrap_or_default(), bytes);
     subject.map_err(|it| PyValueError::new_err(format!("{file}: {it}")))
-}
-
-fn value_error(why: &dyn std::fmt::Display) -> PyErr {
-    PyValueError::new_err(why.to_string())
 }

@@ -12,6 +12,8 @@ pub(crate) struct Mailbox<T> {
 
 struct Inner<T> {
     told: VecDeque<T>,
+    /// How much was told in all.
+    count: u64,
     closed: bool,
     wake: Option<Box<dyn FnOnce() + Send>>,
 }
@@ -32,6 +34,7 @@ impl<T> Mailbox<T> {
         let mailbox = Arc::new(Self {
             inner: Mutex::new(Inner {
                 told: VecDeque::new(),
+                count: 0,
                 closed: false,
                 wake: None,
             }),
@@ -63,6 +66,11 @@ impl<T> Mailbox<T> {
         wake();
     }
 
+    /// How much was told in all, also what was taken already.
+    pub(crate) fn count(&self) -> u64 {
+        self.lock().count
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.lock().told.len()
     }
@@ -85,7 +93,10 @@ impl<T> Mailbox<T> {
 
 impl<T> Teller<T> {
     pub(crate) fn tell(&self, it: T) {
-        self.0.change(|inner| inner.told.push_back(it));
+        self.0.change(|inner| {
+            inner.told.push_back(it);
+            inner.count += 1;
+        });
     }
 
     /// How much was told and not taken yet.

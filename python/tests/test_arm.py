@@ -8,7 +8,6 @@ import signal
 import subprocess
 import sys
 import warnings
-from collections.abc import Iterator
 from itertools import islice, pairwise
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -16,31 +15,6 @@ from pathlib import Path
 import pytest
 
 import dobot_arm as dobot
-
-
-@pytest.fixture
-def station(tmp_path: Path) -> Iterator[str]:
-    """The address of a station with a virtual arm, run by the program that ``DOBOT`` names."""
-    program = os.environ.get("DOBOT")
-    if program is None:
-        pytest.skip("the environment variable DOBOT names no `dobot` program")
-    command = [
-        program, "up", "--virtual", "--raw", "off",
-        "--data", str(tmp_path), "--http", "127.0.0.1:0",
-    ]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-    ) as process:
-        try:
-            assert process.stdout is not None
-            lines = iter(process.stdout)
-            address = next(
-                word for line in lines for word in line.split() if word.startswith("http://")
-            )
-            assert any("the arm tells its state" in line for line in lines)
-            yield address
-        finally:
-            process.terminate()
 
 
 def test_a_move_returns_when_the_arm_has_arrived() -> None:
@@ -382,7 +356,7 @@ def test_both_faces_of_an_arm_do_the_same() -> None:
     def names(face: type) -> set[str]:
         return {it for it in vars(face) if not it.startswith("_")}
 
-    assert names(dobot.Arm) - {"pose", "joints"} == names(dobot.AsyncArm)
+    assert names(dobot.Arm) - {"pose", "joints", "ink", "objects"} == names(dobot.AsyncArm)
 
 
 def test_the_station_that_runs_here_is_found_with_its_token(
@@ -431,3 +405,26 @@ def test_an_arm_at_an_address_is_not_used_without_a_guardian(
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(dobot.Failed, match="guards"):
         dobot.connect("tcp:127.0.0.1:1")
+
+
+def test_lines_of_points_are_planned_as_they_are() -> None:
+    np = pytest.importorskip("numpy")
+    square = [(0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0), (0.0, 0.0)]
+    pairs, array = dobot.plan(lines=[square]), dobot.plan(lines=[np.array(square)])
+    assert pairs.drawn_mm == pytest.approx(160, abs=0.5)
+    assert pairs.strokes == array.strokes
+    corners = {(round(x), round(y)) for line in pairs.strokes for x, y in line}
+    assert len(corners) == 4 and max(math.dist(a, b) for a in corners for b in corners) == pytest.approx(56.57, abs=1)
+    assert dobot.plan(lines=[square], text="Hello").drawn_mm > 180
+
+
+def test_lines_that_are_none_say_where() -> None:
+    np = pytest.importorskip("numpy")
+    with pytest.raises(ValueError, match=r"point 1 of line 2 is \(NaN, 0\)"):
+        dobot.plan(lines=[[(0, 0), (1, 1)], [(math.nan, 0), (1, 1)]])
+    with pytest.raises(ValueError, match=r"\(3,\).*\(n, 2\)"):
+        dobot.plan(lines=[np.zeros(3)])
+    with pytest.raises(ValueError, match="no points"):
+        dobot.plan(lines=[])
+    with pytest.raises(TypeError, match="lines="):
+        dobot.plan(HARBOUR, lines=[[(0, 0)]])

@@ -41,7 +41,7 @@ def test_an_unknown_personality_is_told(tmp_path: Path) -> None:
 
 def test_a_marker_that_says_something_else_is_told(tmp_path: Path) -> None:
     test = f"import pytest\n@pytest.mark.dobot('firmware-1.1')\ndef test_it(virtual_arm):{LOOK}"
-    assert 'dobot(personality="firmware-1.1")' in tried(tmp_path, test)
+    assert 'dobot(personality="firmware-1.1", world=' in tried(tmp_path, test)
 
 
 def test_each_test_has_an_arm_of_its_own(tmp_path: Path) -> None:

@@ -1,0 +1,51 @@
+"""Tables: columns of numpy arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+
+    from ._core import Columns
+
+
+class Table(Mapping[str, "np.ndarray[Any, Any]"]):
+    """Rows by columns: ``table["x_mm"]`` is a numpy array, which shares the memory of the table and cannot be written to.
+
+    numpy is needed for the columns, pandas for :meth:`to_pandas`.
+    """
+
+    def __init__(self, columns: Columns) -> None:
+        self._columns = columns
+
+    def __getitem__(self, name: str) -> np.ndarray[Any, Any]:
+        dtype, values = self._columns[name]
+        import numpy as np
+
+        if isinstance(values, bytes):
+            return np.frombuffer(values, dtype=dtype)
+        return np.array(values, dtype=dtype)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        """How many columns there are."""
+        return len(self._columns)
+
+    @property
+    def rows(self) -> int:
+        """How many rows there are."""
+        return next((len(self[name]) for name in self), 0)
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The table as a frame of pandas, with its columns."""
+        import pandas as pd
+
+        return pd.DataFrame({name: self[name] for name in self})
+
+    def __repr__(self) -> str:
+        return f"<Table: {', '.join(self)}>"

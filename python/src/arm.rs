@@ -1,0 +1,291 @@
+//! An arm for Python: what is asked of it goes to the thread that owns it.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_api::{Button, Request};
+use dobot_controller::PowerUp;
+use dobot_rules::{PathName, Target, TargetPlace};
+use dobot_sim::VirtualArm;
+use dobot_teach::Times;
+use dobot_wire::{JointJog, JointJogAxis, MovingMode, PlaybackAdjustment, Status};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::drawing::Drawing;
+use crate::mailbox::Mailbox;
+use crate::pending::{Pending, Statuses};
+use crate::place::{ConnectOptions, place};
+use crate::program::{Run, Taught};
+use crate::virtual_arm::{read_faults, world_json};
+use crate::worker::{Operation, Outcome, Told, Worker};
+
+/// An arm under its rules. Any thread may use it; what moves it is done one after the other.
+///
+/// What takes its time is begun, and gives a [`Pending`]: a call waits for it, and so does a coroutine.
+#[pyclass(frozen)]
+pub(crate) struct Core {
+    worker: Arc<Worker>,
+}
+
+#[pymethods]
+impl Core {
+    /// Begins to connect.
+    #[new]
+    fn new(at: &str, options: ConnectOptions) -> PyResult<Self> {
+        let name = options.name.clone();
+        let at = place(at, options)?;
+        let worker = Worker::start(at, name);
+        Ok(Self {
+            worker: Arc::new(worker),
+        })
+    }
+
+    /// Over when the arm is connected.
+    fn connected(&self) -> Pending {
+        self.begin(Operation::Connected)
+    }
+
+    /// What the arm tells next.
+    fn status(&self) -> Pending {
+        self.begin(Operation::Status)
+    }
+
+    fn move_to(
+        &self,
+        point_mm: [f32; 3],
+        rotation_deg: Option<f32>,
+        how: MoveOptions,
+    ) -> PyResult<Pending> {
+        let mm = point_mm;
+        self.go(TargetPlace::Point { mm, rotation_deg }, None, &how)
+    }
+
+    fn move_joints(
+        &self,
+        joints_deg: [f32; 3],
+        servo_deg: Option<f32>,
+        how: MoveOptions,
+    ) -> PyResult<Pending> {
+        self.go(TargetPlace::Joints(joints_deg), servo_deg, &how)
+    }
+
+    /// Switches the pump where the arm is.
+    fn suction(&self, on: bool) -> Pending {
+        self.switch(if on {
+            JointJogAxis::SuctionOn
+        } else {
+            JointJogAxis::SuctionOff
+        })
+    }
+
+    /// Switches the laser where the arm is, as far as the rules allow it.
+    fn laser(&self, on: bool) -> Pending {
+        self.switch(if on {
+            JointJogAxis::LaserOn
+        } else {
+            JointJogAxis::LaserOff
+        })
+    }
+
+    /// Turns the gripper where the arm is.
+    fn gripper(&self, gripper_deg: f32) -> Pending {
+        let command = move |from: &Status| {
+            let target = Target {
+                place: TargetPlace::Joints([from.base_deg, from.rear_deg, from.fore_deg]),
+                servo_deg: None,
+                mode: MovingMode::MovJ,
+                suction: None,
+                gripper_deg: Some(gripper_deg),
+                pause_s: 0.0,
+            };
+            target.command(from)
+        };
+        self.begin(Operation::CarryOut(Box::new(command)))
+    }
+
+    /// Shares of the speeds and accelerations of moves.
+    fn speed(&self, speed_percent: f32, acceleration_percent: f32) -> Pending {
+        let command = move |_: &Status| {
+            PlaybackAdjustment {
+                speed_percent,
+                acceleration_percent,
+                teach_speed_percent: 100.0,
+            }
+            .into()
+        };
+        self.begin(Operation::CarryOut(Box::new(command)))
+    }
+
+    /// Holds a jog button until it is released, and at most so long.
+    fn press(&self, button: &str, speed_percent: f32, at_most_s: f64) -> PyResult<Pending> {
+        let found = button.parse::<Button>().ok().filter(|it| it.moves());
+        let found = found.ok_or_else(|| {
+            PyValueError::new_err(format!(
+                "the button is `{button}`; allowed are x y z base rear fore servo gripper, each with + or - behind it"
+            ))
+        })?;
+        if !(0.02..=60.0).contains(&at_most_s) {
+            return Err(PyValueError::new_err(format!(
+                "at_most is {at_most_s}; allowed are 0.02 to 60 seconds"
+            )));
+        }
+        let at_most = Duration::from_secs_f64(at_most_s);
+        Ok(self.begin(Operation::Press(found.jog(speed_percent), at_most)))
+    }
+
+    fn release(&self) -> Pending {
+        self.begin(Operation::Release)
+    }
+
+    fn arm_laser(&self, for_s: f64) -> Pending {
+        self.begin(Operation::Controlled(Request::ArmLaser { for_s }))
+    }
+
+    fn disarm_laser(&self) -> Pending {
+        self.begin(Operation::Plain(Request::DisarmLaser))
+    }
+
+    fn draw(&self, drawing: &Bound<'_, Drawing>) -> Pending {
+        let request = drawing.get().request.clone();
+        self.begin(Operation::Draw(Box::new(request)))
+    }
+
+    /// Does a program; `times` is how often, 0 for ever.
+    fn run(&self, program: &Bound<'_, Taught>, times: Option<u64>, from_step: usize) -> Pending {
+        self.begin(Operation::Run(Box::new(Run {
+            source: Arc::clone(&program.get().source),
+            times: times.map(|it| match it {
+                0 => Times::Forever,
+                count => Times::Count(count),
+            }),
+            from_step,
+        })))
+    }
+
+    fn check(&self, program: &Bound<'_, Taught>) -> Pending {
+        let source = Arc::clone(&program.get().source);
+        self.begin(Operation::Check(source))
+    }
+
+    fn resume(&self) -> Pending {
+        self.begin(Operation::Resume)
+    }
+
+    fn cancel(&self) -> Pending {
+        self.begin(Operation::Cancel)
+    }
+
+    fn wait(&self, seconds: f64) -> PyResult<Pending> {
+        let time = Duration::try_from_secs_f64(seconds).map_err(|_| {
+            PyValueError::new_err(format!("seconds is {seconds}; allowed is 0 or more"))
+        })?;
+        Ok(self.begin(Operation::Wait(time)))
+    }
+
+    /// What is around a virtual arm of this process: a JSON object.
+    fn world(&self) -> Pending {
+        self.look(|arm, _| {
+            let world = world_json(arm).ok_or("nothing is around this virtual arm")?;
+            Ok(Outcome::Json(world))
+        })
+    }
+
+    /// Lets other things go wrong with a virtual arm of this process, and nothing else any more.
+    fn set_faults(&self, faults: Vec<String>, seed: u64) -> PyResult<Pending> {
+        let faults = read_faults(&faults)?;
+        Ok(self.look(move |arm, power_up| {
+            let set = arm.set_faults(power_up, &faults, seed);
+            set.map_err(|it| it.to_string())?;
+            Ok(Outcome::Nothing)
+        }))
+    }
+
+    fn confirm_pose(&self) -> Pending {
+        self.begin(Operation::Plain(Request::ConfirmPose))
+    }
+
+    fn reset_stop(&self) -> Pending {
+        self.begin(Operation::Plain(Request::ResetStop))
+    }
+
+    /// Stops the arm, whatever another thread has it do.
+    fn stop(&self, reason: Option<String>) -> Pending {
+        self.pending(self.worker.stop(reason))
+    }
+
+    /// Every status from now on.
+    fn statuses(&self) -> Statuses {
+        Statuses {
+            heard: self.worker.listen(),
+            worker: Arc::clone(&self.worker),
+        }
+    }
+
+    /// Lets go of the arm and waits until that is done.
+    fn close(&self, py: Python<'_>) {
+        py.detach(|| self.worker.close());
+    }
+}
+
+impl Core {
+    fn go(
+        &self,
+        place: TargetPlace,
+        servo_deg: Option<f32>,
+        how: &MoveOptions,
+    ) -> PyResult<Pending> {
+        let target = Target {
+            place,
+            servo_deg,
+            mode: mode(&how.path)?,
+            suction: how.suction,
+            gripper_deg: how.gripper_deg,
+            pause_s: how.pause_s,
+        };
+        let command = move |from: &Status| target.command(from);
+        Ok(self.begin(Operation::CarryOut(Box::new(command))))
+    }
+
+    fn look(
+        &self,
+        look: impl FnOnce(&mut VirtualArm, PowerUp) -> Result<Outcome, String> + Send + 'static,
+    ) -> Pending {
+        self.begin(Operation::Look(Box::new(look)))
+    }
+
+    fn switch(&self, axis: JointJogAxis) -> Pending {
+        let command = move |_: &Status| JointJog::new(axis, 0.0).into();
+        self.begin(Operation::CarryOut(Box::new(command)))
+    }
+
+    fn begin(&self, operation: Operation) -> Pending {
+        self.pending(self.worker.ask(operation))
+    }
+
+    fn pending(&self, told: Arc<Mailbox<Told>>) -> Pending {
+        Pending {
+            told,
+            worker: Arc::clone(&self.worker),
+        }
+    }
+}
+
+/// The way there, and what the tool does then: a tuple of Python.
+#[derive(FromPyObject)]
+struct MoveOptions {
+    #[pyo3(item(0))]
+    path: String,
+    #[pyo3(item(1))]
+    suction: Option<bool>,
+    #[pyo3(item(2))]
+    gripper_deg: Option<f32>,
+    #[pyo3(item(3))]
+    pause_s: f32,
+}
+
+fn mode(path: &str) -> PyResult<MovingMode> {
+    let named = path.parse::<PathName>();
+    let named = named.map_err(|it| PyValueError::new_err(format!("path is `{path}`; {it}")));
+    Ok(named?.0)
+}

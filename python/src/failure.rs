@@ -1,0 +1,162 @@
+//! Why something was not done, and the exception for it.
+
+use std::fmt;
+
+use dobot_api::{ConnectError, Problem, RemoteError, problem_kinds};
+use dobot_rules::NoArm;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Why something was not done.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    Refused(Box<Problem>),
+    Failed {
+        text: String,
+        hint: Option<String>,
+    },
+    /// A job rests and can be gone on with.
+    Paused {
+        job: u64,
+        text: String,
+    },
+    LinkLost {
+        text: String,
+        hint: Option<String>,
+    },
+    Stopped,
+    Closed,
+    Forked,
+    Unheard,
+}
+
+impl Failure {
+    /// The name of its exception.
+    pub(crate) const fn class(&self) -> &'static str {
+        match self {
+            Self::Refused(_) => "Refused",
+            Self::Failed { .. } => "Failed",
+            Self::Paused { .. } => "Paused",
+            Self::LinkLost { .. } => "LinkLost",
+            Self::Stopped => "Stopped",
+            Self::Closed | Self::Forked | Self::Unheard => "Closed",
+        }
+    }
+
+    /// What to do about it.
+    pub(crate) fn hint(&self) -> Option<&str> {
+        match self {
+            Self::Refused(problem) => problem.hint.as_deref(),
+            Self::Failed { hint, .. } | Self::LinkLost { hint, .. } => hint.as_deref(),
+            Self::Paused { .. } => {
+                Some("go on with `arm.resume()`, or give it up with `arm.cancel()`")
+            }
+            Self::Stopped => Some("when it may move again: `arm.reset_stop()`"),
+            Self::Closed | Self::Forked | Self::Unheard => {
+                Some("connect again: `dobot_arm.connect(...)`")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused(problem) => f.write_str(&problem.detail),
+            Self::Failed { text, .. } | Self::Paused { text, .. } | Self::LinkLost { text, .. } => {
+                f.write_str(text)
+            },
+            Self::Stopped => f.write_str("the arm was stopped while this was under way"),
+            Self::Closed => f.write_str("the arm was let go of"),
+            Self::Unheard => f.write_str(
+                "there are no more statuses: the arm was let go of, or more than an hour of them was not taken",
+            ),
+            Self::Forked => f.write_str(
+                "the arm belongs to the process that connected to it, and this is a fork of it",
+            ),
+        }
+    }
+}
+
+impl From<RemoteError> for Failure {
+    fn from(error: RemoteError) -> Self {
+        let hint = error.hint();
+        let text = error.to_string();
+        match error {
+            RemoteError::Refused(problem) => Self::Refused(problem),
+            RemoteError::Failed(_) => Self::Failed { text, hint },
+            _ => Self::LinkLost { text, hint },
+        }
+    }
+}
+
+impl From<ConnectError> for Failure {
+    fn from(error: ConnectError) -> Self {
+        let hint = error.hint();
+        match error {
+            ConnectError::Refused(problem) => Self::Refused(problem),
+            other => lost(&other, hint),
+        }
+    }
+}
+
+impl From<NoArm> for Failure {
+    fn from(error: NoArm) -> Self {
+        match error {
+            NoArm::Silent(error) => error.into(),
+            other => Self::LinkLost {
+                text: other.to_string(),
+                hint: other.hint(),
+            },
+        }
+    }
+}
+
+/// Every kind of problem: its name, what it is, and what it means and what helps.
+#[pyfunction]
+#[pyo3(name = "problem_kinds")]
+pub(crate) fn kinds() -> Vec<(&'static str, &'static str, &'static str)> {
+    let kinds = problem_kinds::ALL.iter();
+    kinds
+        .map(|it| (it.name, it.title, it.explanation))
+        .collect()
+}
+
+/// The exception of `dobot_arm.errors` for a failure.
+pub(crate) fn exception(py: Python<'_>, failure: &Failure) -> PyErr {
+    let made = || -> PyResult<PyErr> {
+        let fields = PyDict::new(py);
+        fields.set_item("hint", failure.hint())?;
+        if let Failure::Refused(problem) = failure {
+            fields.set_item("kind", problem.name())?;
+            fields.set_item("rule", &problem.rule)?;
+            fields.set_item("at_mm", problem.at_mm.map(<(f64, f64, f64)>::from))?;
+            fields.set_item(
+                "nearest_mm",
+                problem.nearest_mm.map(<(f64, f64, f64)>::from),
+            )?;
+        }
+        if let Failure::Paused { job, .. } = failure {
+            fields.set_item("job", job)?;
+        }
+        let class = py.import("dobot_arm.errors")?.getattr(failure.class())?;
+        let error = class.call((failure.to_string(),), Some(&fields))?;
+        Ok(PyErr::from_value(error))
+    };
+    made().unwrap_or_else(|error| error)
+}
+
+pub(crate) fn lost(error: &dyn std::error::Error, hint: Option<String>) -> Failure {
+    let text = error.to_string();
+    Failure::LinkLost { text, hint }
+}
+
+pub(crate) const fn failed(text: String) -> Failure {
+    Failure::Failed { text, hint: None }
+}
+
+/// What Python gets for a value that is not allowed.
+pub(crate) fn value_error(why: &dyn fmt::Display) -> PyErr {
+    PyValueError::new_err(why.to_string())
+}

@@ -1,0 +1,134 @@
+//! Recordings as tables.
+
+use std::io::ErrorKind;
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use dobot_record::{OpenError, Recording};
+use dobot_tables::{
+    ExportError, TableForm, export_files, export_lerobot, holds_packets, read_tables,
+};
+use pyo3::exceptions::{PyFileExistsError, PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::columns::Columns;
+use crate::failure::value_error;
+
+/// A stretch of a recording; times are seconds since its recorder was started.
+#[pyclass(frozen)]
+pub(crate) struct Log {
+    file: PathBuf,
+    stretch: RangeInclusive<Duration>,
+}
+
+/// Statuses and commands, and what is wrong with the file.
+type Read<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, Option<String>);
+
+#[pymethods]
+impl Log {
+    #[new]
+    fn new(file: PathBuf, from_s: f64, to_s: f64) -> PyResult<Self> {
+        let begin = Duration::try_from_secs_f64(from_s);
+        let end = match to_s {
+            f64::INFINITY => Ok(Duration::MAX),
+            to_s => Duration::try_from_secs_f64(to_s),
+        };
+        let (Ok(begin), Ok(end)) = (begin, end) else {
+            return Err(PyValueError::new_err(format!(
+                "start is {from_s} and end is {to_s}; allowed is 0 or more, in seconds"
+            )));
+        };
+        let log = Self {
+            file,
+            stretch: begin..=end,
+        };
+        log.open().map(|_| log)
+    }
+
+    fn tables<'py>(&self, py: Python<'py>) -> PyResult<Read<'py>> {
+        let (tables, damage) = py.detach(|| {
+            let mut recording = self.open()?;
+            let tables = read_tables(&mut recording, &self.stretch);
+            Ok::<_, PyErr>((tables, recording.damage().map(ToString::to_string)))
+        })?;
+        let made = |columns: Vec<_>| {
+            let mut made = Columns::new(py);
+            for column in columns {
+                made = made.column(column)?;
+            }
+            Ok::<_, PyErr>(made.finish())
+        };
+        Ok((made(tables.statuses)?, made(tables.commands)?, damage))
+    }
+
+    /// Writes the statuses to a file and the commands to one beside it, whose name is given.
+    fn export_files(
+        &self,
+        py: Python<'_>,
+        out: PathBuf,
+        parquet: bool,
+        overwrite: bool,
+    ) -> PyResult<PathBuf> {
+        let form = if parquet {
+            TableForm::Parquet
+        } else {
+            TableForm::Csv
+        };
+        py.detach(|| {
+            self.check()?;
+            let same = [&self.file, &out].map(|it| it.canonicalize().ok());
+            if same[0].is_some() && same[0] == same[1] {
+                let out = out.display();
+                return Err(PyValueError::new_err(format!(
+                    "{out} is the recording itself; it is never written over"
+                )));
+            }
+            let written = export_files(&mut self.open()?, &self.stretch, form, &out, overwrite);
+            Ok(written.map_err(failed)?.1)
+        })
+    }
+
+    /// Writes a dataset of LeRobot into a new folder; gives its episodes and frames.
+    fn export_lerobot(&self, py: Python<'_>, out: PathBuf, task: &str) -> PyResult<(u32, u32)> {
+        py.detach(|| {
+            self.check()?;
+            let written = export_lerobot(&mut self.open()?, &self.stretch, &out, task);
+            let dataset = written.map_err(failed)?;
+            Ok((dataset.episodes, dataset.frames))
+        })
+    }
+}
+
+impl Log {
+    fn open(&self) -> PyResult<Recording> {
+        Recording::open(&self.file).map_err(|error| match error {
+            OpenError::Io(error) => error.into(),
+            other => PyValueError::new_err(format!("{}: {other}", self.file.display())),
+        })
+    }
+
+    /// Nothing is written for a recording that tells nothing.
+    fn check(&self) -> PyResult<()> {
+        if holds_packets(&mut self.open()?, &self.stretch) {
+            return Ok(());
+        }
+        let file = self.file.display();
+        Err(PyValueError::new_err(format!(
+            "{file} holds no packet in that stretch; there is nothing to export"
+        )))
+    }
+}
+
+fn failed(error: ExportError) -> PyErr {
+    match error {
+        ExportError::File { file, source } if source.kind() == ErrorKind::AlreadyExists => {
+            let file = file.display();
+            PyFileExistsError::new_err(format!("{file} is there; overwrite=True writes over it"))
+        }
+        ExportError::File { source, .. } | ExportError::Io(source) => source.into(),
+        ExportError::NoMotion | ExportError::NoTask => value_error(&error),
+        other => PyOSError::new_err(other.to_string()),
+    }
+}

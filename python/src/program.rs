@@ -1,0 +1,231 @@
+//! Taught programs: read, made of steps, checked, and made into jobs.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
+use dobot_api::{NewJob, Problem};
+use dobot_draw::ProgramFiles;
+use dobot_rules::{PlannedFor, Rules};
+use dobot_safety::Policy;
+use dobot_teach::{Compiled, Program, ProgramError, ProgramForm, Times, check};
+use dobot_wire::Dialect;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+
+use crate::failure::value_error;
+
+/// A program, with the folder in which the files are that it names.
+#[pyclass(frozen)]
+pub(crate) struct Taught {
+    pub(crate) source: Arc<Source>,
+    text: String,
+    warnings: Vec<String>,
+}
+
+/// What jobs are made of.
+pub(crate) struct Source {
+    program: Program,
+    /// What it is called where it does not say so itself.
+    name: String,
+    folder: PathBuf,
+}
+
+#[pymethods]
+impl Taught {
+    /// Reads a file, whose form is told by the end of its name.
+    #[staticmethod]
+    fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
+        let form = form_of(&file)?;
+        let bytes = fs::read(&file)?;
+        let told = |it: ProgramError| PyValueError::new_err(format!("{}: {it}", file.display()));
+        py.detach(|| {
+            let read = form.read(&bytes).map_err(told)?;
+            let text = match form {
+                ProgramForm::Toml => String::from_utf8_lossy(&bytes).into_owned(),
+                _ => read.it.to_toml(),
+            };
+            let name = file.file_stem().unwrap_or_default().to_string_lossy();
+            let folder = file.parent().unwrap_or(Path::new(""));
+            Self::new(text, &name, folder, read.warnings).map_err(told)
+        })
+    }
+
+    /// Takes the text of a program; the files that it names are in a folder.
+    #[staticmethod]
+    fn of_text(text: String, folder: PathBuf) -> PyResult<Self> {
+        Self::new(text, UNNAMED, &folder, Vec::new()).map_err(|it| value_error(&it))
+    }
+
+    /// Makes a program of a JSON object with the names of a program's text.
+    #[staticmethod]
+    fn of_json(json: &str, folder: PathBuf) -> PyResult<Self> {
+        let value: Value = serde_json::from_str(json).map_err(|it| value_error(&it))?;
+        let text = toml::to_string(&value).map_err(|it| value_error(&it))?;
+        let program =
+            Program::from_toml(&text).map_err(|it| PyValueError::new_err(numbered(&text, &it)))?;
+        Self::new(program.to_toml(), UNNAMED, &folder, Vec::new()).map_err(|it| value_error(&it))
+    }
+
+    /// The JSON Schema of a program.
+    #[staticmethod]
+    fn schema() -> String {
+        Program::schema().to_string()
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        self.source.title()
+    }
+
+    #[getter]
+    fn steps(&self) -> usize {
+        self.source.program.steps.0.len()
+    }
+
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
+    }
+
+    /// Writes a file, and gives what its form cannot carry.
+    fn save(&self, file: PathBuf) -> PyResult<Vec<String>> {
+        let (text, lost) = match form_of(&file)? {
+            ProgramForm::Toml => (self.text.clone(), Vec::new()),
+            form => {
+                let written = form.write(&self.source.program);
+                let written = written.map_err(|it| value_error(&it))?;
+                (written.it, written.warnings)
+            }
+        };
+        fs::write(file, text)?;
+        Ok(lost)
+    }
+
+    /// What is wrong with it for any arm of a dialect, and how long it takes: a JSON object.
+    fn check(&self, py: Python<'_>, dialect: Option<&str>) -> PyResult<String> {
+        let dialect = dialect.map(str::parse::<Dialect>).transpose();
+        let dialect = dialect.map_err(|it| value_error(&it))?;
+        py.detach(|| {
+            let arm = PlannedFor::any(Rules::of(&Policy::default()).into(), dialect);
+            self.source.report(&arm).map_err(|it| value_error(&it))
+        })
+    }
+}
+
+impl Taught {
+    fn new(
+        text: String,
+        name: &str,
+        folder: &Path,
+        warnings: Vec<String>,
+    ) -> Result<Self, ProgramError> {
+        let source = Source {
+            program: Program::from_toml(&text)?,
+            name: name.to_owned(),
+            folder: folder.to_owned(),
+        };
+        Ok(Self {
+            source: Arc::new(source),
+            text,
+            warnings,
+        })
+    }
+}
+
+impl Source {
+    fn title(&self) -> &str {
+        match self.program.title.as_str() {
+            "" => &self.name,
+            title => title,
+        }
+    }
+
+    /// Its commands for an arm.
+    fn compile(&self, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
+        let read = |path: &str| {
+            fs::read(self.folder.join(path)).map_err(|error| format!("cannot read {path}: {error}"))
+        };
+        let mut files = ProgramFiles::new(read, arm.dialect(), arm.calibration.clone());
+        let mut compiled = self.program.compile_for(&arm.arm(), &mut files)?;
+        self.title().clone_into(&mut compiled.title);
+        Ok(compiled)
+    }
+
+    /// What is wrong with it for an arm, and how long it takes: a JSON object.
+    pub(crate) fn report(&self, arm: &PlannedFor) -> Result<String, ProgramError> {
+        let compiled = self.compile(arm)?;
+        let report = check(&compiled, &arm.rules.policy, arm.model());
+        let steps = compiled.steps.iter().zip(&report.steps_s);
+        let steps: Vec<Value> = steps
+            .map(|(it, takes_s)| json!({"label": *it.label, "file": it.file.as_deref(), "line": it.line, "takes_s": takes_s}))
+            .collect();
+        Ok(json!({
+            "steps": steps,
+            "problems": report.problems,
+            "once_s": report.once_s,
+            "cycle_s": report.cycle_s,
+            "total_s": report.total_s,
+        })
+        .to_string())
+    }
+}
+
+/// A program that is to be done.
+pub(crate) struct Run {
+    pub(crate) source: Arc<Source>,
+    /// How often; as often as it says itself, where nothing is said.
+    pub(crate) times: Option<Times>,
+    /// With which step it begins, counted from 1.
+    pub(crate) from_step: usize,
+}
+
+impl Run {
+    /// The job for an arm, where nothing is wrong with it.
+    pub(crate) fn job(&self, arm: &PlannedFor) -> Result<NewJob, Problem> {
+        let compiled = self.source.compile(arm);
+        let mut compiled = compiled.map_err(|it| BAD_PROGRAM.problem(it.to_string()))?;
+        let problems = check(&compiled, &arm.rules.policy, arm.model()).problems;
+        if !problems.is_empty() {
+            let problems: Vec<String> = problems.iter().map(ToString::to_string).collect();
+            return Err(BAD_PROGRAM.problem(problems.join("\n")));
+        }
+        if let Some(times) = self.times {
+            compiled.repeat(times);
+        }
+        let (steps, from) = (compiled.steps.len(), self.from_step);
+        let rest = from.checked_sub(1).and_then(|it| compiled.from_step(it));
+        let rest = rest.ok_or_else(|| {
+            OUT_OF_RANGE.problem(format!("from_step is {from}; allowed is 1 to {steps}"))
+        })?;
+        Ok(rest.job())
+    }
+}
+
+fn form_of(file: &Path) -> PyResult<ProgramForm> {
+    let name = file.to_string_lossy();
+    ProgramForm::of_name(&name).ok_or_else(|| {
+        PyValueError::new_err(format!(
+            "{name} is no program by its name; programs end in .toml, .xml or .play"
+        ))
+    })
+}
+
+/// What is wrong, with the number of the step instead of a line that nobody has seen.
+fn numbered(text: &str, error: &ProgramError) -> String {
+    let lines = text.lines().take(error.line.unwrap_or(0));
+    match lines.filter(|it| *it == "[[steps]]").count() {
+        0 => error.reason.clone(),
+        step => format!("step {step}: {}", error.reason),
+    }
+}
+
+/// What a program is called that has neither a title nor a file.
+const UNNAMED: &str = "program";
