@@ -52,7 +52,7 @@ fn collect(root: &Path, folder: &Path, paths: &mut Vec<String>) -> io::Result<()
 }
 
 fn row(folder: &Path, path: &str) -> io::Result<String> {
-    let served = if path == "index.html" { "" } else { path };
+    let served = served_at(path);
     let kind = content_type(path)?;
     let bytes = folder.join(path);
     Ok(format!(
@@ -60,6 +60,12 @@ fn row(folder: &Path, path: &str) -> io::Result<String> {
         format!("/{served}"),
         bytes.display().to_string(),
     ))
+}
+
+/// Where a file is served: an `index.html` where its folder is, as in `/fleet`.
+fn served_at(path: &str) -> &str {
+    path.strip_suffix("index.html")
+        .map_or(path, |folder| folder.trim_end_matches('/'))
 }
 
 /// By the name's end. Browsers refuse a module that does not say that it is one.

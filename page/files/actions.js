@@ -123,7 +123,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   }
 
   async function stopByRequest() {
-    const { problem } = await http.ask("POST", "api/v1/stop");
+    const { problem } = await http.stop("api/v1/stop");
     if (problem) send({ type: "problem", problem: problem.type ? problem : { type: "stop-missed", title: "", detail: "" } });
   }
 

@@ -361,6 +361,41 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/lock": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Keeps the arm for administrators (admin): whoever else has control loses it, and a job that runs is paused */
+        post: operations["post_lock"];
+        /** Lets everyone take control again (admin) */
+        delete: operations["delete_lock"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/message": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Tells something to all who watch */
+        post: operations["post_message"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/laser": {
         parameters: {
             query?: never;
@@ -998,6 +1033,161 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/fleet": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** All stations of the fleet that have been seen */
+        get: operations["get_fleet"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/events": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The stations of the fleet as server-sent events: `member`, each with a message as in `Member`; first all of them, then each one that changes, ten times in a second at the most */
+        get: operations["get_fleet_events"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/stop": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which did not answer: their own pages stop them */
+        post: operations["post_fleet_stop"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/requests": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Asks several stations for the same: method, path and body are those of their own API. The token of this request goes with it, and each station looks by itself what its holder may do */
+        post: operations["post_fleet_requests"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/work": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** All work that was submitted to this station for any arm, in the order in which it came */
+        get: operations["get_fleet_work"];
+        put?: never;
+        /** Submits a drawing or a job to any arm of the fleet that has what it needs: one that is free does it, once */
+        post: operations["post_fleet_work"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/work/{work}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Cancels work: the station that has it lets it be, unless its arm is at it */
+        delete: operations["delete_fleet_work_work"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/work/{work}/give": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Gives work that is in doubt or has failed to another arm. This is for a person who has looked at the first one: what was drawn there may be drawn again */
+        post: operations["post_fleet_work_work_give"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/offers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Takes work of the fleet under a key, if no other job is queued or under way here. What is answered under a key is the answer for good: the same request gets the same job, and what was refused is never done */
+        post: operations["post_fleet_offers"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/offers/{key}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** What has become of work that was offered under a key */
+        get: operations["get_fleet_offers_key"];
+        put?: never;
+        post?: never;
+        /** Takes an offer back: it is refused whenever it comes, and a job that has come of it ends if it has not begun */
+        delete: operations["delete_fleet_offers_key"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
 export type webhooks = Record<string, never>;
 export interface components {
@@ -1059,6 +1249,8 @@ export interface components {
             queue: components["schemas"]["QueueView"];
             /** @description Who has control, if anybody has. */
             lease?: components["schemas"]["LeaseView"] | null;
+            /** @description The lock that holds the arm for administrators, if one does. */
+            lock?: components["schemas"]["LockView"] | null;
             /** @description The stop that holds the arm, if one does. */
             stop?: components["schemas"]["StopView"] | null;
             /** @description The laser's interlock. */
@@ -1281,6 +1473,18 @@ export interface components {
             client: components["schemas"]["ClientId"];
             /** @description What it calls itself. */
             name: string;
+        };
+        /** @description A lock: only an administrator gets control of the arm. */
+        LockView: {
+            /** @description Who locked it. */
+            by: string;
+            /** @description Why, for those who want to move the arm. */
+            message?: string | null;
+            /**
+             * Format: double
+             * @description When, in seconds since the station started.
+             */
+            at_s: number;
         };
         /** @description A stop that holds the arm. */
         StopView: {
@@ -1512,6 +1716,17 @@ export interface components {
         } | {
             /** @constant */
             type: "stop_reset";
+        } | {
+            /** @constant */
+            type: "locked";
+        } | {
+            /** @constant */
+            type: "unlocked";
+        } | {
+            /** @constant */
+            type: "message";
+            /** @description Who. */
+            client: components["schemas"]["ClientId"];
         } | {
             /** @constant */
             type: "laser_armed";
@@ -2647,6 +2862,19 @@ export interface components {
             /** @description One of those who ask. */
             to: components["schemas"]["ClientId"];
         };
+        /** @description Why the arm is locked. */
+        NewLock: {
+            /**
+             * @description For those who want to move the arm. What is longer than 200 characters is cut.
+             * @default null
+             */
+            message: string | null;
+        };
+        /** @description What to tell. */
+        NewMessage: {
+            /** @description The text. What is longer than 200 characters is cut. */
+            text: string;
+        };
         /** @description For how long the laser may be switched on. */
         ArmLaser: {
             /**
@@ -3516,7 +3744,7 @@ export interface components {
              *         "join": null,
              *         "drop_doubles": false,
              *         "keep_order": false,
-             *         "tries": 20000,
+             *         "tries": 60000,
              *         "seed": 1,
              *         "from": null
              *       }
@@ -3621,7 +3849,7 @@ export interface components {
              *       "join": null,
              *       "drop_doubles": false,
              *       "keep_order": false,
-             *       "tries": 20000,
+             *       "tries": 60000,
              *       "seed": 1,
              *       "from": null
              *     }
@@ -4001,7 +4229,7 @@ export interface components {
             /**
              * Format: uint32
              * @description How long to look for the shortest way with the pen up: so many tries
-             * @default 20000
+             * @default 60000
              */
             tries: number;
             /**
@@ -4579,6 +4807,224 @@ export interface components {
              */
             seed: number;
         };
+        /** @description A fleet, as one of its stations sees it. */
+        FleetView: {
+            /** @description What the station that tells this is called in the fleet. */
+            name: string;
+            /**
+             * Format: double
+             * @description The time since that station started, in seconds.
+             */
+            at_s: number;
+            /** @description All stations that have been seen, this one among them, by name. */
+            members: components["schemas"]["Member"][];
+        };
+        /** @description A station of a fleet, as another one sees it. */
+        Member: {
+            /** @description What it is called, as in `desk-3`. */
+            name: string;
+            /** @description The number that it goes by as long as its data live, 32 hexadecimal digits: two stations may claim one name. */
+            id: string;
+            /** @description Whether it is the station that tells this. */
+            here: boolean;
+            /** @description Whether it can be reached. */
+            presence: components["schemas"]["Presence"];
+            /**
+             * Format: double
+             * @description When it was heard last, in seconds since the start of the station that tells this: by no other clock.
+             */
+            heard_at_s: number;
+            /** @description What it is; absent until it has told. */
+            about?: components["schemas"]["MemberAbout"] | null;
+            /** @description What it told last; absent until it has told anything. */
+            state?: components["schemas"]["State"] | null;
+        };
+        /** @description Whether a station of a fleet can be reached. */
+        Presence: {
+            /** @constant */
+            type: "present";
+        } | {
+            /** @constant */
+            type: "away";
+        } | {
+            /** @constant */
+            type: "refused";
+            /** @description Why, and what to do. */
+            problem: components["schemas"]["Problem"];
+        };
+        /** @description What a station of a fleet is. */
+        MemberAbout: {
+            /** @description The version of its program. */
+            version: string;
+            /** @description Where its own page is, as others reach it; absent where it is for its own machine only. */
+            page?: string | null;
+            /** @description The groups that it belongs to, as in `room-2`. */
+            groups: string[];
+            /** @description What it has for work, as in `pen`, `laser`, `a5`. */
+            offers: string[];
+            /** @description Whether its arm is a virtual one. */
+            is_virtual: boolean;
+            /** @description What it does with work of the fleet; absent where it takes none. */
+            takes_work?: components["schemas"]["TakesWork"] | null;
+        };
+        /** @description What a station does with the work of its fleet. */
+        TakesWork: "queue" | "start";
+        /** @description Whom to stop. */
+        FleetStop: {
+            /**
+             * @description Which stations; all where it is not said.
+             * @default all
+             */
+            to: components["schemas"]["Recipients"];
+            /** @description Why, for those who find their arm stopped. */
+            reason?: string | null;
+        };
+        /** @description Which stations of a fleet. */
+        Recipients: "all" | {
+            group: string;
+        } | {
+            members: string[];
+        };
+        /** @description What one station of a fleet answered. */
+        MemberAnswer: {
+            /** @description What it is called. */
+            member: string;
+            /** @description The number that it goes by. */
+            id: string;
+            /** @description Its answer; where none came, a problem says so: what was asked may have been done all the same. */
+            answer: components["schemas"]["ApiAnswer"];
+            /**
+             * Format: double
+             * @description How long the answer took, in milliseconds.
+             */
+            took_ms: number;
+        };
+        /** @description What a station answers. */
+        ApiAnswer: {
+            /**
+             * Format: uint16
+             * @description The status of HTTP.
+             */
+            status: number;
+            /** @description The body: JSON, a problem where the status is 400 or above, and a text where it is no JSON. */
+            body: unknown;
+        };
+        /** @description A request to several stations at once. */
+        FleetRequest: {
+            /** @description Which stations. */
+            to: components["schemas"]["Recipients"];
+            /** @description The method, as in `POST`. */
+            method: string;
+            /** @description The path with its query, as in `/api/v1/jobs/pause`. */
+            path: string;
+            /**
+             * @description The token of a lease of the one station that is asked.
+             * @default null
+             */
+            lease: string | null;
+            /**
+             * @description What the sender calls this request.
+             * @default null
+             */
+            key: string | null;
+            /**
+             * @description The body, where there is one.
+             * @default null
+             */
+            body: unknown;
+        };
+        /** @description A drawing or a program for any arm: one of both. */
+        FleetWork: {
+            /**
+             * @description A drawing; the station that takes it plans it for its own arm.
+             * @default null
+             */
+            drawing: components["schemas"]["NewDrawing"] | null;
+            /**
+             * @description A job. Its places are those of this station's arm: one that is calibrated otherwise does not take it.
+             * @default null
+             */
+            job: components["schemas"]["NewJob"] | null;
+            /**
+             * @description What an arm has to have for it, as in `["pen", "a5"]`.
+             * @default []
+             */
+            needs: string[];
+            /**
+             * @description Whose it is; without it, that of whoever submits it.
+             * @default null
+             */
+            student: string | null;
+            /**
+             * @description The group of that one.
+             * @default null
+             */
+            group: string | null;
+        };
+        /** @description A drawing or a program that any arm of the fleet may do, once. */
+        WorkView: {
+            /** @description What it goes by: 32 hexadecimal digits. */
+            id: string;
+            /** @description What a person calls it. */
+            title: string;
+            /** @description Whose it is. */
+            student: string;
+            /** @description The group of that one. */
+            group?: string | null;
+            /** @description What an arm has to have for it, as in `pen`, `a5`. */
+            needs: string[];
+            /**
+             * Format: int64
+             * @description When it was submitted, in milliseconds since 1970-01-01T00:00:00Z.
+             */
+            submitted_ms: number;
+            /** @description How far it is. */
+            phase: components["schemas"]["WorkPhase"];
+            /**
+             * @description Why nobody knows whether it is or will be drawn: it is in doubt, and no other arm gets it until that is known or a
+             *     person decides so.
+             */
+            doubt?: string | null;
+            /** @description Why it waits, or how it ended. */
+            reason?: string | null;
+            /** @description The station that was offered it, or has it. */
+            member?: components["schemas"]["WorkMember"] | null;
+            /** @description The job there, as it was heard of last. */
+            job?: components["schemas"]["JobView"] | null;
+            /** @description The stations from which a person has taken it, and what may have been drawn there. */
+            before?: components["schemas"]["WorkBefore"][];
+        };
+        /** @description How far work for any arm is. */
+        WorkPhase: "waiting" | "offered" | "taken" | "done" | "failed" | "cancelled";
+        /** @description A station that work was offered to. */
+        WorkMember: {
+            /** @description What it is called. */
+            name: string;
+            /** @description The number that it goes by. */
+            id: string;
+        };
+        /** @description A station from which a person has taken work that was in doubt or had failed. */
+        WorkBefore: {
+            /** @description Which. */
+            member: components["schemas"]["WorkMember"];
+            /** @description What of it may have been drawn there, in words. */
+            drawn: string;
+            /** @description Whether that station has answered since, so that nothing more of it is drawn there. */
+            is_settled: boolean;
+        };
+        /** @description Work that a station offers: a drawing or a job. */
+        FleetOffer: {
+            /** @description What the station is called. */
+            by: string;
+            /** @description Whose it is. */
+            student: string;
+            /** @description A drawing, which is planned here. */
+            drawing?: components["schemas"]["NewDrawing"] | null;
+            /** @description A job. */
+            job?: components["schemas"]["NewJob"] | null;
+            /** @description The calibration of the arm that the job's places are meant for, as ten numbers. */
+            made_for?: number[] | null;
+        };
         /** @description What the station sends over the WebSocket. */
         ToClient: {
             /** @description What the client has to know. */
@@ -4705,6 +5151,19 @@ export interface components {
         } | {
             /** @constant */
             type: "seize_lease";
+        } | {
+            /** @constant */
+            type: "lock";
+            /** @description Why, for those who want to move the arm, as in "eyes on me". What is longer than 200 characters is cut. */
+            message?: string | null;
+        } | {
+            /** @constant */
+            type: "unlock";
+        } | {
+            /** @constant */
+            type: "message";
+            /** @description What. What is longer than 200 characters is cut. */
+            text: string;
         } | {
             /** @constant */
             type: "arm_laser";
@@ -5907,6 +6366,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -6215,6 +6675,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -6361,6 +6822,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -6765,6 +7227,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7030,7 +7493,10 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `lease-gone`: the lease token is not valid any more */
+            /**
+             * @description - `locked`: the arm is locked
+             *     - `lease-gone`: the lease token is not valid any more
+             */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -7167,6 +7633,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `not-asking`: nobody asks for control
+             *     - `locked`: the arm is locked
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7360,6 +7827,395 @@ export interface operations {
             };
         };
     };
+    post_lock: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /**
+                 * @example {
+                 *       "message": "eyes on me"
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewLock"];
+            };
+        };
+        responses: {
+            /** @description the arm is locked */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_lock: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description the arm is not locked */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_message: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "text": "five more minutes"
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewMessage"];
+            };
+        };
+        responses: {
+            /** @description it is told */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_laser: {
         parameters: {
             query?: never;
@@ -7435,6 +8291,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `stopped`: the arm is stopped
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -7573,6 +8430,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7706,6 +8564,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7843,6 +8702,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `job-running`: a job has the arm
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -7974,6 +8834,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -8336,6 +9197,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -9473,6 +10335,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `job-phase`: the job does not allow this now
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -10188,6 +11051,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -10357,6 +11221,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -10515,6 +11380,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `no-job-runs`: no job is running
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -10659,6 +11525,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `no-job-runs`: no job is running
              *     - `still-moving`: the arm still moves
              *     - `no-vectors`: the job has no vectors
@@ -10800,6 +11667,7 @@ export interface operations {
             };
             /**
              * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
              *     - `no-job-runs`: no job is running
              *     - `still-moving`: the arm still moves
              *     - `no-vectors`: the job has no vectors
@@ -12970,6 +13838,1312 @@ export interface operations {
             };
             /** @description - `ending`: the station is shutting down */
             503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_fleet: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the fleet */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FleetView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-fleet`: this station belongs to no fleet */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_fleet_events: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the events */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": components["schemas"]["ServerSentEvent"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-fleet`: this station belongs to no fleet */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many-clients`: too many clients
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_fleet_stop: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /**
+                 * @example {
+                 *       "to": {
+                 *         "group": "room-2"
+                 *       },
+                 *       "reason": "smoke"
+                 *     }
+                 */
+                "application/json": components["schemas"]["FleetStop"];
+            };
+        };
+        responses: {
+            /** @description the answer of each */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MemberAnswer"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-fleet`: this station belongs to no fleet
+             *     - `no-such-member`: the fleet has no such station
+             */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_fleet_requests: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "to": {
+                 *         "members": [
+                 *           "desk-3"
+                 *         ]
+                 *       },
+                 *       "method": "GET",
+                 *       "path": "/api/v1/jobs"
+                 *     }
+                 */
+                "application/json": components["schemas"]["FleetRequest"];
+            };
+        };
+        responses: {
+            /** @description the answer of each */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MemberAnswer"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-fleet`: this station belongs to no fleet
+             *     - `no-such-member`: the fleet has no such station
+             */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_fleet_work: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the work */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkView"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-fleet`: this station belongs to no fleet */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_fleet_work: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "drawing": {
+                 *         "options": {
+                 *           "what": {
+                 *             "text": "Hello"
+                 *           },
+                 *           "place": {
+                 *             "at": [
+                 *               210,
+                 *               0
+                 *             ],
+                 *             "pen_down": -40
+                 *           }
+                 *         }
+                 *       },
+                 *       "needs": [
+                 *         "pen",
+                 *         "a5"
+                 *       ],
+                 *       "student": "Anna"
+                 *     }
+                 */
+                "application/json": components["schemas"]["FleetWork"];
+            };
+        };
+        responses: {
+            /** @description it waits for an arm */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-fleet`: this station belongs to no fleet */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `work-file`: the work cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_fleet_work_work: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                work: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description it is cancelled, or is being withdrawn */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-fleet`: this station belongs to no fleet
+             *     - `no-such-work`: there is no such work
+             */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `work-phase`: this cannot be done with it now */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_fleet_work_work_give: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                work: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description it waits for another arm */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WorkView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-fleet`: this station belongs to no fleet
+             *     - `no-such-work`: there is no such work
+             */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `work-phase`: this cannot be done with it now */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_fleet_offers: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+                /** @description What the sender calls this request: sent again with the same key it queues no other job, and names the one that is there */
+                "Idempotency-Key"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "by": "desk-1",
+                 *       "student": "Anna",
+                 *       "drawing": {
+                 *         "options": {
+                 *           "what": {
+                 *             "text": "Hello"
+                 *           },
+                 *           "place": {
+                 *             "at": [
+                 *               210,
+                 *               0
+                 *             ],
+                 *             "pen_down": -40
+                 *           }
+                 *         }
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["FleetOffer"];
+            };
+        };
+        responses: {
+            /** @description it is taken: the job */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-fleet`: this station belongs to no fleet */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `arm-busy`: the arm has other work
+             *     - `work-refused`: the station does not take this work
+             *     - `drawing-phase`: the drawing is not planned yet
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_fleet_offers_key: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                key: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description it was taken: the job as it is now */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-work`: there is no such work */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `arm-busy`: the arm has other work
+             *     - `work-refused`: the station does not take this work
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_fleet_offers_key: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                key: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description it was taken before: the job as it is now */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["JobView"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-work`: there is no such work */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `arm-busy`: the arm has other work
+             *     - `work-refused`: the station does not take this work
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `journal`: the journal cannot be written */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };

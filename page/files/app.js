@@ -12,6 +12,7 @@ import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
+import { isDarkTheme, keepWishes, readWishes } from "./parts/wishes.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
 import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/select.js";
@@ -36,8 +37,9 @@ import { foot } from "./views/foot.js";
 import { learn, point } from "./views/learn.js";
 import { cameras, pose } from "./views/pose.js";
 import { strip } from "./views/strip.js";
+import { showQuestion } from "./views/sure.js";
 import { tabs } from "./views/tabs.js";
-import { LANGUAGES, languageOf, span, speak } from "./words/words.js";
+import { languageOf, span, speak } from "./words/words.js";
 
 /** @typedef {import("./state/state.js").Page} Page */
 /** @typedef {import("./views/context.js").Context} Context */
@@ -45,8 +47,6 @@ import { LANGUAGES, languageOf, span, speak } from "./words/words.js";
 const TICK_MS = 250;
 const KEEP_MS = 300;
 const TOLD_MS = 12_000;
-/** Where the wishes of a person are kept in this browser. */
-const WISHES = "dobot";
 /** Where the program is kept that somebody teaches, so that nothing of it is lost. */
 const PROGRAM = "dobot.program";
 const KEPT = new Set(["language", "theme", "greeted"]);
@@ -56,17 +56,7 @@ const PANELS = { move, draw: drawPanelOf, teach, jobs, watch, set_up: setUp };
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
-/** What was kept, where it can be read and still means something. @returns {Partial<Pick<Page, "language" | "theme" | "greeted">>} */
-function wishes() {
-  try {
-    const { language, theme, greeted } = JSON.parse(localStorage.getItem(WISHES) ?? "{}");
-    return { ...(language in LANGUAGES && { language }), ...(["auto", "light", "dark"].includes(theme) && { theme }), greeted: greeted === true };
-  } catch {
-    return {};
-  }
-}
-
-const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, program: localStorage.getItem(PROGRAM) ?? "", ...wishes() }));
+const store = createStore(begin({ language: languageOf(navigator.languages), theme: "auto", greeted: false, program: localStorage.getItem(PROGRAM) ?? "", ...readWishes() }));
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
@@ -81,7 +71,7 @@ const viewOf = createViewOf();
 let asked = 0;
 const changed = () => (asked ||= requestAnimationFrame(draw));
 
-const isDark = (/** @type {Page} */ { theme }) => theme === "dark" || (theme === "auto" && dark.matches);
+const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, dark.matches);
 
 function draw() {
   asked = 0;
@@ -100,7 +90,7 @@ function draw() {
   render(tabs(context), part("tabs"));
   render(foot(context), part("foot"));
   drawPanel(context);
-  drawQuestion(context);
+  showQuestion(/** @type {HTMLDialogElement} */ (part("sure")), question(context), page.question !== null);
   point(page);
   drawStage(page, say);
 }
@@ -111,18 +101,6 @@ function drawPanel(context) {
   const panel = part("panel");
   panel.setAttribute("aria-labelledby", `tab-${tab}`);
   render(PANELS[tab](context), panel);
-}
-
-/** @param {Context} context */
-function drawQuestion(context) {
-  const dialog = /** @type {HTMLDialogElement} */ (part("sure"));
-  render(question(context), dialog);
-  const open = context.page.question !== null;
-  if (open === dialog.open) return;
-  if (!open) return dialog.close();
-  // Not a modal one: STOP has to stay within reach.
-  dialog.show();
-  part("sure-no").focus();
 }
 
 /** @param {Page} page @param {import("./words/words.js").Say} say */
@@ -164,7 +142,7 @@ store.listen((page, message) => {
   }
   if (KEPT.has(message.type)) {
     const { language, theme, greeted } = page;
-    localStorage.setItem(WISHES, JSON.stringify({ language, theme, greeted }));
+    keepWishes({ language, theme, greeted });
   }
 });
 part("stage").addEventListener("target", (event) => {

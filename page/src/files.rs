@@ -29,6 +29,13 @@ mod tests {
     }
 
     #[test]
+    fn the_page_of_a_folder_is_where_the_folder_is() {
+        let board = find("/fleet").map(|file| file.content_type);
+        assert_eq!(board, Some("text/html; charset=utf-8"));
+        assert!(find("/fleet/index.html").is_none());
+    }
+
+    #[test]
     fn files_in_folders_say_what_they_are() {
         for (path, expected) in [
             ("/vendor/three/three.js", "text/javascript; charset=utf-8"),

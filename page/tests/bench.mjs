@@ -40,12 +40,15 @@ class Told {
 
 const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
 
+/** A browser; with `webgl` it draws in three dimensions. */
+export const launch = (webgl = false) => chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
+
 /** With FILES=disk the page is that of the folder, so that nothing has to be built after a change of it. */
-async function serveFromDisk(context, station) {
+export async function serveFromDisk(context, station) {
   if (process.env.FILES !== "disk") return;
   await context.route((url) => url.href.startsWith(station) && !url.pathname.startsWith("/api/"), async (route) => {
     const { pathname } = new URL(route.request().url());
-    const name = pathname === "/" ? "/index.html" : pathname;
+    const name = pathname === "/" ? "/index.html" : pathname === "/fleet" ? "/fleet/index.html" : pathname;
     const body = await readFile(new URL(`../files${name}`, import.meta.url)).catch(() => null);
     if (!body) return route.continue();
     const headers = { ...(await route.fetch({ url: station })).headers(), "content-type": `${TYPES[name.split(".").at(-1)] ?? "text/plain"}; charset=utf-8`, "content-length": String(body.length) };
@@ -96,7 +99,7 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
     return begun.child;
   };
   let child = await begin();
-  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
+  const browser = await launch(webgl);
   const errors = [];
   /** One more visitor, who has seen nothing of this browser yet. */
   async function visit(options) {

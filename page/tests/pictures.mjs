@@ -3,13 +3,16 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { open } from "./bench.mjs";
+import { crowd, standIn } from "./stand_in.mjs";
 import { VIEWS, look } from "./views.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/pictures/page/", import.meta.url));
 const LOOKS = [["desktop", "light", "en"], ["desktop", "dark", "zh"], ["tablet", "dark", "en"], ["phone", "light", "en"]];
 const QUALITY = 0.8;
+/** The board of a fleet, of a stand-in with so many stations. */
+const BOARD = "fleet", STATIONS = 30;
 const wanted = process.argv.slice(2);
-const names = wanted.length ? wanted : Object.keys(VIEWS);
+const names = (wanted.length ? wanted : Object.keys(VIEWS)).filter((it) => it !== BOARD);
 
 await mkdir(FOLDER, { recursive: true });
 const bench = await open({ virtual: true, webgl: true });
@@ -44,5 +47,21 @@ for (const name of names) {
     }
     await page.context().close();
   }
+}
+if (!wanted.length || wanted.includes(BOARD)) {
+  const station = await standIn(crowd(STATIONS));
+  for (const [size, theme, language] of LOOKS) {
+    const context = await writer.context().browser().newContext(look({ size, theme, language }));
+    const page = await context.newPage();
+    await page.goto(station.url);
+    await page.waitForSelector(".tile");
+    if (size !== "phone") await page.click(".tile[data-member=desk-5] .name");
+    await page.click("#stop");
+    await page.waitForSelector("#stop-told .silent");
+    await page.waitForTimeout(800);
+    await writeFile(`${FOLDER}${BOARD}-${size}-${theme}-${language}.webp`, await webp(await page.screenshot()));
+    await context.close();
+  }
+  await station.end();
 }
 await bench.end();

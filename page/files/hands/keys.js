@@ -28,6 +28,19 @@ export function axisOf({ key, ctrlKey, altKey, metaKey, shiftKey }, frame) {
   return JOG_KEYS[frame][key];
 }
 
+/** Stops by Escape and Space, wherever the focus is, before anything else hears of the key. @param {() => void} stop */
+export function listenToStop(stop) {
+  let byKeys = false, lastWasKey = false;
+  document.addEventListener("pointerdown", () => (byKeys = lastWasKey = false), { capture: true });
+  document.addEventListener("focusin", () => (byKeys = lastWasKey), { capture: true });
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== " ") lastWasKey = true;
+    if (!isStop(event.key, document.activeElement, byKeys)) return;
+    event.preventDefault();
+    if (!event.repeat) stop();
+  }, { capture: true });
+}
+
 /**
  * @param {object} outside
  * @param {HTMLElement} outside.stage
@@ -36,16 +49,7 @@ export function axisOf({ key, ctrlKey, altKey, metaKey, shiftKey }, frame) {
  * @param {() => Frame} outside.frame
  */
 export function listenToKeys({ stage, stop, jog, frame }) {
-  let byKeys = false, lastWasKey = false;
-  document.addEventListener("pointerdown", () => (byKeys = lastWasKey = false), { capture: true });
-  document.addEventListener("focusin", () => (byKeys = lastWasKey), { capture: true });
-  // Before all else, wherever the focus is.
-  document.addEventListener("keydown", (event) => {
-    if (event.key !== " ") lastWasKey = true;
-    if (!isStop(event.key, document.activeElement, byKeys)) return;
-    event.preventDefault();
-    if (!event.repeat) stop();
-  }, { capture: true });
+  listenToStop(stop);
   // A key that is let go of may say another name than it said when it was pressed.
   stage.addEventListener("keydown", (event) => {
     const axis = axisOf(event, frame());

@@ -11,7 +11,7 @@ import { recordings } from "./recordings.js";
 /** @typedef {import("../words/words.js").Word} Word */
 /** @typedef {import("../state/jobs.js").JobView} JobView */
 
-const TONES = { queued: "off", running: "good", paused: "warn", stopped: "off", done: "good", failed: "bad" };
+export const TONES = { queued: "off", running: "good", paused: "warn", stopped: "off", done: "good", failed: "bad" };
 
 /** @param {Context} context */
 export const jobs = (context) => html`${list(context)}${recordings(context)}`;

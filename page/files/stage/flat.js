@@ -1,7 +1,7 @@
 // The stage without WebGL: the arm from above and from the side, on a canvas.
 
 import { forward, inverse, links, rad } from "./links.js";
-import { lookOf } from "./look.js";
+import { css, lookOf } from "./look.js";
 import { nearLimits } from "./near.js";
 
 /** @typedef {import("./view.js").View} View */
@@ -281,6 +281,3 @@ function plot(frame, { across: [a0 = 0, a1 = 0], up: [u0 = 0, u1 = 0] }) {
     from: (px, py) => [am + (px - cx) / scale, um - (py - cy) / scale],
   };
 }
-
-/** @param {number} hex */
-const css = (hex) => `#${hex.toString(16).padStart(6, "0")}`;

@@ -4,7 +4,8 @@
 /** @typedef {import("./view.js").Marks} Marks */
 /** @typedef {import("./view.js").View} View */
 
-const LASER_WIDTH_MM = 0.3;
+/** How wide a burn is. */
+export const LASER_WIDTH_MM = 0.3;
 /** The energy for a millimetre that makes paper brown, in joules. */
 const BROWN_J_MM = 0.02;
 const FAINTEST = 0.15;
@@ -107,5 +108,5 @@ function sameUntil(a, b) {
  */
 const isBurn = (line) => "power_w" in line;
 
-/** @param {number} dose_j_mm */
-const darkness = (dose_j_mm) => Math.max(FAINTEST, 1 - Math.exp(-dose_j_mm / BROWN_J_MM));
+/** How dark a burn is, from 0 to 1. @param {number} dose_j_mm The energy for a millimetre, in joules. */
+export const darkness = (dose_j_mm) => Math.max(FAINTEST, 1 - Math.exp(-dose_j_mm / BROWN_J_MM));

@@ -18,6 +18,8 @@
  * | { type: "tick", now_ms: number }
  * | { type: "problem", problem: Problem }
  * | { type: "problem_closed" }
+ * | { type: "fleet", name: string | null }
+ * | { type: "message_closed" }
  * | { type: "question", question: import("./state.js").Question | null }
  * | { type: "policy", policy: Policy | null }
  * | { type: "around", around: import("./state.js").Around | null }

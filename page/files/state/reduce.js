@@ -48,7 +48,7 @@ function reduceOwn(page, message) {
     case "notices":
       return { ...page, notices: message.notices.slice(-NOTICES) };
     case "notice":
-      return { ...page, notices: [...page.notices, message.notice].slice(-NOTICES) };
+      return { ...page, notices: [...page.notices, message.notice].slice(-NOTICES), message: spoken(message.notice) ?? page.message };
     case "sought":
       return { ...page, sought: message.text };
     case "connecting":
@@ -63,6 +63,10 @@ function reduceOwn(page, message) {
       return { ...page, problem: message.problem };
     case "problem_closed":
       return { ...page, problem: null };
+    case "fleet":
+      return { ...page, fleet: message.name };
+    case "message_closed":
+      return { ...page, message: null };
     case "question":
       return { ...page, question: message.question };
     case "policy":
@@ -87,3 +91,6 @@ function reduceOwn(page, message) {
       return page;
   }
 }
+
+/** What somebody says to all who watch. @param {{ type: string, text: string }} notice */
+const spoken = ({ type, text }) => (type === "message" ? text : null);

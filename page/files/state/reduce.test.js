@@ -34,6 +34,20 @@ test("the arm can be moved by hand where nobody or this page has control, and no
   assert.equal(hindrance(after([{ type: "closed", needs_token: false }], OPEN)), "no_connection");
 });
 
+test("a locked arm is moved by administrators alone, and the page knows that first", () => {
+  const lock = { by: "Ms Lee", message: "eyes on me", at_s: 1 };
+  assert.equal(hindrance(told({ lock })), "locked");
+  const admin = after([{ type: "hello", client: 7, role: "admin", version: "1", now_ms: 1000 }, { type: "state", station: { ...STATION, lock }, now_ms: 1000 }]);
+  assert.equal(hindrance(admin), null);
+});
+
+test("what somebody says to all is shown until it is closed; what happens besides does not hide it", () => {
+  const notice = (type, text) => ({ type: "notice", notice: { number: 1, at_s: 1, type, text } });
+  const said = after([notice("message", "Ms Lee: five minutes"), notice("stopped", "the arm was stopped by Bo")], OPEN);
+  assert.equal(said.message, "Ms Lee: five minutes");
+  assert.equal(after([{ type: "message_closed" }], said).message, null);
+});
+
 test("the picture is old half a second after the last status, and not while no arm is there", () => {
   const later = (now_ms, page = OPEN) => silence_ms(after([{ type: "tick", now_ms }], page));
   assert.equal(later(1400), 0);

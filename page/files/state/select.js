@@ -14,7 +14,7 @@ const OLD_MS = 500;
 /** From when on it is told above everything else. */
 const VERY_OLD_MS = 2000;
 
-/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} Hindrance */
+/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "locked" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} Hindrance */
 
 /** @param {Page} page @returns {Hindrance | null} */
 export function hindrance({ connection, station, me, role }) {
@@ -22,6 +22,7 @@ export function hindrance({ connection, station, me, role }) {
   if (station.link.phase !== "up") return "no_arm";
   if (role === "watch") return "watching_only";
   if (role === "queue") return "queueing_only";
+  if (station.lock && role !== "admin") return "locked";
   if (station.stop) return "stopped";
   if (!station.trust.trusted) return "not_confirmed";
   if (station.job?.phase === "running") return "job_runs";

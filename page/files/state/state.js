@@ -33,12 +33,14 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {number | null} me What the station calls this page.
  * @property {Role | null} role
  * @property {string} version
+ * @property {string | null} fleet What this station is called in its fleet; nothing where it belongs to none.
  * @property {Station | null} station What the station told last.
  * @property {number} heard_ms When it did, by the clock of this page.
  * @property {number} now_ms
  * @property {readonly Notice[]} notices The newest last.
  * @property {string} sought What a notice has to contain to be shown.
  * @property {Problem | null} problem
+ * @property {string | null} message What somebody told all who watch this station, and who.
  * @property {Question | null} question
  * @property {Policy | null} policy
  * @property {Around | null} around
@@ -69,12 +71,14 @@ export const begin = ({ language, theme, greeted, program }) => ({
   me: null,
   role: null,
   version: "",
+  fleet: null,
   station: null,
   heard_ms: 0,
   now_ms: 0,
   notices: [],
   sought: "",
   problem: null,
+  message: null,
   question: null,
   policy: null,
   around: null,

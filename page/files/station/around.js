@@ -1,5 +1,5 @@
-// What is fetched beside the states: the notices of before, the policy, the world of a virtual arm with its ink, and the
-// way of the job.
+// What is fetched beside the states: the notices of before, the policy, the name in the fleet, the world of a virtual arm with
+// its ink, and the way of the job.
 
 import { Ink, partsOf } from "../stage/ink.js";
 
@@ -17,6 +17,12 @@ export function followAround(store, http) {
 
   async function readPolicy() {
     store.send({ type: "policy", policy: (await http.json("api/v1/policy")) ?? null });
+  }
+
+  async function readFleet() {
+    /** @type {Schemas["FleetView"] | undefined} */
+    const fleet = await http.json("api/v1/fleet");
+    store.send({ type: "fleet", name: fleet?.name ?? null });
   }
 
   async function readNotices() {
@@ -64,6 +70,7 @@ export function followAround(store, http) {
       [turn, job] = [0, null];
       void readNotices();
       void readPolicy();
+      void readFleet();
     }
     if (message.type === "closed") turn = 0;
     if (message.type === "notice" && message.notice.type === "policy_changed") void readPolicy();

@@ -19,6 +19,18 @@ export function createHttp() {
   /** @param {string} path @param {AbortSignal} [signal] what ends an answer that goes on */
   const get = (path, signal) => fetch(path, { headers: authorization(), signal }).catch(() => undefined);
 
+  /** @param {Record<string, string>} headers @param {string} method @param {string} path @param {unknown} [body] @returns {Promise<Outcome<any>>} */
+  async function request(headers, method, path, body) {
+    if (body !== undefined) headers["content-type"] = "application/json";
+    const answer = await fetch(path, { method, headers, body: body === undefined ? undefined : JSON.stringify(body) }).catch(() => undefined);
+    if (!answer) return { problem: SILENT };
+    const isJson = answer.headers.get("content-type")?.includes("json");
+    const value = await (isJson ? answer.json() : answer.text()).catch(() => undefined);
+    // The station ended, or the network was cut, in the middle of its answer.
+    if (value === undefined) return { problem: SILENT };
+    return answer.ok ? { value } : { problem: isJson ? value : { title: answer.statusText, detail: String(value), status: answer.status } };
+  }
+
   return {
     token,
     /** @param {string} secret */
@@ -33,14 +45,11 @@ export function createHttp() {
      * Asks for something, with a body as JSON where there is one.
      * @template T @param {"GET" | "POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>}
      */
-    async ask(method, path, body) {
-      const headers = authorization();
-      if (body !== undefined) headers["content-type"] = "application/json";
-      const answer = await fetch(path, { method, headers, body: body === undefined ? undefined : JSON.stringify(body) }).catch(() => undefined);
-      if (!answer) return { problem: SILENT };
-      const isJson = answer.headers.get("content-type")?.includes("json");
-      const value = isJson ? await answer.json() : await answer.text();
-      return answer.ok ? { value } : { problem: isJson ? value : { title: answer.statusText, detail: String(value) } };
+    ask: (method, path, body) => request(authorization(), method, path, body),
+    /** Asks for a stop: anyone may, so that a token that the station does not know keeps nobody from it. @template T @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>} */
+    async stop(path, body) {
+      const outcome = await request(authorization(), "POST", path, body);
+      return outcome.problem?.status === 401 && token() ? request({}, "POST", path, body) : outcome;
     },
   };
 }

@@ -1,26 +1,11 @@
-// Listens to the packets while somebody looks at them, by server-sent events that are read with the token, which an
-// EventSource would not carry.
+// Listens to the packets while somebody looks at them.
+
+import { readEvents } from "./event_stream.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 
 const AGAIN_MS = 1000;
-
-/**
- * The events of a stream, cut out of its text as it comes.
- * @param {(event: string, data: string) => void} hear @returns {(text: string) => void}
- */
-export function createReader(hear) {
-  let rest = "";
-  return (text) => {
-    const blocks = (rest + text).split("\n\n");
-    rest = blocks.pop() ?? "";
-    for (const block of blocks) {
-      const field = (/** @type {string} */ name) => block.split("\n").find((it) => it.startsWith(`${name}: `))?.slice(name.length + 2) ?? "";
-      if (field("data")) hear(field("event"), field("data"));
-    }
-  };
-}
 
 /** @param {Store} store @param {import("./http.js").Http} http */
 export function followPackets(store, http) {
@@ -33,19 +18,17 @@ export function followPackets(store, http) {
   async function listen(mine) {
     const answer = await http.get("api/v1/packets", mine.signal);
     if (answer && !answer.ok) send({ type: "packets_refused", problem: await answer.json() });
-    const stream = answer?.ok ? answer.body?.pipeThrough(new TextDecoderStream()).getReader() : undefined;
     /** @type {Schemas["PacketView"][]} */ let heard = [];
-    const read = createReader((event, data) => {
+    /** @param {string} event @param {string} data */
+    const hear = (event, data) => {
       if (event === "packet") heard.push(JSON.parse(data));
       else if (event === "lost") send({ type: "packets_lost", count: JSON.parse(data).lost });
-    });
-    while (stream) {
-      const { value, done } = await stream.read().catch(() => ({ value: undefined, done: true }));
-      if (done || listening !== mine) break;
-      read(value ?? "");
+    };
+    const came = () => {
       if (heard.length) send({ type: "packets", packets: heard });
       heard = [];
-    }
+    };
+    if (answer?.ok) await readEvents(answer, { hear, came, isWanted: () => listening === mine });
     if (listening !== mine) return;
     listening = null;
     if (answer?.ok !== false) setTimeout(follow, AGAIN_MS);

@@ -4,6 +4,8 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";
 import { isVeryOld, silence_ms } from "../state/select.js";
 import { span } from "../words/words.js";
+import { sure } from "./sure.js";
+import { tokenForm } from "./token.js";
 
 /** @typedef {import("./context.js").Context} Context */
 
@@ -11,16 +13,33 @@ import { span } from "../words/words.js";
 export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** @param {Context} context */
-export const banners = (context) => html`${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
+export const banners = (context) => html`${locked(context)}${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
 
 /** What comes and goes by itself lies over the page: nothing moves under a pointer. @param {Context} context */
-export const toasts = (context) => html`${old(context)}${problem(context)}`;
+export const toasts = (context) => html`${old(context)}${message(context)}${problem(context)}`;
 
 /** @param {Context} context */
 function old({ page, say }) {
   if (!isVeryOld(page)) return nothing;
   const why = say(page.connection === "open" ? "old.silent" : "old.connecting");
   return html`<p id="old" class="banner" data-tone="warn" role="status">${say("old", { age: span(say, silence_ms(page) / 1000), why })}</p>`;
+}
+
+/** Somebody has the eyes of all. @param {Context} context */
+function locked({ page, say }) {
+  const lock = page.station?.lock;
+  if (!lock) return nothing;
+  return html`<p id="locked" class="banner" data-tone="warn" role="alert"><span><strong>${say("locked.title")}</strong> ${say("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}</span></p>`;
+}
+
+/** @param {Context} context */
+function message({ page, say, act }) {
+  if (!page.message) return nothing;
+  return html`
+    <section id="message" class="banner" data-tone="warn" role="alert">
+      <p>${page.message}</p>
+      <button id="message-close" type="button" aria-label=${say("close.message")} @click=${() => act.send({ type: "message_closed" })}>${say("close")}</button>
+    </section>`;
 }
 
 /** @param {Context} context */
@@ -71,30 +90,7 @@ function problem({ page, say, act }) {
 }
 
 /** @param {Context} context */
-function token({ page, say, act, connect }) {
-  if (page.connection !== "token") return nothing;
-  const use = (/** @type {SubmitEvent} */ event) => {
-    event.preventDefault();
-    const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.target).elements.namedItem("token"));
-    act.useToken(field.value.trim(), connect);
-  };
-  return html`
-    <form id="token" class="banner" data-tone="warn" @submit=${use}>
-      <label for="token-field">${say("token.wanted")}</label>
-      <input id="token-field" name="token" type="password" autocomplete="current-password" required>
-      <button type="submit">${say("token.use")}</button>
-    </form>`;
-}
+const token = ({ page, say, act, connect }) => (page.connection === "token" ? tokenForm(say, say("token.wanted"), (secret) => act.useToken(secret, connect)) : nothing);
 
-/** What a person is asked before something is done. STOP stays within reach: the dialog is not modal. @param {Context} context */
-export function question({ page, say, act }) {
-  if (!page.question) return nothing;
-  const { about, values } = page.question;
-  return html`
-    <h2 id="sure-title">${say(`question.${about}`, values)}</h2>
-    <p id="sure-text">${say(`question.${about}.text`, values)}</p>
-    <div class="row">
-      <button id="sure-no" type="button" @click=${() => act.answer(false)}>${say("no")}</button>
-      <button id="sure-yes" type="button" class="strong" @click=${() => act.answer(true)}>${say(`question.${about}.yes`)}</button>
-    </div>`;
-}
+/** What a person is asked before something is done. @param {Context} context */
+export const question = ({ page, say, act }) => (page.question ? sure(say, page.question, act.answer) : nothing);

@@ -22,6 +22,7 @@ export function strip(context) {
     <p id="link-chip" class="chip" data-tone=${tone} role="status">${say(/** @type {"link.up"} */ (`link.${phase}`))}</p>
     <p class="quiet wide" id="rate">${station ? say("strip.rate", { rate: station.link.statuses_per_s.toFixed(1) }) : nothing}</p>
     <p class="quiet wide">${station?.dialect ?? nothing}</p>
+    ${page.fleet ? html`<a id="fleet" href="fleet">${say("fleet.link", { name: page.fleet })}</a>` : nothing}
     ${control(context)}
     <p id="laser-chip" class="chip" data-tone=${LASER_TONES[shines]}>${say(/** @type {"laser.off"} */ (`laser.${shines}`), { left: clock(station?.laser.armed_for_s ?? 0) })}</p>`;
 }

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { createReader } from "./packets.js";
+import { createReader } from "./event_stream.js";
 
 test("events are read wherever their text is cut, and signs of life are none", () => {
   const text = 'event: packet\ndata: {"at_s":1}\n\n:\n\nevent: lost\ndata: {"lost":3}\n\n';

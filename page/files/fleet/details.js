@@ -1,0 +1,101 @@
+// One arm of the fleet: what is known of it, its jobs, and what can be done from here.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { repeat } from "../vendor/lit-html/directives/repeat.js";
+import { TONES } from "../panels/jobs.js";
+import { shelves } from "../state/jobs.js";
+import { clock, span } from "../words/words.js";
+import { resetQuestion } from "./foot.js";
+import { alarms, isThere, lockOf, pageOf, share } from "./members.js";
+import { problemText } from "./told.js";
+
+/** @typedef {import("./fleet.js").Context} Context */
+/** @typedef {import("./members.js").Member} Member */
+/** @typedef {import("../state/jobs.js").JobView} JobView */
+/** @typedef {import("../words/words.js").Word} Word */
+
+/** So many jobs that are over are told. */
+const OVER = 5;
+
+/** @param {Context} context */
+export function details(context) {
+  const { board, say, act } = context;
+  const member = board.members.find(({ id }) => id === board.chosen);
+  if (!member) return nothing;
+  const { id, name, presence, state } = member, page = pageOf(member);
+  const to = { members: [name] };
+  return html`
+    <div class="details-head">
+      <h2 id="details-title">${name}</h2>
+      ${page ? html`<a id="details-page" href=${page} target="_blank" rel="noreferrer">${say("fleet.page")}</a>` : nothing}
+      <button id="details-close" type="button" class="small" @click=${() => act.send({ type: "chosen", id: null })}>${say("close")}</button>
+    </div>
+    <canvas class="picture" data-arm=${id} aria-hidden="true"></canvas>
+    <p class="alarms">${alarms(member).map(({ word, tone }) => html`<span class="chip" data-tone=${tone}>${say(word, { left: clock(state?.laser.armed_for_s ?? 0) })}</span> `)}</p>
+    ${reasons(context, member)}
+    <div class="row">
+      <button id="details-stop" type="button" class="stops" @click=${() => void act.stop(to)}>${say("fleet.stop.one", { name })}</button>
+      ${state?.stop ? html`<button id="details-reset" type="button" class="small" ?disabled=${!isThere(member)} @click=${() => act.send({ type: "question", question: resetQuestion(board.language, [member]) })}>${say("stopped.reset")}</button>` : nothing}
+      <button id="details-drawing" type="button" class="small" ?disabled=${!isThere(member) || !member.about?.is_virtual} @click=${() => void act.saveDrawings(to)}>${say("fleet.drawing")}</button>
+    </div>
+    ${presence.type === "present" ? html`${numbers(context, member)}${jobs(context, member)}` : nothing}`;
+}
+
+/** What stands behind the alarms, in the stations' own words. @param {Context} context @param {Member} member */
+function reasons({ say }, { presence, state }) {
+  const stop = state?.stop, lock = lockOf(state);
+  const texts = [
+    presence.type === "away" ? say("fleet.away.text") : "",
+    presence.type === "refused" ? problemText(presence.problem) : "",
+    stop ? say("stopped.by", { by: stop.by, why: stop.reason ? `: ${stop.reason}` : "", rest: say(stop.at_rest ? "stopped.at_rest" : "stopped.moving") }) : "",
+    lock ? `${say("locked.title")} ${say("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}` : "",
+    state?.arm && !state.trust.trusted ? state.trust.reason ?? "" : "",
+    state?.link.problem ?? "",
+  ];
+  return html`${texts.filter(Boolean).map((it) => html`<p class="reason">${it}</p>`)}`;
+}
+
+/** @param {Context} context @param {Member} member */
+function numbers({ say }, { about, state }) {
+  const arm = state?.arm;
+  /** @type {[Word, string][]} */ const rows = [
+    ["fleet.control", state?.lease?.name ?? say("fleet.free")],
+    ["fleet.where", arm ? ["x_mm", "y_mm", "z_mm"].map((it) => Math.round(Number(arm[/** @type {"x_mm"} */ (it)]))).join(", ") + " mm" : "–"],
+    ["watch.statuses", say("watch.statuses.value", { rate: state?.link.statuses_per_s.toFixed(1) ?? "–" })],
+    ["watch.address", state?.link.address ?? say("watch.not_found")],
+    ["fleet.groups", about?.groups.join(", ") || "–"],
+    ["fleet.offers", about?.offers.join(", ") || "–"],
+    ["fleet.version", about?.version ?? "–"],
+  ];
+  return html`<dl class="facts">${rows.map(([word, value]) => html`<div><dt>${say(word)}</dt><dd>${value}</dd></div>`)}</dl>`;
+}
+
+/** @param {Context} context @param {Member} member */
+function jobs(context, { name, state }) {
+  const { board, say } = context;
+  if (!board.jobs) return html`<p class="quiet">${say("fleet.jobs.reading")}</p>`;
+  const shelf = shelves(board.jobs, /** @type {JobView | null} */ (state?.job ?? null));
+  const over = shelf.over.slice(0, OVER);
+  return html`
+    <h3 id="details-jobs">${say("jobs")} <small>${say("fleet.jobs.waiting", { number: shelf.waiting.length })}</small></h3>
+    ${[shelf.under_way, shelf.waiting, over].map((jobs) => (jobs.length ? html`<ol class="jobs" aria-labelledby="details-jobs">${repeat(jobs, ({ job }) => job, (job) => entry(context, name, job, state?.job?.phase === "running"))}</ol>` : nothing))}`;
+}
+
+/** @param {Context} context @param {string} name @param {JobView} job @param {boolean} runs */
+function entry({ say, act }, name, job, runs) {
+  const { phase, title, left_s } = job;
+  const begun = phase === "running" || phase === "paused";
+  const button = (/** @type {string} */ id, /** @type {Word} */ word, /** @type {() => void} */ does, off = false) => html`<button type="button" class="small" data-act=${id} aria-label=${`${say(word)}: ${title}`} ?disabled=${off} @click=${does}>${say(word)}</button>`;
+  return html`
+    <li class="entry" data-job=${job.job}>
+      <p class="job"><span class="title">${title}</span> <span class="chip" data-tone=${TONES[phase]}>${say(`job.${phase}`)}</span></p>
+      ${begun ? html`<progress max="1" .value=${share(job)} aria-label=${say("job.progress")}></progress>` : nothing}
+      ${left_s != null && begun ? html`<p class="quiet">${say("jobs.left", { time: span(say, left_s) })}</p>` : nothing}
+      ${job.reason ? html`<p class="quiet">${job.reason}</p>` : nothing}
+      ${begun || phase === "queued" ? html`
+        <div class="row">
+          ${phase === "running" ? button("pause", "job.pause", () => act.pauseJob(name)) : button("start", phase === "paused" ? "job.resume" : "jobs.start", () => void act.startJob(name, job.job), runs)}
+          ${button("end", "jobs.end", () => act.endJob(name, job.job))}
+        </div>` : nothing}
+    </li>`;
+}

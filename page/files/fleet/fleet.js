@@ -1,0 +1,126 @@
+// The board of a fleet: wires stations, state and views together.
+
+import { listenToStop } from "../hands/keys.js";
+import { isDarkTheme, readWishes } from "../parts/wishes.js";
+import { hold } from "../state/hold.js";
+import { createHttp, takeToken } from "../station/http.js";
+import { render } from "../vendor/lit-html/lit-html.js";
+import { showQuestion } from "../views/sure.js";
+import { languageOf, speak } from "../words/words.js";
+import { details } from "./details.js";
+import { followFleet } from "./follow.js";
+import { foot } from "./foot.js";
+import { createPictures } from "./pictures.js";
+import { createRequests } from "./requests.js";
+import { begin, reduce } from "./state.js";
+import { banners, head, question, toasts } from "./head.js";
+import { tiles } from "./tiles.js";
+import { outcomeOf } from "./outcome.js";
+import { listenToWalk } from "./walk.js";
+
+/** @typedef {ReturnType<typeof createBoard>} Store */
+/** @typedef {import("./state.js").Board} Board */
+/** @typedef {import("./state.js").Message} Message */
+/** What a view of the board is made of. @typedef {{ board: Board, say: import("../words/words.js").Say, act: ReturnType<typeof createActions> }} Context */
+
+/** Arms move all the time: their texts follow them so often, their pictures with each picture of the screen. */
+const TEXTS_MS = 150;
+const TOLD_MS = 12_000;
+/** What comes by itself, many times in a second. */
+const FREQUENT = new Set(["members", "alive", "tick"]);
+
+/** @param {string} id */
+const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const dark = matchMedia("(prefers-color-scheme: dark)"), still = matchMedia("(prefers-reduced-motion: reduce)");
+
+const createBoard = () => hold(reduce, begin({ language: languageOf(navigator.languages), theme: "auto", ...readWishes() }));
+
+const store = createBoard();
+const http = createHttp();
+const fleet = followFleet(store, http);
+const requests = createRequests(store, http);
+const pictures = createPictures({ isStill: () => still.matches });
+const act = createActions();
+
+function createActions() {
+  return {
+    ...requests,
+    send: store.send,
+    /** @param {boolean} yes */
+    answer(yes) {
+      const { question } = store.page;
+      store.send({ type: "question", question: null });
+      if (yes && question) requests.reset(question.to);
+    },
+    /** @param {string} secret */
+    useToken(secret) {
+      http.useToken(secret);
+      store.send({ type: "told_closed", what: "denied" });
+      fleet.follow();
+    },
+  };
+}
+
+// --- The state, drawn ------------------------------------------------------------------------------------
+
+let asked = 0;
+/** @type {number | undefined} */ let later;
+
+/** Draws with the next picture of the screen; what comes many times in a second waits for the rest of it. @param {boolean} isFrequent */
+function changed(isFrequent) {
+  if (isFrequent) return void (later ??= setTimeout(() => changed(false), TEXTS_MS));
+  clearTimeout(later);
+  later = undefined;
+  asked ||= requestAnimationFrame(draw);
+}
+
+function draw() {
+  asked = 0;
+  const { page: board } = store;
+  const say = speak(board.language);
+  document.documentElement.lang = board.language;
+  document.documentElement.dataset.theme = isDarkTheme(board.theme, dark.matches) ? "dark" : "light";
+  /** @type {Context} */ const context = { board, say, act };
+  render(head(context), part("strip"));
+  part("banners").ariaLabel = say("fleet.banners");
+  render(banners(context), part("banners"));
+  render(tiles(context), part("tiles"));
+  render(details(context), part("details"));
+  part("details").hidden = board.chosen === null;
+  render(foot(context), part("foot"));
+  render(toasts(context), part("toasts"));
+  showQuestion(/** @type {HTMLDialogElement} */ (part("sure")), question(context), board.question !== null);
+  pictures.take(part("floor"));
+  show();
+}
+
+function show() {
+  const { page: board } = store;
+  pictures.show(board.members, { dark: isDarkTheme(board.theme, dark.matches), old: board.connection !== "open" });
+}
+
+// --- What comes in ----------------------------------------------------------------------------------------
+
+/** @type {number | undefined} */ let told;
+
+/** Takes the message away that says that all went well, unless somebody is at it. */
+function forget() {
+  if (part("toasts").matches(":hover, :focus-within")) told = setTimeout(forget, TOLD_MS);
+  else store.send({ type: "told_closed", what: "asked" });
+}
+
+store.listen((board, message) => {
+  changed(FREQUENT.has(message.type));
+  if (message.type === "members") show();
+  if (message.type !== "answered" || board.asked?.number !== message.number) return;
+  clearTimeout(told);
+  const { silent, refused } = outcomeOf(message.answers ?? []);
+  if (!message.problem && silent.length + refused.length === 0) told = setTimeout(forget, TOLD_MS);
+});
+dark.addEventListener("change", () => changed(false));
+
+listenToStop(() => void requests.stop("all"));
+listenToWalk(part("tiles"), ".tile .name");
+takeToken(http);
+draw();
+fleet.follow();

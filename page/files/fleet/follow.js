@@ -1,0 +1,71 @@
+// Follows the stations of the fleet, as the station of this board sees them: connects, connects again. It draws nothing.
+
+import { readEvents } from "../station/event_stream.js";
+
+/** @typedef {import("./fleet.js").Store} Store */
+/** @typedef {import("./members.js").Member} Member */
+/** @typedef {import("../station/http.js").Http} Http */
+
+const AGAIN_MS = 1000;
+/** A station tells of its own arm twice in a second at least: one that is silent for longer is asked anew. */
+const SILENT_MS = 3000;
+const LOOK_MS = 500;
+
+/** @param {Store} store @param {Http} http */
+export function followFleet(store, http) {
+  const { send } = store;
+  /** What ends the listening that goes on. @type {AbortController | null} */ let listening = null;
+  /** @type {number | undefined} */ let timer;
+
+  const now_ms = () => Date.now();
+
+  /** Whether the station answers, and there is a fleet. @returns {Promise<boolean>} */
+  async function look() {
+    const answer = await http.get("api/v1/fleet");
+    const told = await answer?.json().catch(() => undefined);
+    if (!answer || !told) send({ type: "closed", problem: null });
+    else if (answer.ok) send({ type: "fleet", name: told.name, members: told.members, now_ms: now_ms() });
+    else if (answer.status === 404) send({ type: "alone" });
+    else send({ type: "closed", problem: answer.status === 401 || answer.status === 403 ? told : null });
+    return answer?.ok === true && told !== undefined;
+  }
+
+  /** @param {AbortController} mine */
+  async function listen(mine) {
+    const isWanted = () => listening === mine;
+    const answer = await http.get("api/v1/fleet/events", mine.signal);
+    /** @type {Map<string, Member>} */ let news = new Map();
+    /** @param {string} event @param {string} data */
+    const hear = (event, data) => {
+      if (event !== "member") return;
+      /** @type {Member} */ const member = JSON.parse(data);
+      news.set(member.id, member);
+    };
+    const came = () => {
+      if (news.size) send({ type: "members", members: [...news.values()], now_ms: now_ms() });
+      else send({ type: "alive", now_ms: now_ms() });
+      news = new Map();
+    };
+    if (answer?.ok) await readEvents(answer, { hear, came, isWanted });
+    if (isWanted()) send({ type: "closed", problem: null });
+  }
+
+  async function follow() {
+    clearTimeout(timer);
+    listening?.abort();
+    const mine = listening = new AbortController();
+    send({ type: "connecting" });
+    if (await look() && listening === mine) await listen(mine);
+    // With another token it is asked again at once.
+    if (listening === mine && store.page.connection !== "token") timer = setTimeout(() => void follow(), AGAIN_MS);
+  }
+
+  setInterval(() => {
+    const { connection, heard_ms } = store.page;
+    if (connection === "open" && now_ms() - heard_ms < LOOK_MS) return;
+    send({ type: "tick", now_ms: now_ms() });
+    if (connection === "open" && now_ms() - heard_ms > SILENT_MS) void follow();
+  }, LOOK_MS);
+
+  return { follow: () => void follow() };
+}

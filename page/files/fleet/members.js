@@ -1,0 +1,103 @@
+// What is read from the stations of a fleet. Pure.
+
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {import("../state/types.js").Station} Station */
+/** @typedef {import("../words/words.js").Word} Word */
+/** A station of the fleet, with what it told last. @typedef {Omit<Schemas["Member"], "state" | "about"> & { state: Station | null, about: Schemas["MemberAbout"] | null }} Member */
+/** @typedef {"bad" | "warn" | "good" | "off"} Tone */
+/** Something that a person has to know of an arm. @typedef {{ word: Word, tone: Tone, values?: Record<string, string> }} Alarm */
+/** @typedef {{ group: string | null, members: Member[] }} Section */
+
+/** By name as a person counts: desk-2 comes before desk-10; two of one name by their numbers. @param {readonly Member[]} members */
+export const order = (members) => [...members].sort((a, b) => byName(a.name, b.name) || (a.id < b.id ? -1 : 1));
+
+const byName = new Intl.Collator("en", { numeric: true }).compare;
+
+/** @param {Member} member */
+export const isThere = ({ presence }) => presence.type === "present";
+
+/** @param {Member} member */
+export const groupsOf = ({ about }) => about?.groups ?? [];
+
+/** All groups, by name. @param {readonly Member[]} members */
+export const groups = (members) => [...new Set(members.flatMap(groupsOf))].sort(byName);
+
+/** Where its own page is: an address of the web, and nothing else that a browser would follow. @param {Member} member */
+export function pageOf({ about }) {
+  const page = about?.page ?? "";
+  return /^https?:\/\//i.test(page) && URL.canParse(page) ? page : null;
+}
+
+/**
+ * The tiles that are shown, in sections: each station stands in the first of its groups, and those without one come last.
+ * Where one group is chosen, all stand in it that belong to it.
+ * @param {readonly Member[]} members @param {{ sought: string, group: string | null, sort: Sort | null }} sift @returns {Section[]}
+ */
+export function sections(members, { sought, group, sort }) {
+  const words = sought.toLowerCase().split(/\s+/).filter(Boolean);
+  const shown = members.filter((it) => (group === null || groupsOf(it).includes(group)) && (sort === null || IS[sort](it)) && words.every((word) => textOf(it).includes(word)));
+  if (group !== null) return [{ group, members: shown }];
+  const named = groups(members).map((name) => ({ group: name, members: shown.filter((it) => groupsOf(it)[0] === name) }));
+  const rest = { group: null, members: shown.filter((it) => groupsOf(it).length === 0) };
+  return [...named, rest].filter((it) => it.members.length > 0);
+}
+
+/** All by which a tile is found. @param {Member} member */
+function textOf({ name, about, state }) {
+  return [name, ...(about?.groups ?? []), ...(about?.offers ?? []), state?.job?.title, state?.job?.phase, state?.lease?.name].join(" ").toLowerCase();
+}
+
+/** What a person has to know of an arm, the worst first. @param {Member} member @returns {Alarm[]} */
+export function alarms({ presence, state }) {
+  /** @type {Alarm[]} */ const all = [];
+  if (presence.type === "refused") all.push({ word: "fleet.refused", tone: "bad" });
+  if (presence.type === "away") all.push({ word: "fleet.away", tone: "warn" });
+  // What it told before it was away may be otherwise by now.
+  if (!state || presence.type !== "present") return all;
+  const { stop, link, laser, trust, arm, job } = state;
+  if (laser.on) all.push({ word: "laser.burning", tone: "bad" });
+  if (stop) all.push({ word: stop.at_rest ? "fleet.stopped" : "fleet.stopping", tone: "bad" });
+  if (link.phase === "lost") all.push({ word: "link.lost", tone: "bad" });
+  if (link.phase === "searching" || link.phase === "listening") all.push({ word: "link.searching", tone: "warn" });
+  if (!laser.on && laser.armed_for_s > 0) all.push({ word: "fleet.laser_armed", tone: "warn" });
+  if (arm && !trust.trusted) all.push({ word: "fleet.untrusted", tone: "warn" });
+  if (lockOf(state)) all.push({ word: "fleet.locked", tone: "warn" });
+  if (job?.phase === "paused") all.push({ word: "job.paused", tone: "warn" });
+  return all;
+}
+
+/** The lock of a station, if one holds it. @param {Station | null} state */
+export const lockOf = (state) => state?.lock ?? null;
+
+/** How loud a tile has to be. @param {Member} member @returns {Tone} */
+export function toneOf(member) {
+  if (member.presence.type === "away") return "off";
+  return alarms(member)[0]?.tone ?? (member.state?.job?.phase === "running" ? "good" : "off");
+}
+
+/** How far a job is, from 0 to 1. @param {{ commands: number, completed: number }} job */
+export const share = ({ commands, completed }) => (commands ? completed / commands : 0);
+
+/** What stations are counted by, and shown alone by. @typedef {"working" | "stopped" | "away" | "locked"} Sort */
+/** @type {Record<Sort, (member: Member) => boolean>} */
+const IS = {
+  working: (it) => isThere(it) && it.state?.job?.phase === "running",
+  stopped: (it) => isThere(it) && it.state?.stop != null,
+  away: (it) => !isThere(it),
+  locked: (it) => isThere(it) && lockOf(it.state) !== null,
+};
+
+/** @type {readonly Sort[]} */
+export const SORTS = ["working", "stopped", "away", "locked"];
+
+/** How many there are of a sort. @param {readonly Member[]} members @param {Sort} sort */
+export const count = (members, sort) => members.filter(IS[sort]).length;
+
+/** Whom a person means who has chosen a group, or none. @param {string | null} group @returns {Schemas["Recipients"]} */
+export const recipients = (group) => (group === null ? "all" : { group });
+
+/** @param {Schemas["Recipients"]} to @param {Member} member */
+export function isMeant(to, member) {
+  if (to === "all") return true;
+  return "group" in to ? groupsOf(member).includes(to.group) : to.members.includes(member.name);
+}

@@ -1,0 +1,40 @@
+// What came of a request to several stations. Pure.
+
+/** @typedef {import("./state.js").MemberAnswer} MemberAnswer */
+/** @typedef {import("../state/types.js").Problem} Problem */
+
+/**
+ * @typedef {object} Outcome
+ * @property {string[]} done Who did it.
+ * @property {string[]} silent Who did not answer: what was asked for may have been done all the same.
+ * @property {{ problem: Problem, members: string[] }[]} refused Who refused it, and why; those that say the same are told together.
+ */
+
+/** @param {readonly MemberAnswer[]} answers @returns {Outcome} */
+export function outcomeOf(answers) {
+  /** @type {Outcome} */ const outcome = { done: [], silent: [], refused: [] };
+  for (const { member, answer } of answers) {
+    const problem = problemOf(answer);
+    if (!problem) outcome.done.push(member);
+    else if (problem.type?.endsWith("/member-away")) outcome.silent.push(member);
+    else refuse(outcome.refused, member, problem);
+  }
+  return outcome;
+}
+
+/** @param {Outcome["refused"]} refused @param {string} member @param {Problem} problem */
+function refuse(refused, member, problem) {
+  const same = refused.find((it) => it.problem.detail === problem.detail && it.problem.hint === problem.hint);
+  if (same) same.members.push(member);
+  else refused.push({ problem, members: [member] });
+}
+
+/** What is wrong with an answer, if anything is. @param {MemberAnswer["answer"]} answer @returns {Problem | null} */
+export function problemOf({ status, body }) {
+  if (status >= 200 && status < 300) return null;
+  const told = /** @type {Partial<Problem> | null} */ (body);
+  return typeof told?.detail === "string" ? { title: "", ...told, detail: told.detail, status } : { title: "", detail: `the station answered with status ${status}`, status };
+}
+
+/** Names as a person lists them, each once: two stations may claim one. @param {string} language @param {readonly string[]} names */
+export const list = (language, names) => new Intl.ListFormat(language, { type: "conjunction" }).format(new Set(names));

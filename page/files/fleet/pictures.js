@@ -1,0 +1,99 @@
+// Draws the pictures of all tiles that are in sight: each when its arm, its size or the theme is another one.
+
+import { Motion } from "../stage/motion.js";
+import { paint } from "./picture.js";
+
+/** @typedef {import("./members.js").Member} Member */
+/** @typedef {import("./picture.js").Size} Size */
+/** What a picture was drawn from. @typedef {{ size: Size, drawn: string }} Canvas */
+
+/** @param {{ isStill: () => boolean }} outside whether a person wants nothing to glide */
+export function createPictures({ isStill }) {
+  /** @type {Map<string, Motion>} */ const motions = new Map();
+  /** @type {WeakMap<Element, Canvas>} */ const canvases = new WeakMap();
+  /** @type {Set<HTMLCanvasElement>} */ const inSight = new Set();
+  /** @type {{ members: ReadonlyMap<string, Member>, dark: boolean, old: boolean }} */ let shown = { members: new Map(), dark: false, old: false };
+  let asked = 0;
+
+  const sight = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (isIntersecting) inSight.add(/** @type {HTMLCanvasElement} */ (target));
+      else inSight.delete(/** @type {HTMLCanvasElement} */ (target));
+    }
+    soon();
+  });
+  const sizes = new ResizeObserver((entries) => {
+    for (const { target } of entries) canvases.delete(target);
+    soon();
+  });
+
+  const soon = () => (asked ||= requestAnimationFrame(draw));
+
+  function draw() {
+    asked = 0;
+    let moving = false;
+    for (const canvas of inSight) {
+      if (!canvas.isConnected) forget(canvas);
+      else moving = drawOne(canvas) || moving;
+    }
+    if (moving) soon();
+  }
+
+  /** @param {HTMLCanvasElement} canvas */
+  function forget(canvas) {
+    inSight.delete(canvas);
+    sight.unobserve(canvas);
+    sizes.unobserve(canvas);
+  }
+
+  /** @param {HTMLCanvasElement} canvas @returns {boolean} whether it is another one a moment later */
+  function drawOne(canvas) {
+    const member = shown.members.get(canvas.dataset.arm ?? "");
+    if (!member) return false;
+    const known = canvases.get(canvas) ?? { size: fit(canvas), drawn: "" };
+    canvases.set(canvas, known);
+    const { joints, moving } = jointsOf(member);
+    const old = shown.old || member.presence.type !== "present";
+    const laser = member.state?.laser.on ? "burning" : "off";
+    const drawn = [joints?.base_deg, joints?.rear_deg, joints?.fore_deg, shown.dark, old, laser].join();
+    if (drawn !== known.drawn) paint(/** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")), { joints, dark: shown.dark, old, laser, size: known.size });
+    known.drawn = drawn;
+    return moving;
+  }
+
+  /** @param {Member} member */
+  function jointsOf({ id, state }) {
+    const arm = state?.arm ?? null;
+    if (!arm || isStill()) return { joints: arm, moving: false };
+    return motions.get(id)?.at(performance.now() / 1000) ?? { joints: arm, moving: false };
+  }
+
+  return {
+    /** @param {readonly Member[]} members @param {{ dark: boolean, old: boolean }} look */
+    show(members, { dark, old }) {
+      shown = { members: new Map(members.map((it) => [it.id, it])), dark, old };
+      for (const { id, state } of members) {
+        if (!state?.arm) continue;
+        const motion = motions.get(id) ?? new Motion();
+        motions.set(id, motion);
+        motion.hear({ at_s: state.at_s, joints: state.arm }, performance.now() / 1000);
+      }
+      soon();
+    },
+    /** Takes the canvases that a view has made. @param {ParentNode} root */
+    take(root) {
+      for (const canvas of root.querySelectorAll("canvas[data-arm]")) {
+        sight.observe(canvas);
+        sizes.observe(canvas);
+      }
+    },
+  };
+}
+
+/** As many pixels as it has on the screen. @param {HTMLCanvasElement} canvas @returns {Size} */
+function fit(canvas) {
+  const { clientWidth: width, clientHeight: height } = canvas, density = Math.min(2, devicePixelRatio);
+  canvas.width = Math.round(width * density);
+  canvas.height = Math.round(height * density);
+  return { width, height, density };
+}

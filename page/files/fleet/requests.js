@@ -1,0 +1,110 @@
+// What a person asks of several stations at once, by the station of this board.
+
+import { saveAs } from "../parts/save.js";
+import { drawingOf } from "./drawing.js";
+import { isMeant } from "./members.js";
+import { problemOf } from "./outcome.js";
+
+/** @typedef {import("./fleet.js").Store} Store */
+/** @typedef {import("./state.js").Recipients} Recipients */
+/** @typedef {import("./state.js").MemberAnswer} MemberAnswer */
+/** @typedef {import("./state.js").What} What */
+/** @typedef {{ method: string, path: string, body?: unknown, lease?: string }} Request */
+/** @typedef {ReturnType<typeof createRequests>} Requests */
+
+/** What other clients do with the jobs of a station nobody tells: they are read so often while they are seen. */
+const JOBS_MS = 2000;
+const LEASE = "/api/v1/lease";
+
+/** @param {Store} store @param {import("../station/http.js").Http} http */
+export function createRequests(store, http) {
+  const { send } = store;
+  let asked = 0;
+  /** @type {number | undefined} */ let timer;
+
+  /** @param {Recipients} to @param {Request} request @returns {Promise<import("../station/http.js").Outcome<MemberAnswer[]>>} */
+  const request = (to, request) => http.ask("POST", "api/v1/fleet/requests", { to, ...request });
+
+  /** Asks, and tells what came of it. @param {What} what @param {Recipients} to @param {() => ReturnType<typeof request>} does @returns {Promise<MemberAnswer[]>} */
+  async function told(what, to, does) {
+    const number = asked += 1;
+    send({ type: "asked", asked: { number, what, to, answers: null, problem: null } });
+    const { value, problem } = await does();
+    send({ type: "answered", number, answers: value ?? null, problem: problem ?? null });
+    return value ?? [];
+  }
+
+  /** @param {What} what @param {Recipients} to @param {Request} wanted */
+  const ask = (what, to, wanted) => told(what, to, () => request(to, wanted));
+
+  async function readJobs() {
+    clearTimeout(timer);
+    const { chosen, members } = store.page;
+    const member = members.find(({ id }) => id === chosen);
+    if (!member) return;
+    timer = setTimeout(() => void readJobs(), JOBS_MS);
+    if (document.hidden || member.presence.type !== "present") return;
+    const { value } = await request({ members: [member.name] }, { method: "GET", path: "/api/v1/jobs" });
+    const answer = value?.find(({ id }) => id === member.id)?.answer;
+    if (answer && !problemOf(answer)) send({ type: "jobs", id: member.id, jobs: /** @type {import("../state/jobs.js").JobView[]} */ (answer.body) });
+  }
+
+  store.listen((_, { type }) => {
+    if (type === "chosen") void readJobs();
+  });
+
+  /** Asks for something about a job, and reads what became of it. @param {string} name @param {Request} wanted */
+  async function ofJob(name, wanted) {
+    const answers = await ask("job", { members: [name] }, wanted);
+    await readJobs();
+    return answers;
+  }
+
+  return {
+    /** Stops several arms; each press asks anew. @param {Recipients} to */
+    async stop(to) {
+      const reason = `pressed on the board of ${store.page.name || "a fleet"}`;
+      const answers = await told("stop", to, () => http.stop("api/v1/fleet/stop", { to, reason }));
+      // Where the fleet cannot be asked, the arm of this station stops at least.
+      const own = store.page.members.find(({ here }) => here);
+      if (answers.length === 0 && (!own || isMeant(to, own))) void http.stop("api/v1/stop", { reason });
+    },
+
+    /** A person has looked. @param {Recipients} to */
+    reset: (to) => void ask("reset", to, { method: "DELETE", path: "/api/v1/stop" }),
+
+    /** @param {Recipients} to @param {string} message */
+    lock: (to, message) => void ask("lock", to, { method: "POST", path: "/api/v1/lock", body: { message } }),
+
+    /** @param {Recipients} to */
+    release: (to) => void ask("release", to, { method: "DELETE", path: "/api/v1/lock" }),
+
+    /** @param {Recipients} to @param {string} text */
+    message: (to, text) => ask("message", to, { method: "POST", path: "/api/v1/message", body: { text } }),
+
+    /** @param {string} name */
+    pauseJob: (name) => void ofJob(name, { method: "POST", path: "/api/v1/jobs/pause" }),
+
+    /** @param {string} name @param {number} job */
+    endJob: (name, job) => void ofJob(name, { method: "DELETE", path: `/api/v1/jobs/${job}` }),
+
+    /** Starts a job, or goes on with it: that takes control, which is given back at once; the job goes on without. @param {string} name @param {number} job */
+    async startJob(name, job) {
+      const [taken] = await ofJob(name, { method: "POST", path: LEASE, body: { name: `board of ${store.page.name}` } });
+      if (!taken || problemOf(taken.answer)) return;
+      const { token: lease } = /** @type {{ token: string }} */ (taken.answer.body);
+      await ofJob(name, { method: "POST", path: `/api/v1/jobs/${job}/start`, lease });
+      await request({ members: [name] }, { method: "DELETE", path: LEASE, lease });
+    },
+
+    /** Gives a person what was drawn, a picture for each station. @param {Recipients} to */
+    async saveDrawings(to) {
+      const answers = await ask("drawing", to, { method: "GET", path: "/api/v1/world" });
+      for (const { member, answer } of answers) {
+        if (problemOf(answer)) continue;
+        const text = drawingOf(/** @type {import("../state/types.js").Schemas["WorldState"]} */ (answer.body), member);
+        saveAs(new Blob([text], { type: "image/svg+xml" }), `${member}.svg`);
+      }
+    },
+  };
+}

@@ -1,0 +1,156 @@
+// The state of the board: one tree, changed by `reduce` alone. Pure: no clock, no document, no network.
+
+import { order } from "./members.js";
+
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {import("../state/types.js").Problem} Problem */
+/** @typedef {import("../words/words.js").Language} Language */
+/** @typedef {import("../state/state.js").Theme} Theme */
+/** @typedef {import("./members.js").Member} Member */
+/** @typedef {Schemas["Recipients"]} Recipients */
+/** @typedef {Schemas["MemberAnswer"]} MemberAnswer */
+/** @typedef {import("../state/jobs.js").JobView} JobView */
+
+/** `token`: the station of this board wants one. `alone`: it belongs to no fleet. @typedef {"connecting" | "open" | "closed" | "token" | "alone"} Connection */
+/** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing"} What */
+/** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} Asked */
+/** What a person is asked before it is done. @typedef {{ about: "fleet_reset", to: Recipients, values: Record<string, string | number> }} Question */
+
+/**
+ * @typedef {object} Board
+ * @property {Connection} connection
+ * @property {string} name What the station of this board is called; empty until that is known.
+ * @property {readonly Member[]} members In the order in which they are shown.
+ * @property {number} heard_ms When something came last, by the clock of this page.
+ * @property {number} now_ms
+ * @property {string} sought What a tile has to contain to be shown.
+ * @property {string | null} group The group that is shown alone.
+ * @property {import("./members.js").Sort | null} sort The only sort that is shown.
+ * @property {string | null} current The station whose tile the tab key leads to, by its number.
+ * @property {string | null} chosen The station whose details are shown, by its number.
+ * @property {readonly JobView[] | null} jobs The jobs of that station; nothing where they are not known yet.
+ * @property {Asked | null} stop The stop that was asked for last; its outcome stays until it is let go.
+ * @property {Asked | null} asked What else was asked for last.
+ * @property {Problem | null} denied Why a token is wanted, by a station or by several.
+ * @property {boolean} lesson Whether a phone shows the words to all.
+ * @property {Question | null} question
+ * @property {Language} language
+ * @property {Theme} theme
+ */
+
+/**
+ * @typedef {{ type: "fleet", name: string, members: readonly Member[], now_ms: number }
+ * | { type: "members", members: readonly Member[], now_ms: number }
+ * | { type: "alive", now_ms: number }
+ * | { type: "connecting" }
+ * | { type: "closed", problem: Problem | null }
+ * | { type: "alone" }
+ * | { type: "tick", now_ms: number }
+ * | { type: "sought", text: string }
+ * | { type: "group", group: string | null }
+ * | { type: "sort", sort: import("./members.js").Sort | null }
+ * | { type: "current", id: string }
+ * | { type: "chosen", id: string | null }
+ * | { type: "jobs", id: string, jobs: readonly JobView[] }
+ * | { type: "asked", asked: Asked }
+ * | { type: "answered", number: number, answers: readonly MemberAnswer[] | null, problem: Problem | null }
+ * | { type: "told_closed", what: "stop" | "asked" | "denied" }
+ * | { type: "lesson", open: boolean }
+ * | { type: "question", question: Question | null }} Message
+ */
+
+/** @param {{ language: Language, theme: Theme }} wish @returns {Board} */
+export const begin = ({ language, theme }) => ({
+  connection: "connecting",
+  name: "",
+  members: [],
+  heard_ms: 0,
+  now_ms: 0,
+  sought: "",
+  group: null,
+  sort: null,
+  current: null,
+  chosen: null,
+  jobs: null,
+  stop: null,
+  asked: null,
+  denied: null,
+  lesson: false,
+  question: null,
+  language,
+  theme,
+});
+
+/** @param {Board} board @param {Message} message @returns {Board} */
+export function reduce(board, message) {
+  switch (message.type) {
+    case "fleet":
+      return { ...board, connection: "open", name: message.name, members: order(message.members), heard_ms: message.now_ms, now_ms: message.now_ms };
+    case "members":
+      return { ...board, members: withNews(board.members, message.members), heard_ms: message.now_ms, now_ms: message.now_ms };
+    case "alive":
+      return { ...board, heard_ms: message.now_ms, now_ms: message.now_ms };
+    case "connecting":
+      return board.connection === "token" ? { ...board, connection: "connecting" } : board;
+    case "closed":
+      return { ...board, connection: message.problem ? "token" : "closed", denied: message.problem ?? board.denied };
+    case "alone":
+      return { ...board, connection: "alone", members: [] };
+    case "tick":
+      return { ...board, now_ms: message.now_ms };
+    case "sought":
+      return { ...board, sought: message.text };
+    case "group":
+      return { ...board, group: message.group };
+    case "sort":
+      return { ...board, sort: message.sort };
+    case "current":
+      return { ...board, current: message.id };
+    case "chosen":
+      return { ...board, chosen: message.id, jobs: null };
+    case "jobs":
+      return message.id === board.chosen ? { ...board, jobs: message.jobs } : board;
+    case "asked":
+      // Once somebody has looked at the arms, who did not answer is told by the tiles.
+      return { ...board, ...(message.asked.what === "reset" && { stop: null }), [placeOf(message.asked.what)]: message.asked, question: null };
+    case "answered":
+      return answered(board, message);
+    case "told_closed":
+      return { ...board, [message.what]: null };
+    case "lesson":
+      return { ...board, lesson: message.open };
+    case "question":
+      return { ...board, question: message.question };
+  }
+}
+
+/** A stop keeps a place of its own: nothing that is asked for later hides who did not answer. @param {What} what */
+const placeOf = (what) => (what === "stop" ? "stop" : "asked");
+
+/** Members that came or changed among all of them; who came first has the same place as before. @param {readonly Member[]} members @param {readonly Member[]} news */
+function withNews(members, news) {
+  const changed = new Map(news.map((it) => [it.id, it]));
+  const isNew = [...changed.values()].some(({ id }) => members.every((it) => it.id !== id));
+  if (!isNew) return members.map((it) => changed.get(it.id) ?? it);
+  const all = new Map([...members, ...news].map((it) => [it.id, it]));
+  return order([...all.values()]);
+}
+
+/** Of two that were asked the later one counts. @param {Board} board @param {Extract<Message, { type: "answered" }>} message @returns {Board} */
+function answered(board, { number, answers, problem }) {
+  const denied = problem && isDenial(problem) ? problem : firstDenial(answers ?? []) ?? board.denied;
+  for (const place of /** @type {const} */ (["stop", "asked"])) {
+    const asked = board[place];
+    if (asked?.number === number) return { ...board, denied, [place]: { ...asked, answers, problem } };
+  }
+  return { ...board, denied };
+}
+
+/** @param {Problem} problem */
+const isDenial = ({ status }) => status === 401 || status === 403;
+
+/** @param {readonly MemberAnswer[]} answers @returns {Problem | undefined} */
+function firstDenial(answers) {
+  const denied = answers.find(({ answer }) => isDenial(/** @type {Problem} */ ({ status: answer.status })));
+  return denied && /** @type {Problem} */ (denied.answer.body);
+}

@@ -1,0 +1,48 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { begin, reduce } from "./state.js";
+import { member } from "./sample.test.js";
+
+const after = (...messages) => messages.reduce(reduce, begin({ language: "en", theme: "auto" }));
+const fleet = (...names) => ({ type: "fleet", name: names[0], members: names.map((it) => member(it)), now_ms: 1 });
+const asked = (number, what) => ({ type: "asked", asked: { number, what, to: "all", answers: null, problem: null } });
+const answered = (number, ...answers) => ({ type: "answered", number, answers, problem: null });
+const answer = (name, status, body = {}) => ({ member: name, id: name, took_ms: 1, answer: { status, body } });
+
+test("a station that changes stays where it is, and one that comes takes its place by name", () => {
+  const changed = member("desk-2", { presence: { type: "away" } });
+  const before = after(fleet("desk-1", "desk-2", "desk-3"));
+  const now = reduce(before, { type: "members", members: [changed], now_ms: 2 });
+  assert.deepEqual(now.members, [before.members[0], changed, before.members[2]]);
+  const grown = reduce(now, { type: "members", members: [member("desk-10"), member("desk-0")], now_ms: 3 });
+  assert.deepEqual(grown.members.map(({ name }) => name), ["desk-0", "desk-1", "desk-2", "desk-3", "desk-10"]);
+});
+
+test("who did not answer a stop stays told while other things are asked for", () => {
+  const board = after(asked(1, "stop"), answered(1, answer("desk-1", 200)), asked(2, "message"), answered(2));
+  assert.equal(board.stop.answers.length, 1);
+  assert.equal(board.asked.what, "message");
+});
+
+test("a second press asks anew, and the answers to the first do not count as its own", () => {
+  const board = after(asked(1, "stop"), asked(2, "stop"), answered(1, answer("desk-1", 200)));
+  assert.equal(board.stop.answers, null);
+});
+
+test("one station that wants a token is enough to ask for it, in its own words", () => {
+  const denied = { detail: "this takes the role control", hint: "use another token", status: 403 };
+  assert.deepEqual(after(asked(1, "reset"), answered(1, answer("desk-1", 200), answer("desk-2", 403, denied))).denied, denied);
+  assert.equal(after(asked(1, "reset"), answered(1, answer("desk-1", 409, denied))).denied, null);
+});
+
+test("the jobs of a station are shown at no other one", () => {
+  const board = after(fleet("a", "b"), { type: "chosen", id: "id-a" }, { type: "jobs", id: "id-b", jobs: [{ job: 1 }] });
+  assert.equal(board.jobs, null);
+});
+
+test("a board that looks for its station again says so all the time until it has it", () => {
+  const lost = after(fleet("a"), { type: "closed", problem: null }, { type: "connecting" });
+  assert.equal(lost.connection, "closed");
+  assert.equal(reduce(lost, fleet("a")).connection, "open");
+});

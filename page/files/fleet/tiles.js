@@ -1,0 +1,78 @@
+// The arms of the fleet, a tile for each, in sections.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { repeat } from "../vendor/lit-html/directives/repeat.js";
+import { clock } from "../words/words.js";
+import { alarms, isThere, pageOf, sections, share, toneOf } from "./members.js";
+import { problemText } from "./told.js";
+
+/** @typedef {import("./fleet.js").Context} Context */
+/** @typedef {import("./members.js").Member} Member */
+/** @typedef {import("./members.js").Section} Section */
+
+/** Up to so many tiles are large ones, and with more than so many they are small. */
+const FEW = 6, MANY = 24;
+
+/** @param {Context} context */
+export function tiles(context) {
+  const { board, say } = context;
+  const all = sections(board.members, board);
+  const shown = all.flatMap(({ members }) => members);
+  // One tile has its place in the order of the tab key; the arrow keys lead to the others.
+  const first = shown.some(({ id }) => id === board.current) ? board.current : shown[0]?.id ?? null;
+  if (!shown.length) return html`<p id="none" class="quiet">${board.members.length ? say("fleet.none.found") : board.connection === "open" ? say("fleet.none") : nothing}</p>`;
+  return html`<div class="sections" data-size=${shown.length <= FEW ? "large" : shown.length <= MANY ? "medium" : "small"}>${repeat(all, ({ group }) => group, (it, n) => section(context, it, n, first))}</div>`;
+}
+
+/** @param {Context} context @param {Section} section @param {number} n @param {string | null} first */
+function section(context, { group, members }, n, first) {
+  const { say, act } = context;
+  const there = members.filter(isThere).length;
+  return html`
+    <section class="group" aria-labelledby="group-${n}">
+      <div class="group-head">
+        <h2 id="group-${n}">${group ?? say("fleet.group.none")} <small>${say("fleet.there", { there, all: members.length })}</small></h2>
+        ${group === null ? nothing : html`<button type="button" class="stops small" data-stop-group=${group} @click=${() => void act.stop({ group })}>${say("fleet.stop.group", { group })}</button>`}
+      </div>
+      <ul class="tiles">${repeat(members, ({ id }) => id, (member) => tile(context, member, first))}</ul>
+    </section>`;
+}
+
+/** @param {Context} context @param {Member} member @param {string | null} first */
+function tile({ board, say, act }, member, first) {
+  const { id, name, here, presence, state } = member;
+  const isFirst = id === first;
+  return html`
+    <li class="tile" data-tone=${toneOf(member)} data-member=${name} data-presence=${presence.type}>
+      <p class="head">
+        <button type="button" class="name" tabindex=${isFirst ? 0 : -1} aria-expanded=${String(id === board.chosen)} aria-controls="details" aria-describedby="alarms-${id} says-${id}"
+          @focus=${() => act.send({ type: "current", id })} @click=${() => act.send({ type: "chosen", id: id === board.chosen ? null : id })}>${name}</button>
+        ${here ? html`<span class="quiet here">${say("fleet.here")}</span>` : nothing}
+        <button type="button" class="stops small one" tabindex=${isFirst ? 0 : -1} aria-label=${say("fleet.stop.one", { name })} @click=${() => void act.stop({ members: [name] })}>${say("fleet.stop.short")}</button>
+      </p>
+      <div class="sight">
+        <canvas class="picture" data-arm=${id} aria-hidden="true"></canvas>
+        <p class="alarms" id="alarms-${id}">${alarms(member).map(({ word, tone }) => html`<span class="chip" data-tone=${tone}>${say(word, { left: clock(state?.laser.armed_for_s ?? 0) })}</span> `)}</p>
+      </div>
+      <div class="says" id="says-${id}">
+        ${presence.type === "present" ? work(say, member) : gone(say, member)}
+      </div>
+    </li>`;
+}
+
+/** What it does, and who has control. @param {Context["say"]} say @param {Member} member */
+function work(say, { state }) {
+  const job = state?.job, lease = state?.lease;
+  return html`
+    ${job ? html`
+      <p class="job"><span class="title">${job.title}</span> <span class="part">${Math.floor(share(job) * 100)} %</span></p>
+      <progress max="1" data-phase=${job.phase} .value=${share(job)} aria-label=${say("job.progress")}></progress>` : html`<p class="job idle quiet">${say(state ? "fleet.idle" : "fleet.untold")}</p>`}
+    <p class="quiet who">${lease?.name ?? say("fleet.free")}</p>`;
+}
+
+/** Why nothing is known of it now, and what to do. @param {Context["say"]} say @param {Member} member */
+function gone(say, member) {
+  const { presence } = member, page = pageOf(member);
+  return html`
+    <p class="why">${presence.type === "refused" ? problemText(presence.problem) : page ? html`<a href=${page} target="_blank" rel="noreferrer">${say("fleet.away.stops")}</a>` : say("fleet.away.stops")}</p>`;
+}

@@ -1,0 +1,26 @@
+// One state, changed by messages alone, and those who listen to it.
+
+/**
+ * @template S, M
+ * @param {(state: S, message: M) => S} reduce
+ * @param {S} state
+ */
+export function hold(reduce, state) {
+  /** @type {((state: S, message: M) => void)[]} */
+  const listeners = [];
+  return {
+    /** The state, as it is now. */
+    get page() {
+      return state;
+    },
+    /** @param {M} message */
+    send(message) {
+      state = reduce(state, message);
+      for (const listener of listeners) listener(state, message);
+    },
+    /** @param {(state: S, message: M) => void} listener */
+    listen(listener) {
+      listeners.push(listener);
+    },
+  };
+}

@@ -1,0 +1,36 @@
+// Server-sent events that are read with the token, which an EventSource would not carry.
+
+/**
+ * The events of a stream, cut out of its text as it comes.
+ * @param {(event: string, data: string) => void} hear @returns {(text: string) => void}
+ */
+export function createReader(hear) {
+  let rest = "";
+  return (text) => {
+    const blocks = (rest + text).split("\n\n");
+    rest = blocks.pop() ?? "";
+    for (const block of blocks) {
+      const field = (/** @type {string} */ name) => block.split("\n").find((it) => it.startsWith(`${name}: `))?.slice(name.length + 2) ?? "";
+      if (field("data")) hear(field("event"), field("data"));
+    }
+  };
+}
+
+/**
+ * Reads a stream until it ends, or nobody wants it any more.
+ * @param {Response} answer
+ * @param {object} listener
+ * @param {(event: string, data: string) => void} listener.hear takes each event
+ * @param {() => void} [listener.came] is called behind all events of a piece, and at a sign of life without events
+ * @param {() => boolean} listener.isWanted
+ */
+export async function readEvents(answer, { hear, came, isWanted }) {
+  const stream = answer.body?.pipeThrough(new TextDecoderStream()).getReader();
+  const read = createReader(hear);
+  while (stream) {
+    const { value, done } = await stream.read().catch(() => ({ value: undefined, done: true }));
+    if (done || !isWanted()) break;
+    read(value ?? "");
+    came?.();
+  }
+}

@@ -1,0 +1,226 @@
+// The board with as many arms as a school has, of a stand-in for its station: keys, sizes, screen readers, and what goes wrong.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, afterEach, before, test } from "node:test";
+import { launch } from "./bench.mjs";
+import { crowd, member, standIn } from "./stand_in.mjs";
+
+const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 360, height: 740 } };
+const DENIED = { type: "/api/v1/problems/unauthorised", title: "this takes a token", status: 401, detail: "the station does not know this token", hint: "make one on its machine" };
+
+let browser;
+/** What a test opened. */
+let opened = [];
+const errors = [];
+
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+afterEach(async () => {
+  for (const it of opened.splice(0)) await it();
+  assert.deepEqual(errors.splice(0), []);
+});
+
+/** The board of these stations, and the stand-in that tells them. */
+async function open(members, { answer, ...options } = {}) {
+  const station = await standIn(members, answer);
+  const context = await browser.newContext({ viewport: SIZES.desktop, reducedMotion: "reduce", ...options });
+  const page = await context.newPage();
+  page.on("pageerror", (error) => errors.push(error));
+  opened.push(() => context.close(), () => station.end());
+  await page.goto(station.url);
+  return { page, station };
+}
+const asked = (station, path) => station.asked.filter((it) => it.path === path);
+const stops = (station) => asked(station, "/api/v1/fleet/stop");
+const focused = (page) => page.evaluate(() => document.activeElement.textContent);
+const text = (page, selector) => page.textContent(selector).then((it) => it.replace(/\s+/g, " ").trim());
+
+for (const [size, viewport] of Object.entries(SIZES)) {
+  for (const colorScheme of ["light", "dark"]) {
+    test(`axe finds nothing on a ${size} in the ${colorScheme} theme`, async () => {
+      const answer = ({ path, body }) => (path === "/api/v1/fleet/requests" && body.method === "DELETE" ? { body: [{ member: "desk-7", id: "7", answer: { status: 401, body: DENIED }, took_ms: 1 }] } : undefined);
+      const { page } = await open(crowd(30), { viewport, colorScheme, answer });
+      await page.waitForSelector(".tile");
+      await page.evaluate(AXE);
+      const look = async (what) => {
+        const { violations, passes } = await page.evaluate(() => window.axe.run());
+        assert.ok(passes.length > 15, "axe has looked at it");
+        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map((it) => it.target.join(" ")).join(", ")}`), [], what);
+      };
+      await look("tiles");
+      await page.click("#stop");
+      await page.waitForSelector("#stop-told p");
+      await page.click("#reset");
+      await look("question");
+      await page.click("#sure-yes");
+      await page.waitForSelector("#denied");
+      await look("denied");
+      await page.click("#told-close");
+      await page.click(".tile[data-member=desk-5] .name");
+      await page.waitForSelector("#details-title");
+      await look("details");
+    });
+  }
+}
+
+test("on a phone nothing hangs over the edge, and STOP ALL is the largest thing, within reach of a thumb", async () => {
+  const { page } = await open(crowd(30), { viewport: SIZES.phone, hasTouch: true, isMobile: true });
+  await page.waitForSelector(".tile");
+  const lock = async () => {
+    await page.click("#lock");
+    await page.waitForSelector("#told[data-tone=bad]");
+  };
+  for (const lead of [async () => {}, () => page.click("#stop"), () => page.click("#lesson-open"), lock, () => page.click(".tile[data-member=desk-1] .name")]) {
+    await lead();
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), SIZES.phone.width);
+    const stop = await page.locator("#stop").boundingBox();
+    assert.ok(stop.y > SIZES.phone.height / 2 && stop.y + stop.height <= SIZES.phone.height && stop.width > 300, JSON.stringify(stop));
+    const areas = await page.$$eval("button", (all) => all.map((it) => [it.id, it.offsetWidth * it.offsetHeight]).sort((a, b) => b[1] - a[1]));
+    assert.equal(areas[0][0], "stop");
+    // Nothing lies over it.
+    const seen = await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.closest("button")?.id, [stop.x + stop.width / 2, stop.y + stop.height - 8]);
+    assert.equal(seen, "stop");
+  }
+});
+
+test("arrow keys lead from tile to tile, Enter opens one, and Escape stops all from anywhere", async () => {
+  const { page, station } = await open(crowd(30));
+  await page.waitForSelector(".tile");
+  await page.focus(".tile .name[tabindex='0']");
+  assert.equal(await focused(page), "desk-1");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await focused(page), "desk-2");
+  const [below, now] = await page.evaluate(() => {
+    const boxes = [...document.querySelectorAll(".tile .name")].map((it) => [it.textContent, it.getBoundingClientRect()]);
+    const here = boxes.find(([name]) => name === "desk-2")[1];
+    return [boxes.find(([, box]) => box.top > here.bottom && Math.abs(box.left - here.left) < 5)[0], "desk-2"];
+  });
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await focused(page), below);
+  await page.keyboard.press("ArrowUp");
+  assert.equal(await focused(page), now);
+  // One tile is in the order of the tab key, with its own stop behind it.
+  assert.equal(await page.locator(".tile .name[tabindex='0']").count(), 1);
+  await page.waitForSelector(".tile[data-member=desk-2] .one[tabindex='0']");
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "STOP desk-2");
+  await page.keyboard.press("Shift+Tab");
+  await page.keyboard.press("Enter");
+  assert.equal(await text(page, "#details-title"), "desk-2");
+  await page.focus("#sought");
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("30 stopped"));
+  assert.deepEqual(stops(station).map(({ body }) => body.to), ["all"]);
+});
+
+test("who did not answer a stop is told with the way to his page, and a second press asks again", async () => {
+  const members = [member("desk-1", { here: true }), member("desk-3", { presence: { type: "away" }, page: "http://desk-3.lab:8642/" }), member("desk-7", { presence: { type: "away" }, page: "javascript:alert(1)" })];
+  const { page, station } = await open(members);
+  await page.waitForSelector(".tile");
+  await page.click("#stop");
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 3 stopped."));
+  assert.match(await text(page, "#stop-told"), /1 of 3 stopped\. No answer from desk-3 and desk-7: press STOP on their own pages\. Page of desk-3/);
+  // What a station tells of itself leads nowhere but to a page.
+  assert.deepEqual(await page.$$eval("a[href^='javascript']", (all) => all.length), 0);
+  await page.click("#stop");
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 3 stopped."));
+  assert.equal(stops(station).length, 2);
+});
+
+test("a token that the station does not know keeps nobody from a stop", async () => {
+  const answer = ({ token, path }) => (token === "wrong" && path === "/api/v1/fleet/stop" ? { status: 401, body: DENIED } : undefined);
+  const { page, station } = await open([member("desk-1", { here: true })], { answer });
+  await page.waitForSelector(".tile");
+  await page.evaluate(() => sessionStorage.setItem("token", "wrong"));
+  await page.keyboard.press("Space");
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 1 stopped."));
+  assert.deepEqual(stops(station).map(({ token }) => token), ["wrong", null]);
+});
+
+test("where the fleet cannot be asked, the arm of this station is stopped at least", async () => {
+  const ending = { type: "/api/v1/problems/ending", title: "the station is shutting down", status: 503, detail: "the station leaves its fleet" };
+  const answer = ({ path }) => (path === "/api/v1/fleet/stop" ? { status: 503, body: ending } : undefined);
+  const { page, station } = await open([member("desk-1", { here: true })], { answer });
+  await page.waitForSelector(".tile");
+  await page.click("#stop");
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("The station leaves its fleet."));
+  assert.equal(asked(station, "/api/v1/stop").length, 1);
+});
+
+test("a station that wants a token is told in its own words, and the token that is given goes along", async () => {
+  const answer = ({ token, path }) => (token === "secret" || !path.startsWith("/api/v1/fleet") ? undefined : { status: 401, body: DENIED });
+  const { page, station } = await open([member("desk-1", { here: true })], { answer });
+  await page.waitForSelector("#denied");
+  assert.equal(await text(page, "#denied label"), "The station does not know this token. Make one on its machine.");
+  await page.fill("#token-field", "secret");
+  await page.click("#token button");
+  await page.waitForSelector(".tile");
+  await page.waitForSelector("#denied", { state: "detached" });
+  assert.equal(station.asked.at(-1).token, "secret");
+});
+
+test("eyes on me and a message go to the group that is shown, or to all", async () => {
+  const { page, station } = await open([member("desk-1", { here: true, groups: ["room-1"] }), member("desk-2", { groups: ["room-2"], lock: { by: "Ms Lee", message: "eyes on me", at_s: 3 } })]);
+  await page.waitForSelector(".tile");
+  const requests = () => asked(station, "/api/v1/fleet/requests").map(({ body }) => body);
+  await page.click("#lock");
+  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("2 of 2 locked."));
+  assert.deepEqual(requests().at(-1), { to: "all", method: "POST", path: "/api/v1/lock", body: { message: "Eyes on me" } });
+  await page.selectOption("#group", "room-2");
+  await page.fill("#lesson-text", "Five minutes");
+  await page.click("#send");
+  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("1 of 1 told."));
+  assert.deepEqual(requests().at(-1), { to: { group: "room-2" }, method: "POST", path: "/api/v1/message", body: { text: "Five minutes" } });
+  await page.waitForFunction(() => document.querySelector("#lesson-text").value === "");
+  assert.match(await page.textContent(".tile[data-member=desk-2] .alarms"), /locked/);
+  await page.click("#release");
+  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("1 of 1 released."));
+  assert.deepEqual(requests().at(-1), { to: { group: "room-2" }, method: "DELETE", path: "/api/v1/lock" });
+});
+
+test("a text and a group show some of the tiles; STOP ALL stops all of them", async () => {
+  const { page, station } = await open(crowd(30));
+  await page.waitForSelector(".tile");
+  await page.fill("#sought", "desk-3");
+  await page.waitForFunction(() => document.querySelectorAll(".tile").length === 2);
+  assert.deepEqual(await page.$$eval(".tile .name", (all) => all.map((it) => it.textContent)), ["desk-3", "desk-30"]);
+  await page.fill("#sought", "");
+  await page.click("#count [data-sort=away]");
+  await page.waitForFunction(() => document.querySelectorAll(".tile").length === 3);
+  assert.equal(await page.locator(".tile[data-presence=present]").count(), 0);
+  await page.click("#stop");
+  await page.waitForSelector("#stop-told p");
+  assert.equal(stops(station)[0].body.to, "all");
+  await page.click("#count [data-sort=away]");
+  await page.fill("#sought", "no such thing");
+  await page.waitForSelector("#none");
+});
+
+test("a tile that changes stays where it is", async () => {
+  const members = crowd(30);
+  const { page, station } = await open(members);
+  await page.waitForSelector(".tile");
+  const places = () => page.$$eval(".tile", (all) => all.map((it) => [it.dataset.member, it.offsetLeft, it.offsetTop]));
+  const before = await places();
+  station.tell({ ...members[3], presence: { type: "away" } });
+  station.tell({ ...members[5], presence: { type: "present" } });
+  await page.waitForSelector(".tile[data-member=desk-4][data-presence=away]");
+  assert.deepEqual(await places(), before);
+});
+
+test("a board that has lost its station says so above all else, and goes on by itself", async () => {
+  const { page, station } = await open([member("desk-1", { here: true })]);
+  await page.waitForSelector(".tile");
+  station.cut();
+  await page.waitForSelector("#lost");
+  await page.waitForSelector("#lost", { state: "detached" });
+  assert.ok(asked(station, "/api/v1/fleet/events").length > 1);
+});
+
+test("a station that belongs to no fleet says how one is joined", async () => {
+  const answer = ({ path }) => (path === "/api/v1/fleet" ? { status: 404, body: { type: "/api/v1/problems/no-fleet", title: "this station belongs to no fleet", status: 404, detail: "this station belongs to no fleet" } } : undefined);
+  const { page } = await open([], { answer });
+  await page.waitForSelector("#alone");
+  assert.match(await text(page, "#alone"), /dobot up --fleet/);
+});

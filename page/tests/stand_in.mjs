@@ -1,0 +1,102 @@
+// A stand-in for the station of a board, with as many members as a test wants: it serves the files of the folder, tells the members, and
+// keeps what it was asked for.
+import { once } from "node:events";
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+
+const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
+
+/** The state of a station whose arm rests at a place, with what a test wants to be otherwise. */
+export const state = (other = {}) => ({
+  at_s: 10, link: { address: "virtual:", phase: "up", problem: null, bluetooth: false, statuses_per_s: 12.5, lost_statuses: 0, damaged_bytes: 0, latency_ms: 60 },
+  arm: { x_mm: 200, y_mm: 0, z_mm: 40, rotation_deg: 0, base_deg: 0, rear_deg: 30, fore_deg: 40, servo_deg: 0, suction: false, gripper_deg: 0, moving: false },
+  dialect: "firmware-1.1", trust: { trusted: true, reason: null }, queue: { waiting: 0, under_way: 0, ahead_s: 0 }, lease: null, stop: null,
+  laser: { armed_for_s: 0, on: false }, job: null, clients: 1, ...other,
+});
+
+/** A station of the fleet; `id` is made of its name. */
+export const member = (name, { groups = [], here = false, presence = { type: "present" }, page = `http://127.0.0.1:9/${name}`, is_virtual = true, ...other } = {}) => ({
+  name, id: Buffer.from(name).toString("hex").padStart(32, "0").slice(-32), here, presence, heard_at_s: 10,
+  about: { version: "0.1.0", page, groups, offers: ["pen"], is_virtual }, state: state(other),
+});
+
+export const job = (title, completed, commands = 100, other = {}) => ({ job: 4, title, kind: "drawing", created_ms: 0, phase: "running", reason: null, commands, completed, planned_s: 200, left_s: 200 * (1 - completed / commands), took_s: null, speed_percent: 100, height_mm: 0, program: null, ...other });
+
+/** What it is at, what waits, and what is over. */
+const jobsOf = ({ state: { job: now } }) => [job("first try.svg", 80, 80, { job: 3, phase: "done", took_s: 61, left_s: null }), ...(now ? [{ ...now, job: 4 }] : []), job("card for Mia.svg", 0, 120, { job: 5, phase: "queued", left_s: null })];
+
+/** @param {object[]} members @param {(request: { method: string, path: string, body: any, token: string | null }) => { status?: number, body: unknown } | undefined} answer what is answered otherwise */
+export async function standIn(members, answer = () => undefined) {
+  const asked = [];
+  const listeners = new Set();
+  const fleet = new Map(members.map((it) => [it.id, it]));
+  const event = (it) => `event: member\ndata: ${JSON.stringify(it)}\n\n`;
+  const json = (response, status, body) => response.writeHead(status, { "content-type": status < 400 ? "application/json" : "application/problem+json" }).end(JSON.stringify(body));
+  const meant = (to) => [...fleet.values()].filter((it) => to === "all" || it.about.groups.includes(to.group) || to.members?.includes(it.name));
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url, "http://stand.in");
+    if (!pathname.startsWith("/api/")) {
+      const name = pathname === "/fleet" ? "/fleet/index.html" : pathname === "/" ? "/index.html" : pathname;
+      const bytes = await readFile(new URL(`../files${name}`, import.meta.url)).catch(() => null);
+      return bytes ? response.writeHead(200, { "content-type": `${TYPES[name.split(".").at(-1)] ?? "text/plain"}; charset=utf-8` }).end(bytes) : response.writeHead(404).end();
+    }
+    let text = "";
+    for await (const piece of request) text += piece;
+    const body = text ? JSON.parse(text) : undefined;
+    const token = request.headers.authorization?.replace("Bearer ", "") ?? null;
+    asked.push({ method: request.method, path: pathname, body, token });
+    const other = answer({ method: request.method, path: pathname, body, token });
+    if (other) return json(response, other.status ?? 200, other.body);
+    if (pathname === "/api/v1/fleet") return json(response, 200, { name: members.find((it) => it.here)?.name ?? "", at_s: 10, members: [...fleet.values()] });
+    if (pathname === "/api/v1/fleet/events") {
+      response.writeHead(200, { "content-type": "text/event-stream" });
+      response.write([...fleet.values()].map(event).join(""));
+      listeners.add(response);
+      return response.on("close", () => listeners.delete(response));
+    }
+    if (pathname === "/api/v1/fleet/stop" || pathname === "/api/v1/fleet/requests") return json(response, 200, meant(body.to).map((it) => ({ member: it.name, id: it.id, answer: answerOf(it, body), took_ms: 1 })));
+    return json(response, 404, { type: "/api/v1/problems/unknown-path", title: "nothing is here", status: 404, detail: `there is nothing at ${pathname}` });
+  });
+  const answerOf = (it, { path, method }) => {
+    if (it.presence.type === "away") return { status: 503, body: { type: "/api/v1/problems/member-away", title: "away", status: 503, detail: `${it.name} cannot be reached` } };
+    return { status: 200, body: path === "/api/v1/jobs" && method === "GET" ? jobsOf(it) : { type: "done" } };
+  };
+  server.listen(0, "127.0.0.1");
+  await once(server, "listening");
+  return {
+    asked,
+    url: `http://127.0.0.1:${server.address().port}/fleet`,
+    /** Tells a member anew. */
+    tell(it) {
+      fleet.set(it.id, it);
+      for (const response of listeners) response.write(event(it));
+    },
+    /** How often the events are listened to. */
+    listeners: () => listeners.size,
+    /** Ends all listening, as a station that ends. */
+    cut: () => { for (const response of listeners) response.destroy(); },
+    async end() {
+      server.closeAllConnections();
+      server.close();
+    },
+  };
+}
+
+/** A fleet of so many, with all that can be seen on a tile. */
+export function crowd(count) {
+  const titles = ["harbour.svg", "Zoë's name", "star.dxf", "pick and place", "postcard.png"];
+  return Array.from({ length: count }, (_, n) => {
+    const name = `desk-${n + 1}`, groups = [`room-${1 + Math.floor(n / Math.max(12, count / 4))}`];
+    const turn = ((n * 37) % 160) - 80, rear_deg = 10 + ((n * 13) % 50), fore_deg = 15 + ((n * 29) % 50);
+    const other = { groups, here: n === 0, arm: { ...state().arm, base_deg: turn, rear_deg, fore_deg } };
+    if (n % 3 === 1) Object.assign(other, { job: job(titles[n % titles.length], (n * 17) % 100), lease: { client: 2, name: ["Anna", "Bo", "Chen"][n % 3], is_program: false, since_s: 1, asked_by: [] } });
+    if (n % 9 === 4) Object.assign(other, { job: job("name.svg", 40, 100, { phase: "paused", reason: "put the red pen in" }) });
+    if (n % 11 === 6) Object.assign(other, { stop: { by: "Ms Lee", reason: "a hand is in the way", at_s: 9, rests_by_s: 9.5, at_rest: true } });
+    if (n % 13 === 8) Object.assign(other, { trust: { trusted: false, reason: "the arm was reset: look where it is" } });
+    if (n % 14 === 10) Object.assign(other, { laser: { armed_for_s: 212, on: n % 28 === 10 } });
+    if (n % 17 === 5) Object.assign(other, { presence: { type: "away" } });
+    if (n % 23 === 12) Object.assign(other, { presence: { type: "refused", problem: { type: "member-refused", title: "nothing is asked of this station", status: 409, detail: "two stations are called desk-13", hint: "start one of them with another --name" } } });
+    if (n % 19 === 15) Object.assign(other, { arm: null, link: { ...state().link, phase: "searching", address: null } });
+    return member(name, other);
+  });
+}
