@@ -5,7 +5,7 @@
 #   ./ci.sh STEP...      some steps
 #   ./ci.sh help         the steps, a line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models`, `recordings` and `python`, Node and Chromium for
+# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models`, `recordings`, `fleet` and `python`, Node and Chromium for
 # `page`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
@@ -28,6 +28,10 @@
 # - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
 #   that were repaired; pandas, pyarrow and datasets read what was exported, and Foxglove's own client from npm what a
 #   station tells live.
+# - `fleet` gives each of three stations a network of its own, as root or where the system lets a user have some; a peer in
+#   Python reads their states and stops one.
+# - `ros2` fetches `cyclonedds` from PyPI, an implementation of DDS that is not ours, and lets a program in Python use a
+#   virtual arm through `dobot-ros2` and a station, on the loopback.
 # - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
 #   that is not a test; for the syntax it would need a second toolchain: `cargo +1.88 check`.
 # - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
@@ -59,6 +63,8 @@ readonly CI_STEPS=(
   "api          try a station's API with requests made from its own document"
   "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
   "recordings   do PyPI's mcap, pandas and datasets, and Foxglove's client, read what is recorded?"
+  "fleet        a class in three networks: stations, a router that is killed, and PyPI's eclipse-zenoh as a peer"
+  "ros2         does PyPI's cyclonedds use the arm over ROS 2: states, targets, jogs, trajectories, a stop?"
   "python       does the Python package build, install, and do what its tests and types say?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
@@ -80,6 +86,7 @@ Apache-2.0 AND ISC
 Apache-2.0 OR BSL-1.0
 Apache-2.0 OR ISC OR MIT
 Apache-2.0 OR MIT
+Apache-2.0 WITH LLVM-exception
 Apache-2.0 WITH LLVM-exception OR Apache-2.0 OR MIT
 Apache-2.0/MIT
 BSD-2-Clause
@@ -88,6 +95,8 @@ BSD-2-Clause OR MIT OR Apache-2.0
 BSD-3-Clause
 BSD-3-Clause OR Apache-2.0
 CC0-1.0
+CDLA-Permissive-2.0
+EPL-2.0 OR Apache-2.0
 ISC
 MIT
 MIT / Apache-2.0
@@ -125,7 +134,7 @@ step_licences() {
 
 dependencies() {
   cargo tree --workspace --locked --target all --edges normal,build --prefix none \
-    --format '{l}|{p}' | sed '/^$/d; s/ (\*)$//' | sort -u
+    --format '{l}|{p}' | sed '/^$/d; s/^ *//; s/ (\*)$//' | sort -u
 }
 
 step_lint() {
@@ -284,6 +293,24 @@ step_recordings() {
   rm -rf "$folder"
 }
 
+step_fleet() {
+  local folder
+  needs_venv
+  needs_command ip iproute2
+  folder=$(mktemp -d)
+  python3 -m venv "$folder"
+  "$folder/bin/pip" install --quiet eclipse-zenoh
+  build_all
+  tests/fleet/class.sh "$(realpath "$(built)/dobot")" "$folder/bin/python"
+  rm -rf "$folder"
+}
+
+step_ros2() {
+  needs_venv
+  build_all
+  tests/ros2/check.sh "$(built)"
+}
+
 step_python() {
   local folder program tests notebooks
   needs_venv
@@ -292,7 +319,7 @@ step_python() {
   cargo clippy --locked --manifest-path python/Cargo.toml -- -D warnings
   folder=$(mktemp -d)
   python3 -m venv "$folder/venv"
-  "$folder/venv/bin/pip" install --quiet ./python ipykernel matplotlib mypy nbmake numpy pyright pytest
+  "$folder/venv/bin/pip" install --quiet ./python ipykernel matplotlib mypy nbmake numpy pandas pandas-stubs pyarrow pyright pyserial pytest types-pyserial
   build_all
   program=$(realpath "$(built)/dobot")
   tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
@@ -425,7 +452,7 @@ main() {
     mapfile -t names < <(printf '%s\n' "${CI_STEPS[@]%% *}")
   fi
   for name in "${names[@]}"; do
-    if [[ $name == *[!a-z-]* ]] || ! declare -F "step_$name" >/dev/null; then
+    if [[ $name == *[!a-z0-9-]* ]] || ! declare -F "step_$name" >/dev/null; then
       help >&2
       fail "there is no step \`$name\`"
     fi
