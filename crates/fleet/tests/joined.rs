@@ -364,7 +364,6 @@ async fn only_those_with_a_certificate_of_the_fleet_belong_to_it() {
 async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
-    one.sees("itself", present(&["desk-1"])).await;
     let mut config = zenoh::Config::default();
     config.insert_json5("mode", "\"client\"").unwrap();
     let endpoints = format!("[\"{at}\"]");
@@ -372,6 +371,15 @@ async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
         .insert_json5("connect/endpoints", &endpoints)
         .unwrap();
     let stranger = zenoh::open(config).await.unwrap();
+    // A station declares what it answers, and only then that it is there.
+    let alive = stranger
+        .liveliness()
+        .declare_subscriber("dobot/alive/*/*/desk-1/*");
+    let alive = alive.history(true).await.unwrap();
+    timeout(PATIENCE, alive.recv_async())
+        .await
+        .unwrap()
+        .unwrap();
     for (payload, status) in [
         (&b"\xff\x00"[..], 400),
         (b"{}", 400),
