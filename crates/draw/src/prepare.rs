@@ -299,19 +299,30 @@ fn lines(layer: &mut Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareE
     Ok(lines)
 }
 
-/// What of the strokes the arm reaches, the tool on the paper and lifted.
+/// What of the strokes the arm reaches, the tool on the paper and lifted, wherever vectors go within the tolerance: a
+/// line that follows the border of the reach has corners beyond it.
 fn within_reach<E>(
     strokes: &[Stroke],
     tool: DrawingTool,
     settings: &Settings,
     reachable: &impl Fn(Position) -> Result<(), E>,
 ) -> Clipped {
-    let inside = |p: Point| {
+    let reaches = |p: Point| {
         let z_mm = settings.paper.z_at(p);
         let reaches = |z_mm| reachable(Position::new(p.x, p.y, z_mm)).is_ok();
         reaches(z_mm) && reaches(z_mm + tool.lift_mm())
     };
-    clip_to_reach(strokes, inside)
+    let margin_mm = settings.tolerance_mm;
+    clip_to_reach(strokes, |p| around(p, margin_mm).into_iter().all(&reaches))
+}
+
+/// The places beside one, towards the axis of the arm, away from it, and to both sides: the borders of the reach are arcs
+/// around the axis and lines towards it.
+fn around(p: Point, by_mm: f64) -> [Point; 4] {
+    let from_axis = p.to_vec2();
+    let out = from_axis * (by_mm / from_axis.hypot().max(by_mm));
+    let aside = out.turn_90();
+    [p + out, p - out, p + aside, p - aside]
 }
 
 fn cut_off(clipped: &Clipped, what: &str) -> Option<Warning> {

@@ -152,6 +152,35 @@ fn what_is_out_of_reach_is_refused() {
 }
 
 #[test]
+fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within() {
+    // Arcs about the axis of the arm, and waves across the border that is 321 mm from it.
+    let arc = |radius: f64| move |_: f64| radius;
+    let ways: [&dyn Fn(f64) -> f64; 4] =
+        [&arc(320.99), &arc(320.96), &arc(129.01), &|angle: f64| {
+            321.0 + (angle * 40.0).sin()
+        }];
+    for radius in ways {
+        let line = (-200..=200).map(|i| {
+            let angle = f64::from(i) / 400.0;
+            Point::new(radius(angle) * angle.cos(), radius(angle) * angle.sin())
+        });
+        let line: Vec<Point> = line.collect();
+        // On the page, x is to the right and y down: those are -Y and -X of the arm.
+        let page = line.iter().map(|p| Point::new(-p.y, -p.x)).collect();
+        let mut settings = Settings {
+            clips: true,
+            ..Settings::default()
+        };
+        settings.placement.center = Some(dobot_geometry::bounds(line.iter().copied()).center());
+        let prepared = prepare(&Source::Lines(vec![page]), &settings, in_reach);
+        match prepared {
+            Ok(prepared) => assert!(!prepared.warnings.is_empty()),
+            Err(error) => assert_eq!(error, PrepareError::Plan(PlanError::NoStrokes)),
+        }
+    }
+}
+
+#[test]
 fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
     // All black, with a white margin as wide as itself on the right.
     let mut file = Vec::new();
