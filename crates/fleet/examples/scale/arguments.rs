@@ -6,7 +6,7 @@ use std::time::Duration;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arguments {
     /// How many stations.
-    pub(crate) stations: usize,
+    pub(crate) stations: u16,
     /// How many stops of all arms at rest.
     pub(crate) presses: usize,
     /// How many stops of all arms while each burns.
@@ -34,15 +34,15 @@ impl Arguments {
         let mut words = std::env::args().skip(1);
         while let Some(name) = words.next() {
             let found = words.next().unwrap_or_default();
-            let number = found
+            let number: u16 = found
                 .parse()
-                .map_err(|_| format!("{name} is {found:?}; allowed is a whole number"))?;
+                .map_err(|_| format!("{name} is {found:?}; allowed is 0 to 65535"))?;
             match name.as_str() {
                 "--stations" if number > 0 => arguments.stations = number,
-                "--presses" => arguments.presses = number,
-                "--burning" => arguments.burning = number,
-                "--actions" => arguments.actions = number,
-                "--rest" => arguments.rest = Duration::from_secs(number as u64),
+                "--presses" => arguments.presses = number.into(),
+                "--burning" => arguments.burning = number.into(),
+                "--actions" => arguments.actions = number.into(),
+                "--rest" => arguments.rest = Duration::from_secs(number.into()),
                 _ => {
                     return Err(format!(
                         "{name} {found} is no argument; allowed are --stations (from 1), --presses, --burning, --actions and --rest (seconds)"

@@ -26,7 +26,7 @@ pub(crate) async fn at_rest(
         times.push(press(stations).await?);
         each(stations, |teacher| async move { let_move(&teacher).await }).await?;
     }
-    tell("stop all, arms at rest", times);
+    tell("stop all, arms at rest", &times);
     Ok(())
 }
 
@@ -48,11 +48,11 @@ pub(crate) async fn while_all_burn(
             teacher.request(Request::CancelJob { job }).await?;
         }
     }
-    tell("stop all, all lasers burning", times);
+    tell("stop all, all lasers burning", &times);
     Ok(())
 }
 
-fn tell(what: &str, presses: Vec<Press>) {
+fn tell(what: &str, presses: &[Press]) {
     if presses.is_empty() {
         return;
     }
@@ -138,8 +138,7 @@ where
     for desk in &stations.all {
         doing.spawn(does(desk.teacher().await?));
     }
-    let done: Result<Vec<_>, _> = doing.join_all().await.into_iter().collect();
-    Ok(done?)
+    doing.join_all().await.into_iter().collect()
 }
 
 /// Waits until a stopped arm rests, and lets it move again.

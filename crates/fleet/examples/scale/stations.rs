@@ -34,7 +34,7 @@ pub(crate) struct Desk {
 
 impl Stations {
     /// Starts so many, which know nothing of each other.
-    pub(crate) async fn start(count: usize) -> Result<Self, Box<dyn Error + Send + Sync>> {
+    pub(crate) async fn start(count: u16) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let folder = tempfile::tempdir()?;
         let mut tokens = Tokens::open(&Folders::at(folder.path()).tokens())?;
         let token = tokens.add(Role::Admin, "teacher")?;

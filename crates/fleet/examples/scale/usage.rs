@@ -9,11 +9,11 @@ use super::times::cpu_time;
 /// What a process has and has used.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Usage {
-    /// Its memory, in bytes.
-    memory: u64,
-    threads: u64,
+    /// Its memory, in KiB.
+    memory: u32,
+    threads: u32,
     /// Its open files and sockets.
-    files: usize,
+    files: u32,
     processor: Duration,
 }
 
@@ -36,13 +36,13 @@ impl Usage {
             let line = status.lines().find_map(|it| it.strip_prefix(name));
             let number = line.and_then(|it| it.split_whitespace().next());
             number
-                .and_then(|it| it.parse::<u64>().ok())
+                .and_then(|it| it.parse::<u32>().ok())
                 .ok_or(format!("no {name} in {status}"))
         };
         Ok(Self {
-            memory: field("VmRSS:")? * 1024,
+            memory: field("VmRSS:")?,
             threads: field("Threads:")?,
-            files: std::fs::read_dir(folder.join("fd"))?.count(),
+            files: std::fs::read_dir(folder.join("fd"))?.count().try_into()?,
             processor: cpu_time(pid),
         })
     }
@@ -65,20 +65,20 @@ impl Costs {
     }
 
     /// Tells what each of so many stations costs, above what the process had before them.
-    pub(crate) fn tell(&self, what: &str, before: &Usage, stations: usize) {
-        let each = stations as f64;
+    pub(crate) fn tell(&self, what: &str, before: &Usage, stations: u16) {
+        let each = f64::from(stations);
         println!(
             "{what}: {:.2} % of a core, {:.2} MB, {:.1} threads, {:.1} files",
             100.0 * self.share / each,
             megabytes(self.usage.memory.saturating_sub(before.memory)) / each,
-            (self.usage.threads - before.threads) as f64 / each,
-            (self.usage.files - before.files) as f64 / each,
+            f64::from(self.usage.threads - before.threads) / each,
+            f64::from(self.usage.files - before.files) / each,
         );
     }
 
     /// Tells how much more each of so many stations costs than before.
-    pub(crate) fn tell_more(&self, what: &str, before: &Self, stations: usize) {
-        let each = stations as f64;
+    pub(crate) fn tell_more(&self, what: &str, before: &Self, stations: u16) {
+        let each = f64::from(stations);
         println!(
             "{what}: {:+.2} % of a core, {:+.2} MB",
             100.0 * (self.share - before.share) / each,
@@ -98,6 +98,6 @@ impl Costs {
     }
 }
 
-fn megabytes(bytes: u64) -> f64 {
-    bytes as f64 / 1e6
+fn megabytes(kibibytes: u32) -> f64 {
+    f64::from(kibibytes) * 1024.0 / 1e6
 }
