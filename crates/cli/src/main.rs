@@ -6,6 +6,7 @@ mod failure;
 mod follow;
 mod interrupt;
 mod logging;
+mod open_files;
 mod output;
 mod pendant;
 mod program_file;

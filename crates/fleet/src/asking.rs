@@ -9,6 +9,7 @@ use dobot_station::{FleetAsk, StationApi};
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 use zenoh::Session;
+use zenoh::qos::Priority;
 use zenoh::query::{ConsolidationMode, Query, QueryTarget};
 
 use crate::keys::{API, MemberKey};
@@ -79,6 +80,12 @@ async fn ask_other(
     } else {
         WITHIN
     };
+    // A stop goes before all else that is on its way.
+    let priority = if is_stop(request) {
+        Priority::RealTime
+    } else {
+        Priority::DEFAULT
+    };
     let payload = serde_json::to_vec(request).expect("structures with text keys are JSON");
     let session = session.ok_or_else(|| away(format!("{name} cannot be reached yet")))?;
     let replies = session
@@ -87,6 +94,8 @@ async fn ask_other(
         .target(QueryTarget::All)
         .consolidation(ConsolidationMode::None)
         .timeout(within)
+        .priority(priority)
+        .express(is_stop(request))
         .await
         .map_err(|error| away(format!("{name} cannot be asked: {error}")))?;
     let Ok(reply) = replies.recv_async().await else {

@@ -1,25 +1,20 @@
 //! Joining a fleet: the tasks between Zenoh and the station.
 
 use std::path::PathBuf;
-use std::pin::Pin;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use dobot_api::MemberAbout;
-use dobot_rules::Handle;
 use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi};
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};
-use tokio::time::{MissedTickBehavior, interval, timeout};
-use zenoh::handlers::FifoChannelHandler;
-use zenoh::liveliness::LivelinessToken;
-use zenoh::pubsub::Subscriber;
-use zenoh::query::{ConsolidationMode, Query, QueryTarget, Queryable};
+use tokio::time::{MissedTickBehavior, interval};
 use zenoh::sample::{Sample, SampleKind};
-use zenoh::{Session, Wait};
 
 use crate::asking::{self, Answering};
 use crate::config::{FleetConfig, FleetConfigError};
-use crate::keys::{ALL_ALIVE, API, Alive, MESSAGES, MemberKey, TOLD, of_all};
+use crate::keys::{Alive, MemberKey, TOLD};
+use crate::network::{Incoming, Network, Opening, ask_all, incoming, life};
 use crate::roster::{Roster, Told};
 use crate::telling::{self, Pace};
 use crate::work::Working;
@@ -59,13 +54,10 @@ impl FleetError {
     }
 }
 
+/// So many stations may come or go before anything else is looked at.
+const LIVES_AT_ONCE: usize = 256;
 /// So often it is looked whether there is something to tell the others, and whether anybody still looks at them.
 const LOOK_EVERY: Duration = Duration::from_millis(100);
-/// How long those may take who are asked what they are and do.
-const TELL_WITHIN: Duration = Duration::from_secs(1);
-/// How long the others are followed after the last one here has looked.
-const FOLLOW_FOR: Duration = Duration::from_secs(10);
-
 impl Fleet {
     /// Joins, for as long as this is kept. Routers that are away are waited for meanwhile.
     ///
@@ -129,20 +121,6 @@ fn open_work(config: &FleetConfig, api: &StationApi) -> Result<Working, FleetErr
     Ok(work)
 }
 
-/// The network, while the router is waited for.
-type Opening = Pin<Box<dyn Future<Output = Result<Network, zenoh::Error>> + Send>>;
-
-/// The way to the others.
-struct Network {
-    session: Session,
-    alive: Subscriber<FifoChannelHandler<Sample>>,
-    asked: Queryable<FifoChannelHandler<Query>>,
-    /// What the others tell, while somebody looks.
-    others: Option<Others>,
-    /// What says that it is there, and what it is and does, for as long as this is kept.
-    _declared: (LivelinessToken, Queryable<()>),
-}
-
 /// A station that has joined.
 struct Joined {
     api: StationApi,
@@ -154,134 +132,13 @@ struct Joined {
     network: Option<Network>,
     /// The work that was submitted here for any arm.
     work: Working,
+    /// What the others answer who are asked what they are and do.
+    hearing: JoinSet<Vec<Sample>>,
+    /// Those who wait for these answers.
+    looking: Vec<oneshot::Sender<()>>,
     pace: Pace,
     /// When it joined, and the station's clock then.
     since: (Instant, f64),
-}
-
-/// What the others tell.
-struct Others {
-    told: Subscriber<FifoChannelHandler<Sample>>,
-    /// When somebody looked last.
-    looked: Instant,
-}
-
-/// Opens a session. That blocks while a router is away, so it has a thread of its own.
-async fn open(config: zenoh::Config) -> Result<Session, zenoh::Error> {
-    let (opened, session) = oneshot::channel();
-    let opens = move || {
-        // Whoever waited may have left.
-        drop(opened.send(zenoh::open(config).wait()));
-    };
-    std::thread::Builder::new()
-        .name("fleet".into())
-        .spawn(opens)?;
-    session.await?
-}
-
-impl Network {
-    /// Opens the way, as soon as there is one.
-    async fn open(
-        config: zenoh::Config,
-        own: MemberKey,
-        about: MemberAbout,
-        handle: Handle,
-    ) -> Result<Self, zenoh::Error> {
-        let session = open(config).await?;
-        let liveliness = session.liveliness();
-        let alive = liveliness.declare_subscriber(ALL_ALIVE).history(true);
-        let alive = alive.await?;
-        let asked = session.declare_queryable(own.resource(API)).await?;
-        let told = session.declare_queryable(own.resource(TOLD));
-        let told = told
-            .callback(answers(own.resource(TOLD), about, handle))
-            .await?;
-        let token = liveliness.declare_token(life(&own).key()).await?;
-        Ok(Self {
-            session,
-            alive,
-            asked,
-            others: None,
-            _declared: (token, told),
-        })
-    }
-
-    /// What comes next.
-    async fn next(&self) -> Incoming {
-        tokio::select! {
-            Ok(sample) = self.alive.recv_async() => Incoming::Life(sample),
-            Ok(query) = self.asked.recv_async() => Incoming::Asked(query),
-            Ok(sample) = told(self.others.as_ref()) => Incoming::Told(sample),
-            else => std::future::pending().await,
-        }
-    }
-
-    /// Follows what the others tell; says whether that has just begun.
-    async fn follow(&mut self) -> bool {
-        let looked = Instant::now();
-        if let Some(others) = &mut self.others {
-            others.looked = looked;
-            return false;
-        }
-        let told = self.session.declare_subscriber(of_all(TOLD)).await;
-        // Without a network there are no others.
-        self.others = told.ok().map(|told| Others { told, looked });
-        true
-    }
-
-    /// Asks all at once what they are and do, and waits until those have told who are there.
-    async fn ask_all(&self) -> Vec<Sample> {
-        let replies = self
-            .session
-            .get(of_all(TOLD))
-            .target(QueryTarget::All)
-            .consolidation(ConsolidationMode::None)
-            .timeout(TELL_WITHIN)
-            .await;
-        let mut heard = Vec::new();
-        if let Ok(replies) = replies {
-            // One who does not answer is not waited for longer than that.
-            let _ = timeout(TELL_WITHIN, async {
-                while let Ok(reply) = replies.recv_async().await {
-                    heard.extend(reply.into_result());
-                }
-            })
-            .await;
-        }
-        heard
-    }
-}
-
-/// What comes from the others.
-enum Incoming {
-    Life(Sample),
-    Asked(Query),
-    Told(Sample),
-}
-
-/// What comes next from a network that is there.
-async fn incoming(network: Option<&Network>) -> Incoming {
-    match network {
-        Some(network) => network.next().await,
-        None => std::future::pending().await,
-    }
-}
-
-/// What the others tell next; never while nobody looks.
-async fn told(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
-    match others {
-        Some(others) => others.told.recv_async().await,
-        None => std::future::pending().await,
-    }
-}
-
-/// What says that a station is there.
-fn life(own: &MemberKey) -> Alive {
-    Alive {
-        member: own.clone(),
-        messages: MESSAGES,
-        version: env!("CARGO_PKG_VERSION").into(),
-    }
 }
 
 impl Joined {
@@ -304,6 +161,8 @@ impl Joined {
             roster,
             network,
             work,
+            hearing: JoinSet::new(),
+            looking: Vec::new(),
             pace: Pace::default(),
             since: (Instant::now(), at_s),
         }
@@ -329,7 +188,7 @@ impl Joined {
                     }
                 }
                 came = incoming(self.network.as_ref()) => match came {
-                    Incoming::Life(sample) => self.hear_of_life(&sample),
+                    Incoming::Life(sample) => self.hear_of_lives(&sample),
                     Incoming::Asked(query) => {
                         asking.spawn(answering.clone().answer(query));
                     }
@@ -338,13 +197,20 @@ impl Joined {
                 Some(wish) = self.end.wishes.recv() => match wish {
                     FleetWish::Look(seen) => self.look(seen).await,
                     FleetWish::Ask(ask) => {
-                        let session = self.network.as_ref().map(|it| it.session.clone());
+                        let session = self.network.as_ref().map(|it| it.session().clone());
                         let api = self.api.clone();
                         asking.spawn(async move { asking::ask(session.as_ref(), &api, ask).await });
                     }
                     FleetWish::Work(wish) => self.work.handle(wish),
                 },
                 Some(_) = asking.join_next() => {}
+                Some(heard) = self.hearing.join_next() => {
+                    // Asking does not panic.
+                    for sample in &heard.unwrap_or_default() {
+                        self.hear(sample);
+                    }
+                    self.show_to_all();
+                }
                 Some(done) = self.work.doing.join_next() => {
                     if let Some(trouble) = self.work.settle(done) {
                         self.api.handle().tell_trouble(trouble);
@@ -356,14 +222,25 @@ impl Joined {
                 }
                 _ = &mut leaving => break,
             }
-            let session = self.network.as_ref().map(|it| &it.session);
+            let session = self.network.as_ref().map(Network::session);
             let members = self.roster.members();
             self.work.go_on(session, &self.api, &members);
         }
         if let Some(network) = self.network {
-            // Those whom it does not reach miss this station by themselves.
-            let _ = network.session.close().await;
+            network.close().await;
         }
+    }
+
+    /// A station came or went. Many come at once where this one joins, or a router is there again.
+    fn hear_of_lives(&mut self, sample: &Sample) {
+        self.hear_of_life(sample);
+        for _ in 0..LIVES_AT_ONCE {
+            let Some(more) = self.network.as_ref().and_then(Network::poll_life) else {
+                break;
+            };
+            self.hear_of_life(&more);
+        }
+        self.show();
     }
 
     /// A station came or went.
@@ -384,7 +261,6 @@ impl Joined {
             SampleKind::Delete if alive.member == self.own => {}
             SampleKind::Delete => self.roster.went(&alive.member),
         }
-        self.show();
     }
 
     /// A station tells of itself.
@@ -400,24 +276,30 @@ impl Joined {
         }
     }
 
-    /// Somebody here wants to know what the others are and do.
+    /// Somebody here wants to know what the others are and do. Whoever stops an arm meanwhile is not kept waiting.
     async fn look(&mut self, seen: oneshot::Sender<()>) {
-        let mut heard = Vec::new();
+        self.looking.push(seen);
         if let Some(network) = &mut self.network
             && network.follow().await
         {
-            heard = network.ask_all().await;
+            self.hearing.spawn(ask_all(network.session().clone()));
         }
-        for sample in &heard {
-            self.hear(sample);
+        if self.hearing.is_empty() {
+            self.show_to_all();
         }
+    }
+
+    /// Shows the members to those who wait for it.
+    fn show_to_all(&mut self) {
         let own = telling::told(&self.about, &self.api.handle().state());
         if let Ok(told) = serde_json::from_slice(&own) {
             self.roster.told(&self.own.clone(), told, self.at_s());
         }
         self.show();
-        // Whoever wanted to know may be gone.
-        let _ = seen.send(());
+        for seen in self.looking.drain(..) {
+            // Whoever wanted to know may be gone.
+            let _ = seen.send(());
+        }
     }
 
     /// Follows the others while there is work for them: each tells of itself every second.
@@ -434,42 +316,31 @@ impl Joined {
         let is_due = self.pace.is_due(joined.elapsed(), state.state());
         // One end is the port's own.
         let is_watched = self.end.members.receiver_count() > 1 || self.work.needs_members();
-        if is_due {
+        let network = self.network.as_ref().filter(|_| is_due);
+        let network = network.filter(|it| it.is_followed());
+        if is_due && (is_watched || network.is_some()) {
             let own = telling::told(&self.about, &state);
             if is_watched && let Ok(told) = serde_json::from_slice(&own) {
                 self.roster.told(&self.own.clone(), told, self.at_s());
             }
-            if let Some(network) = &self.network
-                && let Err(error) = network.session.put(self.own.resource(TOLD), own).wait()
-            {
-                tracing::info!(%error, "the fleet is not told");
+            if let Some(network) = network {
+                network.tell(own);
             }
         }
         if is_watched {
             self.show();
         }
-        let others = self.network.as_mut().map(|it| &mut it.others);
-        match others {
-            Some(Some(others)) if is_watched => others.looked = Instant::now(),
-            Some(others) => {
-                others.take_if(|it| it.looked.elapsed() > FOLLOW_FOR);
-            }
-            None => {}
+        if let Some(network) = &mut self.network {
+            network.follow_on(is_watched);
         }
     }
 
     /// Shows the members to the station as they are now.
-    fn show(&self) {
+    fn show(&mut self) {
         let members = self.roster.members();
         self.end.members.send_if_modified(|shown| {
-            let is_same = shown.len() == members.len()
-                && shown
-                    .iter()
-                    .zip(&*members)
-                    .all(|(one, other)| std::sync::Arc::ptr_eq(one, other));
-            if !is_same {
-                *shown = members;
-            }
+            let is_same = Arc::ptr_eq(shown, &members);
+            *shown = members;
             !is_same
         });
     }
@@ -478,15 +349,5 @@ impl Joined {
     fn at_s(&self) -> f64 {
         let (joined, at_s) = self.since;
         at_s + joined.elapsed().as_secs_f64()
-    }
-}
-
-/// Tells those who ask what this station is and does.
-fn answers(key: String, about: MemberAbout, handle: Handle) -> impl Fn(Query) + Send + Sync {
-    move |query| {
-        let told = telling::told(&about, &handle.state());
-        if let Err(error) = query.reply(&key, told).wait() {
-            tracing::info!(%error, "an answer to the fleet is lost");
-        }
     }
 }

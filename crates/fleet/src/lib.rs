@@ -26,6 +26,7 @@ mod credentials;
 mod id;
 mod join;
 mod keys;
+mod network;
 mod roster;
 mod router;
 mod telling;

@@ -1,6 +1,7 @@
 //! Who is there: an engine without a network or a clock.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use dobot_api::problem_kinds::MEMBER_REFUSED;
@@ -22,6 +23,8 @@ pub(crate) struct Told {
 pub(crate) struct Roster {
     own: MemberKey,
     seen: BTreeMap<MemberKey, Seen>,
+    /// All of them, as long as nothing has changed.
+    members: Option<Members>,
     /// Whether there were more than it takes.
     is_full: bool,
 }
@@ -42,13 +45,15 @@ impl Roster {
         Self {
             own,
             seen: BTreeMap::new(),
+            members: None,
             is_full: false,
         }
     }
 
-    /// All of them, by name.
-    pub(crate) fn members(&self) -> Members {
-        self.seen.values().map(|it| it.member.clone()).collect()
+    /// All of them, by name: the same until something changes.
+    pub(crate) fn members(&mut self) -> Members {
+        let all = || self.seen.values().map(|it| it.member.clone()).collect();
+        self.members.get_or_insert_with(all).clone()
     }
 
     /// Whether others were there for which there was no room.
@@ -59,6 +64,7 @@ impl Roster {
     /// A station is there.
     pub(crate) fn came(&mut self, alive: Alive, at_s: f64) {
         let key = alive.member.clone();
+        self.members = None;
         if !self.seen.contains_key(&key) && self.seen.len() >= MOST {
             let away = |it: &Seen| it.alive.is_none();
             self.is_full = true;
@@ -84,16 +90,21 @@ impl Roster {
         seen.alive = Some(alive);
         Arc::make_mut(&mut seen.member).heard_at_s = at_s;
         // One that was replaced under its name is not missed.
-        let replaced = |it: &MemberKey, seen: &Seen| {
-            it.name == key.name && *it != key && seen.alive.is_none() && *it != self.own
+        let replaced = |(it, seen): &(&MemberKey, &mut Seen)| {
+            **it != key && seen.alive.is_none() && **it != self.own
         };
-        self.seen.retain(|it, seen| !replaced(it, seen));
+        let replaced = self.seen.range_mut(of_name(&key.name)).filter(replaced);
+        let replaced: Vec<_> = replaced.map(|(it, _)| it.clone()).collect();
+        for it in replaced {
+            self.seen.remove(&it);
+        }
         self.judge(&key.name);
     }
 
     /// A station is not there any more.
     pub(crate) fn went(&mut self, member: &MemberKey) {
         if let Some(seen) = self.seen.get_mut(member) {
+            self.members = None;
             seen.alive = None;
             self.judge(&member.name);
         }
@@ -104,6 +115,7 @@ impl Roster {
         let Some(seen) = self.seen.get_mut(member).filter(|it| it.alive.is_some()) else {
             return;
         };
+        self.members = None;
         let member = Arc::make_mut(&mut seen.member);
         member.heard_at_s = at_s;
         member.about = Some(told.about);
@@ -114,10 +126,9 @@ impl Roster {
 
     /// What is to be asked of the stations of a name, now that one came or went.
     fn judge(&mut self, name: &str) {
-        let of_name = |key: &&MemberKey| key.name == name;
-        let there = |key: &&MemberKey| self.seen[*key].alive.is_some();
-        let claim = self.seen.keys().filter(of_name).filter(there).count();
-        for (_, seen) in self.seen.iter_mut().filter(|(key, _)| key.name == name) {
+        let there = self.seen.range(of_name(name));
+        let claim = there.filter(|(_, seen)| seen.alive.is_some()).count();
+        for (_, seen) in self.seen.range_mut(of_name(name)) {
             let presence = match &seen.alive {
                 None => Presence::Away,
                 Some(alive) => match refusal(alive, claim) {
@@ -130,6 +141,16 @@ impl Roster {
             }
         }
     }
+}
+
+/// The keys of all stations of a name.
+fn of_name(name: &str) -> RangeInclusive<MemberKey> {
+    let key = |id: &str| MemberKey {
+        name: name.into(),
+        id: id.into(),
+    };
+    // A number is of hexadecimal digits, which all come before the letter g.
+    key("")..=key("g")
 }
 
 /// Why nothing is asked of a station, if so.
@@ -178,7 +199,7 @@ mod tests {
         roster
     }
 
-    fn presences(roster: &Roster) -> Vec<(String, Presence)> {
+    fn presences(roster: &mut Roster) -> Vec<(String, Presence)> {
         let members = roster.members();
         let told = |it: &Arc<Member>| (it.name.clone(), it.presence.clone());
         members.iter().map(told).collect()
@@ -190,9 +211,12 @@ mod tests {
         roster.came(alive(key("desk-2", 'b')), 1.0);
         roster.went(&key("desk-2", 'b'));
         let away = [("desk-1", Presence::Present), ("desk-2", Presence::Away)];
-        assert_eq!(presences(&roster), away.map(|(it, how)| (it.into(), how)));
+        assert_eq!(
+            presences(&mut roster),
+            away.map(|(it, how)| (it.into(), how))
+        );
         roster.came(alive(key("desk-2", 'b')), 2.0);
-        assert_eq!(presences(&roster)[1].1, Presence::Present);
+        assert_eq!(presences(&mut roster)[1].1, Presence::Present);
         assert!(roster.members()[0].here && !roster.members()[1].here);
     }
 
@@ -202,7 +226,7 @@ mod tests {
         for digit in ['b', 'c'] {
             roster.came(alive(key("desk-2", digit)), 1.0);
         }
-        for (_, presence) in &presences(&roster)[1..] {
+        for (_, presence) in &presences(&mut roster)[1..] {
             let Presence::Refused { problem } = presence else {
                 panic!("{presence:?}");
             };
@@ -220,7 +244,7 @@ mod tests {
         roster.came(alive(key("desk-2", 'b')), 1.0);
         roster.went(&key("desk-2", 'b'));
         roster.came(alive(key("desk-2", 'c')), 2.0);
-        assert_eq!(presences(&roster).len(), 2);
+        assert_eq!(presences(&mut roster).len(), 2);
     }
 
     #[test]

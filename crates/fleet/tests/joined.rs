@@ -15,6 +15,8 @@ use dobot_station::{Config, Station, Tokens};
 use dobot_trajectory::LASER_OFF;
 use serde_json::{Value, json};
 use tokio::time::{interval, timeout};
+use zenoh::handlers::FifoChannelHandler;
+use zenoh::query::Reply;
 
 /// A station, and its place in its fleet.
 struct Desk {
@@ -364,22 +366,7 @@ async fn only_those_with_a_certificate_of_the_fleet_belong_to_it() {
 async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
-    let mut config = zenoh::Config::default();
-    config.insert_json5("mode", "\"client\"").unwrap();
-    let endpoints = format!("[\"{at}\"]");
-    config
-        .insert_json5("connect/endpoints", &endpoints)
-        .unwrap();
-    let stranger = zenoh::open(config).await.unwrap();
-    // A station declares what it answers, and only then that it is there.
-    let alive = stranger
-        .liveliness()
-        .declare_subscriber("dobot/alive/*/*/desk-1/*");
-    let alive = alive.history(true).await.unwrap();
-    timeout(PATIENCE, alive.recv_async())
-        .await
-        .unwrap()
-        .unwrap();
+    let stranger = stranger_who_sees("desk-1", &at).await;
     for (payload, status) in [
         (&b"\xff\x00"[..], 400),
         (b"{}", 400),
@@ -391,10 +378,7 @@ async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
         (br#"{"method": "POST", "path": "/api/v1/stop"}"#, 200),
     ] {
         let replies = stranger.get("dobot/1/desk-1/*/api").payload(payload).await;
-        let reply = timeout(PATIENCE, replies.unwrap().recv_async()).await;
-        let reply = reply.unwrap().unwrap();
-        let answer = reply.result().unwrap().payload().to_bytes();
-        let answer: Value = serde_json::from_slice(&answer).unwrap();
+        let answer = answer_of(&replies.unwrap()).await;
         assert_eq!(answer["status"], status, "{answer}");
     }
     // What is told under a name that nobody has is nobody's.
@@ -412,5 +396,142 @@ async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
     one.sees("a station of another version", versions).await;
     one.end().await;
     stranger.close().await.unwrap();
+    router.end().await;
+}
+
+/// One who speaks Zenoh, and belongs to the fleet as any program of this machine does.
+async fn stranger(at: &str) -> zenoh::Session {
+    let mut config = zenoh::Config::default();
+    config.insert_json5("mode", "\"client\"").unwrap();
+    let endpoints = format!("[\"{at}\"]");
+    config
+        .insert_json5("connect/endpoints", &endpoints)
+        .unwrap();
+    zenoh::open(config).await.unwrap()
+}
+
+/// The same, once a station is there: it declares what it answers first.
+async fn stranger_who_sees(name: &str, at: &str) -> zenoh::Session {
+    let stranger = stranger(at).await;
+    let key = format!("dobot/alive/*/*/{name}/*");
+    let alive = stranger.liveliness().declare_subscriber(key).history(true);
+    let alive = alive.await.unwrap();
+    let came = timeout(PATIENCE, alive.recv_async()).await;
+    came.unwrap().unwrap();
+    stranger
+}
+
+async fn stop_by(stranger: &zenoh::Session, name: &str) -> Value {
+    let stop = br#"{"method": "POST", "path": "/api/v1/stop"}"#;
+    let key = format!("dobot/1/{name}/*/api");
+    let replies = stranger.get(key).payload(&stop[..]).await.unwrap();
+    answer_of(&replies).await
+}
+
+async fn answer_of(replies: &FifoChannelHandler<Reply>) -> Value {
+    let reply = timeout(PATIENCE, replies.recv_async()).await;
+    let reply = reply.unwrap().unwrap();
+    let answer = reply.result().unwrap().payload().to_bytes();
+    serde_json::from_slice(&answer).unwrap()
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_station_that_waits_for_what_the_others_tell_is_stopped_meanwhile() {
+    let (router, at) = router(free_port()).await;
+    let stranger = stranger(&at).await;
+    // Somebody who is asked what it is, and does not answer.
+    let silent = "dobot/1/silent/00112233445566778899aabbccddeeff/told";
+    let silent = stranger.declare_queryable(silent).await.unwrap();
+    let is_stopped_first = async || {
+        let one = Desk::up("desk-1", &at, None).await;
+        let stops = async {
+            let _asked = silent.recv_async().await.unwrap();
+            let answer = stop_by(&stranger, "desk-1").await;
+            assert_eq!(answer["status"], 200, "{answer}");
+        };
+        let is_first = tokio::select! {
+            biased;
+            () = stops => true,
+            _ = one.members() => false,
+        };
+        one.end().await;
+        is_first
+    };
+    // A busy machine may keep a stop for longer than anybody waits for the silent one, but not each time.
+    let mut tries = 0;
+    while !is_stopped_first().await {
+        tries += 1;
+        assert!(tries < 20, "no stop is answered while all are asked");
+    }
+    stranger.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_request_that_is_too_large_is_told_so_and_a_stop_works_after_it() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let stranger = stranger_who_sees("desk-1", &at).await;
+    let large = json!({
+        "method": "POST", "path": "/api/v1/jobs", "token": one.admin(),
+        "body": {"title": "x".repeat(65 << 20)},
+    });
+    let large = serde_json::to_vec(&large).unwrap();
+    let asked = stranger.get("dobot/1/desk-1/*/api").payload(large);
+    let replies = asked.timeout(PATIENCE).await.unwrap();
+    assert_eq!(answer_of(&replies).await["status"], 413);
+    assert_eq!(stop_by(&stranger, "desk-1").await["status"], 200);
+    one.end().await;
+    stranger.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn between_too_many_requests_a_stop_works() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let stranger = stranger_who_sees("desk-1", &at).await;
+    let mut flood = Vec::new();
+    for _ in 0..2000 {
+        let state = br#"{"method": "GET", "path": "/api/v1/state"}"#;
+        let asked = stranger.get("dobot/1/desk-1/*/api").payload(&state[..]);
+        flood.push(asked.timeout(PATIENCE).await.unwrap());
+    }
+    let mut packets = one.station.handle().passed();
+    assert_eq!(stop_by(&stranger, "desk-1").await["status"], 200);
+    let laser_off = LASER_OFF.emit(&dialect()).to_bytes();
+    let dark = async { while packets.recv().await.unwrap().bytes != laser_off {} };
+    timeout(PATIENCE, dark).await.unwrap();
+    // A busy network may lose some; whoever is answered is told.
+    for replies in flood {
+        let Ok(Ok(reply)) = timeout(PATIENCE, replies.recv_async()).await else {
+            continue;
+        };
+        if let Ok(sample) = reply.result() {
+            let answer: Value = serde_json::from_slice(&sample.payload().to_bytes()).unwrap();
+            let status = answer["status"].as_u64();
+            assert!(matches!(status, Some(200 | 429)), "{answer}");
+        }
+    }
+    one.end().await;
+    stranger.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn whoever_looks_is_told_what_changes_elsewhere() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let two = Desk::up("desk-2", &at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    two.ask("POST", "/api/v1/stop", None).await;
+    let stopped = |members: &[Member]| {
+        let state = members.iter().find(|it| it.name == "desk-2").unwrap();
+        state.state.as_ref().unwrap().stop.is_some()
+    };
+    one.sees("that desk-2 is stopped", stopped).await;
+    for desk in [one, two] {
+        desk.end().await;
+    }
     router.end().await;
 }

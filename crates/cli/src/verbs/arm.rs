@@ -15,9 +15,9 @@ use tokio::task::JoinSet;
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::output;
 use crate::verbs::calibrate;
 use crate::verbs::world::read_scene;
+use crate::{open_files, output};
 
 /// Serve a virtual arm, in real time or faster, on TCP and on a virtual serial port
 #[derive(Debug, clap::Args)]
@@ -165,7 +165,9 @@ impl Args {
             return Ok(vec![None]);
         };
         let count = self.count.unwrap_or(1);
-        allow_files(count.into());
+        if count > MANY_ARMS {
+            open_files::allow_many();
+        }
         let port = |number| match first.port() {
             0 => Some(0),
             port => port.checked_add(number),
@@ -251,25 +253,6 @@ fn angle(text: &str, least: f64, most: f64) -> Option<f64> {
     text.parse().ok().filter(|it| (least..=most).contains(it))
 }
 
-/// A thousand arms need more open files than a program usually gets.
-#[cfg_attr(not(unix), expect(unused_variables, reason = "there is no such limit"))]
-fn allow_files(count: usize) {
-    #[cfg(unix)]
-    if count > MANY_ARMS {
-        use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
-
-        let limit = getrlimit(Resource::Nofile);
-        // What is not granted is told when a file cannot be opened.
-        let _ = setrlimit(
-            Resource::Nofile,
-            Rlimit {
-                current: limit.maximum,
-                ..limit
-            },
-        );
-    }
-}
-
 async fn listen(address: SocketAddr, option: &str) -> Result<TcpListener, Failure> {
     TcpListener::bind(address).await.map_err(|error| {
         let taken = error.kind() == std::io::ErrorKind::AddrInUse;
@@ -335,5 +318,4 @@ fn text(event: &ServerEvent) -> String {
 }
 
 /// With that many arms the open files may not be enough.
-#[cfg(unix)]
-const MANY_ARMS: usize = 100;
+const MANY_ARMS: u16 = 100;

@@ -1,5 +1,6 @@
 //! The fleet, for its board: who is there, and requests to several stations at once.
 
+use std::collections::HashSet;
 use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::Duration;
@@ -88,9 +89,10 @@ impl Watching {
 
     fn look(&mut self) {
         let now = self.members.borrow_and_update().clone();
-        let is_told = |it: &&Arc<Member>| self.told.iter().any(|told| Arc::ptr_eq(told, it));
         if !Arc::ptr_eq(&now, &self.told) {
-            self.waiting = now.iter().filter(|it| !is_told(it)).cloned().collect();
+            let told: HashSet<_> = self.told.iter().map(Arc::as_ptr).collect();
+            let is_new = |it: &&Arc<Member>| !told.contains(&Arc::as_ptr(it));
+            self.waiting = now.iter().filter(is_new).cloned().collect();
             self.told = now;
         }
     }

@@ -6,7 +6,7 @@ use dobot_fleet::{Credentials, Holder, Router};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::output;
+use crate::{open_files, output};
 
 /// Make certificates.
 #[derive(Clone, Debug, clap::Args)]
@@ -43,6 +43,7 @@ pub(super) struct RouterArgs {
 impl RouterArgs {
     pub(super) async fn run(&self) -> Result<(), Failure> {
         let credentials = self.fleet.as_deref().map(Credentials::read).transpose()?;
+        open_files::allow_many();
         let router = Router::start(&self.listen, credentials.as_ref()).await?;
         output::line(&format!("the router is at {}", self.listen.join(", ")))?;
         interrupt().await;

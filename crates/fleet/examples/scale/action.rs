@@ -1,0 +1,95 @@
+//! What somebody does on a board to an arm elsewhere.
+
+use std::error::Error;
+use std::time::{Duration, Instant};
+
+use dobot_api::{MemberAnswer, StationAddress, post};
+use dobot_wire::{Command, Dialect, MoveTo, MovingMode};
+use serde_json::{Value, json};
+
+use super::stations::{Desk, Stations};
+use super::times::Times;
+
+/// Moves arms of other stations so many times from the first one's board, one after another.
+pub(crate) async fn of_a_board(
+    stations: &Stations,
+    actions: usize,
+) -> Result<(), Box<dyn Error + Send + Sync>> {
+    let mut board = stations.first();
+    board.token = Some(stations.token.secret().into());
+    let others: Vec<_> = stations.all.iter().skip(1).take(MOVED).collect();
+    let mut leases = Vec::new();
+    for desk in &others {
+        let taken = ask(
+            &board,
+            desk,
+            &json!({"method": "POST", "path": "/api/v1/lease"}),
+        )
+        .await?;
+        leases.push(taken["token"].clone());
+    }
+    let mut times = Vec::new();
+    for number in 0..actions {
+        let Some(desk) = others.get(number % others.len().max(1)) else {
+            break;
+        };
+        let lease = &leases[number % others.len()];
+        times.push(move_it(&board, desk, lease, number / others.len()).await?);
+    }
+    if !times.is_empty() {
+        Times::new(times).print("an action of a board: the packet");
+    }
+    Ok(())
+}
+
+/// So many arms take turns: one that was moved rests before it is moved again.
+const MOVED: usize = 10;
+
+/// Moves an arm by a few millimetres; says how soon its line was given the packet.
+async fn move_it(
+    board: &StationAddress,
+    desk: &Desk,
+    lease: &Value,
+    turn: usize,
+) -> Result<Duration, Box<dyn Error + Send + Sync>> {
+    let mut states = desk.station.handle().states();
+    let rests = |it: &dobot_api::State| it.queue.waiting == 0 && it.queue.under_way == 0;
+    states.wait_for(|it| rests(it.state())).await?;
+    let x_mm = if turn.is_multiple_of(2) { 205.0 } else { 200.0 };
+    let there = MoveTo::to(x_mm, 0.0, 50.0).with_mode(MovingMode::MovJ);
+    let command = Command::from(there);
+    let wanted = command.emit(&Dialect::SPECIFICATION).to_bytes();
+    let mut packets = desk.station.handle().passed();
+    let listening = tokio::spawn(async move {
+        while let Ok(packet) = packets.recv().await {
+            if packet.to_arm && packet.bytes == wanted {
+                return Some(Instant::now());
+            }
+        }
+        None
+    });
+    let body = json!({"command": command});
+    let request = json!({
+        "method": "POST", "path": "/api/v1/commands", "lease": lease, "body": body,
+    });
+    let began = Instant::now();
+    ask(board, desk, &request).await?;
+    let arrived = listening.await?.ok_or("the arm was not told to move")?;
+    Ok(arrived - began)
+}
+
+/// Asks one station by the board of another one.
+async fn ask(
+    board: &StationAddress,
+    desk: &Desk,
+    request: &Value,
+) -> Result<Value, Box<dyn Error + Send + Sync>> {
+    let mut request = request.clone();
+    request["to"] = json!({"members": [desk.name]});
+    let mut answers: Vec<MemberAnswer> = post(board, "/api/v1/fleet/requests", &request).await?;
+    let answer = answers.pop().ok_or("one that is asked answers")?.answer;
+    if !answer.is_success() {
+        return Err(format!("{} refuses: {}", desk.name, answer.body).into());
+    }
+    Ok(answer.body)
+}

@@ -1,0 +1,196 @@
+//! Stops of all arms, and the packets that the arms got.
+
+use std::error::Error;
+use std::time::Instant;
+
+use dobot_api::{
+    JobKind, JobProgram, MemberAnswer, NewJob, Reply, Request, State, StationAddress, post,
+};
+use dobot_rules::{Client, Handle, PassedPacket};
+use dobot_trajectory::LASER_OFF;
+use dobot_wire::{Command, Configuration, Dialect, EndEffector, MoveTo, MovingMode, WriteVector};
+use serde_json::json;
+use tokio::sync::broadcast::Receiver;
+use tokio::task::JoinSet;
+
+use super::stations::Stations;
+use super::times::Times;
+
+/// Stops all arms so many times while they rest.
+pub(crate) async fn at_rest(
+    stations: &Stations,
+    presses: usize,
+) -> Result<(), Box<dyn Error + Send + Sync>> {
+    let mut times = Vec::new();
+    for _ in 0..presses {
+        times.push(press(stations).await?);
+        each(stations, |teacher| async move { let_move(&teacher).await }).await?;
+    }
+    tell("stop all, arms at rest", &times);
+    Ok(())
+}
+
+/// Stops all arms so many times while each of them burns.
+pub(crate) async fn while_all_burn(
+    stations: &Stations,
+    presses: usize,
+) -> Result<(), Box<dyn Error + Send + Sync>> {
+    let mut times = Vec::new();
+    for _ in 0..presses {
+        let mut burning = each(stations, |teacher| async move {
+            let job = burn(&teacher).await?;
+            Ok((teacher, job))
+        })
+        .await?;
+        times.push(press(stations).await?);
+        for (teacher, job) in burning.drain(..) {
+            let_move(&teacher).await?;
+            teacher.request(Request::CancelJob { job }).await?;
+        }
+    }
+    tell("stop all, all lasers burning", &times);
+    Ok(())
+}
+
+fn tell(what: &str, presses: &[Press]) {
+    if presses.is_empty() {
+        return;
+    }
+    let all = presses.iter().flat_map(|it| it.packets.clone()).collect();
+    Times::new(all).print(&format!("{what}: each laser-off packet"));
+    let last = presses
+        .iter()
+        .filter_map(|it| it.packets.iter().max().copied());
+    Times::new(last.collect()).print(&format!("{what}: the last one"));
+    let answered = presses.iter().map(|it| it.answered);
+    Times::new(answered.collect()).print(&format!("{what}: the answer"));
+}
+
+/// What came of a stop of all arms, counted from before the connection to the station was made.
+struct Press {
+    /// When each arm's line was given its laser-off packet.
+    packets: Vec<std::time::Duration>,
+    /// When whoever pressed knew that all of them stop.
+    answered: std::time::Duration,
+}
+
+/// Presses stop once at the first station.
+async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync>> {
+    let mut listening = JoinSet::new();
+    for desk in &stations.all {
+        listening.spawn(laser_off(desk.station.handle().passed()));
+    }
+    let first = stations.first();
+    let began = Instant::now();
+    let answers = stop(&first).await?;
+    let answered = began.elapsed();
+    let silent: Vec<_> = answers
+        .iter()
+        .filter(|it| !it.answer.is_success())
+        .collect();
+    if let [first, ..] = &*silent {
+        let (count, all) = (silent.len(), answers.len());
+        return Err(format!("{count} of {all} were not stopped, as {first:?}").into());
+    }
+    if answers.len() != stations.all.len() {
+        return Err(format!("{} of {} were stopped", answers.len(), stations.all.len()).into());
+    }
+    // Each has answered, so each packet is there, or never will be.
+    let arrived = listening.join_all().await;
+    let arrived: Option<Vec<_>> = arrived.into_iter().collect();
+    let arrived = arrived.ok_or("an arm was not told to switch its laser off")?;
+    Ok(Press {
+        packets: arrived.into_iter().map(|it| it - began).collect(),
+        answered,
+    })
+}
+
+async fn stop(station: &StationAddress) -> Result<Vec<MemberAnswer>, dobot_api::ConnectError> {
+    post(
+        station,
+        "/api/v1/fleet/stop",
+        &json!({"reason": "a fire drill"}),
+    )
+    .await
+}
+
+/// When the laser-off packet was handed to the arm's line.
+async fn laser_off(mut packets: Receiver<PassedPacket>) -> Option<Instant> {
+    let wanted = LASER_OFF.emit(&Dialect::SPECIFICATION).to_bytes();
+    while let Ok(packet) = packets.recv().await {
+        if packet.to_arm && packet.bytes == wanted {
+            return Some(Instant::now());
+        }
+    }
+    None
+}
+
+/// Does something as the teacher at each station, all at the same time.
+async fn each<T, F>(
+    stations: &Stations,
+    does: impl Fn(Client) -> F,
+) -> Result<Vec<T>, Box<dyn Error + Send + Sync>>
+where
+    T: Send + 'static,
+    F: Future<Output = Result<T, Box<dyn Error + Send + Sync>>> + Send + 'static,
+{
+    let mut doing = JoinSet::new();
+    for desk in &stations.all {
+        doing.spawn(does(desk.teacher().await?));
+    }
+    doing.join_all().await.into_iter().collect()
+}
+
+/// Waits until a stopped arm rests, and lets it move again.
+async fn let_move(teacher: &Client) -> Result<(), Box<dyn Error + Send + Sync>> {
+    until(teacher.handle(), |it| {
+        it.stop.as_ref().is_some_and(|it| it.at_rest)
+    })
+    .await?;
+    teacher.request(Request::ResetStop).await?;
+    Ok(())
+}
+
+/// Begins to burn a zigzag, and waits until the laser is on.
+async fn burn(teacher: &Client) -> Result<u64, Box<dyn Error + Send + Sync>> {
+    teacher.request(Request::TakeLease).await?;
+    teacher.request(Request::ArmLaser { for_s: 60.0 }).await?;
+    let job = zigzag();
+    let submitted = teacher.request(Request::SubmitJob { job, key: None });
+    let Reply::Job { job } = submitted.await? else {
+        return Err("a job that was submitted has a number".into());
+    };
+    teacher.request(Request::StartJob { job: job.job }).await?;
+    until(teacher.handle(), |it| it.laser.on).await?;
+    Ok(job.job)
+}
+
+async fn until(
+    handle: &Handle,
+    is_so: impl Fn(&State) -> bool,
+) -> Result<(), Box<dyn Error + Send + Sync>> {
+    handle.states().wait_for(|it| is_so(it.state())).await?;
+    Ok(())
+}
+
+/// Ten minutes of light.
+fn zigzag() -> NewJob {
+    let tool = Configuration::EndEffector {
+        tool: EndEffector::Laser,
+    };
+    let start = MoveTo::to(200.0, 0.0, 50.0).with_mode(MovingMode::MovJ);
+    let ways = [[20.0, 1.0], [-20.0, 1.0], [20.0, -1.0], [-20.0, -1.0]];
+    let vectors = ways.into_iter().cycle().take(600);
+    let vectors = vectors.map(|[x, y]| Command::from(WriteVector::by(x, y, 0.0, 20.0).burning()));
+    NewJob {
+        title: "zigzag".into(),
+        kind: JobKind::Drawing,
+        commands: [tool.into(), start.into()]
+            .into_iter()
+            .chain(vectors)
+            .collect(),
+        lift_mm: 0.0,
+        pauses: Vec::new(),
+        program: JobProgram::default(),
+    }
+}

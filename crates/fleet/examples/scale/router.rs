@@ -1,0 +1,64 @@
+//! The router, in a process of its own: this program once more, with another word.
+
+use std::error::Error;
+use std::io::{BufRead, BufReader, Read};
+use std::net::TcpListener;
+use std::process::{Child, Command, Stdio};
+
+use dobot_fleet::Router;
+
+/// A router in a process of its own; it ends with this.
+#[derive(Debug)]
+pub(crate) struct RouterProcess {
+    child: Child,
+    /// Where it is.
+    pub(crate) address: String,
+}
+
+const WORD: &str = "serve-a-router";
+
+impl RouterProcess {
+    /// Starts it, and waits until it listens.
+    pub(crate) fn start() -> Result<Self, Box<dyn Error + Send + Sync>> {
+        // Free now; Zenoh does not tell which port it took by itself.
+        let port = TcpListener::bind("127.0.0.1:0")?.local_addr()?.port();
+        let address = format!("tcp/127.0.0.1:{port}");
+        let mut child = Command::new(std::env::current_exe()?)
+            .args([WORD, &address])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let out = child.stdout.take().ok_or("it was asked for")?;
+        BufReader::new(out).read_line(&mut String::new())?;
+        Ok(Self { child, address })
+    }
+
+    pub(crate) fn pid(&self) -> u32 {
+        self.child.id()
+    }
+}
+
+impl Drop for RouterProcess {
+    fn drop(&mut self) {
+        // It ends when nobody holds the other end of its standard input.
+        drop(self.child.stdin.take());
+        let _ = self.child.wait();
+    }
+}
+
+/// Where the router is to listen, if this is the process for it.
+pub(crate) fn wanted() -> Option<String> {
+    let mut words = std::env::args().skip(1);
+    words.next().filter(|word| word == WORD)?;
+    words.next()
+}
+
+/// Runs the router until the other process ends.
+pub(crate) async fn serve(address: &str) -> Result<(), Box<dyn Error + Send + Sync>> {
+    let router = Router::start(&[address.to_owned()], None).await?;
+    println!("{address}");
+    let over = tokio::task::spawn_blocking(|| std::io::stdin().read_to_end(&mut Vec::new()));
+    over.await??;
+    router.end().await;
+    Ok(())
+}

@@ -1,0 +1,190 @@
+//! Many stations with virtual arms.
+
+use std::error::Error;
+use std::time::Duration;
+
+use dobot_api::{ApiRequest, FleetView, Folders, MemberAbout, Role, StationAddress, fetch};
+use dobot_client::Address;
+use dobot_fleet::{Fleet, FleetConfig, own_id};
+use dobot_rules::Client;
+use dobot_station::{Config, Station, Token, Tokens};
+use serde_json::json;
+use tempfile::TempDir;
+use tokio::io::AsyncWriteExt;
+use tokio::net::TcpStream;
+use tokio::time::interval;
+
+/// Many stations with virtual arms.
+#[derive(Debug)]
+pub(crate) struct Stations {
+    pub(crate) all: Vec<Desk>,
+    /// Opens each of them.
+    pub(crate) token: Token,
+    _folder: TempDir,
+}
+
+/// A station, and its place in its fleet.
+#[derive(Debug)]
+pub(crate) struct Desk {
+    pub(crate) name: String,
+    pub(crate) station: Station,
+    folders: Folders,
+    fleet: Option<Fleet>,
+}
+
+impl Stations {
+    /// Starts so many, which know nothing of each other.
+    pub(crate) async fn start(count: u16) -> Result<Self, Box<dyn Error + Send + Sync>> {
+        let folder = tempfile::tempdir()?;
+        let mut tokens = Tokens::open(&Folders::at(folder.path()).tokens())?;
+        let token = tokens.add(Role::Admin, "teacher")?;
+        let mut all = Vec::new();
+        for number in 1..=count {
+            let name = format!("desk-{number}");
+            let folders = Folders::at(folder.path().join(&name));
+            std::fs::create_dir_all(folders.data())?;
+            Tokens::open(&folders.tokens())?.accept(Role::Admin, "teacher", &token)?;
+            all.push(Desk::start(name, folders).await?);
+        }
+        Ok(Self {
+            all,
+            token,
+            _folder: folder,
+        })
+    }
+
+    /// Lets all of them join by a router.
+    pub(crate) async fn join(&mut self, router: &str) -> Result<(), Box<dyn Error + Send + Sync>> {
+        for desk in &mut self.all {
+            desk.join(router).await?;
+        }
+        Ok(())
+    }
+
+    /// Waits until each of them knows each.
+    pub(crate) async fn all_know_all(&self) {
+        let names = self.all.iter().map(|it| it.name.as_str());
+        // Before anybody is asked it is looked whether all are known: the last one never is, so nobody is asked.
+        let names: Vec<_> = names.chain([NOBODY]).collect();
+        let request = ApiRequest {
+            method: "POST".into(),
+            path: "/api/v1/fleet/requests".into(),
+            token: Some(self.token.secret().into()),
+            body: Some(json!({"to": {"members": names}, "method": "GET", "path": "/healthz"})),
+            ..ApiRequest::default()
+        };
+        let mut looks = interval(LOOK_EVERY);
+        for desk in &self.all {
+            while !desk.knows_all(&request).await {
+                looks.tick().await;
+            }
+        }
+    }
+
+    /// Opens a board at the first station, and waits until it knows what all of them do.
+    pub(crate) async fn board(&self) -> Result<Board, Box<dyn Error + Send + Sync>> {
+        let first = self.first();
+        let mut stream = TcpStream::connect((first.host(), first.port())).await?;
+        let request = format!(
+            "GET /api/v1/fleet/events HTTP/1.1\r\nHost: {}:{}\r\n\r\n",
+            first.host(),
+            first.port()
+        );
+        stream.write_all(request.as_bytes()).await?;
+        let reads = tokio::spawn(async move {
+            // For as long as it is there.
+            let _ = tokio::io::copy(&mut stream, &mut tokio::io::sink()).await;
+        });
+        let mut looks = interval(LOOK_EVERY);
+        loop {
+            let view: FleetView = fetch(&first, "/api/v1/fleet").await?;
+            let told = view.members.iter().filter(|it| it.state.is_some());
+            if told.count() == self.all.len() {
+                return Ok(Board(reads));
+            }
+            looks.tick().await;
+        }
+    }
+
+    /// Where the first one is.
+    pub(crate) fn first(&self) -> StationAddress {
+        self.all[0].address()
+    }
+
+    /// Ends all of them.
+    pub(crate) async fn end(self) -> Result<(), Box<dyn Error + Send + Sync>> {
+        for desk in self.all {
+            if let Some(fleet) = desk.fleet {
+                fleet.leave().await;
+            }
+            desk.station.end().await?;
+        }
+        Ok(())
+    }
+}
+
+/// A board, as long as it is open.
+#[derive(Debug)]
+pub(crate) struct Board(tokio::task::JoinHandle<()>);
+
+impl Drop for Board {
+    fn drop(&mut self) {
+        self.0.abort();
+    }
+}
+
+impl Desk {
+    async fn start(name: String, folders: Folders) -> Result<Self, Box<dyn Error + Send + Sync>> {
+        let station = Station::start(Config {
+            arm: Some(Address::Virtual),
+            http: "127.0.0.1:0".parse()?,
+            raw: None,
+            ..Config::new(folders.clone())
+        });
+        Ok(Self {
+            name,
+            station: station.await?,
+            folders,
+            fleet: None,
+        })
+    }
+
+    async fn join(&mut self, router: &str) -> Result<(), Box<dyn Error + Send + Sync>> {
+        let config = FleetConfig {
+            name: self.name.clone(),
+            about: MemberAbout {
+                groups: vec!["room-1".into()],
+                is_virtual: true,
+                ..MemberAbout::default()
+            },
+            work: Some(self.folders.fleet_work()),
+            connect: vec![router.into()],
+            credentials: None,
+        };
+        let id = own_id(&self.folders.fleet_id())?;
+        self.fleet = Some(Fleet::join(&config, &id, self.station.api()).await?);
+        Ok(())
+    }
+
+    /// Whether nobody is missing but the one who does not exist.
+    async fn knows_all(&self, request: &ApiRequest) -> bool {
+        let answer = self.station.api().call(request).await;
+        answer.status == 404
+            && answer.body["detail"]
+                .as_str()
+                .is_some_and(|it| it.contains(NOBODY))
+    }
+
+    /// Where its API is.
+    pub(crate) fn address(&self) -> StationAddress {
+        StationAddress::new(self.station.url()).expect("a station says where it is")
+    }
+
+    /// One who may do everything there.
+    pub(crate) async fn teacher(&self) -> Result<Client, dobot_rules::Refusal> {
+        self.station.handle().client("teacher", Role::Admin).await
+    }
+}
+
+const NOBODY: &str = "nobody";
+const LOOK_EVERY: Duration = Duration::from_millis(20);

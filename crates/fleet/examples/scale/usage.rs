@@ -1,0 +1,103 @@
+//! What a process costs, as Linux tells it.
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use super::times::cpu_time;
+
+/// What a process has and has used.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Usage {
+    /// Its memory, in KiB.
+    memory: u32,
+    threads: u32,
+    /// Its open files and sockets.
+    files: u32,
+    processor: Duration,
+}
+
+/// What a process costs while nobody asks it for anything.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Costs {
+    usage: Usage,
+    /// How much of one core it takes.
+    share: f64,
+}
+
+impl Usage {
+    /// What a process has and has used until now.
+    pub(crate) fn now(pid: u32) -> Result<Self, Box<dyn Error + Send + Sync>> {
+        let folder = PathBuf::from(format!("/proc/{pid}"));
+        let status = std::fs::read_to_string(folder.join("status")).map_err(|error| {
+            format!("{} cannot be read: {error}; Linux has it", folder.display())
+        })?;
+        let field = |name: &str| {
+            let line = status.lines().find_map(|it| it.strip_prefix(name));
+            let number = line.and_then(|it| it.split_whitespace().next());
+            number
+                .and_then(|it| it.parse::<u32>().ok())
+                .ok_or(format!("no {name} in {status}"))
+        };
+        Ok(Self {
+            memory: field("VmRSS:")?,
+            threads: field("Threads:")?,
+            files: std::fs::read_dir(folder.join("fd"))?.count().try_into()?,
+            processor: cpu_time(pid),
+        })
+    }
+}
+
+impl Costs {
+    /// Looks on for a while.
+    pub(crate) async fn at_rest(
+        pid: u32,
+        rest: Duration,
+    ) -> Result<Self, Box<dyn Error + Send + Sync>> {
+        let (before, began) = (Usage::now(pid)?, Instant::now());
+        tokio::time::sleep(rest).await;
+        let (usage, took) = (Usage::now(pid)?, began.elapsed());
+        let used = usage.processor.saturating_sub(before.processor);
+        Ok(Self {
+            usage,
+            share: used.as_secs_f64() / took.as_secs_f64(),
+        })
+    }
+
+    /// Tells what each of so many stations costs, above what the process had before them.
+    pub(crate) fn tell(&self, what: &str, before: &Usage, stations: u16) {
+        let each = f64::from(stations);
+        println!(
+            "{what}: {:.2} % of a core, {:.2} MB, {:.1} threads, {:.1} files",
+            100.0 * self.share / each,
+            megabytes(self.usage.memory.saturating_sub(before.memory)) / each,
+            f64::from(self.usage.threads - before.threads) / each,
+            f64::from(self.usage.files - before.files) / each,
+        );
+    }
+
+    /// Tells how much more each of so many stations costs than before.
+    pub(crate) fn tell_more(&self, what: &str, before: &Self, stations: u16) {
+        let each = f64::from(stations);
+        println!(
+            "{what}: {:+.2} % of a core, {:+.2} MB",
+            100.0 * (self.share - before.share) / each,
+            (megabytes(self.usage.memory) - megabytes(before.usage.memory)) / each,
+        );
+    }
+
+    /// Tells what a process costs.
+    pub(crate) fn tell_all(&self, what: &str) {
+        println!(
+            "{what}: {:.1} % of a core, {:.1} MB, {} threads, {} files",
+            100.0 * self.share,
+            megabytes(self.usage.memory),
+            self.usage.threads,
+            self.usage.files
+        );
+    }
+}
+
+fn megabytes(kibibytes: u32) -> f64 {
+    f64::from(kibibytes) * 1024.0 / 1e6
+}

@@ -1,0 +1,213 @@
+//! The way to the others: Zenoh, and what it carries for one station.
+
+use std::pin::Pin;
+use std::time::{Duration, Instant};
+
+use dobot_api::MemberAbout;
+use dobot_rules::Handle;
+use tokio::sync::oneshot;
+use tokio::time::timeout;
+use zenoh::handlers::FifoChannelHandler;
+use zenoh::liveliness::LivelinessToken;
+use zenoh::pubsub::{Publisher, Subscriber};
+use zenoh::query::{ConsolidationMode, Query, QueryTarget, Queryable};
+use zenoh::sample::Sample;
+use zenoh::{Session, Wait};
+
+use crate::keys::{ALL_ALIVE, API, Alive, MESSAGES, MemberKey, TOLD, of_all};
+use crate::telling;
+
+/// The way to the others.
+pub(crate) struct Network {
+    session: Session,
+    alive: Subscriber<FifoChannelHandler<Sample>>,
+    asked: Queryable<FifoChannelHandler<Query>>,
+    /// What the others tell, while somebody looks.
+    others: Option<Others>,
+    /// What this station tells.
+    telling: Publisher<'static>,
+    /// What says that it is there, and what it is and does, for as long as this is kept.
+    _declared: (LivelinessToken, Queryable<()>),
+}
+
+/// The network, while the router is waited for.
+pub(crate) type Opening = Pin<Box<dyn Future<Output = Result<Network, zenoh::Error>> + Send>>;
+
+/// What comes from the others.
+pub(crate) enum Incoming {
+    Life(Sample),
+    Asked(Query),
+    Told(Sample),
+}
+
+/// How long those may take who are asked what they are and do.
+const TELL_WITHIN: Duration = Duration::from_secs(1);
+/// How long the others are followed after the last one here has looked.
+const FOLLOW_FOR: Duration = Duration::from_secs(10);
+
+impl Network {
+    /// Opens the way, as soon as there is one.
+    pub(crate) async fn open(
+        config: zenoh::Config,
+        own: MemberKey,
+        about: MemberAbout,
+        handle: Handle,
+    ) -> Result<Self, zenoh::Error> {
+        let session = open(config).await?;
+        let liveliness = session.liveliness();
+        let alive = liveliness.declare_subscriber(ALL_ALIVE).history(true);
+        let alive = alive.await?;
+        let asked = session.declare_queryable(own.resource(API)).await?;
+        let told = session.declare_queryable(own.resource(TOLD));
+        let told = told
+            .callback(answers(own.resource(TOLD), about, handle))
+            .await?;
+        let telling = session.declare_publisher(own.resource(TOLD)).await?;
+        let token = liveliness.declare_token(life(&own).key()).await?;
+        Ok(Self {
+            session,
+            alive,
+            asked,
+            others: None,
+            telling,
+            _declared: (token, told),
+        })
+    }
+
+    /// By which others are asked.
+    pub(crate) const fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// What comes next.
+    async fn next(&self) -> Incoming {
+        tokio::select! {
+            Ok(sample) = self.alive.recv_async() => Incoming::Life(sample),
+            Ok(query) = self.asked.recv_async() => Incoming::Asked(query),
+            Ok(sample) = told(self.others.as_ref()) => Incoming::Told(sample),
+            else => std::future::pending().await,
+        }
+    }
+
+    /// Who else came or went, where that is known already.
+    pub(crate) fn poll_life(&self) -> Option<Sample> {
+        self.alive.try_recv().ok().flatten()
+    }
+
+    /// Follows what the others tell; says whether that has just begun.
+    pub(crate) async fn follow(&mut self) -> bool {
+        let looked = Instant::now();
+        if let Some(others) = &mut self.others {
+            others.looked = looked;
+            return false;
+        }
+        let told = self.session.declare_subscriber(of_all(TOLD)).await;
+        // Without a network there are no others.
+        self.others = told.ok().map(|told| Others { told, looked });
+        true
+    }
+
+    /// Follows the others no longer when nobody has looked for a while.
+    pub(crate) fn follow_on(&mut self, is_watched: bool) {
+        if let Some(others) = self.others.as_mut().filter(|_| is_watched) {
+            others.looked = Instant::now();
+        }
+        self.others.take_if(|it| it.looked.elapsed() > FOLLOW_FOR);
+    }
+
+    /// Whether anybody follows this station.
+    pub(crate) fn is_followed(&self) -> bool {
+        let status = self.telling.matching_status().wait();
+        // Where that is not known, somebody may.
+        status.map_or(true, |it| it.matching())
+    }
+
+    /// Tells the others what this station is and does.
+    pub(crate) fn tell(&self, told: Vec<u8>) {
+        if let Err(error) = self.telling.put(told).wait() {
+            tracing::info!(%error, "the fleet is not told");
+        }
+    }
+
+    /// Leaves.
+    pub(crate) async fn close(self) {
+        // Those whom it does not reach miss this station by themselves.
+        let _ = self.session.close().await;
+    }
+}
+
+/// What the others tell.
+struct Others {
+    told: Subscriber<FifoChannelHandler<Sample>>,
+    /// When somebody looked last.
+    looked: Instant,
+}
+
+/// Asks all at once what they are and do, and waits until those have told who are there.
+pub(crate) async fn ask_all(session: Session) -> Vec<Sample> {
+    let replies = session
+        .get(of_all(TOLD))
+        .target(QueryTarget::All)
+        .consolidation(ConsolidationMode::None)
+        .timeout(TELL_WITHIN)
+        .await;
+    let mut heard = Vec::new();
+    if let Ok(replies) = replies {
+        // One who does not answer is not waited for longer than that.
+        let _ = timeout(TELL_WITHIN, async {
+            while let Ok(reply) = replies.recv_async().await {
+                heard.extend(reply.into_result());
+            }
+        })
+        .await;
+    }
+    heard
+}
+
+/// What comes next from a network that is there.
+pub(crate) async fn incoming(network: Option<&Network>) -> Incoming {
+    match network {
+        Some(network) => network.next().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// What says that a station is there.
+pub(crate) fn life(own: &MemberKey) -> Alive {
+    Alive {
+        member: own.clone(),
+        messages: MESSAGES,
+        version: env!("CARGO_PKG_VERSION").into(),
+    }
+}
+
+/// Opens a session. That blocks while a router is away, so it has a thread of its own.
+async fn open(config: zenoh::Config) -> Result<Session, zenoh::Error> {
+    let (opened, session) = oneshot::channel();
+    let opens = move || {
+        // Whoever waited may have left.
+        drop(opened.send(zenoh::open(config).wait()));
+    };
+    std::thread::Builder::new()
+        .name("fleet".into())
+        .spawn(opens)?;
+    session.await?
+}
+
+/// What the others tell next; never while nobody looks.
+async fn told(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
+    match others {
+        Some(others) => others.told.recv_async().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// Tells those who ask what this station is and does.
+fn answers(key: String, about: MemberAbout, handle: Handle) -> impl Fn(Query) + Send + Sync {
+    move |query| {
+        let told = telling::told(&about, &handle.state());
+        if let Err(error) = query.reply(&key, told).wait() {
+            tracing::info!(%error, "an answer to the fleet is lost");
+        }
+    }
+}
