@@ -14,6 +14,7 @@ use tokio::sync::watch;
 
 use crate::Settings;
 use crate::drawings::Drawings;
+use crate::http::Visit;
 use crate::refused::Refused;
 
 /// What all calls share.
@@ -36,8 +37,17 @@ impl Call {
         Self { shared, context }
     }
 
+    /// The station; one who came over HTTP is known there by his own token.
     pub(crate) async fn station(&self) -> Result<StationAddress, Refused> {
-        Ok(self.shared.settings.station().await?)
+        let mut station = self.shared.settings.station().await?;
+        if let Some(visit) = self.visit() {
+            station.token.clone_from(&visit.token);
+        }
+        Ok(station)
+    }
+
+    fn visit(&self) -> Option<&Visit> {
+        Visit::of(&self.context.extensions)
     }
 
     /// A connection with the station that ends with the call.
@@ -82,9 +92,16 @@ impl Call {
 
     async fn given_up(&self) {
         let mut gone = self.shared.gone.subscribe();
+        let left = async {
+            match self.visit() {
+                Some(visit) => visit.is_over().await,
+                None => std::future::pending().await,
+            }
+        };
         tokio::select! {
             () = self.context.ct.cancelled() => {}
             _ = gone.wait_for(|it| *it) => {}
+            () = left => {}
         }
     }
 
@@ -141,8 +158,8 @@ impl Call {
 
     /// What the others see.
     fn name(&self) -> String {
-        let info = self.context.peer.peer_info();
-        let name = info.map_or_else(String::new, |it| it.client_info.name.clone());
+        let info = self.context.client_info();
+        let name = info.map_or_else(String::new, |it| it.name);
         let name: String = name.chars().filter(|it| is_plain(*it)).take(50).collect();
         format!("agent {name}").trim_end().to_owned()
     }

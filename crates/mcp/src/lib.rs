@@ -2,6 +2,7 @@
 //!
 //! Each call opens a connection of its own with a station that runs, so that a stop always gets through beside what is
 //! under way. All rules are the station's. A call that the agent gives up, or whose agent is gone, stops the arm.
+//! [`serve`] serves the agent at the other end of two streams, [`HttpAgents`] those that come to a server of HTTP.
 //!
 //! ```no_run
 //! use dobot_api::StationAddress;
@@ -21,6 +22,7 @@ mod arguments;
 mod call;
 mod drawings;
 mod files;
+mod http;
 mod jobs;
 mod refused;
 mod serve;
@@ -28,5 +30,6 @@ mod settings;
 
 pub use agents::Agents;
 pub use files::{FilesFolder, FilesFolderError};
+pub use http::{HttpAgents, TooManyAgents};
 pub use serve::{ServeError, serve};
 pub use settings::{NoStation, Settings};

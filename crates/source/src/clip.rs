@@ -95,6 +95,11 @@ impl ClipArea {
         }
     }
 
+    /// No more of it is left than lies within this region.
+    pub(crate) fn clip(&mut self, region: Rc<Region>) {
+        self.within.push(region);
+    }
+
     /// The parts of a stroke that this area does not cover. A line along its edge is not covered, as
     /// half of its ink shows.
     pub(crate) fn uncovered(

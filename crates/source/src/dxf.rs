@@ -3,6 +3,7 @@
 //! A reader of our own: those there are skip what they do not know in silence, hatches among it.
 
 mod content;
+mod cover;
 mod entity;
 mod file;
 mod frame;

@@ -1,11 +1,12 @@
 //! Hidden lines: what of a drawing shows beside the filled shapes that lie over it.
 
 use std::cell::OnceCell;
+use std::rc::Rc;
 
 use dobot_geometry::{Area, Point, Rect, SegmentIndex, Stroke, bounds};
 
 use crate::artwork::Layer;
-use crate::clip::ClipArea;
+use crate::clip::{ClipArea, Region};
 use crate::limits::{Budget, OverBudget};
 use crate::polygon::Polygons;
 
@@ -28,7 +29,38 @@ impl Covers {
         });
     }
 
-    pub(crate) fn sight(self) -> Sight {
+    /// Those that came after the first `count` hide only what shows within this region.
+    pub(crate) fn clip_since(&mut self, count: u32, region: &Rc<Region>) {
+        for cover in self.0.iter_mut().skip(count as usize) {
+            cover.area.clip(region.clone());
+        }
+    }
+
+    /// What shows of each layer, and of how many lines and areas that is not known: they are whole. Areas are left out
+    /// where they are not wanted and something is hidden.
+    pub(crate) fn what_shows(
+        self,
+        layers: Vec<Layer>,
+        heights: &[Heights],
+        fills: bool,
+        budget: &mut Budget,
+    ) -> Result<(Vec<Layer>, usize), OverBudget> {
+        if self.0.is_empty() {
+            return Ok((layers, 0));
+        }
+        let mut sight = self.sight();
+        let mut shown = Vec::with_capacity(layers.len());
+        for (mut layer, heights) in layers.into_iter().zip(heights) {
+            if !fills {
+                layer.areas.clear();
+            }
+            shown.push(sight.layer(layer, heights, budget)?);
+        }
+        shown.retain(|it| !it.is_empty());
+        Ok((shown, sight.unknown))
+    }
+
+    fn sight(self) -> Sight {
         let corners = |it: &Cover| {
             let Rect { x0, y0, x1, y1 } = it.bounds;
             (Point::new(x0, y0), Point::new(x1, y1))
@@ -42,6 +74,12 @@ impl Covers {
     }
 }
 
+/// What is drawn of lines and areas of which it is not known what shows, in the words of a warning.
+pub(crate) const UNKNOWN: (&str, &str) = (
+    "line or area",
+    "drawn whole, too many shapes lie over it to find what of it shows",
+);
+
 /// Above how many covers the lines and areas of a layer lie, one by one.
 #[derive(Debug, Default)]
 pub(crate) struct Heights {
@@ -51,17 +89,18 @@ pub(crate) struct Heights {
 
 /// Tells what is seen.
 #[derive(Debug)]
-pub(crate) struct Sight {
+struct Sight {
     covers: Vec<Cover>,
     /// The covers by place: the lower left and the upper right corner of each.
     boxes: SegmentIndex,
     looks_left: usize,
+    /// Of how many lines and areas it was not found out what shows; they are whole.
     unknown: usize,
 }
 
 impl Sight {
     /// What of a layer shows.
-    pub(crate) fn layer(
+    fn layer(
         &mut self,
         layer: Layer,
         heights: &Heights,
@@ -83,11 +122,6 @@ impl Sight {
             areas,
             ..layer
         })
-    }
-
-    /// Of how many lines and areas it was not found out what shows; they are whole.
-    pub(crate) const fn unknown(&self) -> usize {
-        self.unknown
     }
 
     fn stroke(

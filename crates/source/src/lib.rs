@@ -34,6 +34,7 @@ mod points;
 mod polygon;
 mod sketch;
 mod source;
+mod stack;
 mod svg;
 mod text;
 mod warning;

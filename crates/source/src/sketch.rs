@@ -1,7 +1,9 @@
 //! The drawing that a reader builds up: ink in layers, and warnings.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::iter::repeat;
+use std::rc::Rc;
 
 use dobot_geometry::{Area, CubicBez, FillRule, ParamCurve, Point, Stroke, bounds, chords};
 
@@ -9,10 +11,12 @@ use crate::arc::{Arc, SAME_MM};
 use crate::artwork::{Artwork, Layer};
 use crate::clip::{ClipArea, Region};
 use crate::error::SourceError;
+use crate::hidden::UNKNOWN;
 use crate::limits::{Budget, LIMIT_MM, MAX_SEGMENTS, checked_tolerance_mm};
 use crate::options::ReadOptions;
 use crate::place::place;
 use crate::polygon::Polygons;
+use crate::stack::Stack;
 use crate::warning::{Warning, Warnings};
 
 /// The drawing of a text file while it is being read. Places in the text are offsets in bytes, `at`.
@@ -27,8 +31,13 @@ pub(super) struct Sketch<'a> {
     /// The last stroke of the layer may go on.
     goes_on: bool,
     budget: Budget,
-    /// The edges of areas, each with the layer that it belongs to.
-    borders: Vec<(usize, Vec<Point>)>,
+    /// The edges of areas.
+    borders: Vec<Border>,
+    stack: Stack,
+    /// Filled areas hide what lies under them.
+    hides: bool,
+    /// Areas are wanted where something is hidden.
+    fills: bool,
     warnings: Warnings<'a>,
 }
 
@@ -43,6 +52,9 @@ impl<'a> Sketch<'a> {
             goes_on: false,
             budget: Budget::new(MAX_SEGMENTS),
             borders: Vec::new(),
+            stack: Stack::default(),
+            hides: options.hides,
+            fills: options.fills,
             warnings: Warnings::new(text),
         })
     }
@@ -127,9 +139,35 @@ impl<'a> Sketch<'a> {
         }
         let layer = self.layer();
         layer.areas.push(area.clone());
-        let number = self.current;
-        let borders = area.rings.into_iter().map(|ring| (number, closed(ring)));
-        self.borders.extend(borders);
+        let (layer, height) = (self.current, self.stack.height());
+        let border = |ring| Border {
+            layer,
+            height,
+            points: closed(ring),
+        };
+        self.borders.extend(area.rings.into_iter().map(border));
+        Ok(())
+    }
+
+    /// Whether filled areas hide what lies under them.
+    pub(super) const fn hides(&self) -> bool {
+        self.hides
+    }
+
+    /// Hides all that was drawn so far where this area lies over it, if hidden lines are left out.
+    pub(super) fn cover(
+        &mut self,
+        rings: &[Vec<Point>],
+        rule: FillRule,
+    ) -> Result<(), SourceError> {
+        let corners = rings.iter().map(Vec::len).sum();
+        if !self.hides || corners == 0 {
+            return Ok(());
+        }
+        self.spend(corners)?;
+        // A line that goes on would lie in part under the area and in part upon it.
+        self.goes_on = false;
+        self.stack.cover(&self.layers, rings, rule);
         Ok(())
     }
 
@@ -203,6 +241,7 @@ impl<'a> Sketch<'a> {
         SketchMark {
             layers: self.layers.iter().map(counts).collect(),
             borders: self.borders.len(),
+            height: self.stack.height(),
         }
     }
 
@@ -215,21 +254,30 @@ impl<'a> Sketch<'a> {
         self.goes_on = false;
         let outline = Stroke::open(ring);
         let inside = ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
-        let inside = Region::new(vec![inside]);
+        let inside = Rc::new(Region::new(vec![inside]));
+        self.stack.note(&self.layers);
+        self.stack.clip_since(mark.height, &inside);
         let from = mark.layers.iter().copied().chain(repeat([0, 0]));
-        for (layer, [strokes, areas]) in self.layers.iter_mut().zip(from) {
-            for stroke in layer.strokes.split_off(strokes) {
-                layer
-                    .strokes
-                    .append(&mut inside.cut(stroke, &mut self.budget)?);
+        let layers = self.layers.iter_mut().zip(&mut self.stack.heights);
+        for ((layer, heights), [strokes, areas]) in layers.zip(from) {
+            let of_strokes = heights.strokes.split_off(strokes);
+            for (stroke, height) in layer.strokes.split_off(strokes).into_iter().zip(of_strokes) {
+                let mut pieces = inside.cut(stroke, &mut self.budget)?;
+                let count = heights.strokes.len() + pieces.len();
+                heights.strokes.resize(count, height);
+                layer.strokes.append(&mut pieces);
             }
-            for area in layer.areas.split_off(areas) {
+            let of_areas = heights.areas.split_off(areas);
+            for (area, height) in layer.areas.split_off(areas).into_iter().zip(of_areas) {
                 let cut = Polygons::new(&area.rings, area.rule)
                     .and_then(|it| it.and(inside.polygons()?))
                     .map(Polygons::into_area);
                 match cut {
                     Some(cut) if cut.rings.is_empty() => {}
-                    Some(cut) => layer.areas.push(cut),
+                    Some(cut) => {
+                        layer.areas.push(cut);
+                        heights.areas.push(height);
+                    }
                     None => self.warnings.add(
                         None,
                         "filled shape",
@@ -238,10 +286,13 @@ impl<'a> Sketch<'a> {
                 }
             }
         }
-        for (layer, points) in self.borders.split_off(mark.borders) {
-            let pieces = inside.cut(Stroke::open(points), &mut self.budget)?;
-            self.borders
-                .extend(pieces.into_iter().map(|it| (layer, it.points)));
+        for border in self.borders.split_off(mark.borders) {
+            let pieces = inside.cut(Stroke::open(border.points), &mut self.budget)?;
+            let piece = |it: Stroke| Border {
+                points: it.points,
+                ..border
+            };
+            self.borders.extend(pieces.into_iter().map(piece));
         }
         Ok(())
     }
@@ -281,18 +332,47 @@ impl<'a> Sketch<'a> {
         Ok(self.budget.spend(segments)?)
     }
 
-    /// Draws the edges of areas that the file does not draw itself.
+    /// Draws the edges of areas that the file does not draw itself. One that it draws lies as high as its area.
     fn draw_borders(&mut self) {
         if self.borders.is_empty() {
             return;
         }
-        let strokes = self.layers.iter().flat_map(|it| &it.strokes);
-        let mut drawn: HashSet<Vec<[i64; 2]>> = strokes.map(|it| corners(&it.points)).collect();
-        for (layer, points) in std::mem::take(&mut self.borders) {
-            if drawn.insert(corners(&points)) {
-                self.layers[layer].strokes.push(Stroke::open(points));
+        self.stack.note(&self.layers);
+        let mut drawn = HashMap::new();
+        for (number, layer) in self.layers.iter().enumerate() {
+            for (i, stroke) in layer.strokes.iter().enumerate() {
+                drawn.entry(corners(&stroke.points)).or_insert([number, i]);
             }
         }
+        for border in std::mem::take(&mut self.borders) {
+            match drawn.entry(corners(&border.points)) {
+                Entry::Occupied(place) => {
+                    let [layer, i] = *place.get();
+                    let height = &mut self.stack.heights[layer].strokes[i];
+                    *height = border.height.max(*height);
+                }
+                Entry::Vacant(place) => {
+                    let strokes = &mut self.layers[border.layer].strokes;
+                    place.insert([border.layer, strokes.len()]);
+                    strokes.push(Stroke::open(border.points));
+                    let heights = &mut self.stack.heights[border.layer];
+                    heights.strokes.push(border.height);
+                }
+            }
+        }
+    }
+
+    /// Leaves out what lies under the areas that hide something.
+    fn hide(&mut self) -> Result<(), SourceError> {
+        let (stack, layers) = (
+            std::mem::take(&mut self.stack),
+            std::mem::take(&mut self.layers),
+        );
+        let (layers, unknown) = stack.what_shows(layers, self.fills, &mut self.budget)?;
+        self.layers = layers;
+        let (what, instead) = UNKNOWN;
+        (0..unknown).for_each(|_| self.warn(None, what, instead));
+        Ok(())
     }
 
     /// The page: as large as the ink, whose upper left corner is its origin.
@@ -302,6 +382,7 @@ impl<'a> Sketch<'a> {
         nothing: &str,
     ) -> Result<(Artwork, Vec<Warning>), SourceError> {
         self.draw_borders();
+        self.hide()?;
         self.layers.retain(|layer| !layer.is_empty());
         if self.layers.is_empty() {
             let warnings = self.warnings.into_list();
@@ -333,6 +414,18 @@ pub(super) struct SketchMark {
     /// Strokes and areas of each layer.
     layers: Vec<[usize; 2]>,
     borders: usize,
+    /// How many areas hide something.
+    height: u32,
+}
+
+/// The edge of an area.
+#[derive(Debug)]
+struct Border {
+    /// The layer that it belongs to.
+    layer: usize,
+    /// Above how many of the areas that hide something it lies.
+    height: u32,
+    points: Vec<Point>,
 }
 
 /// Where y points in a file.

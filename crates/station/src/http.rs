@@ -4,6 +4,7 @@
 //! it come from, who asks, how often) to its route (`routes`: a row a request), or becomes a WebSocket
 //! (`socket`). Whatever is not done is answered with a problem document (`dobot_api::kinds`).
 
+mod agents;
 mod answer;
 mod app;
 mod auth;

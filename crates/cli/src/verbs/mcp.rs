@@ -18,7 +18,8 @@ Examples:
   dobot mcp --files ~/drawings         the agent may draw and run what is in this folder
   DOBOT_TOKEN=... dobot mcp --station https://lab.example:8642
 
-A station runs beside it: `dobot up`. All of its rules hold, and the laser is never armed. What the agent gives up, or
+A station runs beside it: `dobot up`. Over HTTP agents come to the station itself, at http://127.0.0.1:8642/mcp: nothing
+has to be started for that. All of its rules hold, and the laser is never armed. What the agent gives up, or
 leaves under way when it ends, stops the arm.")]
 pub(crate) struct Args {
     /// Queue drawings and programs only, for a person to start; other motion is refused

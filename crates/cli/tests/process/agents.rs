@@ -15,14 +15,14 @@ use crate::stations::Up;
 use crate::wire::{Passed, wire};
 
 /// A station whose arm is at the end of a wire that tells what passes it.
-struct Desk {
-    up: Up,
+pub(crate) struct Desk {
+    pub(crate) up: Up,
     passed: Receiver<Passed>,
     _arm: Going,
 }
 
 impl Desk {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let mut arm = Going::new(command(&["arm", "--tcp", "127.0.0.1:0", "--speed", "4"]));
         let address = arm.address();
         let address = address.trim_start_matches("tcp:");
@@ -42,7 +42,7 @@ impl Desk {
     }
 
     /// What the arm got since this was asked last.
-    fn got(&self) -> Vec<Command> {
+    pub(crate) fn got(&self) -> Vec<Command> {
         let of_arm = |it| match it {
             Passed::ToArm(_, command) => Some(command),
             Passed::FromArm(..) | Passed::Opened => None,
@@ -61,7 +61,7 @@ impl Desk {
     }
 }
 
-struct Agent(RunningService<RoleClient, ()>);
+pub(crate) struct Agent(pub(crate) RunningService<RoleClient, ()>);
 
 impl Agent {
     async fn new(up: &Up, arguments: &[&str]) -> Self {
@@ -74,33 +74,33 @@ impl Agent {
         Self(client.expect("it greets"))
     }
 
-    async fn call(&self, tool: &'static str, arguments: Value) -> CallToolResult {
+    pub(crate) async fn call(&self, tool: &'static str, arguments: Value) -> CallToolResult {
         let params = params(tool, arguments);
         self.0.call_tool(params).await.expect("it answers")
     }
 
     /// What a tool answers that does what it is asked for.
     #[track_caller]
-    fn done(result: CallToolResult) -> Value {
+    pub(crate) fn done(result: CallToolResult) -> Value {
         assert_eq!(result.is_error, Some(false), "{result:?}");
         result.structured_content.expect("it is structured")
     }
 
     /// What a tool answers that refuses.
     #[track_caller]
-    fn refused(result: CallToolResult, kind: &str) -> Value {
+    pub(crate) fn refused(result: CallToolResult, kind: &str) -> Value {
         assert_eq!(result.is_error, Some(true), "{result:?}");
         let refused = result.structured_content.expect("it is structured");
         assert_eq!(refused["kind"], kind, "{refused}");
         refused
     }
 
-    async fn plans(&self, arguments: Value) -> Value {
+    pub(crate) async fn plans(&self, arguments: Value) -> Value {
         Self::done(self.call("plan_drawing", arguments).await)
     }
 
     /// Asks for a drawing, and waits until the arm is at it, not until it is over.
-    async fn begins_to_draw(&self, desk: &Desk) -> RequestHandle<RoleClient> {
+    pub(crate) async fn begins_to_draw(&self, desk: &Desk) -> RequestHandle<RoleClient> {
         let planned = self.plans(square()).await;
         let draw = json!({"drawing": planned["drawing"], "wait_s": 600});
         let request = CallToolRequest::new(params("draw", draw));
@@ -119,7 +119,7 @@ fn params(tool: &'static str, arguments: Value) -> CallToolRequestParams {
     CallToolRequestParams::new(tool).with_arguments(arguments)
 }
 
-fn square() -> Value {
+pub(crate) fn square() -> Value {
     let svg = std::fs::read_to_string(crate::program::example("square.svg"));
     json!({"svg": svg.expect("it is there"), "options": {"place": {"pen_down": -40}}})
 }
@@ -128,7 +128,7 @@ fn is_vector(it: &Command) -> bool {
     matches!(it, Command::WriteVector(_))
 }
 
-fn is_motion(it: &Command) -> bool {
+pub(crate) fn is_motion(it: &Command) -> bool {
     is_vector(it) || matches!(it, Command::MoveTo(_) | Command::MoveJoints(_))
 }
 
@@ -281,7 +281,7 @@ async fn a_call_that_is_cancelled_stops_the_arm() {
 }
 
 /// Waits until the arm is stopped because an agent gave up.
-async fn stopped(up: &Up) {
+pub(crate) async fn stopped(up: &Up) {
     let other = Agent::new(up, &[]).await;
     loop {
         let seen = Agent::done(other.call("look", json!({})).await);
@@ -332,7 +332,7 @@ async fn a_token_that_may_queue_moves_nothing_and_one_that_watches_queues_nothin
     Agent::done(watcher.call("stop", json!({})).await);
 }
 
-async fn only_queues(desk: &Desk, agent: &Agent) {
+pub(crate) async fn only_queues(desk: &Desk, agent: &Agent) {
     let to = json!({"x_mm": 220, "y_mm": 0, "z_mm": 20});
     let refused = Agent::refused(agent.call("move_to", to).await, "needs-a-person");
     let hint = refused["hint"].as_str().expect("a hint");

@@ -12,6 +12,8 @@ mod going;
 #[cfg(unix)]
 mod guarding;
 #[cfg(unix)]
+mod http_agents;
+#[cfg(unix)]
 mod killing;
 #[cfg(unix)]
 mod links;

@@ -38,6 +38,7 @@ pub(super) fn check(
         fits,
         is: match kinds[..] {
             [SourceKind::Svg] => format!("{title} is an SVG file"),
+            [SourceKind::Dxf] => format!("{title} is a DXF file"),
             [SourceKind::Lines] => format!("{title} is a file of lines"),
             [SourceKind::Picture] => format!("{title} is a picture"),
             [SourceKind::Text] => "this is a text".to_owned(),
@@ -217,6 +218,8 @@ fn together(options: &Options) -> Result<(), OptionsError> {
 enum SourceKind {
     /// An SVG file: lines and areas on a page, painted over each other.
     Svg,
+    /// A DXF file: lines and areas, painted over each other.
+    Dxf,
     /// Another file of lines and areas.
     Lines,
     Picture,
@@ -228,6 +231,7 @@ impl SourceKind {
     const fn of(source: &Source) -> Self {
         match source {
             Source::Svg(_) => Self::Svg,
+            Source::Dxf(_) => Self::Dxf,
             Source::Text(_) => Self::Text,
             Source::Picture(_) => Self::Picture,
             _ => Self::Lines,
@@ -246,17 +250,24 @@ const LINED: Purpose = Purpose(
 const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
 const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
 const AREAS: Purpose = Purpose(
-    &[SourceKind::Svg, SourceKind::Lines, SourceKind::Text],
+    &[
+        SourceKind::Svg,
+        SourceKind::Dxf,
+        SourceKind::Lines,
+        SourceKind::Text,
+    ],
     "the areas of drawings and texts (`--shade hatch` is for pictures)",
 );
+const PAINTED: Purpose = Purpose(&[SourceKind::Svg, SourceKind::Dxf], "SVG and DXF files");
 const SVG_FILES: Purpose = Purpose(&[SourceKind::Svg], "SVG files");
 const LAYERS: Purpose = Purpose(
-    &[SourceKind::Svg, SourceKind::Lines],
+    &[SourceKind::Svg, SourceKind::Dxf, SourceKind::Lines],
     "the layers of drawings",
 );
 const DRAWINGS: Purpose = Purpose(
     &[
         SourceKind::Svg,
+        SourceKind::Dxf,
         SourceKind::Lines,
         SourceKind::Picture,
         SourceKind::Text,
@@ -288,7 +299,7 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
         ("--hatch", what.hatch.is_some(), AREAS),
         ("--layers", what.layers.is_some(), LAYERS),
         ("--no-crop", what.no_crop, SVG_FILES),
-        ("--hide", what.hide, SVG_FILES),
+        ("--hide", what.hide, PAINTED),
         ("--fit", place.fit, DRAWINGS),
         ("--paper-size", place.paper_size.is_some(), DRAWINGS),
         ("--mirror", place.mirror, DRAWINGS),
@@ -358,6 +369,25 @@ mod tests {
         ] {
             assert_eq!(refusal(json), told);
         }
+    }
+
+    #[test]
+    fn hidden_lines_are_left_out_where_shapes_are_painted_over_each_other() {
+        let options: Options = serde_json::from_str(r#"{"what": {"hide": true}}"#).unwrap();
+        let of = |name: &str, source| {
+            let file = NamedSource {
+                name: name.to_owned(),
+                source,
+            };
+            check(&options, &[file], name)
+        };
+        of("a.dxf", Source::Dxf(Vec::new())).unwrap();
+        of("a.svg", Source::from("<svg/>")).unwrap();
+        let refused = of("a.plt", Source::Hpgl(Vec::new())).unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "--hide is for SVG and DXF files, and a.plt is a file of lines"
+        );
     }
 
     #[test]

@@ -38,6 +38,9 @@ impl EntityRenderer<'_, '_> {
         } else {
             PatternLine::all(it)?
         };
+        if is_solid {
+            self.cover(it, &area)?;
+        }
         if lines.is_empty() || area.rings.is_empty() {
             return self.sketch.area(area);
         }

@@ -123,10 +123,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             b"MESH" => self.mesh(&it, copy.frame),
             b"LEADER" => self.leader(&it, copy.frame),
             b"MULTILEADER" | b"MLEADER" => self.multileader(&it, copy.frame),
-            b"WIPEOUT" => {
-                self.left_out(&it, "left out, what it covers is drawn");
-                Ok(())
-            }
+            b"WIPEOUT" => self.wipeout(&it, copy.frame),
             b"HATCH" => self.hatch(&it, frame),
             // The end of a POLYLINE, and the window of a sheet.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),

@@ -189,10 +189,12 @@ impl EntityRenderer<'_, '_> {
         let fourth = if it.find(13).is_some() { 13 } else { 12 };
         let ring = [10, 11, fourth, 12].map(|code| self.place(it, frame, it.point(code)?));
         let ring = ring.into_iter().collect::<Result<_, _>>()?;
-        self.sketch.area(Area {
+        let area = Area {
             rings: vec![ring],
             rule: FillRule::NonZero,
-        })
+        };
+        self.cover(it, &area)?;
+        self.sketch.area(area)
     }
 
     /// Three or four corners, some of its edges hidden.

@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod blocks;
+mod hiding;
 mod patterns;
 mod text;
 

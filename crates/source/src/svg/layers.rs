@@ -73,21 +73,8 @@ impl Layers {
         budget: &mut Budget,
         fills: bool,
     ) -> Result<(Vec<Layer>, usize), OverBudget> {
-        if self.covers.count() == 0 {
-            return Ok((self.found, 0));
-        }
-        let mut sight = self.covers.sight();
-        let mut layers = Vec::with_capacity(self.found.len());
-        for (mut layer, heights) in self.found.into_iter().zip(&self.heights) {
-            if !fills {
-                layer.areas.clear();
-            }
-            layer = sight.layer(layer, heights, budget)?;
-            if !layer.is_empty() {
-                layers.push(layer);
-            }
-        }
-        Ok((layers, sight.unknown()))
+        self.covers
+            .what_shows(self.found, &self.heights, fills, budget)
     }
 
     fn layer(&mut self, color: InkColor) -> (&mut Layer, &mut Heights) {

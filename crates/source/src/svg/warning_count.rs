@@ -1,5 +1,6 @@
 //! Warnings of the SVG reader.
 
+use crate::hidden::UNKNOWN;
 use crate::warning::Warning;
 
 /// How often there is something of a kind that a pen does not show as a browser does.
@@ -60,10 +61,7 @@ impl WarningKind {
                 "filled shape",
                 "not hatched, it crosses itself too often to be clipped",
             ),
-            Self::Stacked => (
-                "line or area",
-                "drawn whole, too many shapes lie over it to find what of it shows",
-            ),
+            Self::Stacked => UNKNOWN,
             Self::FlowedText => (
                 "flowed text",
                 "left out; in Inkscape, Text > Convert to Text makes letters of it",

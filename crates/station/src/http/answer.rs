@@ -159,7 +159,7 @@ where
     }
 }
 
-async fn collect(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
+pub(super) async fn collect(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
     let arriving = collect_slowly(body, limit);
     let arrived = tokio::time::timeout(BODY_WITHIN, arriving).await;
     arrived.unwrap_or_else(|_| {

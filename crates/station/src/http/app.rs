@@ -7,7 +7,8 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
-use dobot_api::{Problem, Role};
+use dobot_api::{Problem, Role, StationAddress};
+use dobot_mcp::HttpAgents;
 use dobot_rules::{Handle, OwnVirtualArm, PlannedFor};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
@@ -39,6 +40,8 @@ pub(super) struct App {
     /// The drawings that are planned.
     pub(super) drawings: Drawings,
     pub(super) recordings: Recordings,
+    /// The tools for agents.
+    pub(super) agents: HttpAgents,
     /// The way to the fleet, once the station belongs to one.
     pub(super) fleet: OnceLock<FleetPort>,
     /// The keys of the offers whose drawings are being planned.
@@ -49,6 +52,15 @@ pub(super) struct App {
     /// Turns true when the station ends.
     pub(super) ending: watch::Receiver<bool>,
     began: Instant,
+}
+
+/// By what the station is reached.
+#[derive(Debug)]
+pub(super) struct Reach {
+    /// The address for itself, without a token.
+    pub(super) own: StationAddress,
+    /// The names that it goes by, besides its addresses.
+    pub(super) names: Vec<String>,
 }
 
 /// Where lies what requests read and change.
@@ -65,7 +77,7 @@ impl App {
         handle: Handle,
         tokens: Tokens,
         without_token: Option<Role>,
-        names: Vec<String>,
+        reach: Reach,
         files: AppFiles,
         virtual_arm: Option<OwnVirtualArm>,
         ending: watch::Receiver<bool>,
@@ -74,13 +86,14 @@ impl App {
             handle,
             tokens: Mutex::new(tokens),
             without_token,
-            names,
+            names: reach.names,
             policy_file: files.policy,
             virtual_arm,
             faults: Mutex::default(),
             http_leases: HttpLeases::default(),
             drawings: Drawings::default(),
             recordings: Recordings::new(files.recordings),
+            agents: HttpAgents::new(reach.own),
             fleet: OnceLock::new(),
             planning: Mutex::default(),
             addresses: Addresses::default(),

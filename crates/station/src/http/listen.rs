@@ -49,6 +49,7 @@ pub(super) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
         }
     }
     drop(listener);
+    app.agents.end();
     // Those that have not ended by then are cut off.
     let _ = timeout(END_WITHIN, async {
         while connections.join_next().await.is_some() {}

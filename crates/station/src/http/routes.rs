@@ -2,6 +2,7 @@
 //!
 //! A request is a row of it, with its body beside it: see `CONTRIBUTING.md`, "a new request".
 
+mod agents;
 mod arm;
 mod calibration;
 mod drawings;
@@ -74,6 +75,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         tokens::all(),
         virtual_arm::all(),
         fleet::all(),
+        agents::all(),
     ]
     .concat()
 });

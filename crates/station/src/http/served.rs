@@ -4,13 +4,13 @@ use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 
-use dobot_api::{Folders, Role, Running, RunningError};
+use dobot_api::{Folders, Role, Running, RunningError, StationAddress, StationAddressError};
 use dobot_rules::{Handle, OwnVirtualArm};
 use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-use super::app::{App, AppFiles};
+use super::app::{App, AppFiles, Reach};
 use super::listen;
 use super::station_api::StationApi;
 use super::tls::{Certificate, TlsError};
@@ -97,6 +97,8 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
         token: Some(tokens.make_local()?.secret().into()),
         fingerprint: certificate.as_ref().map(|it| it.fingerprint.clone()),
     };
+    let mut own = StationAddress::of(&running)?;
+    own.token = None;
     let file = web.folders.running();
     running.write(&file)?;
     let (ends, ending) = watch::channel(false);
@@ -105,7 +107,10 @@ pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
         handle,
         tokens,
         without_token,
-        web.names.clone(),
+        Reach {
+            own,
+            names: web.names.clone(),
+        },
         AppFiles {
             policy: web.policy_file.clone(),
             recordings: web.folders.recordings(),
@@ -208,6 +213,9 @@ pub enum ServeError {
     /// There is no certificate.
     #[error(transparent)]
     Tls(#[from] TlsError),
+    /// The station does not reach itself.
+    #[error(transparent)]
+    Own(#[from] StationAddressError),
     /// It cannot be said where the station is.
     #[error(transparent)]
     Running(#[from] RunningError),

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod agents;
 mod attacks;
 mod bad_input;
 mod calibrating;
@@ -28,7 +29,7 @@ use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::http::request::Builder;
 use axum::http::{HeaderMap, Request, StatusCode};
-use dobot_api::{Request as Wish, Role};
+use dobot_api::{Request as Wish, Role, StationAddress};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_rules::OwnVirtualArm;
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
@@ -37,7 +38,7 @@ use serde_json::Value;
 use tokio::sync::watch;
 use tower::ServiceExt;
 
-use super::app::{App, AppFiles, Peer};
+use super::app::{App, AppFiles, Peer, Reach};
 use super::fake::{Asked, FakeNews, driver};
 use super::listen::ConnectionSlots;
 use super::tokens::{Token, Tokens};
@@ -93,7 +94,10 @@ impl Harness {
             handle,
             tokens,
             without_token,
-            vec!["arm.local".into()],
+            Reach {
+                own: StationAddress::new(&format!("http://{to}")).unwrap(),
+                names: vec!["arm.local".into()],
+            },
             AppFiles {
                 policy: folder.path().join("policy.toml"),
                 recordings: folder.path().join("recordings"),

@@ -5,13 +5,13 @@ use std::pin::Pin;
 use std::sync::Mutex;
 use std::task::{Context, Poll};
 
-use dobot_api::{News, Role};
+use dobot_api::{News, Role, StationAddress};
 use dobot_rules::Handle;
 use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
-use super::super::super::app::AppFiles;
+use super::super::super::app::{AppFiles, Reach};
 use super::super::super::fake::{Asked, FakeNews, driver};
 use super::super::super::tokens::Tokens;
 use super::*;
@@ -68,7 +68,10 @@ impl Harness {
                 handle,
                 tokens,
                 Some(Role::Admin),
-                Vec::new(),
+                Reach {
+                    own: StationAddress::new("http://127.0.0.1:8642").unwrap(),
+                    names: Vec::new(),
+                },
                 AppFiles {
                     policy: "policy.toml".into(),
                     recordings: "recordings".into(),

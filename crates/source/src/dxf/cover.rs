@@ -1,0 +1,64 @@
+//! What hides what lies under it: filled areas, and WIPEOUT.
+
+use dobot_geometry::{Affine, Area, FillRule, Point};
+
+use super::entity::Entity;
+use super::renderer::EntityRenderer;
+use crate::error::SourceError;
+
+impl EntityRenderer<'_, '_> {
+    /// A filled area hides what was drawn before it, unless something shows through.
+    pub(super) fn cover(&mut self, it: &Entity<'_>, area: &Area) -> Result<(), SourceError> {
+        if is_opaque(it)? {
+            self.sketch.cover(&area.rings, area.rule)?;
+        }
+        Ok(())
+    }
+
+    /// An area that is nothing but paper over what was drawn before it.
+    ///
+    /// ```text
+    ///   -0.5,-0.5 +-------+        Its corners (14, 24) are counted in pixels from the middle of the upper left one,
+    ///             |       |        down. A pixel is as wide as 11, 21 and as high as 12, 22; the picture begins at
+    ///     10, 20 -+-------+        10, 20 and is so many (23) high.
+    /// ```
+    pub(super) fn wipeout(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+        if !self.sketch.hides() {
+            self.left_out(
+                it,
+                "left out, what it covers is drawn; --hide leaves that out",
+            );
+            return Ok(());
+        }
+        let corner = it.point(10)?;
+        let [across, up] = [it.point(11)?.to_vec2(), it.point(12)?.to_vec2()];
+        let (wide, high) = (it.number_or(13, 1.0)?, it.number_or(23, 1.0)?);
+        let whole = [Point::new(-0.5, -0.5), Point::new(wide - 0.5, high - 0.5)];
+        let corners = match it.points(14)?.as_slice() {
+            [] => rectangle(whole),
+            &[a, b] => rectangle([a, b]),
+            corners => corners.to_vec(),
+        };
+        let places = corners
+            .into_iter()
+            .map(|p| corner + across * (p.x + 0.5) + up * (high - 0.5 - p.y))
+            .map(|p| self.place(it, frame, p));
+        let ring = places.collect::<Result<_, _>>()?;
+        self.sketch.cover(&[ring], FillRule::EvenOdd)
+    }
+}
+
+/// Whether nothing shows through; that of a whole layer or block does not count.
+fn is_opaque(it: &Entity<'_>) -> Result<bool, SourceError> {
+    let transparency = it.flags(440)?;
+    let is_own = transparency >> 24 == BY_VALUE;
+    Ok(!is_own || transparency & 0xff == OPAQUE)
+}
+
+fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
+    vec![a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)]
+}
+
+/// How a transparency (440) says that its last byte is one.
+const BY_VALUE: u32 = 2;
+const OPAQUE: u32 = 0xff;

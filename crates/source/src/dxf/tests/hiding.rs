@@ -1,0 +1,141 @@
+use super::blocks::{MATRICES, with_objects};
+use super::*;
+
+const LINE: &str = "0 LINE 10 0 20 5 11 60 21 5";
+/// From 20 to 40 and from 0 to 10, so that it lies over a third of the line.
+const SOLID: &str = "0 SOLID 10 20 20 0 11 40 21 0 12 20 22 10 13 40 23 10";
+const EDGE_MM: f64 = 60.0;
+
+fn hidden_text(text: &str) -> (Artwork, Vec<String>) {
+    let hides = ReadOptions {
+        hides: true,
+        ..ReadOptions::default()
+    };
+    let (artwork, warnings) = super::super::read(text.as_bytes(), &hides).unwrap();
+    (artwork, warnings.iter().map(Warning::to_string).collect())
+}
+
+/// The length of all lines that show.
+#[track_caller]
+fn shown_mm(entities: &str) -> f64 {
+    let (artwork, warnings) = hidden_text(&file("", "", entities));
+    assert_eq!(warnings, [""; 0]);
+    length_mm(&artwork)
+}
+
+fn length_mm(artwork: &Artwork) -> f64 {
+    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    strokes.map(Stroke::length_mm).sum()
+}
+
+#[track_caller]
+fn same(found_mm: f64, expected_mm: f64) {
+    let off_mm = (found_mm - expected_mm).abs();
+    assert!(
+        off_mm < 1e-3,
+        "{found_mm} mm, expected are {expected_mm} mm"
+    );
+}
+
+#[test]
+fn a_line_under_a_solid_is_cut_and_one_upon_it_is_not() {
+    same(shown_mm(&format!("{LINE} {SOLID}")), 40.0 + EDGE_MM);
+    same(shown_mm(&format!("{SOLID} {LINE}")), 60.0 + EDGE_MM);
+    let trace = SOLID.replace("SOLID", "TRACE");
+    same(shown_mm(&format!("{LINE} {trace}")), 40.0 + EDGE_MM);
+}
+
+#[test]
+fn without_hiding_all_of_it_is_drawn() {
+    let (artwork, _) = draw(&format!("{LINE} {SOLID}"));
+    same(length_mm(&artwork), 60.0 + EDGE_MM);
+}
+
+#[test]
+fn lines_of_other_layers_are_hidden_too() {
+    let line = LINE.replace("LINE", "LINE 8 ink");
+    same(shown_mm(&format!("{line} {SOLID}")), 40.0 + EDGE_MM);
+}
+
+#[test]
+fn the_outline_of_a_filled_shape_shows_whether_it_was_drawn_before_or_after() {
+    let outline = "0 LWPOLYLINE 70 1 10 20 20 0 10 40 20 0 10 40 20 10 10 20 20 10";
+    for entities in [format!("{outline} {SOLID}"), format!("{SOLID} {outline}")] {
+        same(shown_mm(&entities), EDGE_MM);
+    }
+    // Another square under both: its edge stays hidden.
+    let under = "0 LWPOLYLINE 70 1 10 25 20 2 10 35 20 2 10 35 20 8 10 25 20 8";
+    same(shown_mm(&format!("{under} {outline} {SOLID}")), EDGE_MM);
+}
+
+#[test]
+fn a_filled_hatch_hides_and_its_island_shows_what_lies_under_it() {
+    let hatch = |solid: &str| {
+        format!(
+            "{LINE} 0 HATCH 2 X 70 {solid} 71 0 91 2
+            92 3 72 0 73 1 93 4 10 20 20 0 10 40 20 0 10 40 20 10 10 20 20 10 97 0
+            92 2 72 0 73 1 93 4 10 25 20 2 10 35 20 2 10 35 20 8 10 25 20 8 97 0 75 0"
+        )
+    };
+    let edges_mm = EDGE_MM + 2.0 * (10.0 + 6.0);
+    same(shown_mm(&hatch("1")), 50.0 + edges_mm);
+    // One that is not filled hides nothing.
+    same(shown_mm(&hatch("0")), 60.0 + edges_mm);
+}
+
+#[test]
+fn what_is_seen_through_hides_nothing() {
+    let faint = SOLID.replace("SOLID", &format!("SOLID 440 {}", 0x0200_007f));
+    same(shown_mm(&format!("{LINE} {faint}")), 60.0 + EDGE_MM);
+    let opaque = SOLID.replace("SOLID", &format!("SOLID 440 {}", 0x0200_00ff));
+    same(shown_mm(&format!("{LINE} {opaque}")), 40.0 + EDGE_MM);
+}
+
+#[test]
+fn an_area_is_hatched_only_where_it_shows() {
+    let big = "0 SOLID 10 0 20 0 11 60 21 0 12 0 22 10 13 60 23 10";
+    let (artwork, _) = hidden_text(&file("", "", &format!("{big} {SOLID}")));
+    let area = |area: &dobot_geometry::Area| {
+        let twice = |ring: &Vec<Point>| {
+            let next = ring.iter().cycle().skip(1);
+            let pairs = ring.iter().zip(next);
+            pairs.map(|(a, b)| a.x * b.y - b.x * a.y).sum::<f64>()
+        };
+        area.rings.iter().map(twice).sum::<f64>().abs() / 2.0
+    };
+    let areas: f64 = artwork.layers[0].areas.iter().map(area).sum();
+    // 400 mm2 beside the small one, and the 200 mm2 of the small one.
+    assert!((areas - 600.0).abs() < 0.1, "{areas}");
+}
+
+#[test]
+fn a_wipeout_hides_and_is_not_drawn_itself() {
+    // A square picture of one pixel from 20 to 40 and from -5 to 15.
+    let wipeout = "0 WIPEOUT 10 20 20 -5 11 20 21 0 12 0 22 20 13 1 23 1";
+    same(shown_mm(&format!("{LINE} {wipeout}")), 40.0);
+    same(shown_mm(&format!("{wipeout} {LINE}")), 60.0);
+    // Its left half, by two corners, and a triangle whose edges cross the line at 30 and 40.
+    let left = format!("{LINE} {wipeout} 71 1 91 2 14 -0.5 24 -0.5 14 0 24 0.5");
+    same(shown_mm(&left), 50.0);
+    let corner = "71 2 91 4 14 -0.5 24 0.5 14 0.5 24 0.5 14 0.5 24 -0.5 14 -0.5 24 0.5";
+    same(shown_mm(&format!("{LINE} {wipeout} {corner}")), 50.0);
+    let high = "0 LINE 10 30 20 9 11 40 21 9";
+    // There the triangle begins at 34.
+    same(shown_mm(&format!("{high} {wipeout} {corner}")), 4.0);
+}
+
+#[test]
+fn what_a_clipped_block_hides_lies_in_its_clip() {
+    let blocks = format!("0 BLOCK 2 a {SOLID} 0 ENDBLK");
+    let line = "0 LINE 10 100 20 5 11 160 21 5";
+    let insert = "0 INSERT 5 1F 102 {ACAD_XDICTIONARY 360 D1 102 } 2 a 10 100 20 0";
+    let objects = format!(
+        "0 DICTIONARY 5 D1 3 ACAD_FILTER 360 D2 0 DICTIONARY 5 D2 3 SPATIAL 360 F1
+        0 SPATIAL_FILTER 5 F1 330 D2 70 2 10 100 20 -1 10 130 20 11 71 1 72 0 73 0 {MATRICES}"
+    );
+    let text = with_objects(&blocks, &format!("{line} {insert}"), &objects);
+    let (artwork, warnings) = hidden_text(&text);
+    assert_eq!(warnings, [""; 0]);
+    // Half of the solid, with three of its edges.
+    same(length_mm(&artwork), 50.0 + 10.0 + 10.0 + 10.0);
+}
