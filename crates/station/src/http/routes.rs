@@ -7,6 +7,7 @@ mod calibration;
 mod drawings;
 mod fleet;
 mod jobs;
+mod learners;
 mod leases;
 mod motion;
 mod observing;
@@ -65,6 +66,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         observing::all(),
         motion::all(),
         leases::all(),
+        learners::all(),
         arm::all(),
         calibration::all(),
         jobs::all(),
