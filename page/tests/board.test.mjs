@@ -206,6 +206,28 @@ test("a text and a group show some of the tiles; STOP ALL stops all of them", as
   await page.waitForSelector("#none");
 });
 
+test("who has control is told with for how long, and who asks for it", async () => {
+  const lease = { client: 2, name: "Anna", is_program: false, since_s: 10 - 95, asked_by: [{ client: 3, name: "Ben" }, { client: 4, name: "Chen" }] };
+  const { page } = await open([member("desk-1", { here: true, lease }), member("desk-2")]);
+  await page.waitForSelector(".tile");
+  assert.equal(await text(page, ".tile[data-member=desk-1] .who"), "Anna · 2 ask for it");
+  await page.click(".tile[data-member=desk-1] .name");
+  const facts = await page.$$eval("#details .facts div", (all) => all.map((it) => [it.querySelector("dt").textContent, it.querySelector("dd").textContent]));
+  assert.deepEqual(facts.slice(0, 2), [["Control", "Anna, for 1 min 35 s"], ["Asks for control", "Ben, Chen"]]);
+});
+
+test("who takes a lesson is on the tile with the step, and who is stuck can be shown alone", async () => {
+  const { page } = await open(crowd(12));
+  await page.waitForSelector(".tile[data-member=desk-3] .learner");
+  assert.equal(await text(page, ".tile[data-member=desk-3] .learner"), "Mia Tour: five minutes step 4 of 12 for 12 s");
+  assert.match(await page.textContent(".tile[data-member=desk-7] .alarms"), /stuck/);
+  assert.equal(await text(page, "#count [data-sort=stuck]"), "1 stuck");
+  await page.click("#count [data-sort=stuck]");
+  await page.waitForFunction(() => document.querySelectorAll(".tile").length === 1);
+  await page.click(".tile[data-member=desk-7] .name");
+  assert.equal(await text(page, "#details .learner"), "Chen Tour: five minutes step 5 of 12 for 7 min 11 s");
+});
+
 test("a tile that changes stays where it is", async () => {
   const members = crowd(30);
   const { page, station } = await open(members);

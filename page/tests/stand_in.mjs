@@ -28,6 +28,8 @@ export const job = (title, completed, commands = 100, other = {}) => ({ job: 4, 
 /** What it is at, what waits, and what is over. */
 const jobsOf = ({ state: { job: now } }) => [job("first try.svg", 80, 80, { job: 3, phase: "done", took_s: 61, left_s: null }), ...(now ? [{ ...now, job: 4 }] : []), job("card for Mia.svg", 0, 120, { job: 5, phase: "queued", left_s: null })];
 
+export const learner = (student, done, for_s = 12, lesson = "tour") => ({ student, lesson, done, steps: 12, for_s });
+
 /** Work for any arm, as the station of the board tells it. */
 export const work = (id, phase, other = {}) => ({ id: id.padEnd(32, "0"), title: `${id}.svg`, student: "Anna", needs: ["pen"], submitted_ms: Date.UTC(2026, 2, 2, 9, 30), phase, ...other });
 
@@ -42,6 +44,13 @@ export const queue = (members) => {
     work("a4", "waiting", { title: "Zoë's name", student: "Zoë", group: "room-2", needs: ["pen", "a5"], before: [{ ...of(3), drawn: "12 of 80 commands were done when it was heard of last", is_settled: true }] }),
     work("a5", "waiting", { title: "cup.svg", student: "Ben", needs: ["laser"], reason: "no station that takes work and has laser is there now; `dobot up --takes-work --offers ...` makes one" }),
   ];
+};
+
+/** Who takes a lesson there: at some of them somebody, and one of these does not get on. */
+const learnersOf = ({ name }) => {
+  const number = Number(name.split("-")[1]);
+  if (number % 4 !== 3) return [];
+  return [number % 8 === 3 ? learner(["Mia", "Ben", "Zoë"][number % 3], number % 12) : learner("Chen", 4, 431)];
 };
 
 /** @param {object[]} members @param {(request: { method: string, path: string, body: any, token: string | null }) => { status?: number, body: unknown } | typeof SILENT | undefined} answer what is answered otherwise @param {object[]} submitted the work for any arm */
@@ -80,6 +89,7 @@ export async function standIn(members, answer = () => undefined, submitted = [])
   });
   const answerOf = (it, { path, method }) => {
     if (it.presence.type === "away") return { status: 503, body: { type: "/api/v1/problems/member-away", title: "away", status: 503, detail: `${it.name} cannot be reached` } };
+    if (path === "/api/v1/learners") return { status: 200, body: learnersOf(it) };
     return { status: 200, body: path === "/api/v1/jobs" && method === "GET" ? jobsOf(it) : { type: "done" } };
   };
   server.listen(0, "127.0.0.1");

@@ -19,6 +19,7 @@ import { begin, reduce } from "./state.js";
 import { banners, head, question, toasts } from "./head.js";
 import { tiles } from "./tiles.js";
 import { outcomeOf } from "./outcome.js";
+import { followLearners } from "./learners.js";
 import { listenToWalk } from "./walk.js";
 
 /** @typedef {ReturnType<typeof createBoard>} Store */
@@ -30,7 +31,7 @@ import { listenToWalk } from "./walk.js";
 const TEXTS_MS = 150;
 const TOLD_MS = 12_000;
 /** What comes by itself, many times in a second. */
-const FREQUENT = new Set(["members", "alive", "tick", "queue"]);
+const FREQUENT = new Set(["members", "alive", "tick", "queue", "learners"]);
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -139,6 +140,7 @@ store.listen((board, message) => {
 dark.addEventListener("change", () => changed(false));
 
 listenToStop(() => void requests.stop("all"));
+followLearners(store, http);
 listenToWalk(part("tiles"), ".tile .name");
 listenToDrops(part("floor"), (file) => {
   store.send({ type: "queue_form", form: { what: "file", file } });

@@ -14,7 +14,7 @@ import { problemText, told, toneOfTold, toText } from "./told.js";
 
 /** From when on it is told how old all of this is. */
 const OLD_MS = 2000;
-const SORT_TONES = { working: "good", stopped: "bad", away: "warn", locked: "warn" };
+const SORT_TONES = { working: "good", stopped: "bad", away: "warn", locked: "warn", stuck: "warn" };
 
 /** @param {Context} context */
 export function head(context) {

@@ -1,6 +1,7 @@
 // The state of the board: one tree, changed by `reduce` alone. Pure: no clock, no document, no network.
 
 import { order } from "./members.js";
+import { problemOf } from "./outcome.js";
 import { NO_QUEUE, reduceQueue } from "./queue.js";
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -44,6 +45,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * @typedef {{ type: "fleet", name: string, members: readonly Member[], now_ms: number }
  * | { type: "members", members: readonly Member[], now_ms: number }
  * | { type: "alive", now_ms: number }
+ * | { type: "learners", answers: readonly MemberAnswer[] }
  * | { type: "connecting" }
  * | { type: "closed", problem: Problem | null }
  * | { type: "alone" }
@@ -89,11 +91,13 @@ export const begin = ({ language, theme }) => ({
 export function reduce(board, message) {
   switch (message.type) {
     case "fleet":
-      return { ...board, connection: "open", name: message.name, members: order(message.members), heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, connection: "open", name: message.name, members: order(withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
     case "members":
-      return { ...board, members: withNews(board.members, message.members), heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, members: withNews(board.members, withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
     case "alive":
       return { ...board, heard_ms: message.now_ms, now_ms: message.now_ms };
+    case "learners":
+      return { ...board, members: board.members.map((it) => ({ ...it, learners: learnersOf(message.answers, it) })) };
     case "connecting":
       return board.connection === "token" ? { ...board, connection: "connecting" } : board;
     case "closed":
@@ -144,6 +148,21 @@ function withNews(members, news) {
   if (!isNew) return members.map((it) => changed.get(it.id) ?? it);
   const all = new Map([...members, ...news].map((it) => [it.id, it]));
   return order([...all.values()]);
+}
+
+/** Members as they are told anew, with the students that are known of them. @param {readonly Member[]} members @param {readonly Member[]} news @returns {Member[]} */
+function withLearners(members, news) {
+  const known = new Map(members.map((it) => [it.id, it.learners]));
+  return news.map((it) => {
+    const learners = known.get(it.id);
+    return learners ? { ...it, learners } : it;
+  });
+}
+
+/** The students of a station; where it does not answer nothing is known of them. @param {readonly MemberAnswer[]} answers @param {Member} member */
+function learnersOf(answers, { id }) {
+  const answer = answers.find((it) => it.id === id)?.answer;
+  return answer && !problemOf(answer) ? /** @type {import("./members.js").Learner[]} */ (answer.body) : [];
 }
 
 /** Of two that were asked the later one counts. @param {Board} board @param {Extract<Message, { type: "answered" }>} message @returns {Board} */
