@@ -112,6 +112,18 @@ test("eyes on me holds each arm and is told on the student's page, a message too
   await state(student, ({ lock }) => !lock);
 });
 
+test("a student who takes a lesson is on the board with the step", async () => {
+  await student.waitForSelector("#fleet");
+  await student.click("#first-tour");
+  await student.fill("#lesson-who input", "Anna");
+  await student.click("#lesson-who button");
+  await says(`${tile("desk-2")} .learner`, "step 1 of 12");
+  await student.click("#lesson-next");
+  await says(`${tile("desk-2")} .learner`, "step 2 of 12");
+  assert.match(await board.textContent(`${tile("desk-2")} .learner`), /^Anna /);
+  await student.click("#lesson-end");
+});
+
 test("with the router killed the others are away, what they have is in doubt, and STOP ALL says who did not answer", async () => {
   await submit("Ben", "Ben");
   await state(student, ({ job }) => job?.phase === "running");
