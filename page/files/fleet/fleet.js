@@ -10,6 +10,7 @@ import { showQuestion } from "../views/sure.js";
 import { languageOf, speak } from "../words/words.js";
 import { details } from "./details.js";
 import { followFleet } from "./follow.js";
+import { followLearners } from "./follow_learners.js";
 import { foot } from "./foot.js";
 import { createPictures } from "./pictures.js";
 import { queue } from "./queue_list.js";
@@ -19,7 +20,6 @@ import { begin, reduce } from "./state.js";
 import { banners, head, question, toasts } from "./head.js";
 import { tiles } from "./tiles.js";
 import { outcomeOf } from "./outcome.js";
-import { followLearners } from "./learners.js";
 import { listenToWalk } from "./walk.js";
 
 /** @typedef {ReturnType<typeof createBoard>} Store */
