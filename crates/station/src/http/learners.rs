@@ -157,6 +157,7 @@ const MOST: usize = 64;
 const KEPT_FOR: Duration = Duration::from_secs(60);
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
 

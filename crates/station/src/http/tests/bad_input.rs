@@ -82,6 +82,8 @@ fn bodies_that_the_document_allows_are_taken_and_others_change_nothing() {
                     // A text may be no program, policy, scene, fault or name, touches may tell nothing; of the keys of a step some exclude each other.
                     let reads = [
                         "/drawings",
+                        "/fleet/work",
+                        "/fleet/offers",
                         "/calibration/",
                         "/programs/",
                         "/policy",
