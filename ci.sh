@@ -6,7 +6,7 @@
 #   ./ci.sh help         the steps, a line each
 #
 # Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models`, `recordings`, `fleet` and `python`, Node and Chromium for
-# `page`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
+# `page` and `fleet`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
 #
 # Why these steps:
 #
@@ -29,7 +29,7 @@
 #   that were repaired; pandas, pyarrow and datasets read what was exported, and Foxglove's own client from npm what a
 #   station tells live.
 # - `fleet` gives each of three stations a network of its own, as root or where the system lets a user have some; a peer in
-#   Python reads their states and stops one.
+#   Python reads their states and stops one, and a class uses the board, in browsers in two of the networks.
 # - `ros2` fetches `cyclonedds` from PyPI, an implementation of DDS that is not ours, and lets a program in Python use a
 #   virtual arm through `dobot-ros2` and a station, on the loopback.
 # - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
@@ -63,7 +63,7 @@ readonly CI_STEPS=(
   "api          try a station's API with requests made from its own document"
   "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
   "recordings   do PyPI's mcap, pandas and datasets, and Foxglove's client, read what is recorded?"
-  "fleet        a class in three networks: stations, a router that is killed, and PyPI's eclipse-zenoh as a peer"
+  "fleet        a class in three networks: stations, a router that is killed, PyPI's eclipse-zenoh as a peer, and the board in a browser"
   "ros2         does PyPI's cyclonedds use the arm over ROS 2: states, targets, jogs, trajectories, a stop?"
   "python       does the Python package build, install, and do what its tests and types say?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
@@ -303,6 +303,11 @@ step_fleet() {
   build_all
   tests/fleet/class.sh "$(realpath "$(built)/dobot")" "$folder/bin/python"
   rm -rf "$folder"
+  needs_command node nodejs
+  needs_command npm npm
+  needs_command chromium chromium
+  npm ci --prefix page --no-audit --no-fund
+  tests/fleet/board.sh "$(realpath "$(built)/dobot")" "$(command -v chromium)"
 }
 
 step_ros2() {

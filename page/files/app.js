@@ -60,7 +60,7 @@ const store = createStore(begin({ language: languageOf(navigator.languages), the
 const http = createHttp();
 const socket = createSocket({ store, http });
 const setUpRequests = createSetUp(store, http, socket);
-const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
+const act = createActions({ store, socket, http, setUp: setUpRequests, calibrate: createCalibrate(store, http, setUpRequests.change), recordings: createRecordings(store, http), lessons: createLessons(store, http), createJobs: (takeIfFree) => createJobs(store, http, socket, takeIfFree), createTeach: (takeIfFree) => createTeach(store, http, socket, takeIfFree) });
 const jog = createJog(store, socket, act.takeIfFree);
 const pads = createPads(store, socket, act.takeIfFree);
 const stage = createStage(part("stage"));

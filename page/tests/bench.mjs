@@ -41,7 +41,7 @@ class Told {
 const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
 
 /** A browser; with `webgl` it draws in three dimensions. */
-export const launch = (webgl = false) => chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
+export const launch = (webgl = false, executablePath = CHROMIUM) => chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
 
 /** With FILES=disk the page is that of the folder, so that nothing has to be built after a change of it. */
 export async function serveFromDisk(context, station) {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
 import { launch } from "./bench.mjs";
-import { crowd, member, standIn } from "./stand_in.mjs";
+import { crowd, member, queue, standIn } from "./stand_in.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 360, height: 740 } };
@@ -22,8 +22,8 @@ afterEach(async () => {
 });
 
 /** The board of these stations, and the stand-in that tells them. */
-async function open(members, { answer, ...options } = {}) {
-  const station = await standIn(members, answer);
+async function open(members, { answer, submitted, ...options } = {}) {
+  const station = await standIn(members, answer, submitted);
   const context = await browser.newContext({ viewport: SIZES.desktop, reducedMotion: "reduce", ...options });
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(error));
@@ -40,7 +40,8 @@ for (const [size, viewport] of Object.entries(SIZES)) {
   for (const colorScheme of ["light", "dark"]) {
     test(`axe finds nothing on a ${size} in the ${colorScheme} theme`, async () => {
       const answer = ({ path, body }) => (path === "/api/v1/fleet/requests" && body.method === "DELETE" ? { body: [{ member: "desk-7", id: "7", answer: { status: 401, body: DENIED }, took_ms: 1 }] } : undefined);
-      const { page } = await open(crowd(30), { viewport, colorScheme, answer });
+      const members = crowd(30);
+      const { page } = await open(members, { viewport, colorScheme, answer, submitted: queue(members) });
       await page.waitForSelector(".tile");
       await page.evaluate(AXE);
       const look = async (what) => {
@@ -60,18 +61,26 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       await page.click(".tile[data-member=desk-5] .name");
       await page.waitForSelector("#details-title");
       await look("details");
+      await page.click("#queue-open");
+      await page.waitForSelector("#queue [data-work]");
+      await look("queue");
     });
   }
 }
 
 test("on a phone nothing hangs over the edge, and STOP ALL is the largest thing, within reach of a thumb", async () => {
-  const { page } = await open(crowd(30), { viewport: SIZES.phone, hasTouch: true, isMobile: true });
+  const members = crowd(30);
+  const { page } = await open(members, { viewport: SIZES.phone, hasTouch: true, isMobile: true, submitted: queue(members) });
   await page.waitForSelector(".tile");
   const lock = async () => {
     await page.click("#lock");
     await page.waitForSelector("#told[data-tone=bad]");
   };
-  for (const lead of [async () => {}, () => page.click("#stop"), () => page.click("#lesson-open"), lock, () => page.click(".tile[data-member=desk-1] .name")]) {
+  const queued = async () => {
+    await page.click("#queue-open");
+    await page.waitForSelector("#queue [data-work]");
+  };
+  for (const lead of [async () => {}, () => page.click("#stop"), () => page.click("#lesson-open"), lock, () => page.click(".tile[data-member=desk-1] .name"), queued]) {
     await lead();
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), SIZES.phone.width);
     const stop = await page.locator("#stop").boundingBox();
@@ -195,6 +204,28 @@ test("a text and a group show some of the tiles; STOP ALL stops all of them", as
   await page.click("#count [data-sort=away]");
   await page.fill("#sought", "no such thing");
   await page.waitForSelector("#none");
+});
+
+test("who has control is told with for how long, and who asks for it", async () => {
+  const lease = { client: 2, name: "Anna", is_program: false, since_s: 10 - 95, asked_by: [{ client: 3, name: "Ben" }, { client: 4, name: "Chen" }] };
+  const { page } = await open([member("desk-1", { here: true, lease }), member("desk-2")]);
+  await page.waitForSelector(".tile");
+  assert.equal(await text(page, ".tile[data-member=desk-1] .who"), "Anna · 2 ask for it");
+  await page.click(".tile[data-member=desk-1] .name");
+  const facts = await page.$$eval("#details .facts div", (all) => all.map((it) => [it.querySelector("dt").textContent, it.querySelector("dd").textContent]));
+  assert.deepEqual(facts.slice(0, 2), [["Control", "Anna, for 1 min 35 s"], ["Asks for control", "Ben, Chen"]]);
+});
+
+test("who takes a lesson is on the tile with the step, and who is stuck can be shown alone", async () => {
+  const { page } = await open(crowd(12));
+  await page.waitForSelector(".tile[data-member=desk-3] .learner");
+  assert.equal(await text(page, ".tile[data-member=desk-3] .learner"), "Mia Tour: five minutes step 4 of 12 for 12 s");
+  assert.match(await page.textContent(".tile[data-member=desk-7] .alarms"), /stuck/);
+  assert.equal(await text(page, "#count [data-sort=stuck]"), "1 stuck");
+  await page.click("#count [data-sort=stuck]");
+  await page.waitForFunction(() => document.querySelectorAll(".tile").length === 1);
+  await page.click(".tile[data-member=desk-7] .name");
+  assert.equal(await text(page, "#details .learner"), "Chen Tour: five minutes step 5 of 12 for 7 min 11 s");
 });
 
 test("a tile that changes stays where it is", async () => {

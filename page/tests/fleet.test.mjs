@@ -228,6 +228,27 @@ test("eyes on me holds every arm, and its own page says who and why; a message a
   await own.context().close();
 });
 
+test("a student who takes a lesson says a name once, and the board shows the lesson and the step", async () => {
+  const own = await visit("desk-2");
+  await own.waitForSelector("#fleet");
+  await own.click("#first-tour");
+  await own.fill("#lesson-who input", "Anna");
+  await own.click("#lesson-who button");
+  await own.waitForSelector("#lesson-student");
+  const line = (text) => page.waitForFunction((text) => document.querySelector(".tile[data-member=desk-2] .learner")?.textContent.includes(text), text);
+  await line("step 1 of 12");
+  assert.match(await page.textContent(`${tile("desk-2")} .learner`), /^Anna .*Tour/);
+  await own.click("#lesson-next");
+  await line("step 2 of 12");
+  await own.reload();
+  await own.click("#tab-set_up");
+  await own.click("#lessons-open");
+  await own.click("[data-lesson=kinematics]");
+  await own.waitForSelector("#lesson-student");
+  await line("Inverse kinematics by hand");
+  await own.context().close();
+});
+
 test("what an arm has drawn is saved as a picture", async () => {
   const saving = page.waitForEvent("download");
   await page.click("#details-drawing");

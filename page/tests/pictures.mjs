@@ -3,7 +3,7 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { open } from "./bench.mjs";
-import { crowd, standIn } from "./stand_in.mjs";
+import { crowd, queue, standIn } from "./stand_in.mjs";
 import { VIEWS, look } from "./views.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/pictures/page/", import.meta.url));
@@ -49,12 +49,12 @@ for (const name of names) {
   }
 }
 if (!wanted.length || wanted.includes(BOARD)) {
-  const station = await standIn(crowd(STATIONS));
+  const members = crowd(STATIONS), station = await standIn(members, undefined, queue(members));
   for (const [size, theme, language] of LOOKS) {
     const context = await writer.context().browser().newContext(look({ size, theme, language }));
     const page = await context.newPage();
     await page.goto(station.url);
-    await page.waitForSelector(".tile");
+    await page.waitForSelector(".tile .learner");
     if (size !== "phone") await page.click(".tile[data-member=desk-5] .name");
     await page.click("#stop");
     await page.waitForSelector("#stop-told .silent");

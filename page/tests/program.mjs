@@ -5,9 +5,10 @@ import { createInterface } from "node:readline";
 
 const DOBOT = process.env.DOBOT ?? "dobot";
 
-/** Starts the program, and waits for a line of it. */
-export async function start(words, line) {
-  const child = spawn(DOBOT, words, { stdio: ["ignore", "pipe", "inherit"] });
+/** Starts the program, and waits for a line of it; with `within`, through another program that becomes it, such as `ip netns exec`. */
+export async function start(words, line, within = []) {
+  const [program, ...rest] = [...within, DOBOT, ...words];
+  const child = spawn(program, rest, { stdio: ["ignore", "pipe", "inherit"] });
   for await (const text of createInterface({ input: child.stdout })) {
     const found = text.match(line);
     if (found) {

@@ -4,23 +4,11 @@
 #
 #   class.sh PROGRAM PYTHON
 #
-# PROGRAM is a `dobot` with the feature `fleet`, PYTHON one that has PyPI's `eclipse-zenoh`. It takes namespaces for
-# networks: as root, or where the system lets a user have some of his own.
+# PROGRAM is a `dobot` with the feature `fleet`, PYTHON one that has PyPI's `eclipse-zenoh`.
 set -euo pipefail
-if [[ $(id -u) != 0 ]]; then
-  exec unshare --user --map-root-user --net --mount "$0" "$@"
-fi
-# The names of the namespaces are this run's own.
-if [[ -z ${DOBOT_CLASS:-} ]]; then
-  DOBOT_CLASS=1 exec unshare --mount --pid --fork --kill-child "$0" "$@"
-fi
-mount -t tmpfs tmpfs /run
-mount -t proc proc /proc
 readonly PROGRAM=$1 PYTHON=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+source "$here/networks.sh"
 
 # Runs something in the network of a desk, or of the router, with its own data.
 at() {
@@ -50,19 +38,10 @@ start_router() {
   router=$!
 }
 
-"$PROGRAM" fleet certificates keys desk-1 desk-2 desk-3 router=127.0.0.1,10.7.1.1,10.7.2.1,10.7.3.1 peer >/dev/null
-ip netns add router
-ip -n router link set lo up
+make_networks "$PROGRAM"
 start_router
 for number in 1 2 3; do
   desk=desk-$number
-  ip netns add $desk
-  ip -n $desk link set lo up
-  ip link add out netns $desk type veth peer name to$number netns router
-  ip -n $desk addr add 10.7.$number.2/24 dev out
-  ip -n $desk link set out up
-  ip -n router addr add 10.7.$number.1/24 dev to$number
-  ip -n router link set to$number up
   at $desk "$PROGRAM" up --virtual --raw off --no-open --name $desk --group room-$((number / 2)) \
     --fleet=keys/$desk --connect tls/10.7.$number.1:7447 >$desk.log 2>&1 &
 done

@@ -18,6 +18,7 @@ mod fleet;
 mod fleet_offers;
 mod fleet_work;
 mod http_leases;
+mod learners;
 mod listen;
 mod messages;
 mod metrics;

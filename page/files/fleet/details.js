@@ -6,7 +6,9 @@ import { TONES } from "../panels/jobs.js";
 import { shelves } from "../state/jobs.js";
 import { clock, span } from "../words/words.js";
 import { resetQuestion } from "./foot.js";
+import { learnerLine } from "./learners.js";
 import { alarms, isThere, lockOf, pageOf, share } from "./members.js";
+import { ofArm } from "./queue_list.js";
 import { problemText } from "./told.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
@@ -38,7 +40,7 @@ export function details(context) {
       ${state?.stop ? html`<button id="details-reset" type="button" class="small" ?disabled=${!isThere(member)} @click=${() => act.send({ type: "question", question: resetQuestion(board.language, [member]) })}>${say("stopped.reset")}</button>` : nothing}
       <button id="details-drawing" type="button" class="small" ?disabled=${!isThere(member) || !member.about?.is_virtual} @click=${() => void act.saveDrawings(to)}>${say("fleet.drawing")}</button>
     </div>
-    ${presence.type === "present" ? html`${numbers(context, member)}${jobs(context, member)}` : nothing}`;
+    ${presence.type === "present" ? html`${numbers(context, member)}${learners(context, member)}${ofArm(context, member)}${jobs(context, member)}` : nothing}`;
 }
 
 /** What stands behind the alarms, in the stations' own words. @param {Context} context @param {Member} member */
@@ -57,9 +59,10 @@ function reasons({ say }, { presence, state }) {
 
 /** @param {Context} context @param {Member} member */
 function numbers({ say }, { about, state }) {
-  const arm = state?.arm;
+  const arm = state?.arm, lease = state?.lease;
   /** @type {[Word, string][]} */ const rows = [
-    ["fleet.control", state?.lease?.name ?? say("fleet.free")],
+    ["fleet.control", lease ? say("fleet.control.for", { name: lease.name, time: span(say, state.at_s - lease.since_s) }) : say("fleet.free")],
+    ["fleet.asks", lease?.asked_by.map(({ name }) => name).join(", ") || "–"],
     ["fleet.where", arm ? ["x_mm", "y_mm", "z_mm"].map((it) => Math.round(Number(arm[/** @type {"x_mm"} */ (it)]))).join(", ") + " mm" : "–"],
     ["watch.statuses", say("watch.statuses.value", { rate: state?.link.statuses_per_s.toFixed(1) ?? "–" })],
     ["watch.address", state?.link.address ?? say("watch.not_found")],
@@ -68,6 +71,11 @@ function numbers({ say }, { about, state }) {
     ["fleet.version", about?.version ?? "–"],
   ];
   return html`<dl class="facts">${rows.map(([word, value]) => html`<div><dt>${say(word)}</dt><dd>${value}</dd></div>`)}</dl>`;
+}
+
+/** @param {Context} context @param {Member} member */
+function learners({ say }, { learners = [] }) {
+  return learners.length ? html`<h3 id="details-learners">${say("fleet.learners")} <small>${learners.length}</small></h3>${learners.map((it) => learnerLine(say, it))}` : nothing;
 }
 
 /** @param {Context} context @param {Member} member */

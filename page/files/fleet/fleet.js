@@ -1,5 +1,6 @@
 // The board of a fleet: wires stations, state and views together.
 
+import { listenToDrops } from "../hands/drop.js";
 import { listenToStop } from "../hands/keys.js";
 import { isDarkTheme, readWishes } from "../parts/wishes.js";
 import { hold } from "../state/hold.js";
@@ -9,8 +10,11 @@ import { showQuestion } from "../views/sure.js";
 import { languageOf, speak } from "../words/words.js";
 import { details } from "./details.js";
 import { followFleet } from "./follow.js";
+import { followLearners } from "./follow_learners.js";
 import { foot } from "./foot.js";
 import { createPictures } from "./pictures.js";
+import { queue } from "./queue_list.js";
+import { createQueueRequests } from "./queue_requests.js";
 import { createRequests } from "./requests.js";
 import { begin, reduce } from "./state.js";
 import { banners, head, question, toasts } from "./head.js";
@@ -27,7 +31,7 @@ import { listenToWalk } from "./walk.js";
 const TEXTS_MS = 150;
 const TOLD_MS = 12_000;
 /** What comes by itself, many times in a second. */
-const FREQUENT = new Set(["members", "alive", "tick"]);
+const FREQUENT = new Set(["members", "alive", "tick", "queue", "learners"]);
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -39,18 +43,20 @@ const store = createBoard();
 const http = createHttp();
 const fleet = followFleet(store, http);
 const requests = createRequests(store, http);
+const queueRequests = createQueueRequests(store, http);
 const pictures = createPictures({ isStill: () => still.matches });
 const act = createActions();
 
 function createActions() {
   return {
     ...requests,
+    queue: queueRequests,
     send: store.send,
     /** @param {boolean} yes */
     answer(yes) {
       const { question } = store.page;
       store.send({ type: "question", question: null });
-      if (yes && question) requests.reset(question.to);
+      if (yes && question) agreed(question);
     },
     /** @param {string} secret */
     useToken(secret) {
@@ -59,6 +65,18 @@ function createActions() {
       fleet.follow();
     },
   };
+}
+
+/** A person has said yes. @param {import("./state.js").Question} question */
+function agreed(question) {
+  switch (question.about) {
+    case "fleet_reset":
+      return requests.reset(question.to);
+    case "fleet_give":
+      return void queueRequests.give(question.work);
+    case "fleet_cancel":
+      return void queueRequests.cancel(question.work);
+  }
 }
 
 // --- The state, drawn ------------------------------------------------------------------------------------
@@ -87,6 +105,8 @@ function draw() {
   render(tiles(context), part("tiles"));
   render(details(context), part("details"));
   part("details").hidden = board.chosen === null;
+  render(queue(context), part("queue"));
+  part("queue").hidden = !board.queue.open;
   render(foot(context), part("foot"));
   render(toasts(context), part("toasts"));
   showQuestion(/** @type {HTMLDialogElement} */ (part("sure")), question(context), board.question !== null);
@@ -120,7 +140,12 @@ store.listen((board, message) => {
 dark.addEventListener("change", () => changed(false));
 
 listenToStop(() => void requests.stop("all"));
+followLearners(store, http);
 listenToWalk(part("tiles"), ".tile .name");
+listenToDrops(part("floor"), (file) => {
+  store.send({ type: "queue_form", form: { what: "file", file } });
+  store.send({ type: "queue_open", open: true });
+});
 takeToken(http);
 draw();
 fleet.follow();

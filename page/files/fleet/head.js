@@ -6,6 +6,7 @@ import { sure } from "../views/sure.js";
 import { tokenForm } from "../views/token.js";
 import { span } from "../words/words.js";
 import { SORTS, count, groups, isMeant, isThere, lockOf, recipients } from "./members.js";
+import { counts } from "./queue.js";
 import { problemText, told, toneOfTold, toText } from "./told.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
@@ -13,7 +14,7 @@ import { problemText, told, toneOfTold, toText } from "./told.js";
 
 /** From when on it is told how old all of this is. */
 const OLD_MS = 2000;
-const SORT_TONES = { working: "good", stopped: "bad", away: "warn", locked: "warn" };
+const SORT_TONES = { working: "good", stopped: "bad", away: "warn", locked: "warn", stuck: "warn" };
 
 /** @param {Context} context */
 export function head(context) {
@@ -33,8 +34,15 @@ export function head(context) {
           ${all.map((it) => html`<option value=${it} .selected=${live(it === board.group)}>${it}</option>`)}
         </select>` : nothing}
       <button id="lesson-open" type="button" class="small" aria-expanded=${String(board.lesson)} aria-controls="lesson" @click=${() => act.send({ type: "lesson", open: !board.lesson })}>${say("fleet.lesson")}</button>
+      ${queueButton(context)}
     </div>
     ${lesson(context)}`;
+}
+
+/** Opens the queue; what is in doubt waits for a person, so that it is told here already. @param {Context} context */
+function queueButton({ board, say, act }) {
+  const { open } = board.queue, { open: number, doubt } = counts(board.queue.all);
+  return html`<button id="queue-open" type="button" class="small" data-tone=${doubt ? "warn" : "off"} aria-expanded=${String(open)} aria-controls="queue" @click=${() => act.send({ type: "queue_open", open: !open })}>${say(doubt ? "fleet.queue.open.doubt" : "fleet.queue.open", { number, doubt })}</button>`;
 }
 
 /** How many are of a sort; pressed, these are shown alone. @param {Context} context @param {import("./members.js").Sort} sort */

@@ -3,7 +3,8 @@
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Station} Station */
 /** @typedef {import("../words/words.js").Word} Word */
-/** A station of the fleet, with what it told last. @typedef {Omit<Schemas["Member"], "state" | "about"> & { state: Station | null, about: Schemas["MemberAbout"] | null }} Member */
+/** A student in a lesson. @typedef {Schemas["LearnerView"]} Learner */
+/** A station of the fleet, with what it told last, and the students of whom it was told. @typedef {Omit<Schemas["Member"], "state" | "about"> & { state: Station | null, about: Schemas["MemberAbout"] | null, learners?: readonly Learner[] }} Member */
 /** @typedef {"bad" | "warn" | "good" | "off"} Tone */
 /** Something that a person has to know of an arm. @typedef {{ word: Word, tone: Tone, values?: Record<string, string> }} Alarm */
 /** @typedef {{ group: string | null, members: Member[] }} Section */
@@ -43,12 +44,12 @@ export function sections(members, { sought, group, sort }) {
 }
 
 /** All by which a tile is found. @param {Member} member */
-function textOf({ name, about, state }) {
-  return [name, ...(about?.groups ?? []), ...(about?.offers ?? []), state?.job?.title, state?.job?.phase, state?.lease?.name].join(" ").toLowerCase();
+function textOf({ name, about, state, learners = [] }) {
+  return [name, ...(about?.groups ?? []), ...(about?.offers ?? []), ...learners.map(({ student }) => student), state?.job?.title, state?.job?.phase, state?.lease?.name].join(" ").toLowerCase();
 }
 
 /** What a person has to know of an arm, the worst first. @param {Member} member @returns {Alarm[]} */
-export function alarms({ presence, state }) {
+export function alarms({ presence, state, learners }) {
   /** @type {Alarm[]} */ const all = [];
   if (presence.type === "refused") all.push({ word: "fleet.refused", tone: "bad" });
   if (presence.type === "away") all.push({ word: "fleet.away", tone: "warn" });
@@ -63,11 +64,18 @@ export function alarms({ presence, state }) {
   if (arm && !trust.trusted) all.push({ word: "fleet.untrusted", tone: "warn" });
   if (lockOf(state)) all.push({ word: "fleet.locked", tone: "warn" });
   if (job?.phase === "paused") all.push({ word: "job.paused", tone: "warn" });
+  if (learners?.some(isStuck)) all.push({ word: "fleet.stuck", tone: "warn" });
   return all;
 }
 
 /** The lock of a station, if one holds it. @param {Station | null} state */
 export const lockOf = (state) => state?.lock ?? null;
+
+/** For so long a step of a lesson may take; a lesson of twelve steps takes five minutes. */
+const STUCK_S = 180;
+
+/** Whether a student does not get on with a lesson. @param {Learner} learner */
+export const isStuck = ({ done, steps, for_s }) => done < steps && for_s >= STUCK_S;
 
 /** How loud a tile has to be. @param {Member} member @returns {Tone} */
 export function toneOf(member) {
@@ -78,17 +86,18 @@ export function toneOf(member) {
 /** How far a job is, from 0 to 1. @param {{ commands: number, completed: number }} job */
 export const share = ({ commands, completed }) => (commands ? completed / commands : 0);
 
-/** What stations are counted by, and shown alone by. @typedef {"working" | "stopped" | "away" | "locked"} Sort */
+/** What stations are counted by, and shown alone by. @typedef {"working" | "stopped" | "away" | "locked" | "stuck"} Sort */
 /** @type {Record<Sort, (member: Member) => boolean>} */
 const IS = {
   working: (it) => isThere(it) && it.state?.job?.phase === "running",
   stopped: (it) => isThere(it) && it.state?.stop != null,
   away: (it) => !isThere(it),
   locked: (it) => isThere(it) && lockOf(it.state) !== null,
+  stuck: (it) => isThere(it) && (it.learners?.some(isStuck) ?? false),
 };
 
 /** @type {readonly Sort[]} */
-export const SORTS = ["working", "stopped", "away", "locked"];
+export const SORTS = ["working", "stopped", "away", "locked", "stuck"];
 
 /** How many there are of a sort. @param {readonly Member[]} members @param {Sort} sort */
 export const count = (members, sort) => members.filter(IS[sort]).length;

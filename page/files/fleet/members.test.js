@@ -48,6 +48,14 @@ test("what a person has to know first comes first, and makes the tile as loud as
   assert.equal(toneOf(member("d")), "off");
 });
 
+test("a student who is at one step for three minutes is stuck, and the tile says so; one who has finished is not", () => {
+  const learner = { student: "Anna", lesson: "tour", done: 2, steps: 12, for_s: 180 };
+  const all = [{ ...member("a"), learners: [learner] }, { ...member("b"), learners: [{ ...learner, for_s: 179 }] }, { ...member("c"), learners: [{ ...learner, done: 12 }] }, member("d")];
+  assert.deepEqual(all.map((it) => alarms(it).map(({ word }) => word)), [["fleet.stuck"], [], [], []]);
+  assert.equal(count(all, "stuck"), 1);
+  assert.deepEqual(sections(all, { ...ALL, sought: "anna" }).flatMap(({ members }) => names(members)), ["a", "b", "c"]);
+});
+
 test("of a station that is away nothing else is told: it may be otherwise by now", () => {
   const away = member("a", { presence: { type: "away" }, laser: { armed_for_s: 0, on: true } });
   assert.deepEqual(alarms(away).map(({ word }) => word), ["fleet.away"]);

@@ -1,6 +1,8 @@
 // The state of the board: one tree, changed by `reduce` alone. Pure: no clock, no document, no network.
 
 import { order } from "./members.js";
+import { problemOf } from "./outcome.js";
+import { NO_QUEUE, reduceQueue } from "./queue.js";
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Problem} Problem */
@@ -14,7 +16,7 @@ import { order } from "./members.js";
 /** `token`: the station of this board wants one. `alone`: it belongs to no fleet. @typedef {"connecting" | "open" | "closed" | "token" | "alone"} Connection */
 /** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing"} What */
 /** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} Asked */
-/** What a person is asked before it is done. @typedef {{ about: "fleet_reset", to: Recipients, values: Record<string, string | number> }} Question */
+/** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_give" | "fleet_cancel", work: string }) & { values: Record<string, string | number> }} Question */
 
 /**
  * @typedef {object} Board
@@ -28,6 +30,7 @@ import { order } from "./members.js";
  * @property {import("./members.js").Sort | null} sort The only sort that is shown.
  * @property {string | null} current The station whose tile the tab key leads to, by its number.
  * @property {string | null} chosen The station whose details are shown, by its number.
+ * @property {import("./queue.js").Queue} queue Work for any arm.
  * @property {readonly JobView[] | null} jobs The jobs of that station; nothing where they are not known yet.
  * @property {Asked | null} stop The stop that was asked for last; its outcome stays until it is let go.
  * @property {Asked | null} asked What else was asked for last.
@@ -42,6 +45,7 @@ import { order } from "./members.js";
  * @typedef {{ type: "fleet", name: string, members: readonly Member[], now_ms: number }
  * | { type: "members", members: readonly Member[], now_ms: number }
  * | { type: "alive", now_ms: number }
+ * | { type: "learners", answers: readonly MemberAnswer[] }
  * | { type: "connecting" }
  * | { type: "closed", problem: Problem | null }
  * | { type: "alone" }
@@ -56,7 +60,8 @@ import { order } from "./members.js";
  * | { type: "answered", number: number, answers: readonly MemberAnswer[] | null, problem: Problem | null }
  * | { type: "told_closed", what: "stop" | "asked" | "denied" }
  * | { type: "lesson", open: boolean }
- * | { type: "question", question: Question | null }} Message
+ * | { type: "question", question: Question | null }
+ * | import("./queue.js").QueueMessage} Message
  */
 
 /** @param {{ language: Language, theme: Theme }} wish @returns {Board} */
@@ -72,6 +77,7 @@ export const begin = ({ language, theme }) => ({
   current: null,
   chosen: null,
   jobs: null,
+  queue: NO_QUEUE,
   stop: null,
   asked: null,
   denied: null,
@@ -85,11 +91,13 @@ export const begin = ({ language, theme }) => ({
 export function reduce(board, message) {
   switch (message.type) {
     case "fleet":
-      return { ...board, connection: "open", name: message.name, members: order(message.members), heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, connection: "open", name: message.name, members: order(withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
     case "members":
-      return { ...board, members: withNews(board.members, message.members), heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, members: withNews(board.members, withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
     case "alive":
       return { ...board, heard_ms: message.now_ms, now_ms: message.now_ms };
+    case "learners":
+      return { ...board, members: board.members.map((it) => ({ ...it, learners: learnersOf(message.answers, it) })) };
     case "connecting":
       return board.connection === "token" ? { ...board, connection: "connecting" } : board;
     case "closed":
@@ -107,7 +115,7 @@ export function reduce(board, message) {
     case "current":
       return { ...board, current: message.id };
     case "chosen":
-      return { ...board, chosen: message.id, jobs: null };
+      return { ...board, chosen: message.id, jobs: null, queue: { ...board.queue, open: board.queue.open && message.id === null } };
     case "jobs":
       return message.id === board.chosen ? { ...board, jobs: message.jobs } : board;
     case "asked":
@@ -121,6 +129,12 @@ export function reduce(board, message) {
       return { ...board, lesson: message.open };
     case "question":
       return { ...board, question: message.question };
+    case "queue_open":
+      return { ...board, queue: reduceQueue(board.queue, message), chosen: message.open ? null : board.chosen };
+    case "queue_refused":
+      return { ...board, queue: reduceQueue(board.queue, message), denied: isDenial(message.problem) ? message.problem : board.denied };
+    default:
+      return { ...board, queue: reduceQueue(board.queue, message) };
   }
 }
 
@@ -134,6 +148,21 @@ function withNews(members, news) {
   if (!isNew) return members.map((it) => changed.get(it.id) ?? it);
   const all = new Map([...members, ...news].map((it) => [it.id, it]));
   return order([...all.values()]);
+}
+
+/** Members as they are told anew, with the students that are known of them. @param {readonly Member[]} members @param {readonly Member[]} news @returns {Member[]} */
+function withLearners(members, news) {
+  const known = new Map(members.map((it) => [it.id, it.learners]));
+  return news.map((it) => {
+    const learners = known.get(it.id);
+    return learners ? { ...it, learners } : it;
+  });
+}
+
+/** The students of a station; where it does not answer nothing is known of them. @param {readonly MemberAnswer[]} answers @param {Member} member */
+function learnersOf(answers, { id }) {
+  const answer = answers.find((it) => it.id === id)?.answer;
+  return answer && !problemOf(answer) ? /** @type {import("./members.js").Learner[]} */ (answer.body) : [];
 }
 
 /** Of two that were asked the later one counts. @param {Board} board @param {Extract<Message, { type: "answered" }>} message @returns {Board} */

@@ -41,6 +41,15 @@ test("the jobs of a station are shown at no other one", () => {
   assert.equal(board.jobs, null);
 });
 
+test("the students of a station stay told while its arm moves, and go when it does not answer any more", () => {
+  const learner = { student: "Anna", lesson: "tour", done: 2, steps: 12, for_s: 5 };
+  const told = after(fleet("desk-1", "desk-2"), { type: "learners", answers: [answer("id-desk-1", 200, [learner]), answer("id-desk-2", 503, { detail: "away" })] });
+  assert.deepEqual(told.members.map(({ learners }) => learners), [[learner], []]);
+  const moved = reduce(told, { type: "members", members: [member("desk-1")], now_ms: 2 });
+  assert.deepEqual(moved.members[0].learners, [learner]);
+  assert.deepEqual(reduce(moved, { type: "learners", answers: [] }).members[0].learners, []);
+});
+
 test("a board that looks for its station again says so all the time until it has it", () => {
   const lost = after(fleet("a"), { type: "closed", problem: null }, { type: "connecting" });
   assert.equal(lost.connection, "closed");

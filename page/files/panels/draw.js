@@ -4,7 +4,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
-import { hasSubject, wrongField } from "../state/draw.js";
+import { DRAWN, hasSubject, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
 import { hindrance, isVirtual } from "../state/select.js";
 import { sentence } from "../views/banners.js";
@@ -14,7 +14,6 @@ import { sheet } from "./sheet.js";
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/draw.js").Settings} Settings */
 
-const KINDS = ".svg,.dxf,.gcode,.gco,.nc,.ngc,.hpgl,.plt,.png,.jpg,.jpeg,.gif,.webp,.bmp,.tiff,.csv,.json";
 const FONTS = /** @type {const} */ (["sans", "script", "serif", "gothic"]);
 const LAYERS = /** @type {const} */ (["nothing", "color", "group"]);
 /** So many warnings are told; more of them help nobody. */
@@ -45,7 +44,7 @@ function subject({ page, say, act }) {
       ${what === "text" ? html`<textarea id="draw-text" rows="2" aria-label=${say("draw.text")} .value=${live(text)} @input=${(/** @type {Event} */ event) => act.send({ type: "draw_text", text: value(event) })}></textarea>` : html`
         <div class="drop">
           <p>${file ? html`<strong id="draw-name">${file.name}</strong>` : say("draw.drop")}</p>
-          <input id="draw-file" type="file" accept=${KINDS} aria-label=${say("draw.choose")} @change=${chosen}>
+          <input id="draw-file" type="file" accept=${`${DRAWN},.json`} aria-label=${say("draw.choose")} @change=${chosen}>
           <label for="draw-file" class="button">${say(file ? "draw.another" : "draw.choose")}</label>
         </div>`}
     </section>`;

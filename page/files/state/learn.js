@@ -7,7 +7,7 @@
  * @typedef {{ moved_mm?: number, near?: { x: number, y: number, z: number, within: number }, steps?: number, cycles?: number, notice?: string, drawing?: boolean, idle?: boolean, refused?: boolean, answer?: { is: number, within: number } }} Until
  */
 /** @typedef {{ text: Record<Language, string>, show?: string, until?: Until }} Step */
-/** @typedef {{ title: Record<Language, string>, minutes: number, steps: readonly Step[] }} Lesson */
+/** `name` is that of its file. @typedef {{ name: string, title: Record<Language, string>, minutes: number, steps: readonly Step[] }} Lesson */
 /** What was when a step began. @typedef {{ at: readonly [number, number, number] | null, notice: number }} Begun */
 
 /**
@@ -17,10 +17,12 @@
  * @property {Begun} begun
  * @property {string} answer What a person typed.
  * @property {boolean} chooses Whether the list of lessons is open.
+ * @property {string} student Under what name the board of the fleet shows how far this page is; empty where nobody has said one.
+ * @property {import("./types.js").Problem | null} untold Why the station did not take it last.
  */
 
 /** @type {Learn} */
-export const NO_LEARN = { lesson: null, step: 0, begun: { at: null, notice: 0 }, answer: "", chooses: false };
+export const NO_LEARN = { lesson: null, step: 0, begun: { at: null, notice: 0 }, answer: "", chooses: false, student: "", untold: null };
 
 /** The lessons, by the names of their files, in their order. */
 export const LESSONS = /** @type {const} */ (["tour", "coordinates", "kinematics", "pick_and_place"]);
@@ -28,19 +30,25 @@ export const LESSONS = /** @type {const} */ (["tour", "coordinates", "kinematics
 /** @typedef {{ type: "lesson", lesson: Lesson | null, begun: Begun }
  * | { type: "lesson_step", step: number, begun: Begun }
  * | { type: "lesson_answer", text: string }
- * | { type: "lesson_choose", open: boolean }} LearnMessage */
+ * | { type: "lesson_choose", open: boolean }
+ * | { type: "lesson_student", name: string }
+ * | { type: "lesson_told", problem: import("./types.js").Problem | null }} LearnMessage */
 
 /** @param {Learn} learn @param {import("./message.js").Message} message @returns {Learn} */
 export function reduceLearn(learn, message) {
   switch (message.type) {
     case "lesson":
-      return { ...NO_LEARN, lesson: message.lesson, begun: message.begun };
+      return { ...NO_LEARN, lesson: message.lesson, begun: message.begun, student: learn.student, untold: learn.untold };
     case "lesson_step":
       return { ...learn, step: message.step, begun: message.begun, answer: "" };
     case "lesson_answer":
       return { ...learn, answer: message.text };
     case "lesson_choose":
       return { ...learn, chooses: message.open };
+    case "lesson_student":
+      return { ...learn, student: message.name, untold: null };
+    case "lesson_told":
+      return { ...learn, untold: message.problem };
     default:
       return learn;
   }
@@ -54,6 +62,9 @@ export function begunNow(page) {
 
 /** The step that a person is at. @param {Page} page @returns {Step | null} */
 export const stepNow = ({ learn }) => learn.lesson?.steps[learn.step] ?? null;
+
+/** How far a student is, as the station is told; nothing where there is nobody to tell of. @param {Learn} learn */
+export const progressOf = ({ lesson, step, student }) => (lesson && student ? { student, lesson: lesson.name, done: step, steps: lesson.steps.length } : null);
 
 /** Whether what a step waits for has happened; a step that waits for nothing is done by its button. @param {Page} page @param {number} steps how many steps the program has */
 export function isDone(page, steps) {

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { parse } from "../vendor/smol-toml/index.js";
-import { begunNow, isDone, LESSONS, stepNow } from "./learn.js";
+import { begunNow, isDone, LESSONS, progressOf, stepNow } from "./learn.js";
 import { reduce } from "./reduce.js";
 import { begin } from "./state.js";
 
@@ -28,6 +28,20 @@ test("each lesson has its texts in both languages, and waits only for what can b
       assert.ok(show === undefined || show.startsWith("#"));
     }
   }
+});
+
+test("how far a student is, is told under the name that was said, and of nobody without one", () => {
+  const begun = begunNow(NEW);
+  const lesson = { name: "tour", title: {}, minutes: 1, steps: [{ text: {} }, { text: {} }] };
+  const page = [{ type: "lesson_student", name: "Anna" }, { type: "lesson", lesson, begun }, { type: "lesson_step", step: 1, begun }].reduce(reduce, NEW);
+  assert.deepEqual(progressOf(page.learn), { student: "Anna", lesson: "tour", done: 1, steps: 2 });
+  assert.equal(progressOf(reduce(page, { type: "lesson_student", name: "" }).learn), null);
+  const untold = reduce(page, { type: "lesson_told", problem: { title: "", detail: "this takes the role queue" } });
+  assert.equal(untold.learn.untold.detail, "this takes the role queue");
+  assert.equal(reduce(untold, { type: "lesson_student", name: "Ben" }).learn.untold, null);
+  const left = reduce(page, { type: "lesson", lesson: null, begun });
+  assert.equal(progressOf(left.learn), null);
+  assert.equal(left.learn.student, "Anna", "the next lesson is hers, too");
 });
 
 test("a step that waits for a motion is done when the arm has moved so far since it began", () => {

@@ -1,8 +1,8 @@
 // Has the station plan what is to be drawn, a moment after it was changed. What is not wanted any more is given up.
 
-import { base64 } from "../parts/base64.js";
 import { timelineOf } from "../preview/timeline.js";
-import { MOST_BYTES, hasSubject, optionsOf, wrongField } from "../state/draw.js";
+import { hasSubject, optionsOf, wrongField } from "../state/draw.js";
+import { readDrawing } from "./file.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -34,11 +34,8 @@ export function followDrawing(store, http) {
     const { what, file } = page.draw;
     const options = optionsOf(page);
     if (what === "text" || !file) return { body: { options } };
-    const title = `${file.name} cannot be drawn`;
-    if (file.size > MOST_BYTES) return { problem: { title, detail: `the file ${file.name} has ${(file.size / 1e6).toFixed(0)} MB, and a drawing may have ${MOST_BYTES / 1e6} MB`, hint: "draw it in parts, or leave out detail that no pen shows" } };
-    const bytes = await base64(file);
-    if (bytes === null) return { problem: { title, detail: `the file ${file.name} cannot be read any more`, hint: "choose it again" } };
-    return { body: { name: file.name, file: bytes, options } };
+    const { told, problem } = await readDrawing(file);
+    return problem ? { problem } : { body: { ...told, options } };
   }
 
   /** @param {number} asked @param {number} drawing */

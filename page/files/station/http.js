@@ -42,10 +42,10 @@ export function createHttp() {
       return answer?.ok ? answer.json() : undefined;
     },
     /**
-     * Asks for something, with a body as JSON where there is one.
-     * @template T @param {"GET" | "POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>}
+     * Asks for something, with a body as JSON where there is one. What has a key is done once, however often it is asked for.
+     * @template T @param {"GET" | "POST" | "PUT" | "DELETE"} method @param {string} path @param {unknown} [body] @param {string} [key] @returns {Promise<Outcome<T>>}
      */
-    ask: (method, path, body) => request(authorization(), method, path, body),
+    ask: (method, path, body, key) => request({ ...authorization(), ...(key && { "idempotency-key": key }) }, method, path, body),
     /** Asks for a stop: anyone may, so that a token that the station does not know keeps nobody from it. @template T @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>} */
     async stop(path, body) {
       const outcome = await request(authorization(), "POST", path, body);

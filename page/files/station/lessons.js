@@ -1,32 +1,61 @@
-// Opens lessons, which are files of the page, and goes on in them when what a step waits for has happened.
+// Opens lessons, which are files of the page, goes on in them when what a step waits for has happened, and tells the station of a
+// fleet how far a student is.
 
-import { begunNow, isDone, stepNow } from "../state/learn.js";
+import { begunNow, isDone, progressOf, stepNow } from "../state/learn.js";
 import { rowsOf } from "../state/teach.js";
 import { parse } from "../vendor/smol-toml/index.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {ReturnType<typeof createLessons>} Lessons */
 
-/** @param {Store} store */
-export function createLessons(store) {
+/** Under what name it is told, for as long as this tab is open: on a computer of a school the next one is another one. */
+const STUDENT = "dobot.student";
+/** A station forgets a student of whom it hears nothing for a minute. */
+const TELL_MS = 20_000;
+
+/** @param {Store} store @param {import("./http.js").Http} http */
+export function createLessons(store, http) {
   const { send } = store;
+  let told = "";
 
   const next = () => send({ type: "lesson_step", step: store.page.learn.step + 1, begun: begunNow(store.page) });
 
+  /** Tells how far the student is, where that has changed; the board of the fleet shows it. */
+  async function tellNews() {
+    const progress = store.page.fleet === null ? null : progressOf(store.page.learn);
+    const text = JSON.stringify(progress);
+    if (text === told) return;
+    told = text;
+    if (!progress) return;
+    const { problem } = await http.ask("POST", "api/v1/learners", progress);
+    send({ type: "lesson_told", problem: problem ?? null });
+  }
+
   store.listen((page, message) => {
+    void tellNews();
     if (page.learn.lesson === null || message.type === "tick") return;
     if (isDone(page, rowsOf(page.teach.text).length)) next();
     else if (stepNow(page) === null) send({ type: "lesson", lesson: null, begun: begunNow(page) });
   });
+  setInterval(() => {
+    told = "";
+    void tellNews();
+  }, TELL_MS);
+  send({ type: "lesson_student", name: sessionStorage.getItem(STUDENT) ?? "" });
 
   return {
     next,
     /** @param {typeof import("../state/learn.js").LESSONS[number]} name */
     async open(name) {
       const text = await (await fetch(`lessons/${name}.toml`)).text();
-      const lesson = /** @type {import("../state/learn.js").Lesson} */ (/** @type {unknown} */ (parse(text)));
+      const lesson = /** @type {import("../state/learn.js").Lesson} */ (/** @type {unknown} */ ({ ...parse(text), name }));
       send({ type: "lesson", lesson, begun: begunNow(store.page) });
     },
     end: () => send({ type: "lesson", lesson: null, begun: begunNow(store.page) }),
+    /** Whose lesson it is; nobody's with an empty name. @param {string} name */
+    tellStudent(name) {
+      sessionStorage.setItem(STUDENT, name);
+      send({ type: "lesson_student", name });
+    },
   };
 }

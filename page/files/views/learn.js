@@ -3,6 +3,7 @@
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { LESSONS, stepNow } from "../state/learn.js";
+import { sentence } from "./banners.js";
 
 /** @typedef {import("./context.js").Context} Context */
 
@@ -17,6 +18,7 @@ export function learn(context) {
       <p class="quiet"><span id="lesson-title">${lesson.title[page.language]}</span> · ${say("learn.step", { step: page.learn.step + 1, steps: lesson.steps.length })}</p>
       <p id="lesson-text" role="status">${step.text[page.language]}</p>
       ${step.until?.answer ? answer(context) : nothing}
+      ${page.fleet === null ? nothing : student(context)}
       <div class="row">
         ${step.until ? nothing : html`<button id="lesson-next" type="button" class="small strong" @click=${() => act.lessons.next()}>${say(page.learn.step + 1 < lesson.steps.length ? "learn.next" : "learn.done")}</button>`}
         ${step.until ? html`<button id="lesson-skip" type="button" class="small" @click=${() => act.lessons.next()}>${say("learn.skip")}</button>` : nothing}
@@ -28,6 +30,21 @@ export function learn(context) {
 /** @param {Context} context */
 const answer = ({ page, say, act }) => html`
   <label class="answer">${say("learn.answer")} <input id="lesson-answer" inputmode="decimal" autocomplete="off" .value=${live(page.learn.answer)} @input=${(/** @type {Event} */ event) => act.send({ type: "lesson_answer", text: /** @type {HTMLInputElement} */ (event.target).value })}></label>`;
+
+/** Under what name the board shows how far this page is. @param {Context} context */
+function student({ page, say, act }) {
+  const tell = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.currentTarget).elements.namedItem("student"));
+    act.lessons.tellStudent(field.value.trim());
+  };
+  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.untold ? `${sentence(page.learn.untold.detail)}.` : say("learn.student.told", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.tellStudent("")}>${say("learn.student.other")}</button></p>`;
+  return html`
+    <form id="lesson-who" class="row" @submit=${tell}>
+      <input name="student" type="text" maxlength="60" required autocomplete="off" aria-label=${say("learn.student")} placeholder=${say("learn.student")}>
+      <button type="submit" class="small">${say("learn.student.tell")}</button>
+    </form>`;
+}
 
 /** @param {Context} context */
 const list = ({ say, act }) => html`

@@ -15,6 +15,7 @@ use tokio::time::Instant;
 
 use super::drawings::Drawings;
 use super::http_leases::HttpLeases;
+use super::learners::Learners;
 use super::listen::ConnectionSlot;
 use super::rate::Addresses;
 use super::recordings::Recordings;
@@ -42,6 +43,7 @@ pub(super) struct App {
     pub(super) recordings: Recordings,
     /// The tools for agents.
     pub(super) agents: HttpAgents,
+    learners: Mutex<Learners>,
     /// The way to the fleet, once the station belongs to one.
     pub(super) fleet: OnceLock<FleetPort>,
     /// The keys of the offers whose drawings are being planned.
@@ -94,6 +96,7 @@ impl App {
             drawings: Drawings::default(),
             recordings: Recordings::new(files.recordings),
             agents: HttpAgents::new(reach.own),
+            learners: Mutex::default(),
             fleet: OnceLock::new(),
             planning: Mutex::default(),
             addresses: Addresses::default(),
@@ -130,6 +133,11 @@ impl App {
             let many = format!("{MOST_SOCKETS} connections are open already");
             TOO_MANY_CLIENTS.problem(many)
         })
+    }
+
+    /// The students in lessons; nobody else changes them meanwhile.
+    pub(super) fn learners(&self) -> MutexGuard<'_, Learners> {
+        self.learners.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The tokens; nobody else changes them meanwhile.

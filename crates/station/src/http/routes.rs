@@ -8,6 +8,7 @@ mod calibration;
 mod drawings;
 mod fleet;
 mod jobs;
+mod learners;
 mod leases;
 mod motion;
 mod observing;
@@ -66,6 +67,7 @@ pub(super) static ROUTES: LazyLock<Vec<Route>> = LazyLock::new(|| {
         observing::all(),
         motion::all(),
         leases::all(),
+        learners::all(),
         arm::all(),
         calibration::all(),
         jobs::all(),

@@ -10,6 +10,7 @@ mod document;
 mod drawings;
 mod fleet;
 mod fleet_work;
+mod learners;
 mod leases;
 mod observing;
 mod policies;

@@ -1,0 +1,32 @@
+// Asks the stations of the fleet who takes a lesson there. It draws nothing.
+
+import { isThere } from "./members.js";
+
+/** @typedef {import("./fleet.js").Store} Store */
+
+/** How far students are no station tells by itself: all are asked so often. */
+const AGAIN_MS = 4000;
+
+/** Asks all stations that are there, for as long as the board is seen. @param {Store} store @param {import("../station/http.js").Http} http */
+export function followLearners(store, http) {
+  /** @type {number | undefined} */ let timer;
+  /** How often they were asked: an answer to an earlier question is not taken. */
+  let asked = 0;
+
+  async function read() {
+    clearTimeout(timer);
+    const mine = asked += 1;
+    const { connection, members } = store.page;
+    if (connection !== "open") return;
+    const names = document.hidden ? [] : [...new Set(members.filter(isThere).map(({ name }) => name))];
+    /** @type {import("../station/http.js").Outcome<import("./state.js").MemberAnswer[]>} */
+    const { value } = names.length ? await http.ask("POST", "api/v1/fleet/requests", { to: { members: names }, method: "GET", path: "/api/v1/learners" }) : { value: [] };
+    if (mine !== asked) return;
+    if (value?.length) store.send({ type: "learners", answers: value });
+    timer = setTimeout(() => void read(), AGAIN_MS);
+  }
+
+  store.listen((_, { type }) => {
+    if (type === "fleet") void read();
+  });
+}

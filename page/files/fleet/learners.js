@@ -1,0 +1,20 @@
+// A student in a lesson, as a tile and the details tell it.
+
+import { html } from "../vendor/lit-html/lit-html.js";
+import { LESSONS } from "../state/learn.js";
+import { span } from "../words/words.js";
+import { isStuck } from "./members.js";
+
+/** @typedef {import("./members.js").Learner} Learner */
+
+/** What a lesson is called; another version of the page may have others. @param {import("../words/words.js").Say} say @param {string} name */
+function lessonName(say, name) {
+  const known = LESSONS.find((it) => it === name);
+  return known ? say(`learn.${known}`) : name;
+}
+
+/** A line of a tile or of the details. @param {import("../words/words.js").Say} say @param {Learner} learner */
+export function learnerLine(say, learner) {
+  const { student, lesson, done, steps, for_s } = learner;
+  return html`<p class="learner" data-stuck=${String(isStuck(learner))}><strong>${student}</strong> <span class="lesson-name">${lessonName(say, lesson)}</span> <span class="lesson-step">${done < steps ? say("fleet.learner", { step: done + 1, steps }) : say("fleet.learner.done")}</span> <span class="lesson-time">${say("fleet.learner.for", { time: span(say, for_s) })}</span></p>`;
+}

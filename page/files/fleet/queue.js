@@ -1,0 +1,109 @@
+// Work for any arm: what was submitted to the station of this board, and what a person is about to submit. Pure.
+
+import { isThere } from "./members.js";
+
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {import("../state/types.js").Problem} Problem */
+/** @typedef {import("./members.js").Member} Member */
+/** @typedef {Schemas["WorkView"]} WorkView */
+/** What a person fills in. `down` is where the pen draws, in millimetres; empty where the station of the arm knows it. @typedef {{ what: "file" | "text", file: File | null, text: string, student: string, group: string, needs: readonly string[], down: string, fit: boolean }} Form */
+
+/**
+ * @typedef {object} Queue
+ * @property {boolean} open
+ * @property {readonly WorkView[] | null} all In the order in which it came; nothing where it is not known yet.
+ * @property {Form} form
+ * @property {boolean} submitting
+ * @property {string | null} submitted What was submitted last.
+ * @property {{ work: string | null, problem: Problem } | null} refused Why the last thing that was asked for came to nothing; of no work where it was submitting.
+ */
+
+/** @type {Queue} */
+export const NO_QUEUE = {
+  open: false,
+  all: null,
+  form: { what: "file", file: null, text: "", student: "", group: "", needs: [], down: "", fit: false },
+  submitting: false,
+  submitted: null,
+  refused: null,
+};
+
+/** @typedef {{ type: "queue_open", open: boolean }
+ * | { type: "queue", all: readonly WorkView[] }
+ * | { type: "queue_form", form: Partial<Form> }
+ * | { type: "queue_asked", work: string | null }
+ * | { type: "queue_submitted", form: Form, title: string }
+ * | { type: "queue_refused", work: string | null, problem: Problem }} QueueMessage */
+
+/** @param {Queue} queue @param {QueueMessage} message @returns {Queue} */
+export function reduceQueue(queue, message) {
+  switch (message.type) {
+    case "queue_open":
+      return { ...queue, open: message.open };
+    case "queue":
+      return { ...queue, all: message.all };
+    case "queue_form":
+      return { ...queue, form: { ...queue.form, ...message.form }, submitted: null };
+    case "queue_asked":
+      return { ...queue, submitting: queue.submitting || message.work === null, refused: null };
+    case "queue_submitted":
+      // What was typed meanwhile stays.
+      return { ...queue, submitting: false, submitted: message.title, form: queue.form === message.form ? { ...queue.form, file: null, text: "" } : queue.form };
+    case "queue_refused":
+      return { ...queue, submitting: queue.submitting && message.work !== null, refused: { work: message.work, problem: message.problem } };
+  }
+}
+
+/** @param {WorkView} work */
+const isDoubtful = ({ doubt }) => doubt != null;
+
+/** Whether it can be cancelled. @param {WorkView} work */
+export const mayCancel = ({ phase }) => phase === "waiting" || phase === "offered" || phase === "taken";
+
+/** Whether a person may give it to another arm. @param {WorkView} work */
+export const mayGive = (work) => isDoubtful(work) || work.phase === "failed";
+
+/** All of it by what a person asks of it. @param {readonly WorkView[]} all */
+export const shelves = (all) => ({
+  doubt: all.filter(isDoubtful),
+  out: all.filter((it) => !isDoubtful(it) && (it.phase === "offered" || it.phase === "taken")),
+  waiting: all.filter(({ phase }) => phase === "waiting"),
+  over: all.filter((it) => !mayCancel(it)).reverse(),
+});
+
+/** How much of it is not over, and how much of that is in doubt. @param {readonly WorkView[] | null} all */
+export const counts = (all) => ({ open: all?.filter(mayCancel).length ?? 0, doubt: all?.filter(isDoubtful).length ?? 0 });
+
+/** @param {Member} member */
+const takes = (member) => isThere(member) && member.about?.takes_work != null;
+
+/** The arms that have all of it, and whose stations take work. @param {readonly Member[]} members @param {readonly string[]} needs */
+export const arms = (members, needs) => members.filter((it) => takes(it) && needs.every((need) => it.about?.offers.includes(need)));
+
+/** What can be needed: what those have that take work, and what is chosen already. @param {readonly Member[]} members @param {readonly string[]} chosen */
+export const offers = (members, chosen) => [...new Set([...members.filter(takes).flatMap(({ about }) => about?.offers ?? []), ...chosen])].sort();
+
+/** What of it is at an arm or was offered to it, and what waits that it could take. @param {readonly WorkView[] | null} all @param {Member} member */
+export function ofMember(all, member) {
+  const { out, doubt, waiting } = shelves(all ?? []);
+  const wasThere = (/** @type {WorkView} */ { before }) => before?.some((it) => it.member.id === member.id);
+  return {
+    has: [...doubt, ...out].filter((it) => it.member?.id === member.id),
+    could: waiting.filter((it) => arms([member], it.needs).length && !wasThere(it)),
+  };
+}
+
+/** @param {Form} form */
+const height = ({ down }) => (down.trim() === "" ? undefined : Number(down.replace(",", ".")));
+
+/** Whether the height is no number. @param {Form} form */
+export const isWrongHeight = (form) => Number.isNaN(height(form) ?? 0);
+
+/** Whether all is there that a submission takes. @param {Form} form */
+export const canSubmit = (form) => (form.what === "file" ? form.file !== null : form.text.trim() !== "") && form.student.trim() !== "" && !isWrongHeight(form);
+
+/** How it is to be drawn; what is left out is as the station of the arm has it. @param {Form} form */
+export function optionsOf(form) {
+  const pen_down = height(form);
+  return { ...(form.what === "text" && { what: { text: form.text } }), place: { fit: form.fit, ...(pen_down !== undefined && { pen_down }) } };
+}

@@ -1,0 +1,103 @@
+// The work for any arm: what was submitted here, what has become of it, and the form for more.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { repeat } from "../vendor/lit-html/directives/repeat.js";
+import { sentence } from "../views/banners.js";
+import { share } from "./members.js";
+import { mayCancel, mayGive, ofMember, shelves } from "./queue.js";
+import { submission } from "./submit.js";
+import { problemText } from "./told.js";
+
+/** @typedef {import("./fleet.js").Context} Context */
+/** @typedef {import("./queue.js").WorkView} WorkView */
+/** @typedef {import("../words/words.js").Word} Word */
+
+/** So many that are over, or that one arm could take, are told. */
+const TOLD = 20, COULD = 5;
+const TONES = { waiting: "off", offered: "off", taken: "good", done: "good", failed: "bad", cancelled: "off" };
+
+/** @param {Context} context */
+export function queue(context) {
+  const { board, say, act } = context;
+  if (!board.queue.open) return nothing;
+  return html`
+    <div class="details-head">
+      <h2 id="queue-title">${say("fleet.queue")}</h2>
+      <button id="queue-close" type="button" class="small" @click=${() => act.send({ type: "queue_open", open: false })}>${say("close")}</button>
+    </div>
+    ${list(context, ["doubt", "out", "waiting"])}
+    ${submission(context)}
+    ${list(context, ["over"])}`;
+}
+
+/** @param {Context} context @param {readonly (keyof ReturnType<typeof shelves>)[]} names */
+function list(context, names) {
+  const { board: { queue: { all } }, say } = context;
+  const shelf = shelves(all ?? []);
+  return html`
+    ${names.includes("waiting") && !shelf.waiting.length ? html`<p id="queue-none" class="quiet">${say(all ? "fleet.queue.none" : "fleet.queue.reading")}</p>` : nothing}
+    ${names.map((name) => (shelf[name].length ? html`
+      <h3 id="queue-${name}">${say(`fleet.queue.${name}`)} <small>${shelf[name].length}</small></h3>
+      <ol class="jobs" aria-labelledby="queue-${name}">${repeat(shelf[name].slice(0, name === "over" ? TOLD : undefined), ({ id }) => id, (it) => entry(context, it))}</ol>` : nothing))}`;
+}
+
+/** @param {Context} context @param {WorkView} work */
+function entry(context, work) {
+  const { board: { queue: { refused } }, say } = context;
+  const { id, title, phase, doubt, reason, before = [] } = work;
+  return html`
+    <li class="entry" data-work=${id} data-phase=${phase} data-doubtful=${String(doubt != null)}>
+      <p class="job"><span class="title">${title}</span> <span class="chip" data-tone=${doubt == null ? TONES[phase] : "warn"}>${say(doubt == null ? `fleet.work.${phase}` : "fleet.work.doubt")}</span></p>
+      <p class="quiet whose">${whose(context, work)}</p>
+      ${place(context, work)}
+      ${doubt == null ? nothing : html`<p class="told-of" data-tone="warn">${sentence(doubt)}.</p>`}
+      ${reason ? html`<p class="quiet">${sentence(reason)}</p>` : nothing}
+      ${before.map((it) => html`<p class="quiet before">${say("fleet.work.before", { name: it.member.name, drawn: it.drawn })}</p>`)}
+      ${acts(context, work)}
+      ${refused?.work === id ? html`<p class="told-of" data-tone="bad" role="alert">${problemText(refused.problem)}</p>` : nothing}
+    </li>`;
+}
+
+/** Whose it is, what it needs, and since when it is here. @param {Context} context @param {WorkView} work */
+const whose = ({ board, say }, { student, group, needs, submitted_ms }) => [
+  group ? `${student} (${group})` : student,
+  ...(needs.length ? [say("fleet.work.needs", { needs: needs.join(", ") })] : []),
+  say("fleet.work.at", { time: new Date(submitted_ms).toLocaleTimeString(board.language, { hour: "2-digit", minute: "2-digit" }) }),
+].join(" · ");
+
+/** Which arm has it, and how far that one is. @param {Context} context @param {WorkView} work */
+function place({ say }, { member, job, phase, doubt }) {
+  if (!member) return nothing;
+  const begun = phase === "taken" && job && (job.phase === "running" || job.phase === "paused");
+  return html`
+    <p class="where">${job ? say("fleet.work.job", { name: member.name, job: job.job, phase: say(`job.${job.phase}`) }) : member.name}</p>
+    ${begun && doubt == null ? html`<progress max="1" .value=${share(job)} aria-label=${say("job.progress")}></progress>` : nothing}`;
+}
+
+/** @param {Context} context @param {WorkView} work */
+function acts(context, work) {
+  const { say, act } = context;
+  const asks = (/** @type {"give" | "cancel"} */ what) => {
+    const { id, title, doubt, reason, member } = work;
+    const why = doubt ?? reason;
+    act.send({ type: "question", question: { about: `fleet_${what}`, work: id, values: { title, name: member?.name ?? "", why: why ? `${sentence(why)}. ` : "" } } });
+  };
+  const button = (/** @type {"give" | "cancel"} */ what) => html`<button type="button" class="small" data-act=${what} aria-label=${`${say(`fleet.work.${what}`)}: ${work.title}`} @click=${() => asks(what)}>${say(`fleet.work.${what}`)}</button>`;
+  if (!mayGive(work) && !mayCancel(work)) return nothing;
+  return html`<div class="row">${mayGive(work) ? button("give") : nothing}${mayCancel(work) ? button("cancel") : nothing}</div>`;
+}
+
+/** What of the queue an arm has, was offered, or could take. @param {Context} context @param {import("./members.js").Member} member */
+export function ofArm(context, member) {
+  const { board, say } = context;
+  const { has, could } = ofMember(board.queue.all, member);
+  if (!has.length && !could.length) return nothing;
+  return html`
+    <h3 id="details-queue">${say("fleet.queue")} <small>${say("fleet.queue.could", { number: could.length })}</small></h3>
+    <ol class="jobs" aria-labelledby="details-queue">${repeat([...has, ...could.slice(0, COULD)], ({ id }) => id, (it) => html`
+      <li class="entry" data-work=${it.id}>
+        <p class="job"><span class="title">${it.title}</span> <span class="chip" data-tone=${it.doubt == null ? TONES[it.phase] : "warn"}>${say(it.doubt == null ? `fleet.work.${it.phase}` : "fleet.work.doubt")}</span></p>
+        <p class="quiet">${whose(context, it)}</p>
+      </li>`)}
+    </ol>`;
+}

@@ -1,0 +1,76 @@
+// Reads the work for any arm that was submitted to the station of this board, and asks for what is to become of it.
+
+import { readDrawing } from "../station/file.js";
+import { optionsOf } from "./queue.js";
+
+/** @typedef {import("./fleet.js").Store} Store */
+/** @typedef {import("../state/types.js").Problem} Problem */
+/** @typedef {import("./queue.js").Form} Form */
+/** @typedef {import("./queue.js").WorkView} WorkView */
+
+/** What becomes of it at other stations nobody tells: it is read so often. */
+const AGAIN_MS = 2000;
+const WORK = "api/v1/fleet/work";
+const KEY_BYTES = 16;
+
+/** @param {Store} store @param {import("../station/http.js").Http} http */
+export function createQueueRequests(store, http) {
+  const { send } = store;
+  /** @type {number | undefined} */ let timer;
+  /** How often it was read: an answer to an earlier question is not taken. */
+  let asked = 0;
+  /** What the submission of the form as it is now goes by: after a lost answer it can be sent again. */
+  let key = newKey();
+
+  async function read() {
+    clearTimeout(timer);
+    if (store.page.connection !== "open") return;
+    const mine = asked += 1;
+    const all = document.hidden ? undefined : await http.json(WORK);
+    if (mine !== asked) return;
+    if (all) send({ type: "queue", all });
+    timer = setTimeout(() => void read(), AGAIN_MS);
+  }
+
+  store.listen((_, { type }) => {
+    if (type === "queue_form") key = newKey();
+    if (type === "fleet" || type === "queue_open") void read();
+  });
+
+  /** @param {string} work @param {"POST" | "DELETE"} method @param {string} path */
+  async function decide(work, method, path) {
+    send({ type: "queue_asked", work });
+    const { problem } = await http.ask(method, path);
+    if (problem) send({ type: "queue_refused", work, problem });
+    await read();
+  }
+
+  return {
+    async submit() {
+      const { form } = store.page.queue, mine = key;
+      send({ type: "queue_asked", work: null });
+      const { body, problem: unread } = await bodyOf(form);
+      if (unread) return send({ type: "queue_refused", work: null, problem: unread });
+      /** @type {import("../station/http.js").Outcome<WorkView>} */ const { value, problem } = await http.ask("POST", WORK, body, mine);
+      if (problem) return send({ type: "queue_refused", work: null, problem });
+      if (key === mine) key = newKey();
+      send({ type: "queue_submitted", form, title: value.title });
+      await read();
+    },
+    /** A person does not want it any more. @param {string} work */
+    cancel: (work) => decide(work, "DELETE", `${WORK}/${work}`),
+    /** A person has looked at the arm, and another one is to do it. @param {string} work */
+    give: (work) => decide(work, "POST", `${WORK}/${work}/give`),
+  };
+}
+
+/** @param {Form} form @returns {Promise<{ body?: unknown, problem?: Problem }>} */
+async function bodyOf(form) {
+  const { student, group, needs } = form;
+  const { told, problem } = form.what === "file" && form.file ? await readDrawing(form.file) : {};
+  if (problem) return { problem };
+  return { body: { drawing: { ...told, options: optionsOf(form) }, needs, student: student.trim(), ...(group.trim() && { group: group.trim() }) } };
+}
+
+/** A number that no other submission has. */
+const newKey = () => [...crypto.getRandomValues(new Uint8Array(KEY_BYTES))].map((byte) => byte.toString(16).padStart(2, "0")).join("");

@@ -1,0 +1,160 @@
+// A class with its board: three stations in three networks, a router between them that is killed, and a browser in the network of the
+// teacher and in that of a student. `tests/fleet/board.sh` makes the networks and starts this.
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { mkdir, writeFile } from "node:fs/promises";
+import { resolve } from "node:path";
+import { after, before, test } from "node:test";
+import { promisify } from "node:util";
+import { launch } from "./bench.mjs";
+import { end, start } from "./program.mjs";
+
+const PAGE = "http://127.0.0.1:8642/";
+/** The teacher's station, a student's, who has pen and paper, and another one. */
+const DESKS = { "desk-1": [], "desk-2": ["--group", "room-2", "--offers", "pen", "--offers", "a5", "--takes-work=start"], "desk-3": ["--group", "room-2"] };
+/** However slow the machine is. */
+const PATIENCE_MS = 180_000;
+
+let router, token, board, student;
+const stations = new Map(), browsers = [], errors = [];
+
+const inside = (network) => ["ip", "netns", "exec", network];
+const beginRouter = async () => (await start(["fleet", "router", "--listen", "tls/0.0.0.0:7447", "--fleet=keys/router"], /the router is at (\S+)/, inside("router"))).child;
+
+async function beginDesk(name, number) {
+  const words = ["up", "--virtual", "--raw", "off", "--no-open", "--data", resolve(name), "--name", name, `--fleet=keys/${name}`, "--connect", `tls/10.7.${number}.1:7447`, ...DESKS[name]];
+  return (await start(words, /page +(http:\S+)/, inside(name))).child;
+}
+
+/** One token of the teacher, accepted at each desk. */
+async function addToken(name) {
+  const words = ["token", "add", "admin", "teacher", "--data", resolve(name), ...(token ? ["--same-as", resolve("teacher")] : [])];
+  const { stdout } = await promisify(execFile)(process.env.DOBOT, words);
+  token ??= stdout.trim();
+  await writeFile("teacher", token);
+}
+
+/** A page in a browser that runs in the network of a desk. */
+async function visit(network, path) {
+  const script = resolve(`${network}.sh`);
+  await writeFile(script, `#!/bin/sh\nexec ${inside(network).join(" ")} "${process.env.CHROMIUM}" "$@"\n`, { mode: 0o755 });
+  const browser = await launch(false, script);
+  browsers.push(browser);
+  const page = await (await browser.newContext({ viewport: { width: 1440, height: 900 } })).newPage();
+  page.setDefaultTimeout(PATIENCE_MS);
+  page.on("pageerror", (error) => errors.push(error));
+  await page.goto(`${PAGE}${path}`);
+  return page;
+}
+
+before(async () => {
+  for (const name of Object.keys(DESKS)) {
+    await mkdir(name);
+    await addToken(name);
+  }
+  router = await beginRouter();
+  for (const [n, name] of Object.keys(DESKS).entries()) stations.set(name, await beginDesk(name, n + 1));
+  board = await visit("desk-1", `fleet#token=${token}`);
+  student = await visit("desk-2", "");
+});
+after(async () => {
+  for (const browser of browsers) await browser.close();
+  for (const child of stations.values()) await end(child, "SIGKILL");
+  if (router) await end(router, "SIGKILL");
+  assert.deepEqual(errors, []);
+});
+
+const tile = (name) => `.tile[data-member=${name}]`;
+/** Waits until the state of the station of a page is so. */
+const state = (page, isSo) => page.waitForFunction(async (isSo) => new Function(`return ${isSo}`)()(await (await fetch("api/v1/state")).json()), isSo.toString(), { polling: 200 });
+const says = (selector, text) => board.waitForFunction(([selector, text]) => document.querySelector(selector)?.textContent.includes(text), [selector, text]);
+const seen = async (presence) => { for (const name of ["desk-2", "desk-3"]) await board.waitForSelector(`${tile(name)}[data-presence=${presence}]`); };
+/** The entry of the queue with this title. */
+const entry = (title) => `#queue [data-work]:has(.title:text-is("${title}"))`;
+
+/** Submits a text with a student's name. */
+async function submit(text, name) {
+  await board.check("[name=submit-what][value=text]", { force: true });
+  await board.fill("#submit-text", text);
+  await board.fill("#submit-student", name);
+  await board.click("#submit-send");
+  await board.waitForSelector(entry(text));
+}
+
+test("the board shows each station of the three networks", async () => {
+  await seen("present");
+  await says("#count .chip", "3 of 3 there");
+});
+
+test("a drawing that is submitted at the board is taken by the arm that has what it needs, and drawn", async () => {
+  await board.click("#queue-open");
+  await board.check("#submit-needs [value=a5]");
+  await says("#submit-arms", "desk-2");
+  await board.fill("#submit-down", "-40");
+  await submit("i", "Anna");
+  await board.waitForSelector(`${entry("i")}[data-phase=done]`);
+  assert.match(await board.textContent(`${entry("i")} .where`), /^desk-2: job \d+, done$/);
+  const jobs = await student.evaluate(async () => (await fetch("api/v1/jobs")).json());
+  assert.deepEqual(jobs.map(({ title, phase }) => [title, phase]), [["i (Anna)", "done"]]);
+});
+
+test("eyes on me holds each arm and is told on the student's page, a message too; release lets go", async () => {
+  await board.fill("#lesson-text", "eyes on me");
+  await board.click("#lock");
+  await says("#told", "3 of 3 locked.");
+  await student.waitForSelector("#locked");
+  assert.equal((await student.textContent("#locked")).trim(), "The arm is locked. By teacher: eyes on me.");
+  await board.fill("#lesson-text", "Five minutes");
+  await board.click("#send");
+  await student.waitForSelector("#message");
+  assert.match(await student.textContent("#message p"), /teacher.*Five minutes/);
+  await board.click("#release");
+  await state(student, ({ lock }) => !lock);
+});
+
+test("a student who takes a lesson is on the board with the step", async () => {
+  await student.waitForSelector("#fleet");
+  await student.click("#first-tour");
+  await student.fill("#lesson-who input", "Anna");
+  await student.click("#lesson-who button");
+  await says(`${tile("desk-2")} .learner`, "step 1 of 12");
+  await student.click("#lesson-next");
+  await says(`${tile("desk-2")} .learner`, "step 2 of 12");
+  assert.match(await board.textContent(`${tile("desk-2")} .learner`), /^Anna /);
+  await student.click("#lesson-end");
+});
+
+test("with the router killed the others are away, what they have is in doubt, and STOP ALL says who did not answer", async () => {
+  await submit("Ben", "Ben");
+  await state(student, ({ job }) => job?.phase === "running");
+  await board.waitForSelector(`${entry("Ben")}[data-phase=taken]`);
+  await end(router, "SIGKILL");
+  await seen("away");
+  await board.waitForSelector(`${entry("Ben")}[data-doubtful=true]`);
+  assert.match(await board.textContent(`${entry("Ben")} .told-of`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done when it was heard of last, and it may go on\.$/);
+  await says("#queue-open", "1 in doubt");
+  await board.click("#stop");
+  await says("#stop-told", "1 of 3 stopped.");
+  assert.match(await board.textContent("#stop-told"), /No answer from desk-2 and desk-3: press STOP on their own pages\./);
+  await state(board, ({ stop }) => stop !== null);
+  // The arm that nobody of the fleet reaches is stopped on its own page.
+  assert.equal((await student.evaluate(async () => (await fetch("api/v1/state")).json())).stop, null);
+  await student.click("#stop");
+  await state(student, ({ stop }) => stop?.at_rest === true);
+});
+
+test("with the router back they find each other, the doubt ends by itself, and no other arm has drawn it", async () => {
+  router = await beginRouter();
+  await seen("present");
+  await board.waitForSelector(`${entry("Ben")}[data-doubtful=false]`);
+  assert.match(await board.textContent(`${entry("Ben")} .where`), /^desk-2: job \d+, /);
+  const jobs = await board.evaluate(async () => (await fetch("api/v1/jobs")).json());
+  assert.deepEqual(jobs, []);
+  await board.click("#stop");
+  await says("#stop-told", "3 of 3 stopped.");
+  await board.waitForSelector(`${tile("desk-3")}[data-tone=bad]`);
+  await board.click("#reset");
+  await board.click("#sure-yes");
+  await says("#told", "3 of 3 may move again.");
+  await state(student, ({ stop }) => stop === null);
+});
