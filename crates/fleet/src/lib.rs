@@ -29,6 +29,7 @@ mod keys;
 mod roster;
 mod router;
 mod telling;
+pub mod together;
 mod work;
 
 pub use config::{FleetConfig, FleetConfigError};
