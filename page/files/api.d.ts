@@ -3362,6 +3362,8 @@ export interface components {
             laser?: boolean | null;
             /** @description Waits for a person, who is told this, in 1 to 200 letters. */
             wait?: string | null;
+            /** @description Waits for the other arms of a program for several, at the barrier of this name, in 1 to 40 letters. */
+            barrier?: string | null;
             /** @description Sets speeds. */
             speed?: components["schemas"]["Speed2"] | null;
             /** @description Says which of the named tools is mounted. */
@@ -3506,8 +3508,8 @@ export interface components {
         /** @description One name, or several. */
         Names: string | string[];
         /**
-         * @description A step. Exactly one of `go`, `laser`, `wait`, `speed`, `tool`, `repeat`, `each`, `call`, `arc`, `circle` and
-         *     `drawing` says what it does; or it has only `suction`, `gripper` and `pause`, which act where the arm is.
+         * @description A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`, `call`, `arc`, `circle`
+         *     and `drawing` says what it does; or it has only `suction`, `gripper` and `pause`, which act where the arm is.
          */
         Step: {
             /** @description Goes to a place. */
@@ -3532,6 +3534,8 @@ export interface components {
             laser?: boolean | null;
             /** @description Waits for a person, who is told this, in 1 to 200 letters. */
             wait?: string | null;
+            /** @description Waits for the other arms of a program for several, at the barrier of this name, in 1 to 40 letters. */
+            barrier?: string | null;
             /** @description Sets speeds. */
             speed?: components["schemas"]["Speed2"] | null;
             /** @description Says which of the named tools is mounted. */

@@ -41,6 +41,7 @@ class Step(TypedDict, total=False):
     pause: float
     laser: bool
     wait: str
+    barrier: str
     speed: Mapping[str, float]
     tool: str
     repeat: int | Literal["forever"]

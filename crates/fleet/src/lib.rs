@@ -30,6 +30,7 @@ mod network;
 mod roster;
 mod router;
 mod telling;
+pub mod together;
 mod work;
 
 pub use config::{FleetConfig, FleetConfigError};

@@ -17,7 +17,10 @@ use self::resolve::Spot;
 use self::state::State;
 use crate::files::{Called, MOST_COMMANDS, beside, error};
 use crate::program::{Arc, Drawing, Go};
-use crate::{Action, Compiled, CompiledStep, Files, Here, Program, ProgramError, Steps, Times};
+use crate::{
+    Action, Compiled, CompiledStep, Files, Here, Program, ProgramError, Steps, Times,
+    barrier_reason,
+};
 
 impl Program {
     /// Makes commands of the program. `files` gives the programs that it calls and the drawings.
@@ -217,6 +220,10 @@ impl Compiler<'_> {
                 file: scope.file.clone(),
                 line: scope.program.line_of(step),
                 label: label(step.get_ref()).into(),
+                barrier: match step.get_ref() {
+                    Action::Barrier(name) => Some(name.as_str().into()),
+                    _ => None,
+                },
             });
         }
         Ok(())
@@ -286,6 +293,7 @@ impl Compiler<'_> {
                 Ok(())
             }
             Action::Wait(message) => self.wait(message),
+            Action::Barrier(name) => self.barrier(name),
             Action::Speed(speed) => {
                 let commands = self.state.set_speed(speed);
                 self.out.commands.extend(commands);
@@ -363,6 +371,16 @@ impl Compiler<'_> {
             None => {}
         }
         Ok(())
+    }
+
+    /// The others are waited for as a person is; whoever goes on with the job says when all are there.
+    fn barrier(&mut self, name: &str) -> Result<(), String> {
+        if !self.state.has_moved {
+            return Err(format!(
+                "the barrier {name:?} comes before the first motion; all arms begin together anyway: put a step with go before it"
+            ));
+        }
+        self.wait(&barrier_reason(name))
     }
 
     fn arc(&mut self, scope: &Scope<'_>, arc: &Arc, is_circle: bool) -> Result<(), String> {
@@ -455,6 +473,7 @@ fn label(action: &Action) -> String {
         Action::Here(then) => here_label(then),
         Action::Laser(on) => format!("laser {}", on_off(*on)),
         Action::Wait(message) => format!("wait: {message}"),
+        Action::Barrier(name) => format!("barrier {name}"),
         Action::Speed(_) => "speed".to_owned(),
         Action::Tool(tool) => format!("tool {tool}"),
         Action::Arc(arc) => format!("arc to {}", name(&arc.to)),

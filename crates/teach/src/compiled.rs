@@ -36,6 +36,8 @@ pub struct CompiledStep {
     pub line: usize,
     /// What it does, for a person.
     pub label: Arc<str>,
+    /// The barrier at which the arm waits for the others, before its first command.
+    pub barrier: Option<Arc<str>>,
 }
 
 impl Compiled {
@@ -79,6 +81,12 @@ impl Compiled {
             },
         }
     }
+}
+
+/// Why the job of a program is paused at a barrier, as its station tells it.
+#[must_use]
+pub fn barrier_reason(barrier: &str) -> String {
+    format!("at the barrier {barrier:?} it waits for the other arms")
 }
 
 /// How far a pen is lifted where a program is paused that draws, in mm.

@@ -60,7 +60,7 @@ mod step_table;
 pub mod vendor;
 
 pub use check::{Problem, Report, check};
-pub use compiled::{Compiled, CompiledStep};
+pub use compiled::{Compiled, CompiledStep, barrier_reason};
 pub use document::ProgramDocument;
 pub use error::ProgramError;
 pub use files::{Files, NoFiles};

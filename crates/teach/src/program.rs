@@ -66,6 +66,8 @@ pub enum Action {
     Laser(bool),
     /// Waits for a person, who is told this.
     Wait(String),
+    /// Waits for the other arms of a program for several: all that name this barrier go on together.
+    Barrier(String),
     /// Sets speeds (states 9 and 10).
     Speed(Speed),
     /// Says which of the named tools is mounted (state 9, mode 4).

@@ -11,8 +11,8 @@ use crate::number::{perhaps, within};
 use crate::place::Place;
 use crate::program::{Action, Arc, Drawing, Go, Here, Offset, Speed, Steps, Times};
 
-/// A step. Exactly one of `go`, `laser`, `wait`, `speed`, `tool`, `repeat`, `each`, `call`, `arc`, `circle` and
-/// `drawing` says what it does; or it has only `suction`, `gripper` and `pause`, which act where the arm is.
+/// A step. Exactly one of `go`, `laser`, `wait`, `barrier`, `speed`, `tool`, `repeat`, `each`, `call`, `arc`, `circle`
+/// and `drawing` says what it does; or it has only `suction`, `gripper` and `pause`, which act where the arm is.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 #[schemars(rename = "Step")]
@@ -41,6 +41,9 @@ pub(crate) struct StepTable {
     /// Waits for a person, who is told this, in 1 to 200 letters.
     #[serde(skip_serializing_if = "Option::is_none")]
     wait: Option<String>,
+    /// Waits for the other arms of a program for several, at the barrier of this name, in 1 to 40 letters.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    barrier: Option<String>,
     /// Sets speeds.
     #[serde(skip_serializing_if = "Option::is_none")]
     speed: Option<Speed>,
@@ -113,6 +116,7 @@ impl StepTable {
             ("pause", self.pause.is_some()),
             ("laser", self.laser.is_some()),
             ("wait", self.wait.is_some()),
+            ("barrier", self.barrier.is_some()),
             ("speed", self.speed.is_some()),
             ("tool", self.tool.is_some()),
             ("repeat", self.repeat.is_some()),
@@ -132,6 +136,7 @@ impl StepTable {
             go,
             laser,
             wait,
+            barrier,
             speed,
             tool,
             repeat,
@@ -155,7 +160,11 @@ impl StepTable {
                 }))
             }),
             laser.take().map(|it| Ok(Action::Laser(it))),
-            wait.take().map(|it| checked_message(it).map(Action::Wait)),
+            wait.take()
+                .map(|it| checked_text("wait", it, LONGEST_MESSAGE).map(Action::Wait)),
+            barrier
+                .take()
+                .map(|it| checked_text("barrier", it, LONGEST_BARRIER).map(Action::Barrier)),
             speed.take().map(|it| checked_speed(it).map(Action::Speed)),
             tool.take().map(|it| Ok(Action::Tool(it))),
             repeat
@@ -220,6 +229,10 @@ impl From<Action> for StepTable {
             },
             Action::Wait(message) => Self {
                 wait: Some(message),
+                ..empty
+            },
+            Action::Barrier(name) => Self {
+                barrier: Some(name),
                 ..empty
             },
             Action::Speed(speed) => Self {
@@ -382,13 +395,14 @@ fn nested(verb: &str, steps: &mut Option<Steps>) -> Result<Steps, String> {
     }
 }
 
-fn checked_message(message: String) -> Result<String, String> {
-    match message.chars().count() {
-        1..=LONGEST_MESSAGE => Ok(message),
-        count => Err(format!(
-            "wait has {count} letters; allowed are 1 to {LONGEST_MESSAGE}"
-        )),
+fn checked_text(key: &str, text: String, longest: usize) -> Result<String, String> {
+    let count = text.chars().count();
+    if (1..=longest).contains(&count) {
+        return Ok(text);
     }
+    Err(format!(
+        "{key} has {count} letters; allowed are 1 to {longest}"
+    ))
 }
 
 fn checked_arc(arc: Arc) -> Result<Arc, String> {
@@ -448,12 +462,14 @@ fn allowed(keys: &[&str]) -> String {
     keys.join(", ")
 }
 
-const VERBS: [&str; 11] = [
-    "go", "laser", "wait", "speed", "tool", "repeat", "each", "call", "arc", "circle", "drawing",
+const VERBS: [&str; 12] = [
+    "go", "laser", "wait", "barrier", "speed", "tool", "repeat", "each", "call", "arc", "circle",
+    "drawing",
 ];
-const ONE_OF: &str = "it needs one of go, suction, gripper, pause, laser, wait, speed, tool, repeat, each, call, arc, circle and drawing";
+const ONE_OF: &str = "it needs one of go, suction, gripper, pause, laser, wait, barrier, speed, tool, repeat, each, call, arc, circle and drawing";
 const FOREVER: &str = "forever";
 const LONGEST_MESSAGE: usize = 200;
+const LONGEST_BARRIER: usize = 40;
 /// What a target can say (note N10).
 pub(crate) const LONGEST_PAUSE_S: f64 = 655.0;
 /// Slower is no speed: a way would take hours.

@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use dobot_safety::Policy;
-use dobot_teach::{Compiled, Drawing, Files, NoFiles, Program, check};
+use dobot_teach::{Compiled, Drawing, Files, NoFiles, Program, barrier_reason, check};
 use dobot_trajectory::Model;
 use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteVector};
 
@@ -345,6 +345,28 @@ fn only_the_first_motion_starts_softly() {
         matches!(it.commands[2], Command::MoveTo(_))
             && matches!(it.commands[4], Command::MoveTo(_))
     );
+}
+
+#[test]
+fn a_barrier_waits_as_for_a_person_and_is_told_by_its_name() {
+    let it = compiled(&format!("{GO}[[steps]]\nbarrier = \"handed over\"\n{GO}"));
+    let at = it.steps.iter().find(|it| it.barrier.is_some()).unwrap();
+    assert_eq!(at.barrier.as_deref(), Some("handed over"));
+    let [pause] = &it.pauses[..] else {
+        panic!("{:?}", it.pauses)
+    };
+    assert_eq!(pause.before, at.first);
+    assert_eq!(pause.message, barrier_reason("handed over"));
+}
+
+#[test]
+fn a_barrier_before_the_first_motion_is_told_with_what_helps() {
+    let text = format!("[[steps]]\nbarrier = \"ready\"\n{GO}");
+    let program = Program::from_toml(&text).unwrap();
+    let error = program.compile(&mut NoFiles).unwrap_err().to_string();
+    for part in ["line 1", "\"ready\"", "first motion", "step with go"] {
+        assert!(error.contains(part), "{part} is missing: {error}");
+    }
 }
 
 #[test]

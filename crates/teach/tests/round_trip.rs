@@ -75,6 +75,7 @@ fn action() -> impl Strategy<Value = Action> {
         1 => here().prop_map(Action::Here),
         1 => any::<bool>().prop_map(Action::Laser),
         1 => "[a-z \"\n#=]{1,20}".prop_map(Action::Wait),
+        1 => "[a-z \"\n#=]{1,20}".prop_map(Action::Barrier),
         1 => speed.prop_map(Action::Speed),
         1 => Just(Action::Tool("tool".to_owned())),
         1 => arc().prop_map(Action::Arc),

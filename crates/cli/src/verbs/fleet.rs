@@ -2,6 +2,8 @@
 
 #[cfg(feature = "fleet")]
 mod set_up;
+#[cfg(feature = "fleet")]
+mod together;
 mod work;
 
 use clap::Subcommand;
@@ -29,7 +31,7 @@ pub(crate) struct Args {
     action: Option<Action>,
     #[command(flatten)]
     station: Station,
-    /// Print JSON (list, stop, work)
+    /// Print JSON (list, stop, work, together)
     #[arg(long, global = true)]
     json: bool,
 }
@@ -50,6 +52,9 @@ enum Action {
     /// Submit drawings and programs to any arm that has what they need, and see what has become of them
     Work(WorkArgs),
     #[cfg(feature = "fleet")]
+    /// Do one program with several arms, which wait for each other at barriers
+    Together(together::TogetherArgs),
+    #[cfg(feature = "fleet")]
     /// Make a certificate for each station, and the authority where there is none yet
     Certificates(set_up::Certificates),
     #[cfg(feature = "fleet")]
@@ -62,6 +67,8 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         Action::List => list(&args.station, args.json).await,
         Action::Stop { group, reason } => stop(&args.station, group, reason, args.json).await,
         Action::Work(work) => work.run(&args.station, args.json).await,
+        #[cfg(feature = "fleet")]
+        Action::Together(together) => together.run(&args.station, args.json).await,
         #[cfg(feature = "fleet")]
         Action::Certificates(args) => args.run(),
         #[cfg(feature = "fleet")]

@@ -35,6 +35,8 @@ mod states;
 mod stations;
 #[cfg(target_os = "linux")]
 mod terminal;
+#[cfg(feature = "fleet")]
+mod together;
 #[cfg(target_os = "linux")]
 mod touching;
 #[cfg(unix)]

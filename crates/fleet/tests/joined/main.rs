@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod together;
+
 use std::net::TcpListener;
 use std::path::Path;
 use std::time::Duration;

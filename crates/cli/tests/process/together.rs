@@ -1,0 +1,74 @@
+//! One program for several arms, rehearsed.
+
+use std::path::PathBuf;
+
+use serde_json::Value;
+
+use crate::program::dobot;
+
+fn rehearsed(file: &str) -> Value {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples/together");
+    let file = folder.join(file);
+    let file = file.to_str().expect("the path is text");
+    let outcome = dobot(&["fleet", "together", file, "--dry-run", "--json"]);
+    assert_eq!(outcome.code, Some(0), "{outcome:?}");
+    serde_json::from_str(&outcome.stdout).expect("it is JSON")
+}
+
+fn names(told: &Value) -> Vec<&str> {
+    let barriers = told["barriers"].as_array().expect("there are barriers");
+    let names = barriers.iter().map(|it| it["barrier"].as_str());
+    names.collect::<Option<_>>().expect("each has a name")
+}
+
+#[test]
+fn the_examples_meet_in_the_order_of_their_barriers_and_come_through() {
+    let cube = rehearsed("cube.toml");
+    let once = ["the place is free", "the cube is there"];
+    assert_eq!(names(&cube), once.repeat(3));
+    let pens = rehearsed("pens.toml");
+    assert_eq!(names(&pens), ["black is done", "red is done"]);
+    for part in [&cube, &pens].map(|it| &it["parts"]) {
+        let parts = part.as_array().expect("there are parts");
+        let over_s = parts.iter().map(|it| it["over_s"].as_f64());
+        assert!(over_s.into_iter().all(|it| it > Some(1.0)), "{parts:?}");
+    }
+    // The last pen waits for the other two.
+    let waited_s = |part: usize| pens["parts"][part]["waited_s"].as_f64();
+    assert!(
+        waited_s(2) > waited_s(1) && waited_s(1) > waited_s(0),
+        "{pens}"
+    );
+}
+
+#[test]
+fn arms_that_would_wait_for_ever_are_told_before_anything_is_rehearsed() {
+    let folder = tempfile::tempdir().expect("there is a folder");
+    let write = |name: &str, text: String| {
+        std::fs::write(folder.path().join(name), text).expect("it can be written");
+    };
+    for (name, [first, second]) in [("one", ["x", "y"]), ("two", ["y", "x"])] {
+        let go = "[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n";
+        let step = |name: &str| format!("[[steps]]\nbarrier = \"{name}\"\n");
+        let text = format!("title = \"{name}\"\n{go}{}{}", step(first), step(second));
+        write(&format!("{name}.toml"), text);
+    }
+    let parts =
+        ["one", "two"].map(|it| format!("[[parts]]\narm = \"{it}\"\nprogram = \"{it}.toml\"\n"));
+    write("both.toml", format!("title = \"both\"\n{}", parts.concat()));
+    let file = folder.path().join("both.toml");
+    let file = file.to_str().expect("the path is text");
+    let outcome = dobot(&["fleet", "together", file, "--dry-run"]);
+    assert_eq!(outcome.code, Some(1), "{outcome:?}");
+    for part in [
+        "2 problems",
+        "step 2 (line 4, barrier \"x\")",
+        "wait for ever",
+        "same order",
+    ] {
+        assert!(
+            outcome.stderr.contains(part),
+            "{part} is missing: {outcome:?}"
+        );
+    }
+}

@@ -1,0 +1,27 @@
+//! One program for several arms: parts that wait for each other at barriers.
+//!
+//! ```text
+//!   document --> parts --> check ----> problems, before anything moves
+//!                  |
+//!                  +-----> rehearse    all arms in virtual time, on one clock    \
+//!                  |                                                              engine: who waits, who holds
+//!                  '-----> run         the stations of a fleet, by their own API /
+//! ```
+
+mod barriers;
+mod check;
+mod document;
+mod engine;
+mod part;
+mod rehearse;
+mod run;
+mod seen;
+#[cfg(test)]
+mod tests;
+
+pub use check::check;
+pub use document::{DocumentError, PartOf, Together};
+pub use engine::News;
+pub use part::Part;
+pub use rehearse::{BarrierTime, PartTime, Rehearsal, RehearseError, Wait, rehearse};
+pub use run::{Home, Order, Outcome, RunError, Said, run};

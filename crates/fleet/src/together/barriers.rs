@@ -1,0 +1,188 @@
+//! The barriers of a part, in the order in which its arm comes to them.
+
+use std::collections::{BTreeSet, HashSet};
+use std::sync::Arc;
+
+use dobot_teach::Compiled;
+
+/// The barriers of a part, in the order in which its arm comes to them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Barriers {
+    once: Vec<Barrier>,
+    /// Those that come again and again behind the others.
+    cycle: Vec<Barrier>,
+    /// How often they do; without it until a person ends it.
+    times: Option<u64>,
+}
+
+/// A step of a part at which its arm waits for others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Barrier {
+    /// Its name: all parts that have it wait for each other.
+    pub(super) name: Arc<str>,
+    /// Which step it is, counted from 1 in the order in which they are done.
+    pub(super) step: usize,
+    /// The called program in which it stands; none in the program itself.
+    pub(super) file: Option<Arc<str>>,
+    /// The line on which it begins, counted from 1.
+    pub(super) line: usize,
+}
+
+impl Barriers {
+    /// Those of a program.
+    pub(super) fn of(program: &Compiled) -> Self {
+        let mut all = Self {
+            times: Some(0),
+            ..Self::default()
+        };
+        for (index, step) in program.steps.iter().enumerate() {
+            let Some(name) = &step.barrier else {
+                continue;
+            };
+            let barrier = Barrier {
+                name: name.clone(),
+                step: index + 1,
+                file: step.file.clone(),
+                line: step.line,
+            };
+            match program.repeat {
+                Some(repeat) if step.first >= repeat.from => all.cycle.push(barrier),
+                _ => all.once.push(barrier),
+            }
+        }
+        if let Some(repeat) = program.repeat.filter(|_| !all.cycle.is_empty()) {
+            all.times = repeat.times;
+        }
+        all
+    }
+
+    #[cfg(test)]
+    pub(super) const fn of_lists(
+        once: Vec<Barrier>,
+        cycle: Vec<Barrier>,
+        times: Option<u64>,
+    ) -> Self {
+        Self { once, cycle, times }
+    }
+
+    /// The next one where so many have been passed; none where no more comes.
+    pub(super) fn at(&self, passed: u64) -> Option<&Barrier> {
+        let once = self.once.len() as u64;
+        let place = self.place(passed);
+        let (list, index) = match passed.checked_sub(once) {
+            None => (&self.once, place),
+            Some(_) if self.is_over(passed) => return None,
+            Some(_) => (&self.cycle, place - once),
+        };
+        list.get(usize::try_from(index).ok()?)
+    }
+
+    /// The names of those that still come where so many have been passed.
+    pub(super) fn ahead(&self, passed: u64) -> BTreeSet<&str> {
+        if self.is_over(passed) {
+            return BTreeSet::new();
+        }
+        let once = self.once.len() as u64;
+        let skipped = usize::try_from(passed.min(once)).unwrap_or(usize::MAX);
+        let is_last = |it: u64| self.times.is_some_and(|times| it + 1 >= times);
+        let len = self.cycle.len().max(1) as u64;
+        // In its last cycle those that are behind it come no more.
+        let behind = match passed.checked_sub(once) {
+            Some(within) if is_last(within / len) => within % len,
+            _ => 0,
+        };
+        let behind = usize::try_from(behind).unwrap_or(usize::MAX);
+        let cycle = if self.times == Some(0) {
+            &[][..]
+        } else {
+            &self.cycle
+        };
+        let ahead = self.once.iter().skip(skipped);
+        let ahead = ahead.chain(cycle.iter().skip(behind));
+        ahead.map(|it| &*it.name).collect()
+    }
+
+    /// Whether one of them has this name.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.all().any(|it| *it.name == *name)
+    }
+
+    /// All of them; those of a cycle once.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Barrier> {
+        self.once.iter().chain(&self.cycle)
+    }
+
+    /// Whether it goes on until a person ends it.
+    pub(super) fn never_ends(&self) -> bool {
+        self.times.is_none()
+    }
+
+    /// The place among all of them: one in a cycle has the same each time.
+    fn place(&self, passed: u64) -> u64 {
+        let once = self.once.len() as u64;
+        match passed.checked_sub(once) {
+            Some(within) => once + within.checked_rem(self.cycle.len() as u64).unwrap_or(0),
+            None => passed,
+        }
+    }
+
+    fn is_over(&self, passed: u64) -> bool {
+        let Some(within) = passed.checked_sub(self.once.len() as u64) else {
+            return false;
+        };
+        let cycles = within.checked_div(self.cycle.len() as u64);
+        cycles.is_none_or(|it| self.times.is_some_and(|times| it >= times))
+    }
+}
+
+/// How parts come through their barriers, where nothing goes wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Course {
+    /// To their ends; or on and on, where they never end.
+    Through,
+    /// No further than here: so many have been passed by each.
+    Stuck(Vec<u64>),
+    /// There are more barriers than anybody looks at.
+    TooLong,
+}
+
+/// Follows all parts through their barriers. In which order they are released makes no difference: each part has one order of
+/// its own.
+pub(super) fn course(parts: &[&Barriers]) -> Course {
+    let mut passed = vec![0; parts.len()];
+    let mut been = HashSet::new();
+    for _ in 0..MOST_RELEASES {
+        let next: Vec<_> = parts.iter().zip(&passed).map(|(it, n)| it.at(*n)).collect();
+        if next.iter().all(Option::is_none) {
+            return Course::Through;
+        }
+        let Some(name) = meeting(parts, &next) else {
+            return Course::Stuck(passed);
+        };
+        for (next, passed) in next.iter().zip(&mut passed) {
+            *passed += u64::from(next.is_some_and(|it| it.name == name));
+        }
+        let rest = parts.iter().zip(&passed);
+        let only_endless = rest
+            .clone()
+            .all(|(it, n)| it.never_ends() || it.at(*n).is_none());
+        let places: Vec<u64> = rest.map(|(it, n)| it.place(*n)).collect();
+        if only_endless && !been.insert(places) {
+            return Course::Through;
+        }
+    }
+    Course::TooLong
+}
+
+/// A barrier at which all are that have it.
+fn meeting(parts: &[&Barriers], next: &[Option<&Barrier>]) -> Option<Arc<str>> {
+    let names = next.iter().flatten().map(|it| &it.name);
+    let is_met = |name: &&Arc<str>| {
+        let mut both = parts.iter().zip(next);
+        both.all(|(part, next)| !part.has(name) || next.is_some_and(|it| it.name == **name))
+    };
+    names.into_iter().find(is_met).cloned()
+}
+
+/// More are not looked at.
+const MOST_RELEASES: usize = 1_000_000;

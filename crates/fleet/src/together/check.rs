@@ -1,0 +1,213 @@
+//! What is wrong with a program for several arms, found before anything moves.
+
+use super::barriers::{Barrier, Course, course};
+use super::part::Part;
+
+/// All that is wrong: each in one line, with file, step and what to change.
+#[must_use]
+pub fn check(parts: &[Part]) -> Vec<String> {
+    let mut problems: Vec<String> = parts.iter().filter_map(untitled).collect();
+    problems.extend(parts.iter().filter_map(burning));
+    let alone = alone(parts);
+    // What nobody else has would be waited for besides.
+    if alone.is_empty() {
+        problems.extend(stuck(parts));
+    }
+    problems.extend(alone);
+    problems
+}
+
+fn untitled(part: &Part) -> Option<String> {
+    let file = &part.file;
+    let none = format!(
+        "{file}: there is no title, by which its station names the job; begin with title = \"...\""
+    );
+    part.compiled.title.is_empty().then_some(none)
+}
+
+/// A laser is armed by a person who stays with it.
+fn burning(part: &Part) -> Option<String> {
+    let step = part.burning_step()?;
+    let (file, line) = (&part.file, part.compiled.steps.get(step)?.line);
+    Some(format!(
+        "{file}: step {} (line {line}) switches the laser on; a laser burns only while a person who has armed it stays with it: play this program by itself",
+        step + 1
+    ))
+}
+
+/// Barriers that one part has alone.
+fn alone(parts: &[Part]) -> Vec<String> {
+    let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
+    let mut problems = Vec::new();
+    for (part, own) in parts.iter().zip(&barriers) {
+        for it in own.all() {
+            if barriers.iter().filter(|other| other.has(&it.name)).count() > 1 {
+                continue;
+            }
+            let others = barriers.iter().filter(|other| *other != own);
+            let mut names: Vec<_> = others.flat_map(|it| it.all().map(|it| &*it.name)).collect();
+            names.sort_unstable();
+            names.dedup();
+            let have = match &names[..] {
+                [] => "the others have no barrier".to_owned(),
+                names => format!("the others have {names:?}"),
+            };
+            let place = place(part, it);
+            problems.push(format!(
+                "{place}: no other part has this barrier, {have}; give it the same name there, or take the step away"
+            ));
+        }
+    }
+    problems
+}
+
+/// Parts that would wait for each other for ever.
+fn stuck(parts: &[Part]) -> Vec<String> {
+    let barriers: Vec<_> = parts.iter().map(Part::barriers).collect();
+    let all: Vec<_> = barriers.iter().collect();
+    let passed = match course(&all) {
+        Course::Through => return Vec::new(),
+        Course::TooLong => {
+            return vec![
+                "the parts meet more than 1000000 times before they are through; let them repeat \"forever\", or less often"
+                    .to_owned(),
+            ];
+        }
+        Course::Stuck(passed) => passed,
+    };
+    let next: Vec<_> = barriers
+        .iter()
+        .zip(&passed)
+        .map(|(it, n)| it.at(*n))
+        .collect();
+    let mut problems = Vec::new();
+    for (index, it) in next.iter().enumerate() {
+        let Some(it) = it else {
+            continue;
+        };
+        let elsewhere: Vec<String> = (0..parts.len())
+            .filter(|other| barriers[*other].has(&it.name))
+            .filter(|other| next[*other].is_none_or(|there| there.name != it.name))
+            .map(|other| where_is(&parts[other], next[other]))
+            .collect();
+        let (place, elsewhere) = (place(&parts[index], it), elsewhere.join(" and "));
+        problems.push(format!(
+            "{place}: it would wait for ever, since {elsewhere}; let all come to their barriers in the same order, and equally often"
+        ));
+    }
+    problems
+}
+
+fn where_is(part: &Part, next: Option<&Barrier>) -> String {
+    match next {
+        Some(next) => format!("{} waits at {}", part.arm, place(part, next)),
+        None => format!("{} has no barrier any more ({})", part.arm, part.file),
+    }
+}
+
+fn place(part: &Part, it: &Barrier) -> String {
+    let file = match &it.file {
+        Some(called) => format!("{} calls {called}", part.file),
+        None => part.file.clone(),
+    };
+    format!(
+        "{file}: step {} (line {}, barrier {:?})",
+        it.step, it.line, it.name
+    )
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_teach::{NoFiles, Program};
+
+    use super::*;
+
+    /// A part with these steps behind its first motion.
+    fn part(arm: &str, steps: &str) -> Part {
+        let text =
+            format!("title = \"{arm}\"\n[[steps]]\ngo = {{ x = 200, y = 0, z = 0 }}\n{steps}");
+        let program = Program::from_toml(&text).unwrap();
+        Part {
+            arm: arm.into(),
+            file: format!("{arm}.toml"),
+            compiled: program.compile(&mut NoFiles).unwrap(),
+            text,
+            files: std::collections::BTreeMap::new(),
+        }
+    }
+
+    fn barriers(names: &[&str]) -> String {
+        let step = |name: &&str| format!("[[steps]]\nbarrier = {name:?}\n");
+        names.iter().map(step).collect()
+    }
+
+    fn cycle(times: &str, names: &[&str]) -> String {
+        let steps = barriers(names).replace("[[steps]]", "[[steps.steps]]");
+        format!("[[steps]]\nrepeat = {times}\n{steps}")
+    }
+
+    fn problems(parts: [&str; 2]) -> Vec<String> {
+        let [one, two] = parts;
+        check(&[part("one", one), part("two", two)])
+    }
+
+    #[test]
+    fn parts_with_the_same_barriers_in_the_same_order_are_fine() {
+        let both = barriers(&["x", "y"]);
+        assert_eq!(problems([&both, &both]), [""; 0]);
+        let both = cycle("\"forever\"", &["x", "y"]);
+        assert_eq!(problems([&both, &both]), [""; 0]);
+        // Once by itself and twice in a cycle is three times.
+        let apart = format!("{}{}", barriers(&["x"]), cycle("2", &["x"]));
+        assert_eq!(problems([&apart, &cycle("3", &["x"])]), [""; 0]);
+    }
+
+    #[test]
+    fn two_that_wait_for_each_other_are_told_with_step_and_line() {
+        let found = problems([&barriers(&["x", "y"]), &barriers(&["y", "x"])]);
+        assert_eq!(found.len(), 2, "{found:?}");
+        let parts = [
+            "one.toml: step 2 (line 4, barrier \"x\")",
+            "two waits at two.toml: step 2 (line 4, barrier \"y\")",
+            "same order",
+        ];
+        for part in parts {
+            assert!(found[0].contains(part), "{part} is missing: {found:?}");
+        }
+    }
+
+    #[test]
+    fn one_that_comes_to_a_barrier_more_often_than_the_other_is_told() {
+        let found = problems([&barriers(&["x", "x", "x"]), &barriers(&["x", "x"])]);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(
+            found[0].contains("step 4 (line 8, barrier \"x\")"),
+            "{found:?}"
+        );
+        assert!(
+            found[0].contains("two has no barrier any more"),
+            "{found:?}"
+        );
+        let found = problems([&cycle("\"forever\"", &["x"]), &cycle("5", &["x"])]);
+        assert_eq!(found.len(), 1, "{found:?}");
+    }
+
+    #[test]
+    fn a_barrier_that_one_part_has_alone_is_told_with_those_of_the_others() {
+        let found = problems([&barriers(&["handed over"]), &barriers(&["handed-over"])]);
+        assert_eq!(found.len(), 2, "{found:?}");
+        assert!(found[0].contains("\"handed over\"") && found[0].contains("[\"handed-over\"]"));
+    }
+
+    #[test]
+    fn a_part_that_burns_is_not_for_several_arms() {
+        let burns = "[[steps]]\nlaser = true\n[[steps]]\nlaser = false\n";
+        let found = problems([burns, ""]);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(
+            found[0].contains("one.toml: step 2 (line 4) switches the laser on"),
+            "{found:?}"
+        );
+    }
+}

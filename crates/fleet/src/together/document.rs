@@ -1,0 +1,146 @@
+//! The text that says which arm does which program.
+
+use std::collections::BTreeSet;
+
+use dobot_api::is_fleet_name;
+use serde::Deserialize;
+
+/// A program for several arms, as its text says it.
+///
+/// ```
+/// use dobot_fleet::together::Together;
+///
+/// let it = Together::from_toml(r#"
+///     title = "hand over a cube"
+///     [[parts]]
+///     arm = "desk-1"
+///     program = "giver.toml"
+///     [[parts]]
+///     arm = "desk-2"
+///     program = "taker.toml"
+/// "#)?;
+/// assert_eq!(it.parts[1].arm, "desk-2");
+/// # Ok::<(), dobot_fleet::together::DocumentError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Together {
+    /// What a person calls it.
+    pub title: String,
+    /// What each arm does, 2 to 64.
+    pub parts: Vec<PartOf>,
+}
+
+/// What one arm does.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PartOf {
+    /// The arm, by the name of its station in the fleet.
+    pub arm: String,
+    /// The file of its taught program, beside the text.
+    pub program: String,
+}
+
+/// Why a text is no program for several arms.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DocumentError {
+    /// It is no TOML, or has other keys.
+    #[error("{}{reason}", line.map(|it| format!("line {it}: ")).unwrap_or_default())]
+    Toml {
+        /// Where, counted from 1.
+        line: Option<usize>,
+        /// What is wrong.
+        reason: String,
+    },
+    /// It has too few or too many parts.
+    #[error(
+        "there are {0} parts; allowed are {LEAST} to {MOST}, each as [[parts]] with arm and program"
+    )]
+    Parts(usize),
+    /// No station is called so.
+    #[error(
+        "the arm of part {part} is {arm:?}; stations have 1 to 40 small letters, digits and hyphens, the first one a letter, as in desk-3"
+    )]
+    Arm {
+        /// Which part, counted from 1.
+        part: usize,
+        /// What was found.
+        arm: String,
+    },
+    /// An arm would do two programs at once.
+    #[error("two parts are for the arm {0:?}; an arm has one part: make one program of both")]
+    Twice(String),
+}
+
+impl Together {
+    /// Reads the text.
+    ///
+    /// # Errors
+    ///
+    /// [`DocumentError`].
+    pub fn from_toml(text: &str) -> Result<Self, DocumentError> {
+        let it: Self = toml::from_str(text).map_err(|error| DocumentError::Toml {
+            line: error.span().map(|span| line_of(text, span.start)),
+            reason: error.message().trim().replace('\n', ", "),
+        })?;
+        if !(LEAST..=MOST).contains(&it.parts.len()) {
+            return Err(DocumentError::Parts(it.parts.len()));
+        }
+        let mut arms = BTreeSet::new();
+        for (index, part) in it.parts.iter().enumerate() {
+            let arm = part.arm.clone();
+            if !is_fleet_name(&arm) {
+                let part = index + 1;
+                return Err(DocumentError::Arm { part, arm });
+            }
+            if !arms.insert(&part.arm) {
+                return Err(DocumentError::Twice(arm));
+            }
+        }
+        Ok(it)
+    }
+}
+
+fn line_of(text: &str, at: usize) -> usize {
+    text.bytes().take(at).filter(|it| *it == b'\n').count() + 1
+}
+
+const LEAST: usize = 2;
+const MOST: usize = 64;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn text(arms: &[&str]) -> String {
+        let part = |arm: &&str| format!("[[parts]]\narm = {arm:?}\nprogram = \"a.toml\"\n");
+        let parts: String = arms.iter().map(part).collect();
+        format!("title = \"two\"\n{parts}")
+    }
+
+    fn refused(text: &str) -> String {
+        Together::from_toml(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn each_arm_has_one_part_and_a_name_that_stations_have() {
+        assert!(Together::from_toml(&text(&["desk-1", "desk-2"])).is_ok());
+        assert!(refused(&text(&["desk-1"])).contains("1 parts; allowed are 2 to 64"));
+        assert!(
+            refused(&text(&["desk-1", "desk-1"])).contains("two parts are for the arm \"desk-1\"")
+        );
+        assert!(refused(&text(&["desk-1", "Desk 2"])).contains("the arm of part 2 is \"Desk 2\""));
+    }
+
+    #[test]
+    fn what_is_not_understood_is_told_with_its_line() {
+        let unknown = format!("{}speed = 9000\n", text(&["desk-1", "desk-2"]));
+        let refused = refused(&unknown);
+        assert!(
+            refused.starts_with("line 8: ") && refused.contains("speed"),
+            "{refused}"
+        );
+    }
+}

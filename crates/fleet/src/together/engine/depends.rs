@@ -1,0 +1,33 @@
+//! Who depends on whom.
+
+use std::collections::BTreeSet;
+
+/// The parts that still share a barrier with this one, directly or through others; `ahead` has the names of the barriers that
+/// are still before each.
+pub(super) fn dependents(ahead: &[BTreeSet<&str>], part: usize) -> Vec<usize> {
+    let mut reached = BTreeSet::from([part]);
+    let mut waiting = vec![part];
+    while let Some(from) = waiting.pop() {
+        for (other, names) in ahead.iter().enumerate() {
+            if !names.is_disjoint(&ahead[from]) && reached.insert(other) {
+                waiting.push(other);
+            }
+        }
+    }
+    reached.remove(&part);
+    reached.into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_depend_on_each_other_through_others_and_only_while_a_barrier_is_before_them() {
+        let ahead = [&["x"][..], &["x", "y"], &["y"], &["z"], &["z"], &[]];
+        let ahead = ahead.map(|it| it.iter().copied().collect::<BTreeSet<_>>());
+        assert_eq!(dependents(&ahead, 0), [1, 2]);
+        assert_eq!(dependents(&ahead, 4), [3]);
+        assert!(dependents(&ahead, 5).is_empty());
+    }
+}

@@ -1,0 +1,305 @@
+//! All parts with virtual arms on one clock: what would happen, and when.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, JobView, Request};
+use dobot_controller::{Personality, PowerUp};
+use dobot_rules::{Refusal, VirtualStation};
+use dobot_safety::Policy;
+use serde::Serialize;
+
+use super::barriers::Barriers;
+use super::engine::{Engine, News, Start, Wish};
+use super::part::Part;
+use super::seen::Seen;
+
+/// What happens in a rehearsal.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Rehearsal {
+    /// Each time that all were at a barrier, in order.
+    pub barriers: Vec<BarrierTime>,
+    /// What each part takes, in their order.
+    pub parts: Vec<PartTime>,
+}
+
+/// When all were at a barrier.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BarrierTime {
+    /// The barrier.
+    pub barrier: String,
+    /// When, in seconds since all began.
+    pub at_s: f64,
+    /// Who waited there, and how long, in the order of the parts.
+    pub waits: Vec<Wait>,
+}
+
+/// How long a part waited at a barrier.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Wait {
+    /// The arm.
+    pub arm: String,
+    /// How long, in seconds; 0 for the last one.
+    pub waited_s: f64,
+}
+
+/// What a part takes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartTime {
+    /// The arm.
+    pub arm: String,
+    /// When it was through, in seconds since all began; nothing where it goes on until a person ends it.
+    pub over_s: Option<f64>,
+    /// How long it waited at barriers in all, in seconds.
+    pub waited_s: f64,
+}
+
+/// Why a rehearsal does not come to its end.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RehearseError {
+    /// The rules refuse a job.
+    #[error("{file}: {refusal}")]
+    Refused {
+        /// The file of the part.
+        file: String,
+        /// Why.
+        refusal: Box<Refusal>,
+    },
+    /// A part goes no further.
+    #[error("{file}: after {at_s:.1} s it goes no further: {why}")]
+    Held {
+        /// The file of the part.
+        file: String,
+        /// When, in seconds since all began.
+        at_s: f64,
+        /// Why.
+        why: String,
+    },
+    /// It takes too long.
+    #[error(
+        "after {0} hours the parts are not through; rehearse a shorter one, with fewer repeats"
+    )]
+    TooLong(u64),
+}
+
+/// Does all parts with virtual arms, each under the rules of its own station, on one clock. Persons who are waited for are there
+/// at once. What goes on until a person ends it is done until each part has done its cycle twice.
+///
+/// # Errors
+///
+/// [`RehearseError`].
+pub fn rehearse(
+    parts: &[Part],
+    policy: &Policy,
+    personality: Personality,
+) -> Result<Rehearsal, RehearseError> {
+    let stage = parts.iter().map(|it| Actor::new(it, policy, personality));
+    let mut stage = Stage {
+        engine: Engine::new(parts.iter().map(Part::barriers).collect::<Vec<Barriers>>()),
+        actors: stage.collect::<Result<_, _>>()?,
+        now: Duration::ZERO,
+        barriers: Vec::new(),
+    };
+    while !stage.is_over() {
+        if stage.now > Duration::from_secs(LONGEST_H * 3600) {
+            return Err(RehearseError::TooLong(LONGEST_H));
+        }
+        stage.step()?;
+    }
+    Ok(stage.told())
+}
+
+/// All parts on one clock.
+struct Stage<'a> {
+    actors: Vec<Actor<'a>>,
+    engine: Engine,
+    /// The time since all began.
+    now: Duration,
+    barriers: Vec<BarrierTime>,
+}
+
+/// A part with its virtual arm.
+struct Actor<'a> {
+    part: &'a Part,
+    station: VirtualStation,
+    client: ClientId,
+    job: u64,
+    /// What the clock of its station showed when all began.
+    began: Duration,
+    /// Since when it waits at a barrier.
+    since: Option<Duration>,
+    waited: Duration,
+    over: Option<Duration>,
+}
+
+impl<'a> Actor<'a> {
+    fn new(
+        part: &'a Part,
+        policy: &Policy,
+        personality: Personality,
+    ) -> Result<Self, RehearseError> {
+        let refused = |refusal| refused(part, refusal);
+        let mut station = VirtualStation::new(PowerUp::new(personality), policy.clone());
+        station.run_for(SETTLED);
+        let client = station.client("rehearsal");
+        station.ask(client, Request::TakeLease).map_err(refused)?;
+        let job = station.submit(&part.job()).map_err(refused)?;
+        Ok(Self {
+            part,
+            began: station.now(),
+            station,
+            client,
+            job,
+            since: None,
+            waited: Duration::ZERO,
+            over: None,
+        })
+    }
+
+    /// Lets time pass, and looks.
+    fn see(&mut self, now: Duration) -> Result<Seen, Refusal> {
+        self.station.run_until(self.began + now, |_| false);
+        let state = self.station.supervisor().state();
+        let of_state = state.job.clone().filter(|it| it.job == self.job);
+        let job = match of_state {
+            Some(job) => job,
+            None => self.kept()?,
+        };
+        Ok(Seen::of(self.part, &job, &state))
+    }
+
+    /// Its job as the journal has it.
+    fn kept(&mut self) -> Result<JobView, Refusal> {
+        let jobs = self.station.jobs()?;
+        let found = jobs.into_iter().find(|it| it.job == self.job);
+        found.ok_or(Refusal::NoSuchJob(self.job))
+    }
+
+    fn start(&mut self) -> Result<(), Refusal> {
+        let job = self.job;
+        let until = self.station.now() + RESTS_WITHIN;
+        loop {
+            match self.station.ask(self.client, Request::StartJob { job }) {
+                Ok(_) => return Ok(()),
+                Err(Refusal::StillMoving { .. }) if self.station.now() < until => {
+                    self.station.run_for(TICK);
+                }
+                Err(refusal) => return Err(refusal),
+            }
+        }
+    }
+
+    /// Whether it has shown enough of what it does for ever.
+    fn has_shown_its_cycle(&mut self) -> bool {
+        let job = self.station.supervisor().job();
+        let program = job.and_then(|it| it.program);
+        self.part.never_ends() && program.is_some_and(|it| it.cycles_done >= CYCLES)
+    }
+}
+
+impl Stage<'_> {
+    fn step(&mut self) -> Result<(), RehearseError> {
+        self.now += TICK;
+        for (part, actor) in self.actors.iter_mut().enumerate() {
+            let of_part = actor.part;
+            let refused = |refusal| refused(of_part, refusal);
+            let seen = actor.see(self.now).map_err(refused)?;
+            self.engine.handle_seen(self.now, part, &seen);
+            if matches!(seen, Seen::AtPerson(_)) {
+                actor.start().map_err(refused)?;
+            }
+        }
+        self.follow()?;
+        while let Some(wish) = self.engine.poll_wish() {
+            let Wish::Start { barrier, parts } = wish else {
+                // Only one that goes no further holds the others.
+                continue;
+            };
+            self.note_release(barrier, &parts);
+            let starts: Vec<_> = parts.into_iter().map(|it| (it, self.start(it))).collect();
+            self.engine.handle_starts(&starts);
+        }
+        self.follow()
+    }
+
+    fn start(&mut self, part: usize) -> Start {
+        match self.actors[part].start() {
+            Ok(()) => Start::Done,
+            Err(refusal) => Start::Refused(refusal.to_string()),
+        }
+    }
+
+    fn note_release(&mut self, barrier: Option<String>, parts: &[usize]) {
+        let mut waits = Vec::new();
+        for &part in parts {
+            let actor = &mut self.actors[part];
+            let since = actor.since.take().unwrap_or(self.now);
+            let waited = self.now.saturating_sub(since);
+            actor.waited += waited;
+            waits.push(Wait {
+                arm: actor.part.arm.clone(),
+                waited_s: waited.as_secs_f64(),
+            });
+        }
+        if let Some(barrier) = barrier {
+            self.barriers.push(BarrierTime {
+                barrier,
+                at_s: self.now.as_secs_f64(),
+                waits,
+            });
+        }
+    }
+
+    fn follow(&mut self) -> Result<(), RehearseError> {
+        while let Some(news) = self.engine.poll_news() {
+            match news {
+                News::Arrived { part, .. } => self.actors[part].since = Some(self.now),
+                News::Done { part } => self.actors[part].over = Some(self.now),
+                News::Held { part, why, .. } => {
+                    return Err(RehearseError::Held {
+                        file: self.actors[part].part.file.clone(),
+                        at_s: self.now.as_secs_f64(),
+                        why,
+                    });
+                }
+                News::SetOut { .. } | News::WaitsForPerson { .. } => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn is_over(&mut self) -> bool {
+        let mut actors = self.actors.iter_mut();
+        actors.all(|it| it.over.is_some() || it.has_shown_its_cycle())
+    }
+
+    fn told(self) -> Rehearsal {
+        let parts = self.actors.into_iter().map(|it| PartTime {
+            arm: it.part.arm.clone(),
+            over_s: it.over.map(|it| it.as_secs_f64()),
+            waited_s: it.waited.as_secs_f64(),
+        });
+        Rehearsal {
+            barriers: self.barriers,
+            parts: parts.collect(),
+        }
+    }
+}
+
+fn refused(part: &Part, refusal: Refusal) -> RehearseError {
+    RehearseError::Refused {
+        file: part.file.clone(),
+        refusal: Box::new(refusal),
+    }
+}
+
+/// So often all are looked at: once in a tick of the controller.
+const TICK: Duration = Duration::from_millis(20);
+/// An arm that was seen at rest is so for its station, too, within this.
+const RESTS_WITHIN: Duration = Duration::from_secs(1);
+/// Until a virtual arm has told where it is.
+const SETTLED: Duration = Duration::from_secs(1);
+/// So often a part does its cycle that goes on for ever.
+const CYCLES: u64 = 2;
+/// No rehearsal goes on for longer.
+const LONGEST_H: u64 = 24;

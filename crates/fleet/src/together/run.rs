@@ -1,0 +1,426 @@
+//! The parts at the stations of a fleet: each is a job of its station, asked for by its API, under its rules.
+
+mod home;
+
+use std::time::{Duration, Instant};
+
+use dobot_api::{JobView, Reply, State};
+use serde::Serialize;
+use serde_json::json;
+use tokio::sync::mpsc;
+use tokio::task::JoinSet;
+use tokio::time::{MissedTickBehavior, interval, sleep, timeout};
+
+pub use self::home::Home;
+use self::home::{AskError, Asked};
+use super::engine::{Engine, News, Start, Wish};
+use super::part::Part;
+use super::seen::Seen;
+use crate::id::new_id;
+
+/// What a person decides while it runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// All parts hold.
+    Hold,
+    /// Those that hold go on.
+    GoOn,
+    /// What holds stays paused, and nobody looks after it any more.
+    Leave,
+}
+
+/// What a person is told while it runs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Said {
+    /// The jobs of the parts, in their order: all are queued, and nothing has moved.
+    Queued(Vec<u64>),
+    /// What the engine tells.
+    News(News),
+    /// All that were at a barrier go on, or all begin.
+    Started {
+        /// The barrier; nothing at the beginning.
+        barrier: Option<String>,
+        /// How far apart they may have been started at the most, in milliseconds: from when the first one was asked until the
+        /// last one has answered, by the clock of this program alone.
+        within_ms: f64,
+    },
+    /// A part cannot go on, though a person wants it.
+    Hindered {
+        /// Which.
+        part: usize,
+        /// Why.
+        why: String,
+    },
+}
+
+/// How it has ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// All parts are through.
+    Through,
+    /// Some hold: their jobs stay paused at their stations.
+    Held,
+}
+
+/// Why nothing has begun.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// A station does not take its part.
+    #[error("{arm}: {why}")]
+    Part {
+        /// The arm.
+        arm: String,
+        /// Why not.
+        why: String,
+    },
+    /// The computer gives no random number.
+    #[error("the computer gives no random number: {0}")]
+    Random(String),
+}
+
+/// Queues the parts at their stations, starts them together, and keeps them in step until they are through, or until a person
+/// leaves them; where nobody is there to decide, until nothing goes on any more. Nothing has moved where it fails.
+///
+/// # Errors
+///
+/// [`RunError`].
+pub async fn run(
+    home: &Home,
+    parts: &[Part],
+    is_attended: bool,
+    mut orders: mpsc::Receiver<Order>,
+    mut say: impl FnMut(Said),
+) -> Result<Outcome, RunError> {
+    let jobs = queue(home, parts).await?;
+    say(Said::Queued(jobs.clone()));
+    let mut run = Run {
+        actors: actors(home, parts, &jobs),
+        engine: Engine::new(parts.iter().map(Part::barriers).collect()),
+        since: Instant::now(),
+        is_to_go_on: false,
+    };
+    let mut looks = interval(LOOK_EVERY);
+    looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    let mut has_orders = true;
+    loop {
+        tokio::select! {
+            order = orders.recv(), if has_orders => match order {
+                None => has_orders = false,
+                Some(Order::Hold) => run.engine.hold_all("a person has them all hold"),
+                Some(Order::GoOn) => run.is_to_go_on = true,
+                Some(Order::Leave) => return Ok(Outcome::Held),
+            },
+            _ = looks.tick() => {
+                run.go_on(&mut say);
+                run.look().await;
+            }
+        }
+        run.act(&mut say).await;
+        if run.engine.is_over() {
+            return Ok(Outcome::Through);
+        }
+        if !is_attended && run.engine.all_hold() {
+            return Ok(Outcome::Held);
+        }
+    }
+}
+
+/// Queues all parts, or none.
+async fn queue(home: &Home, parts: &[Part]) -> Result<Vec<u64>, RunError> {
+    let id = new_id().map_err(|error| RunError::Random(error.to_string()))?;
+    let mut jobs = Vec::new();
+    for part in parts {
+        match queue_one(home, part, &id).await {
+            Ok(job) => jobs.push(job),
+            Err(why) => {
+                for (part, job) in parts.iter().zip(&jobs) {
+                    let path = format!("/api/v1/jobs/{job}/forget");
+                    // One that stays queued moves nothing; its station lists it.
+                    let forgotten = home.ask::<Reply>(&part.arm, &Asked::post(&path)).await;
+                    drop(forgotten);
+                }
+                let arm = part.arm.clone();
+                return Err(RunError::Part { arm, why });
+            }
+        }
+    }
+    Ok(jobs)
+}
+
+async fn queue_one(home: &Home, part: &Part, id: &str) -> Result<u64, String> {
+    let program = json!({ "program": { "text": part.text, "files": part.files } });
+    let asked = Asked {
+        key: Some(format!("together-{id}")),
+        body: Some(program),
+        ..Asked::post("/api/v1/programs/jobs")
+    };
+    let reply = home.ask(&part.arm, &asked).await;
+    match reply.map_err(|error| error.to_string())? {
+        Reply::Job { job } => Ok(job.job),
+        _ => Err("its station answers what nobody understands".to_owned()),
+    }
+}
+
+fn actors(home: &Home, parts: &[Part], jobs: &[u64]) -> Vec<Actor> {
+    let parts = parts.iter().zip(jobs);
+    let actors = parts.map(|(part, job)| Actor {
+        home: home.clone(),
+        part: part.clone(),
+        job: *job,
+        is_unsure: true,
+    });
+    actors.collect()
+}
+
+/// A part at its station.
+#[derive(Clone, Debug)]
+struct Actor {
+    home: Home,
+    part: Part,
+    job: u64,
+    /// It was asked for something since its state was heard last: an older state says nothing.
+    is_unsure: bool,
+}
+
+struct Run {
+    actors: Vec<Actor>,
+    engine: Engine,
+    since: Instant,
+    /// A person has decided so; first all come to rest.
+    is_to_go_on: bool,
+}
+
+impl Run {
+    /// Looks at all parts.
+    async fn look(&mut self) {
+        let seen = self.all(0..self.actors.len(), Actor::see).await;
+        let now = self.since.elapsed();
+        for (part, seen) in seen {
+            match seen {
+                Ok(seen) => {
+                    self.actors[part].is_unsure = false;
+                    self.engine.handle_seen(now, part, &seen);
+                }
+                Err(error) => self.engine.handle_silent(now, part, &error.to_string()),
+            }
+        }
+    }
+
+    /// Does what is to be done now.
+    async fn act(&mut self, say: &mut impl FnMut(Said)) {
+        self.tell(say);
+        let wishes: Vec<Wish> = std::iter::from_fn(|| self.engine.poll_wish()).collect();
+        let pauses = wishes.iter().filter_map(|it| match it {
+            Wish::Pause(part) => Some(*part),
+            Wish::Start { .. } => None,
+        });
+        self.pause(pauses.collect()).await;
+        for wish in wishes {
+            if let Wish::Start { barrier, parts } = wish
+                && let Some(within_ms) = self.start(&parts).await
+            {
+                say(Said::Started { barrier, within_ms });
+            }
+        }
+        self.tell(say);
+    }
+
+    fn tell(&mut self, say: &mut impl FnMut(Said)) {
+        while let Some(news) = self.engine.poll_news() {
+            say(Said::News(news));
+        }
+    }
+
+    fn go_on(&mut self, say: &mut impl FnMut(Said)) {
+        if !self.is_to_go_on || !self.engine.is_at_rest() {
+            return;
+        }
+        self.is_to_go_on = false;
+        for (part, why) in self.engine.go_on() {
+            say(Said::Hindered { part, why });
+        }
+    }
+
+    async fn pause(&mut self, parts: Vec<usize>) {
+        for (part, paused) in self.all(parts, Actor::pause).await {
+            self.actors[part].is_unsure = true;
+            // One that does not run any more need not be paused.
+            if matches!(paused, Err(AskError::Unclear(_))) {
+                self.engine.handle_not_paused(part);
+            }
+        }
+    }
+
+    /// Takes control of all, then starts all at once, then gives control back: whoever is at an arm may pause it. Gives the
+    /// time that the starts took, in milliseconds, where all were started.
+    async fn start(&mut self, parts: &[usize]) -> Option<f64> {
+        let leases = self.all(parts.iter().copied(), Actor::take_control).await;
+        let has_failed = leases.iter().any(|it| it.1.is_err());
+        let asked = Instant::now();
+        let starts = if has_failed {
+            leases.iter().map(|it| (it.0, not_started(&it.1))).collect()
+        } else {
+            let started = |it: Actor, part: usize| {
+                let lease = leases.iter().find(|it| it.0 == part);
+                let lease = lease.and_then(|it| it.1.as_ref().ok().cloned());
+                async move { it.start(lease).await }
+            };
+            let mut all = JoinSet::new();
+            for &part in parts {
+                let started = started(self.actors[part].clone(), part);
+                all.spawn(async move { (part, started.await) });
+            }
+            all.join_all().await
+        };
+        let within_ms = asked.elapsed().as_secs_f64() * 1e3;
+        for &(part, _) in &starts {
+            self.actors[part].is_unsure = true;
+        }
+        self.give_back(leases).await;
+        self.engine.handle_starts(&starts);
+        let all_run = starts.iter().all(|it| it.1 == Start::Done);
+        all_run.then_some(within_ms)
+    }
+
+    async fn give_back(&self, leases: Vec<(usize, Result<String, AskError>)>) {
+        let mut all = JoinSet::new();
+        for (part, lease) in leases {
+            if let Ok(lease) = lease {
+                let actor = self.actors[part].clone();
+                // A lease that nobody uses ends by itself.
+                all.spawn(async move { drop(actor.give_back(lease).await) });
+            }
+        }
+        all.join_all().await;
+    }
+
+    /// Asks several parts at the same time.
+    async fn all<T: Send + 'static, F>(
+        &self,
+        parts: impl IntoIterator<Item = usize>,
+        ask: impl Fn(Actor) -> F,
+    ) -> Vec<(usize, T)>
+    where
+        F: Future<Output = T> + Send + 'static,
+    {
+        let mut all = JoinSet::new();
+        for part in parts {
+            let answer = ask(self.actors[part].clone());
+            all.spawn(async move { (part, answer.await) });
+        }
+        all.join_all().await
+    }
+}
+
+impl Actor {
+    /// What its station shows of it, if it does so soon.
+    async fn see(self) -> Result<Seen, AskError> {
+        let within_s = SEEN_WITHIN.as_secs();
+        let late = |_| AskError::Unclear(format!("no answer came within {within_s} s"));
+        timeout(SEEN_WITHIN, self.look()).await.map_err(late)?
+    }
+
+    async fn look(self) -> Result<Seen, AskError> {
+        // What a station answers about a job is newer than all that it was asked for before.
+        let known = if self.is_unsure {
+            Some(self.look_up().await?)
+        } else {
+            None
+        };
+        let state: State = self.ask(Asked::get("/api/v1/state")).await?;
+        let of_state = state.job.clone().filter(|it| it.job == self.job);
+        let job = match (of_state, known) {
+            (Some(job), _) | (None, Some(Some(job))) => Some(job),
+            (None, Some(None)) => None,
+            (None, None) => self.look_up().await?,
+        };
+        Ok(match job {
+            Some(job) => Seen::of(&self.part, &job, &state),
+            None => Seen::Ended("its station has forgotten its job".into()),
+        })
+    }
+
+    /// Its job; nothing where its station does not know it any more.
+    async fn look_up(&self) -> Result<Option<JobView>, AskError> {
+        let path = format!("/api/v1/jobs/{}", self.job);
+        match self.ask(Asked::get(&path)).await {
+            Ok(job) => Ok(Some(job)),
+            Err(error) if error.is("no-such-job") => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    async fn pause(self) -> Result<(), AskError> {
+        let _: Reply = self.ask(Asked::post("/api/v1/jobs/pause")).await?;
+        Ok(())
+    }
+
+    /// Gives the token of the lease.
+    async fn take_control(self) -> Result<String, AskError> {
+        let asked = Asked {
+            body: Some(json!({ "name": "dobot fleet together" })),
+            ..Asked::post("/api/v1/lease")
+        };
+        let granted: serde_json::Value = self.ask(asked).await?;
+        let token = granted["token"].as_str();
+        token.map(str::to_owned).ok_or_else(|| {
+            AskError::Unclear("its station answers what nobody understands".to_owned())
+        })
+    }
+
+    async fn start(self, lease: Option<String>) -> Start {
+        let asked = Asked {
+            lease,
+            ..Asked::post(&format!("/api/v1/jobs/{}/start", self.job))
+        };
+        let until = Instant::now() + RESTS_WITHIN;
+        loop {
+            match self.ask::<Reply>(asked.clone()).await {
+                Ok(_) => return Start::Done,
+                Err(error) if error.is("still-moving") && Instant::now() < until => {
+                    sleep(LOOK_EVERY).await;
+                }
+                Err(error) => return error.start(),
+            }
+        }
+    }
+
+    async fn give_back(self, lease: String) -> Result<(), AskError> {
+        let asked = Asked {
+            method: "DELETE",
+            lease: Some(lease),
+            ..Asked::get("/api/v1/lease")
+        };
+        self.ask::<serde_json::Value>(asked).await.map(|_| ())
+    }
+
+    async fn ask<T: serde::de::DeserializeOwned>(&self, asked: Asked) -> Result<T, AskError> {
+        self.home.ask(&self.part.arm, &asked).await
+    }
+}
+
+impl AskError {
+    fn start(self) -> Start {
+        match self {
+            Self::Refused { detail, .. } => Start::Refused(detail),
+            Self::Unclear(why) => Start::Unclear(why),
+        }
+    }
+}
+
+/// Without control of all of them none is started.
+fn not_started(lease: &Result<String, AskError>) -> Start {
+    match lease {
+        Ok(_) => Start::NotTried,
+        Err(error) => Start::Refused(error.to_string()),
+    }
+}
+
+/// One that does not show itself within this is silent: the others are looked after meanwhile.
+const SEEN_WITHIN: Duration = Duration::from_secs(2);
+/// An arm that was seen at rest is so for its station, too, within this.
+const RESTS_WITHIN: Duration = Duration::from_secs(5);
+/// So often the parts are looked at.
+const LOOK_EVERY: Duration = Duration::from_millis(100);

@@ -1,0 +1,336 @@
+//! Stations with jobs that go from barrier to barrier, as far as the engine can tell.
+
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+use dobot_random::Random;
+
+use super::barriers;
+use crate::together::engine::{Engine, News, Start, Wish};
+use crate::together::seen::Seen;
+
+/// What goes wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Faults {
+    None,
+    /// Persons pause.
+    Pauses,
+    /// Persons pause, stations fall silent, refuse to start, and answers are lost.
+    All,
+}
+
+/// Stations with their jobs, and the engine.
+pub(super) struct World {
+    desks: Vec<Desk>,
+    engine: Engine,
+    random: Random,
+    faults: Faults,
+    now: Duration,
+    /// Who has to hold by now.
+    expected: BTreeSet<usize>,
+}
+
+/// A station with its job.
+#[derive(Debug)]
+struct Desk {
+    script: Vec<u8>,
+    /// How many barriers are passed.
+    passed: usize,
+    is: Is,
+    /// Until when nobody hears of it.
+    silent_until: Duration,
+    /// How many had been passed when the engine last knew.
+    known: usize,
+    refuses_next: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Is {
+    Queued,
+    Running,
+    AtBarrier,
+    Paused,
+    Done,
+}
+
+impl World {
+    pub(super) fn new(scripts: Vec<Vec<u8>>, seed: u64, faults: Faults) -> Self {
+        let engine = Engine::new(
+            scripts
+                .iter()
+                .map(|it| barriers(it, &[], Some(0)))
+                .collect(),
+        );
+        let desks = scripts.into_iter().map(|script| Desk {
+            script,
+            passed: 0,
+            is: Is::Queued,
+            silent_until: Duration::ZERO,
+            known: 0,
+            refuses_next: false,
+        });
+        Self {
+            desks: desks.collect(),
+            engine,
+            random: Random::new(seed),
+            faults,
+            now: Duration::ZERO,
+            expected: BTreeSet::new(),
+        }
+    }
+
+    /// Until all are through; from some time on nothing goes wrong any more.
+    pub(super) fn come_through(&mut self) {
+        for round in 0..20_000 {
+            if self.engine.is_over() {
+                return;
+            }
+            if round == 300 {
+                self.faults = Faults::None;
+            }
+            self.move_on();
+            self.round();
+            if self.engine.all_hold() {
+                self.go_on();
+            }
+        }
+        panic!(
+            "they do not come through: {:?} {:?}",
+            self.desks, self.engine
+        );
+    }
+
+    /// The first round: all are started.
+    pub(super) fn start(&mut self) {
+        self.round();
+    }
+
+    pub(super) fn run_to_barrier(&mut self, part: usize) {
+        assert_eq!(self.desks[part].is, Is::Running);
+        self.desks[part].is = Is::AtBarrier;
+        self.round();
+    }
+
+    /// A person starts the job where it waits.
+    pub(super) fn start_by_hand(&mut self, part: usize) {
+        assert_eq!(self.desks[part].is, Is::AtBarrier);
+        self.desks[part].passed += 1;
+        self.desks[part].is = Is::Running;
+        self.round();
+        self.round();
+    }
+
+    pub(super) fn refuse_next_start(&mut self, part: usize) {
+        self.desks[part].refuses_next = true;
+    }
+
+    /// A station falls silent: who holds after that, and not before three seconds are over.
+    pub(super) fn silent_until_held(&mut self, part: usize) -> Vec<usize> {
+        let since = self.now;
+        self.desks[part].silent_until = Duration::MAX;
+        while self.held().is_empty() {
+            self.round();
+            assert!(self.now < since + Duration::from_secs(5), "nobody holds");
+        }
+        let took = self.now.saturating_sub(since);
+        assert!(took >= Duration::from_secs(3), "{took:?}");
+        self.held()
+    }
+
+    pub(super) fn held(&self) -> Vec<usize> {
+        (0..self.desks.len())
+            .filter(|it| self.engine.is_held(*it))
+            .collect()
+    }
+
+    pub(super) fn is_paused(&self, part: usize) -> bool {
+        self.desks[part].is == Is::Paused
+    }
+
+    pub(super) fn is_queued(&self, part: usize) -> bool {
+        self.desks[part].is == Is::Queued
+    }
+
+    pub(super) fn go_on(&mut self) -> Vec<(usize, String)> {
+        self.expected.clear();
+        let hindered = self.engine.go_on();
+        if self.faults == Faults::Pauses {
+            assert!(hindered.is_empty(), "{hindered:?}");
+        }
+        hindered
+    }
+
+    /// The arms do something.
+    fn move_on(&mut self) {
+        for part in 0..self.desks.len() {
+            let (moves, goes_wrong) = (self.random.chance(30.0), self.random.chance(4.0));
+            let desk = &mut self.desks[part];
+            if desk.is == Is::Running && moves {
+                let is_through = desk.passed == desk.script.len();
+                desk.is = if is_through { Is::Done } else { Is::AtBarrier };
+            } else if desk.is == Is::Running && goes_wrong && self.faults != Faults::None {
+                desk.is = Is::Paused;
+            } else if goes_wrong && self.faults == Faults::All {
+                desk.silent_until =
+                    self.now + Duration::from_millis(self.random.below(8_000).into());
+            }
+        }
+    }
+
+    fn round(&mut self) {
+        self.now += Duration::from_millis(200);
+        for part in 0..self.desks.len() {
+            if self.desks[part].silent_until > self.now {
+                self.engine
+                    .handle_silent(self.now, part, "the network is gone");
+            } else {
+                let seen = self.desks[part].seen();
+                self.desks[part].known = self.desks[part].passed;
+                self.engine.handle_seen(self.now, part, &seen);
+            }
+            self.follow();
+        }
+        let wishes: Vec<Wish> = std::iter::from_fn(|| self.engine.poll_wish()).collect();
+        for wish in wishes {
+            match wish {
+                Wish::Pause(part) => self.pause(part),
+                Wish::Start { parts, .. } => self.start_all(&parts),
+            }
+        }
+        self.follow();
+        self.check_held();
+    }
+
+    fn pause(&mut self, part: usize) {
+        let desk = &mut self.desks[part];
+        if desk.silent_until > self.now {
+            self.engine.handle_not_paused(part);
+        } else if desk.is == Is::Running {
+            desk.is = Is::Paused;
+        }
+    }
+
+    /// Where one is refused from the outset, none is started.
+    fn start_all(&mut self, parts: &[usize]) {
+        let refuses = |it: &usize| self.desks[*it].refuses_next;
+        if let Some(refusing) = parts.iter().copied().find(refuses) {
+            self.desks[refusing].refuses_next = false;
+            let start = |it: usize| {
+                if it == refusing {
+                    Start::Refused("the arm is not there".into())
+                } else {
+                    Start::NotTried
+                }
+            };
+            let starts: Vec<_> = parts.iter().map(|it| (*it, start(*it))).collect();
+            return self.engine.handle_starts(&starts);
+        }
+        let mut starts = Vec::new();
+        for &part in parts {
+            starts.push((part, self.start_one(part)));
+        }
+        self.engine.handle_starts(&starts);
+    }
+
+    fn start_one(&mut self, part: usize) -> Start {
+        let fate = match self.faults {
+            Faults::All => self.random.below(30),
+            _ => 10,
+        };
+        match fate {
+            0 => return Start::Refused("the arm still moves".into()),
+            1 => return Start::Unclear("the question was lost".into()),
+            _ => {}
+        }
+        self.check_is_released(part);
+        let desk = &mut self.desks[part];
+        desk.passed += usize::from(desk.is == Is::AtBarrier);
+        desk.is = Is::Running;
+        if fate == 2 {
+            return Start::Unclear("the answer was lost".into());
+        }
+        desk.known = desk.passed;
+        Start::Done
+    }
+
+    /// Whoever goes past a barrier does so when all have come to it, that time of it.
+    fn check_is_released(&self, part: usize) {
+        let desk = &self.desks[part];
+        if desk.is != Is::AtBarrier {
+            return;
+        }
+        let name = desk.script[desk.passed];
+        let time = desk.arrivals(name);
+        for (other, it) in self.desks.iter().enumerate() {
+            if it.script.contains(&name) {
+                let arrivals = it.arrivals(name);
+                assert!(
+                    arrivals >= time,
+                    "{part} goes past {name} before {other} is there"
+                );
+            }
+        }
+    }
+
+    fn follow(&mut self) {
+        while let Some(news) = self.engine.poll_news() {
+            if let News::Held { part, with, .. } = news
+                && self.faults == Faults::Pauses
+            {
+                let expected = self.depend_on(part);
+                assert_eq!(with.into_iter().collect::<BTreeSet<_>>(), expected);
+                self.expected.extend(expected);
+                self.expected.insert(part);
+            }
+        }
+    }
+
+    /// Nobody else holds.
+    fn check_held(&self) {
+        if self.faults == Faults::Pauses {
+            let held: BTreeSet<usize> = self.held().into_iter().collect();
+            let open = |it: &&usize| self.desks[**it].is != Is::Done;
+            let expected = self.expected.iter().filter(open).copied().collect();
+            let held = held.iter().filter(open).copied().collect::<BTreeSet<_>>();
+            assert_eq!(held, expected);
+        }
+    }
+
+    /// Those that still have a barrier in common with a part, or with one that has.
+    fn depend_on(&self, part: usize) -> BTreeSet<usize> {
+        let ahead = |it: &Desk| -> BTreeSet<u8> { it.script[it.known..].iter().copied().collect() };
+        let mut names = ahead(&self.desks[part]);
+        for _ in 0..self.desks.len() {
+            let near = self
+                .desks
+                .iter()
+                .map(ahead)
+                .filter(|it| !it.is_disjoint(&names));
+            names = near.flatten().chain(names.clone()).collect();
+        }
+        let depends = |it: &usize| *it != part && !ahead(&self.desks[*it]).is_disjoint(&names);
+        (0..self.desks.len()).filter(depends).collect()
+    }
+}
+
+impl Desk {
+    fn seen(&self) -> Seen {
+        match self.is {
+            Is::Queued => Seen::Queued,
+            Is::Running => Seen::Running,
+            Is::AtBarrier => Seen::AtBarrier {
+                name: self.script[self.passed].to_string(),
+                progress: (0, self.passed + 1),
+            },
+            Is::Paused => Seen::Paused("paused by Anna".into()),
+            Is::Done => Seen::Done,
+        }
+    }
+
+    /// How often it has come to a barrier.
+    fn arrivals(&self, name: u8) -> usize {
+        let upto = self.passed + usize::from(self.is == Is::AtBarrier);
+        let names = self.script.iter().take(upto);
+        names.filter(|it| **it == name).count()
+    }
+}

@@ -1,0 +1,292 @@
+//! One program for several arms, at stations that are joined.
+
+use std::collections::BTreeMap;
+
+use dobot_api::StationAddress;
+use dobot_fleet::together::{Home, News, Order, Outcome, Part, Said, check, run};
+use dobot_rules::PassedPacket;
+use dobot_teach::{NoFiles, Program};
+use dobot_wire::{Command, Packet};
+use tokio::sync::broadcast::error::TryRecvError;
+use tokio::sync::{broadcast, mpsc};
+use tokio::task::JoinHandle;
+
+use super::*;
+
+/// Three desks, each of which accepts the token of the first one.
+struct Room {
+    router: Router,
+    desks: Vec<Desk>,
+    home: Home,
+    packets: Vec<broadcast::Receiver<PassedPacket>>,
+}
+
+impl Room {
+    async fn open() -> Self {
+        let (router, at) = router(free_port()).await;
+        let names = ["desk-1", "desk-2", "desk-3"];
+        let mut desks = Vec::new();
+        for name in names {
+            desks.push(Desk::up(name, &at, None).await);
+        }
+        desks[0].sees("all arms", is_ready(&names)).await;
+        let token = dobot_station::Token::of_secret(&desks[0].admin()).unwrap();
+        for desk in &desks[1..] {
+            let mut tokens = Tokens::open(&Folders::at(desk.folder.path()).tokens()).unwrap();
+            tokens.accept(Role::Control, "teacher", &token).unwrap();
+        }
+        let mut address = StationAddress::new(desks[0].station.url()).unwrap();
+        address.token = Some(desks[0].admin());
+        let packets = desks.iter().map(|it| it.station.handle().passed());
+        Self {
+            router,
+            home: Home::new(address),
+            packets: packets.collect(),
+            desks,
+        }
+    }
+
+    /// Whether a target behind the barrier was sent to this arm.
+    fn has_gone_past(&mut self, desk: usize) -> bool {
+        let packets = &mut self.packets[desk];
+        let sent = std::iter::from_fn(|| match packets.try_recv() {
+            Ok(packet) => Some(packet),
+            Err(TryRecvError::Empty | TryRecvError::Closed) => None,
+            Err(TryRecvError::Lagged(_)) => panic!("packets of desk {desk} were missed"),
+        });
+        let mut commands = sent.filter(|it| it.to_arm).map(|it| command(&it));
+        commands.any(|it| matches!(it, Some(Command::MoveTo(it)) if it.y_mm == BEHIND_MM))
+    }
+
+    async fn close(self) {
+        for desk in self.desks {
+            desk.end().await;
+        }
+        self.router.end().await;
+    }
+}
+
+fn is_ready(names: &[&str]) -> impl Fn(&[Member]) -> bool {
+    let present = present(names);
+    let hears = |it: &Member| it.state.as_ref().is_some_and(|it| it.arm.is_some());
+    move |members| present(members) && members.iter().all(hears)
+}
+
+fn command(packet: &PassedPacket) -> Option<Command> {
+    let packet = Packet::from_bytes(&packet.bytes)?;
+    Command::parse(&packet, &dialect()).ok()
+}
+
+/// A part that does something, waits for the others and goes on behind the barrier.
+fn part(arm: &str, before: &str) -> Part {
+    let text = format!(
+        "title = \"part of {arm}\"\n\
+         [[steps]]\ngo = {{ x = 200, y = 30, z = 20 }}\n{before}\
+         [[steps]]\nbarrier = \"together\"\n\
+         [[steps]]\ngo = {{ x = 200, y = {BEHIND_MM}, z = 20 }}\n"
+    );
+    let program = Program::from_toml(&text).unwrap();
+    Part {
+        arm: arm.into(),
+        file: format!("{arm}.toml"),
+        compiled: program.compile(&mut NoFiles).unwrap(),
+        text,
+        files: BTreeMap::new(),
+    }
+}
+
+/// Goes to and fro so often, before the barrier.
+fn to_and_fro(times: u32) -> String {
+    format!(
+        "[[steps]]\nrepeat = {times}\n\
+         [[steps.steps]]\ngo = {{ x = 200, y = 60, z = 20 }}\n\
+         [[steps.steps]]\ngo = {{ x = 200, y = 30, z = 20 }}\n"
+    )
+}
+
+/// The y to which all go behind the barrier.
+const BEHIND_MM: f32 = -30.0;
+
+/// A program that runs, and what it has said.
+struct Running {
+    orders: mpsc::Sender<Order>,
+    said: mpsc::UnboundedReceiver<Said>,
+    ended: JoinHandle<Outcome>,
+}
+
+impl Running {
+    fn begin(home: &Home, parts: Vec<Part>, is_attended: bool) -> Self {
+        assert_eq!(check(&parts), [""; 0]);
+        let (orders, ordered) = mpsc::channel(8);
+        let (sender, said) = mpsc::unbounded_channel();
+        let home = home.clone();
+        let ended = tokio::spawn(async move {
+            let say = |it| drop(sender.send(it));
+            run(&home, &parts, is_attended, ordered, say).await.unwrap()
+        });
+        Self {
+            orders,
+            said,
+            ended,
+        }
+    }
+
+    /// Waits until this is said; gives all that was said before it, and it.
+    async fn until(&mut self, is_it: impl Fn(&Said) -> bool) -> Vec<Said> {
+        let mut all = Vec::new();
+        let waiting = async {
+            while let Some(said) = self.said.recv().await {
+                let found = is_it(&said);
+                all.push(said);
+                if found {
+                    return true;
+                }
+            }
+            false
+        };
+        let found = timeout(PATIENCE, waiting).await;
+        assert_eq!(found, Ok(true), "{all:#?}");
+        all
+    }
+
+    async fn end(self) -> Outcome {
+        timeout(PATIENCE, self.ended).await.unwrap().unwrap()
+    }
+}
+
+fn is_at_barrier(said: &Said, of: usize) -> bool {
+    matches!(said, Said::News(News::Arrived { part, .. }) if *part == of)
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn no_arm_goes_past_a_barrier_before_the_last_one_is_there() {
+    let mut room = Room::open().await;
+    let parts = vec![
+        part("desk-1", ""),
+        part("desk-2", ""),
+        part("desk-3", "[[steps]]\nwait = \"is the sheet there?\"\n"),
+    ];
+    let mut running = Running::begin(&room.home, parts, true);
+    let mut said = running.until(|it| is_at_barrier(it, 0)).await;
+    if !said.iter().any(|it| is_at_barrier(it, 1)) {
+        said.extend(running.until(|it| is_at_barrier(it, 1)).await);
+    }
+    let is_asked = |it: &Said| matches!(it, Said::News(News::WaitsForPerson { part: 2, .. }));
+    if !said.iter().any(is_asked) {
+        said.extend(running.until(is_asked).await);
+    }
+    let Some(Said::Queued(jobs)) = said.first() else {
+        panic!("{said:#?}")
+    };
+    for desk in 0..3 {
+        assert!(!room.has_gone_past(desk), "desk {desk}");
+    }
+    // A person goes on with the third one; then all do.
+    room.desks[2].start(jobs[2]).await;
+    let released = |it: &Said| {
+        matches!(
+            it,
+            Said::Started {
+                barrier: Some(_),
+                ..
+            }
+        )
+    };
+    let said = running.until(released).await;
+    assert!(said.iter().any(|it| is_at_barrier(it, 2)), "{said:#?}");
+    assert_eq!(running.end().await, Outcome::Through);
+    for desk in 0..3 {
+        assert!(room.has_gone_past(desk), "desk {desk}");
+    }
+    room.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn when_a_station_is_gone_the_others_hold_before_the_barrier() {
+    let mut room = Room::open().await;
+    let long = to_and_fro(400);
+    let parts = vec![
+        part("desk-1", ""),
+        part("desk-2", &long),
+        part("desk-3", &long),
+    ];
+    let mut running = Running::begin(&room.home, parts, false);
+    running.until(|it| is_at_barrier(it, 0)).await;
+    room.desks.remove(1).end().await;
+    let is_held =
+        |it: &Said| matches!(it, Said::News(News::Held { part: 1, with, .. }) if *with == [0, 2]);
+    running.until(is_held).await;
+    // Nobody is there to decide.
+    assert_eq!(running.end().await, Outcome::Held);
+    let (_, state) = room.desks[1].ask("GET", "/api/v1/state", None).await;
+    assert_eq!(state["job"]["phase"], "paused", "{state}");
+    for desk in [0, 2] {
+        assert!(!room.has_gone_past(desk), "desk {desk}");
+    }
+    room.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_person_has_all_hold_and_go_on() {
+    let mut room = Room::open().await;
+    let slow = to_and_fro(4);
+    let parts = vec![
+        part("desk-1", ""),
+        part("desk-2", &slow),
+        part("desk-3", ""),
+    ];
+    let mut running = Running::begin(&room.home, parts, true);
+    running
+        .until(|it| matches!(it, Said::Started { barrier: None, .. }))
+        .await;
+    running.orders.send(Order::Hold).await.unwrap();
+    running
+        .until(|it| matches!(it, Said::News(News::Held { .. })))
+        .await;
+    running.orders.send(Order::GoOn).await.unwrap();
+    assert_eq!(running.end().await, Outcome::Through);
+    for desk in 0..3 {
+        assert!(room.has_gone_past(desk), "desk {desk}");
+    }
+    room.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn where_one_station_does_not_take_its_part_no_arm_moves() {
+    let mut room = Room::open().await;
+    let deep = "[[steps]]\ngo = { x = 200, y = 30, z = -200 }\n";
+    let parts = [part("desk-1", ""), part("desk-2", deep)];
+    let (_orders, ordered) = mpsc::channel(8);
+    let error = run(&room.home, &parts, false, ordered, |_| {})
+        .await
+        .unwrap_err();
+    let error = error.to_string();
+    assert!(error.starts_with("desk-2: step 2 (line 4"), "{error}");
+    let (_, jobs) = room.desks[0].ask("GET", "/api/v1/jobs", None).await;
+    assert_eq!(jobs, json!([]));
+    assert!(!room.has_gone_past(0));
+    room.close().await;
+}
+
+impl Desk {
+    /// A person at the arm starts a job.
+    async fn start(&self, job: u64) {
+        let (status, lease) = self.ask("POST", "/api/v1/lease", None).await;
+        assert_eq!(status, 200, "{lease}");
+        let request = ApiRequest {
+            method: "POST".into(),
+            path: format!("/api/v1/jobs/{job}/start"),
+            token: Some(self.admin()),
+            lease: lease["token"].as_str().map(str::to_owned),
+            ..ApiRequest::default()
+        };
+        let answer = self.station.api().call(&request).await;
+        assert_eq!(answer.status, 200, "{answer:?}");
+        let release = ApiRequest {
+            method: "DELETE".into(),
+            path: "/api/v1/lease".into(),
+            ..request
+        };
+        self.station.api().call(&release).await;
+    }
+}
