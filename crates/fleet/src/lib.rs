@@ -1,5 +1,28 @@
 //! Joins stations: each knows who else is there and what it does, and asks the others by the requests of their own API.
 //!
+//! ```no_run
+//! use dobot_api::{Folders, MemberAbout};
+//! use dobot_fleet::{Fleet, FleetConfig, own_id};
+//! use dobot_station::{Config, Station};
+//!
+//! # async fn join() -> Result<(), Box<dyn std::error::Error>> {
+//! let folders = Folders::at("desk-3");
+//! let id = own_id(&folders.fleet_id())?;
+//! let station = Station::start(Config::new(folders)).await?;
+//! let config = FleetConfig {
+//!     name: "desk-3".into(),
+//!     about: MemberAbout::default(),
+//!     work: None,
+//!     connect: Vec::new(),
+//!     credentials: None,
+//! };
+//! let fleet = Fleet::join(&config, &id, station.api()).await?;
+//! fleet.leave().await;
+//! station.end().await?;
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! ```text
 //!   board, programs                     other stations
 //!        |                                    |
