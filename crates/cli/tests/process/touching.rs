@@ -260,7 +260,7 @@ fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should
     let jobs = api.asks("GET", "jobs", &Value::Null);
     assert_eq!(jobs[0]["phase"], "done", "{jobs}");
     let after = deviation(&wanted(), &arm.ink()[marks..]);
-    assert!(after.largest_mm() < 0.3, "after the calibration: {after:?}");
+    assert!(after.largest_mm() < 0.3, "{after:?} after {fit}");
 }
 
 /// The API of a station, with control of its arm.

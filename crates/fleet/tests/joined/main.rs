@@ -412,15 +412,20 @@ async fn stranger(at: &str) -> zenoh::Session {
     zenoh::open(config).await.unwrap()
 }
 
-/// The same, once a station is there: it declares what it answers first.
+/// The same, once a station is there.
 async fn stranger_who_sees(name: &str, at: &str) -> zenoh::Session {
     let stranger = stranger(at).await;
+    is_there(&stranger, name).await;
+    stranger
+}
+
+/// Waits until a station is there: it declares what it answers first.
+async fn is_there(stranger: &zenoh::Session, name: &str) {
     let key = format!("dobot/alive/*/*/{name}/*");
     let alive = stranger.liveliness().declare_subscriber(key).history(true);
     let alive = alive.await.unwrap();
     let came = timeout(PATIENCE, alive.recv_async()).await;
     came.unwrap().unwrap();
-    stranger
 }
 
 async fn stop_by(stranger: &zenoh::Session, name: &str) -> Value {
@@ -446,6 +451,8 @@ async fn a_station_that_waits_for_what_the_others_tell_is_stopped_meanwhile() {
     let silent = stranger.declare_queryable(silent).await.unwrap();
     let is_stopped_first = async || {
         let one = Desk::up("desk-1", &at, None).await;
+        // Before it has a network, it tells at once what it knows.
+        is_there(&stranger, "desk-1").await;
         let stops = async {
             let _asked = silent.recv_async().await.unwrap();
             let answer = stop_by(&stranger, "desk-1").await;
