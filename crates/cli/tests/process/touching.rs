@@ -92,7 +92,7 @@ impl Person {
     /// Presses keys until the tip is where it is wanted, to half a step along each axis.
     fn presses(&mut self, wanted: [f64; 3], step_mm: f64) {
         self.steps_of(Some(step_mm));
-        for _ in 0..200 {
+        for _ in 0..PRESSES {
             let at = self.sees();
             let away = [0, 1, 2].map(|axis| wanted[axis] - at[axis]);
             let farthest = (0..3).max_by(|a, b| away[*a].abs().total_cmp(&away[*b].abs()));
@@ -132,6 +132,9 @@ impl Person {
         }
     }
 }
+
+/// More than any way across the sheet takes in steps of a millimetre, on a machine so busy that every other press comes too early.
+const PRESSES: u32 = 2000;
 
 /// Where the tip truly is.
 fn tip(status: &Status) -> [f64; 3] {
@@ -386,7 +389,7 @@ impl DrawingArm {
             "--calibration",
             &truth,
             "--speed",
-            "50",
+            "20",
         ];
         let world = ["--world", &scene, "--world-port", "127.0.0.1:0"];
         let mut served = Going::new(command(&[&arm[..], &world].concat()));
