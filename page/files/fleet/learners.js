@@ -1,6 +1,6 @@
 // A student in a lesson, as a tile and the details tell it.
 
-import { html } from "../vendor/lit-html/lit-html.js";
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { LESSONS } from "../state/learn.js";
 import { span } from "../words/words.js";
 import { isStuck } from "./members.js";
@@ -13,8 +13,8 @@ function lessonName(say, name) {
   return known ? say(`learn.${known}`) : name;
 }
 
-/** A line of a tile or of the details. @param {import("../words/words.js").Say} say @param {Learner} learner */
-export function learnerLine(say, learner) {
+/** A line of a tile or of the details. @param {import("../words/words.js").Say} say @param {Learner} learner @param {number} others how many more are there of whom no line tells */
+export function learnerLine(say, learner, others = 0) {
   const { student, lesson, done, steps, for_s } = learner;
-  return html`<p class="learner" data-stuck=${String(isStuck(learner))}><strong>${student}</strong> <span class="lesson-name">${lessonName(say, lesson)}</span> <span class="lesson-step">${done < steps ? say("fleet.learner", { step: done + 1, steps }) : say("fleet.learner.done")}</span> <span class="lesson-time">${say("fleet.learner.for", { time: span(say, for_s) })}</span></p>`;
+  return html`<p class="learner" data-stuck=${String(isStuck(learner))}><strong>${student}${others ? ` +${others}` : nothing}</strong> <span class="lesson-name">${lessonName(say, lesson)}</span> <span class="lesson-step">${done < steps ? say("fleet.learner", { step: done + 1, steps }) : say("fleet.learner.done")}</span> <span class="lesson-time">${say("fleet.learner.for", { time: span(say, for_s) })}</span></p>`;
 }

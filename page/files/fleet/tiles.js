@@ -4,7 +4,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { clock } from "../words/words.js";
 import { learnerLine } from "./learners.js";
-import { alarms, isThere, pageOf, sections, share, toneOf } from "./members.js";
+import { alarms, isStuck, isThere, pageOf, sections, share, toneOf } from "./members.js";
 import { problemText } from "./told.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
@@ -13,9 +13,6 @@ import { problemText } from "./told.js";
 
 /** Up to so many tiles are large ones, and with more than so many they are small. */
 const FEW = 6, MANY = 24;
-/** So many students are told on a tile; the details tell all. */
-const LEARNERS = 2;
-
 /** @param {Context} context */
 export function tiles(context) {
   const { board, say } = context;
@@ -66,12 +63,14 @@ function tile({ board, say, act }, member, first) {
 /** What it does, and who has control. @param {Context["say"]} say @param {Member} member */
 function work(say, { state, learners = [] }) {
   const job = state?.job, lease = state?.lease;
+  // There is room for one student, and a tile keeps its size: the details tell all.
+  const learner = learners.find(isStuck) ?? learners[0];
   return html`
     ${job ? html`
       <p class="job"><span class="title">${job.title}</span> <span class="part">${Math.floor(share(job) * 100)} %</span></p>
       <progress max="1" data-phase=${job.phase} .value=${share(job)} aria-label=${say("job.progress")}></progress>` : html`<p class="job idle quiet">${say(state ? "fleet.idle" : "fleet.untold")}</p>`}
     <p class="quiet who">${lease?.name ?? say("fleet.free")}${lease?.asked_by.length ? html` · <span class="asks">${say("fleet.asks.number", { number: lease.asked_by.length })}</span>` : nothing}</p>
-    ${learners.slice(0, LEARNERS).map((it) => learnerLine(say, it))}`;
+    ${learner ? learnerLine(say, learner, learners.length - 1) : nothing}`;
 }
 
 /** Why nothing is known of it now, and what to do. @param {Context["say"]} say @param {Member} member */
