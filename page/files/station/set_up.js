@@ -14,10 +14,15 @@ export function createSetUp(store, http, socket) {
   const { send } = store;
   /** @type {number | undefined} */ let timer;
   let checked = store.page.set_up.asked;
+  /** How often it was read: an answer that a later one overtook would bring back a policy that holds no more. */
+  let reads = 0;
 
   async function read() {
-    const text = await http.get("api/v1/policy/text");
-    if (text?.ok) send({ type: "policy_text", text: await text.text() });
+    const mine = reads += 1;
+    const answer = await http.get("api/v1/policy/text");
+    const text = answer?.ok ? await answer.text() : null;
+    if (mine !== reads) return;
+    if (text !== null) send({ type: "policy_text", text });
     if (store.page.role === "admin") {
       /** @type {Schemas["TokenView"][] | undefined} */
       const tokens = await http.json("api/v1/tokens");
@@ -58,7 +63,9 @@ export function createSetUp(store, http, socket) {
     async keepPolicy() {
       const text = store.page.set_up.draft;
       if (text === null || !isChanged(store.page.set_up)) return;
-      if (await change("policy", "PUT", "api/v1/policy", { text, check: false })) send({ type: "policy_kept", text });
+      if (!await change("policy", "PUT", "api/v1/policy", { text, check: false })) return;
+      send({ type: "policy_kept", text });
+      await read();
     },
     /** @param {string} name @param {Schemas["Role"]} role */
     async makeToken(name, role) {
