@@ -5,7 +5,8 @@ import { open, passed, rest, takeControl } from "./bench.mjs";
 
 /** The paper of this test: it rises by 1 mm in 20 ahead, and falls by 1 in 40 to the left. */
 const height = ([x, y]) => -30 + (x - 200) / 20 - y / 40;
-const PLACES = [[180, -60], [180, 60], [250, 0]];
+/** None straight ahead: an arm whose base tells just 0 after a silence may have been reset, and a busy machine is silent at times. */
+const PLACES = [[180, -60], [180, 60], [250, 10]];
 
 let bench, page, told;
 

@@ -67,6 +67,32 @@ pub struct MemberAbout {
     /// What it does with work of the fleet; absent where it takes none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub takes_work: Option<TakesWork>,
+    /// How many virtual arms it gives to those without an arm; absent where it gives none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gives_arms: Option<u16>,
+    /// The station that gave this virtual arm to somebody; absent where it is no such arm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub given_by: Option<String>,
+}
+
+/// The virtual arms that a station gives to those without an arm.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct GivenArms {
+    /// So many it gives at a time.
+    pub most: u16,
+    /// One that nobody looks at ends after so long, in seconds.
+    pub unused_s: u64,
+    /// Those that are given.
+    pub arms: Vec<GivenArm>,
+}
+
+/// A virtual arm that somebody was given: a station of the fleet like any other one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct GivenArm {
+    /// What it is called in the fleet.
+    pub name: String,
+    /// Where its page is.
+    pub page: String,
 }
 
 /// A request to the API of a station, as it travels through a fleet: that of HTTP, in parts.

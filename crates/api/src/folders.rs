@@ -16,6 +16,8 @@ use directories::ProjectDirs;
 pub struct Folders {
     data: PathBuf,
     runtime: PathBuf,
+    /// Who may do what, and by what the station is known.
+    identity: PathBuf,
 }
 
 /// Makes a folder that is for this person's eyes only, and those above it. One that is there stays as it is.
@@ -37,8 +39,27 @@ impl Folders {
         let data = folder.into();
         Self {
             runtime: data.clone(),
+            identity: data.clone(),
             data,
         }
+    }
+
+    /// Those of a virtual arm that the station of these folders gives to somebody, with its own jobs and recordings: it
+    /// accepts the station's tokens, and has its certificate.
+    #[must_use]
+    pub fn of_virtual_arm(&self, name: &str) -> Self {
+        let data = self.virtual_arms().join(name);
+        Self {
+            runtime: data.clone(),
+            data,
+            identity: self.identity.clone(),
+        }
+    }
+
+    /// What the virtual arms that the station gives have to remember, a folder for each.
+    #[must_use]
+    pub fn virtual_arms(&self) -> PathBuf {
+        self.data.join("virtual-arms")
     }
 
     /// The folders that the system has for this person's programs; `None` for one without a home.
@@ -48,6 +69,7 @@ impl Folders {
         let data = folders.data_local_dir();
         Some(Self {
             data: data.to_owned(),
+            identity: data.to_owned(),
             runtime: folders.runtime_dir().unwrap_or(data).to_owned(),
         })
     }
@@ -96,7 +118,7 @@ impl Folders {
     /// Who may do what.
     #[must_use]
     pub fn tokens(&self) -> PathBuf {
-        self.data.join("tokens.toml")
+        self.identity.join("tokens.toml")
     }
 
     /// The options that a person gives each drawing.
@@ -132,7 +154,7 @@ impl Folders {
     /// The station's own certificate and its key, a folder.
     #[must_use]
     pub fn tls(&self) -> PathBuf {
-        self.data.join("tls")
+        self.identity.join("tls")
     }
 
     /// The folder of an arm that is used without a station, by the text of its address: its jobs.

@@ -44,8 +44,8 @@ pub use calibration::{
     Zeros,
 };
 pub use fleet::{
-    ApiAnswer, ApiRequest, FleetView, Member, MemberAbout, MemberAnswer, Presence, Recipients,
-    is_fleet_name,
+    ApiAnswer, ApiRequest, FleetView, GivenArm, GivenArms, Member, MemberAbout, MemberAnswer,
+    Presence, Recipients, is_fleet_name,
 };
 #[cfg(feature = "remote")]
 pub use folders::{Folders, make_private};

@@ -96,6 +96,8 @@ kinds! {
         "No station of this name, or none of this group, has been seen. `/api/v1/fleet` lists all of them.";
     NO_SUCH_WORK = 404 "no-such-work" "there is no such work"
         "This station has no work of this number for its fleet, or was offered none under this key. `GET /api/v1/fleet/work` lists what was submitted here.";
+    NO_SUCH_ARM = 404 "no-such-arm" "there is no such virtual arm"
+        "This station gives no virtual arm of this name now. `GET /api/v1/fleet/virtual-arms` lists those that it gives.";
     METHOD = 405 "method" "this address does not take this method"
         "The path exists, but not with this method. The Allow header lists those that it takes.";
     TIMEOUT = 408 "timeout" "the request came too slowly"
@@ -104,6 +106,12 @@ kinds! {
         "No job has come of the offer, and none will under its key: the work can be offered to another station. The detail says why.";
     ARM_BUSY = 409 "arm-busy" "the arm has other work"
         "The arm has a job that is not over. No job has come of the offer, and none will under its key: it can be offered again under another one.";
+    GIVES_NO_ARMS = 409 "gives-no-arms" "this station gives no virtual arms"
+        "A station gives virtual arms to those without one when it is started with `dobot up --virtual --fleet --virtual-arms N`. The members of the fleet tell which do.";
+    NAME_TAKEN = 409 "name-taken" "another station has this name"
+        "A station of the fleet has been seen that is called so. Two of one name would be asked for nothing: take another name.";
+    ALL_ARMS_GIVEN = 409 "all-arms-given" "all virtual arms are given"
+        "The station gives no more virtual arms at a time. One ends by itself when nobody has looked at it for a while, and an administrator can end one.";
     WORK_PHASE = 409 "work-phase" "this cannot be done with it now"
         "What can be done with work for any arm depends on how far it is. The detail says how far it is, and what is allowed.";
     TOKEN_TAKEN = 409 "token-taken" "another token has this name"
@@ -198,6 +206,8 @@ kinds! {
         "Work for the fleet is written to the disk before anybody is asked to do it, and that failed. Make room on the disk, or check the folder's permissions.";
     ENDING = 503 "ending" "the station is shutting down"
         "The station ends. The laser is off.";
+    ARM_NOT_STARTED = 507 "arm-not-started" "the virtual arm cannot be started"
+        "The system has no room for it: the detail says what is missing.";
     JOURNAL = 507 "journal" "the journal cannot be written"
         "Jobs are written to the disk before they run, and that failed. Make room on the disk, or check the folder's permissions.";
 }

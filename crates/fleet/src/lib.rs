@@ -54,6 +54,7 @@ mod roster;
 mod router;
 mod telling;
 pub mod together;
+mod virtual_arms;
 mod work;
 
 pub use config::{FleetConfig, FleetConfigError};
@@ -62,3 +63,4 @@ pub use id::{IdError, own_id};
 pub use join::{Fleet, FleetError};
 pub use keys::MESSAGES;
 pub use router::Router;
+pub use virtual_arms::{VirtualArms, VirtualArmsConfig, page_of};

@@ -101,11 +101,15 @@ impl Roster {
         self.judge(&key.name);
     }
 
-    /// A station is not there any more.
+    /// A station is not there any more. A virtual arm that was given to somebody is not missed: it ends when it is not used.
     pub(crate) fn went(&mut self, member: &MemberKey) {
         if let Some(seen) = self.seen.get_mut(member) {
             self.members = None;
             seen.alive = None;
+            let about = seen.member.about.as_ref();
+            if about.is_some_and(|it| it.given_by.is_some()) {
+                self.seen.remove(member);
+            }
             self.judge(&member.name);
         }
     }

@@ -177,6 +177,13 @@ impl FleetPort {
         answer.await.map_err(|_| ending())?
     }
 
+    /// The station of this name, as far as it has been seen.
+    #[must_use]
+    pub fn member(&self, name: &str) -> Option<Arc<Member>> {
+        let members = self.members.borrow();
+        members.iter().find(|it| it.name == name).cloned()
+    }
+
     async fn wish(&self, wish: FleetWish) -> Result<(), Problem> {
         self.wishes.send(wish).await.map_err(|_| ending())
     }

@@ -15,6 +15,7 @@ mod events;
 #[cfg(test)]
 mod fake;
 mod fleet;
+mod fleet_arms;
 mod fleet_offers;
 mod fleet_work;
 mod http_leases;

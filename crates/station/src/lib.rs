@@ -45,6 +45,7 @@ mod raw;
 #[cfg(test)]
 mod sample;
 mod start;
+mod virtual_arms;
 #[cfg(unix)]
 mod virtual_port;
 
@@ -55,5 +56,6 @@ pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensEr
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};
 pub use start::{Failed, StartError, Station};
+pub use virtual_arms::{ArmWish, ArmsPort, WantedArm};
 #[cfg(unix)]
 pub use virtual_port::VirtualPort;

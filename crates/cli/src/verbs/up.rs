@@ -121,12 +121,11 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let opens = args.opens_page(&config.folders);
     let data = config.folders.data().display().to_string();
     let station = tokio::select! {
-        station = start(config, log) => station?,
+        station = start(config.clone(), log) => station?,
         () = &mut interrupt => return Ok(()),
     };
     let notices = station.handle().notices();
-    let folders = folders(args.data.clone())?;
-    let fleet = match args.fleet.join(&args.names, &folders, &station).await {
+    let fleet = match args.fleet.join(&args.names, &config, &station).await {
         Ok(fleet) => fleet,
         Err(failure) => {
             station.end().await?;

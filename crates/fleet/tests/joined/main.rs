@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod together;
+mod virtual_arms;
 
 use std::net::TcpListener;
 use std::path::Path;
@@ -37,6 +38,27 @@ fn free_port() -> u16 {
     listener.local_addr().unwrap().port()
 }
 
+fn station_config(folder: &Path) -> Config {
+    Config {
+        arm: Some(Address::Virtual),
+        http: "127.0.0.1:0".parse().unwrap(),
+        raw: None,
+        ..Config::new(Folders::at(folder))
+    }
+}
+
+fn fleet_config(name: &str, connect: &str) -> FleetConfig {
+    FleetConfig {
+        name: name.into(),
+        about: MemberAbout {
+            groups: vec!["room-1".into()],
+            ..MemberAbout::default()
+        },
+        connect: vec![connect.into()],
+        ..FleetConfig::default()
+    }
+}
+
 impl Desk {
     async fn up(name: &str, connect: &str, credentials: Option<Credentials>) -> Self {
         let folder = tempfile::tempdir().unwrap();
@@ -49,22 +71,11 @@ impl Desk {
         credentials: Option<Credentials>,
         folder: tempfile::TempDir,
     ) -> Self {
-        let station = Station::start(Config {
-            arm: Some(Address::Virtual),
-            http: "127.0.0.1:0".parse().unwrap(),
-            raw: None,
-            ..Config::new(Folders::at(folder.path()))
-        });
+        let station = Station::start(station_config(folder.path()));
         let station = station.await.unwrap();
         let config = FleetConfig {
-            name: name.into(),
-            about: MemberAbout {
-                groups: vec!["room-1".into()],
-                ..MemberAbout::default()
-            },
-            work: None,
-            connect: vec![connect.into()],
             credentials,
+            ..fleet_config(name, connect)
         };
         let id = own_id(&Folders::at(folder.path()).fleet_id()).unwrap();
         let fleet = Fleet::join(&config, &id, station.api()).await.unwrap();

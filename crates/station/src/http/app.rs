@@ -20,7 +20,7 @@ use super::listen::ConnectionSlot;
 use super::rate::Addresses;
 use super::recordings::Recordings;
 use super::tokens::Tokens;
-use crate::FleetPort;
+use crate::{ArmsPort, FleetPort};
 
 /// What all requests share.
 #[derive(Debug)]
@@ -46,6 +46,8 @@ pub(super) struct App {
     learners: Mutex<Learners>,
     /// The way to the fleet, once the station belongs to one.
     pub(super) fleet: OnceLock<FleetPort>,
+    /// What gives virtual arms to those without one, if the station has that.
+    pub(super) arms: OnceLock<ArmsPort>,
     /// The keys of the offers whose drawings are being planned.
     pub(super) planning: Mutex<HashSet<String>>,
     pub(super) addresses: Addresses,
@@ -98,6 +100,7 @@ impl App {
             agents: HttpAgents::new(reach.own),
             learners: Mutex::default(),
             fleet: OnceLock::new(),
+            arms: OnceLock::new(),
             planning: Mutex::default(),
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),

@@ -8,7 +8,7 @@ use std::time::Duration;
 use axum::Json;
 use axum::extract::State;
 use axum::response::sse::{Event, KeepAlive, Sse};
-use dobot_api::problem_kinds::NO_FLEET;
+use dobot_api::problem_kinds::{GIVES_NO_ARMS, NO_FLEET};
 use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients};
 use futures_util::Stream;
 use schemars::JsonSchema;
@@ -21,7 +21,7 @@ use super::app::App;
 use super::calls::Asker;
 use super::events::ALIVE_EVERY;
 use super::routes;
-use crate::{FleetPort, Members};
+use crate::{ArmsPort, FleetPort, Members};
 
 /// What the station knows of its fleet.
 pub(super) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>, NotDone> {
@@ -185,4 +185,20 @@ impl App {
             .get()
             .ok_or_else(|| NO_FLEET.hinted("this station belongs to no fleet", hint))
     }
+
+    /// What gives virtual arms, if the station has that.
+    pub(super) fn arms(&self) -> Result<&ArmsPort, Problem> {
+        let hint = "`GET /api/v1/fleet` tells which stations do (`gives_arms`); `dobot up --virtual --fleet --virtual-arms 10` starts one";
+        self.arms
+            .get()
+            .ok_or_else(|| GIVES_NO_ARMS.hinted("this station gives no virtual arms", hint))
+    }
+}
+
+/// What is said of a field whose text nothing in a fleet can be called.
+pub(super) fn not_a_name(field: &str, found: &str, example: &str) -> String {
+    let found: String = found.chars().take(60).collect();
+    format!(
+        "{field}: {found:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter, as in {example}"
+    )
 }

@@ -13,6 +13,7 @@ use serde::Deserialize;
 use super::answer::{Body, JOB, NotDone};
 use super::calls::{Asker, is_name};
 use super::drawings::NewDrawing;
+use super::fleet::not_a_name;
 use super::fleet_offers::FleetOffer;
 use crate::{NewWork, WorkWish};
 
@@ -121,7 +122,7 @@ fn check_people(student: &str, group: Option<&str>) -> Result<(), Problem> {
         )));
     }
     match group.filter(|it| !is_fleet_name(it)) {
-        Some(group) => Err(INVALID.problem(not_a_word("group", group))),
+        Some(group) => Err(INVALID.problem(not_a_name("group", group, "room-2"))),
         None => Ok(()),
     }
 }
@@ -134,16 +135,9 @@ fn check_needs(needs: &[String]) -> Result<(), Problem> {
         )));
     }
     match needs.iter().find(|it| !is_fleet_name(it)) {
-        Some(need) => Err(INVALID.problem(not_a_word("needs", need))),
+        Some(need) => Err(INVALID.problem(not_a_name("needs", need, "a5"))),
         None => Ok(()),
     }
-}
-
-fn not_a_word(field: &str, found: &str) -> String {
-    let found: String = found.chars().take(60).collect();
-    format!(
-        "{field}: {found:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter, as in a5"
-    )
 }
 
 /// Milliseconds since 1970, by the computer's clock.

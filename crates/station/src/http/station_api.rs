@@ -22,7 +22,7 @@ use super::answer::JOB;
 use super::app::{App, Peer};
 use super::calls::{KEY, LEASE};
 use super::routes;
-use crate::FleetPort;
+use crate::{ArmsPort, FleetPort};
 
 /// A station's API, for its fleet: the same routes, tokens and roles as over HTTP. One who comes without a token
 /// may watch and stop, wherever the station is served.
@@ -56,6 +56,12 @@ impl StationApi {
     pub fn join(&self, fleet: FleetPort) {
         // A station joins once, before anybody asks for its fleet.
         let _ = self.app.fleet.set(fleet);
+    }
+
+    /// Lets the station give virtual arms to those without one.
+    pub fn give_arms(&self, arms: ArmsPort) {
+        // There is one that gives them, from the start on.
+        let _ = self.app.arms.set(arms);
     }
 
     /// Asks the station.

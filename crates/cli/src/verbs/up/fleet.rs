@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use dobot_api::Folders;
 use dobot_station::Station;
 
 use crate::failure::Failure;
@@ -33,6 +32,10 @@ pub(super) struct JoinArgs {
     #[arg(long, value_name = "HOW", requires = "fleet", num_args = 0..=1, require_equals = true,
         default_missing_value = "queue")]
     takes_work: Option<TakeWork>,
+    /// Give up to so many virtual arms to those of the fleet who have none, each with a page of its own; it takes a station
+    /// whose own arm is a virtual one
+    #[arg(long, value_name = "NUMBER", requires_all = ["fleet", "is_virtual"], value_parser = clap::value_parser!(u16).range(1..=200))]
+    virtual_arms: Option<u16>,
 }
 
 /// What a station does with work of its fleet.
@@ -44,27 +47,38 @@ enum TakeWork {
 
 #[cfg(feature = "fleet")]
 mod joined {
-    use std::net::IpAddr;
+    use std::time::Duration;
 
     use anyhow::anyhow;
     use dobot_api::{MemberAbout, TakesWork};
     use dobot_client::Address;
-    use dobot_fleet::{Credentials, Fleet, FleetConfig, own_id};
+    use dobot_fleet::{
+        Credentials, Fleet, FleetConfig, VirtualArms, VirtualArmsConfig, own_id, page_of,
+    };
+    use dobot_station::Config;
 
-    use super::{Failure, Folders, JoinArgs, Station, TakeWork};
+    use super::{Failure, JoinArgs, Station, TakeWork};
 
     /// The station's place in its fleet, if it has one.
     #[derive(Debug, Default)]
-    pub(in super::super) struct Joined(Option<(String, Fleet)>);
+    pub(in super::super) struct Joined {
+        name: Option<String>,
+        fleet: Option<Fleet>,
+        arms: Option<VirtualArms>,
+    }
+
+    /// A virtual arm that nobody looks at ends after so long: longer than a break between two lessons.
+    const UNUSED: Duration = Duration::from_secs(1800);
 
     impl JoinArgs {
         /// Joins, if that was asked for.
         pub(in super::super) async fn join(
             &self,
             names: &[String],
-            folders: &Folders,
+            started: &Config,
             station: &Station,
         ) -> Result<Joined, Failure> {
+            let folders = &started.folders;
             let Some(credentials) = &self.fleet else {
                 return Ok(Joined::default());
             };
@@ -83,13 +97,27 @@ mod joined {
             };
             let id = own_id(&folders.fleet_id())?;
             let fleet = Fleet::join(&config, &id, station.api()).await?;
-            Ok(Joined(Some((config.name, fleet))))
+            let name = config.name.clone();
+            let arms = self.virtual_arms.map(|most| {
+                let config = VirtualArmsConfig {
+                    most,
+                    unused: UNUSED,
+                    station: started.clone(),
+                    fleet: config,
+                };
+                VirtualArms::start(config, station.api())
+            });
+            Ok(Joined {
+                name: Some(name),
+                fleet: Some(fleet),
+                arms,
+            })
         }
 
         fn about(&self, name: &str, station: &Station) -> MemberAbout {
             MemberAbout {
                 version: env!("CARGO_PKG_VERSION").into(),
-                page: Some(page(name, station)),
+                page: Some(page_of(name, station)),
                 groups: self.group.clone(),
                 offers: self.offers.clone(),
                 is_virtual: station.arm() == Some(&Address::Virtual),
@@ -97,34 +125,24 @@ mod joined {
                     TakeWork::Queue => TakesWork::Queue,
                     TakeWork::Start => TakesWork::Start,
                 }),
+                gives_arms: self.virtual_arms,
+                given_by: None,
             }
-        }
-    }
-
-    /// Where others find the page: under the station's name, where it is served for all.
-    fn page(name: &str, station: &Station) -> String {
-        let address = station.address();
-        let scheme = station.url().split("://").next().unwrap_or("http");
-        match address.ip() {
-            IpAddr::V4(ip) if ip.is_unspecified() => {
-                format!("{scheme}://{name}:{}", address.port())
-            }
-            IpAddr::V6(ip) if ip.is_unspecified() => {
-                format!("{scheme}://{name}:{}", address.port())
-            }
-            _ => station.url().to_owned(),
         }
     }
 
     impl Joined {
         /// What a person reads.
         pub(in super::super) fn told(&self) -> Option<String> {
-            self.0.as_ref().map(|(name, _)| name.clone())
+            self.name.clone()
         }
 
         /// Leaves, if it has joined.
         pub(in super::super) async fn leave(self) {
-            if let Some((_, fleet)) = self.0 {
+            if let Some(arms) = self.arms {
+                arms.end().await;
+            }
+            if let Some(fleet) = self.fleet {
                 fleet.leave().await;
             }
         }
@@ -135,7 +153,9 @@ mod joined {
 mod joined {
     use anyhow::anyhow;
 
-    use super::{Failure, Folders, JoinArgs, Station};
+    use dobot_station::Config;
+
+    use super::{Failure, JoinArgs, Station};
 
     /// No place in any fleet.
     #[derive(Debug)]
@@ -147,7 +167,7 @@ mod joined {
         pub(in super::super) async fn join(
             &self,
             _: &[String],
-            _: &Folders,
+            _: &Config,
             _: &Station,
         ) -> Result<Joined, Failure> {
             match self {

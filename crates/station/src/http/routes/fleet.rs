@@ -1,22 +1,23 @@
 //! The fleet that the station belongs to.
 
 use dobot_api::problem_kinds::{
-    ARM_BUSY, DRAWING_PHASE, ENDING, INVALID, JOURNAL, MALFORMED, NO_FLEET, NO_SUCH_MEMBER,
-    NO_SUCH_WORK, ProblemKind, ROLE, TOO_MANY, TOO_MANY_CLIENTS, WORK_FILE, WORK_PHASE,
-    WORK_REFUSED,
+    ALL_ARMS_GIVEN, ARM_BUSY, ARM_NOT_STARTED, DRAWING_PHASE, ENDING, GIVES_NO_ARMS, INVALID,
+    JOURNAL, MALFORMED, NAME_TAKEN, NO_FLEET, NO_SUCH_ARM, NO_SUCH_MEMBER, NO_SUCH_WORK,
+    ProblemKind, ROLE, TOO_MANY, TOO_MANY_CLIENTS, WORK_FILE, WORK_PHASE, WORK_REFUSED,
 };
-use dobot_api::{FleetView, JobView, MemberAnswer, WorkView};
+use dobot_api::{FleetView, GivenArm, GivenArms, JobView, MemberAnswer, WorkView};
 
 use super::super::answer::{Body, JOB, Maybe};
 use super::super::events::ServerSentEvent;
 use super::super::fleet::{self, FleetRequest, FleetStop};
+use super::super::fleet_arms::{self, WantedVirtualArm};
 use super::super::fleet_offers::{self, FleetOffer};
 use super::super::fleet_work::{self, FleetWork};
 use super::super::route::Route;
 use super::{DELETE, FLEET_STOP, GET, POST};
 
 pub(super) fn all() -> Vec<Route> {
-    [stations(), work(), offers()].concat()
+    [stations(), work(), offers(), arms()].concat()
 }
 
 /// The stations together.
@@ -143,6 +144,46 @@ fn offers() -> Vec<Route> {
         .problems(OFFERED),
     ]
 }
+
+/// Virtual arms for those who have none.
+fn arms() -> Vec<Route> {
+    vec![
+        Route::new(
+            GET,
+            ARMS,
+            "The virtual arms that this station gives to those without an arm",
+            fleet_arms::all,
+        )
+        .gives::<GivenArms>(200, "the virtual arms")
+        .problems(GIVES),
+        Route::new(
+            POST,
+            ARMS,
+            "Gives a virtual arm: a station of the fleet with a page of its own, which accepts the tokens of this one. Whoever \
+                asks for the same name again gets the same arm, with its jobs and recordings",
+            fleet_arms::give,
+        )
+        .brings::<Body<WantedVirtualArm, JOB>>()
+        .example(r#"{"name": "anna"}"#)
+        .gives::<GivenArm>(200, "the virtual arm")
+        .problems(GIVES)
+        .problems(&[NO_FLEET, INVALID, NAME_TAKEN, ALL_ARMS_GIVEN, ARM_NOT_STARTED]),
+        Route::new(
+            DELETE,
+            "/api/v1/fleet/virtual-arms/{name}",
+            "Ends a virtual arm; its jobs and recordings stay for the next one of its name",
+            fleet_arms::end,
+        )
+        .gives::<GivenArms>(200, "those that are left")
+        .problems(GIVES)
+        .problems(&[NO_SUCH_ARM]),
+    ]
+}
+
+const ARMS: &str = "/api/v1/fleet/virtual-arms";
+
+/// What virtual arms may be refused for.
+const GIVES: &[ProblemKind] = &[GIVES_NO_ARMS, ENDING, ROLE];
 
 const WORK_EXAMPLE: &str = r#"{"drawing": {"options": {"what": {"text": "Hello"}, "place": {"at": [210, 0], "pen_down": -40}}}, "needs": ["pen", "a5"], "student": "Anna"}"#;
 
