@@ -58,6 +58,10 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       await page.waitForSelector("#denied");
       await look("denied");
       await page.click("#told-close");
+      await page.click("#arm-open");
+      await page.waitForSelector("#arm");
+      await look("virtual arm");
+      await page.click("#arm-open");
       await page.click(".tile[data-member=desk-5] .name");
       await page.waitForSelector("#details-title");
       await look("details");

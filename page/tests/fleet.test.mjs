@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { launch, serveFromDisk } from "./bench.mjs";
+import { launch, pose, press, serveFromDisk, takeControl } from "./bench.mjs";
 import { end, start } from "./program.mjs";
 
 const GROUPS = { "desk-1": "room-1", "desk-2": "room-1", "desk-3": "room-2" };
@@ -28,7 +28,7 @@ async function freePort() {
 }
 
 async function beginStation(name, at, data = name) {
-  const words = ["up", "--fleet", "--connect", at, "--virtual", "--name", name, "--group", GROUPS[name], "--http", "127.0.0.1:0", "--raw", "off", "--data", join(folder, data)];
+  const words = ["up", "--fleet", "--connect", at, "--virtual", "--name", name, "--group", GROUPS[name], "--http", "127.0.0.1:0", "--raw", "off", "--data", join(folder, data), ...(name === "desk-1" ? ["--virtual-arms", "2"] : [])];
   const { child, found } = await start(words, /page +(http:\S+)/);
   return { child, url: found.replace(/\/?$/, "/") };
 }
@@ -180,6 +180,37 @@ test("a person lets them move again, one by one or all, after a question", async
   await page.click("#reset");
   await page.click("#sure-yes");
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop === null);
+});
+
+test("whoever has no arm is given a virtual one, moves it on its own page, and it is gone from the board when a person ends it", async () => {
+  await page.click("#arm-open");
+  await page.fill("#arm-name", " Zoë B. ");
+  await page.click("#arm-give");
+  await page.waitForSelector("#arm-page");
+  const at = await page.getAttribute("#arm-page", "href");
+  await page.waitForSelector(`${tile("zoe-b")}[data-presence=present]`);
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const own = await context.newPage();
+  own.on("pageerror", (error) => errors.push(error));
+  await own.goto(at);
+  await takeControl(own);
+  const before = await pose(own, "x_mm");
+  await press(own, "x_plus");
+  await own.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
+  await own.mouse.up();
+  await page.waitForFunction(() => document.querySelector(".tile[data-member=zoe-b] .who")?.textContent !== "nobody has control");
+  // One who is named as an arm that is there already is told so, and gets another name.
+  await page.fill("#arm-name", "desk-2");
+  await page.click("#arm-give");
+  await page.waitForFunction(() => /called "desk-2" already/.test(document.querySelector("#told").textContent));
+  await page.click("#told-close");
+  await page.click("#arm-open");
+  await page.click(`${tile("zoe-b")} .name`);
+  assert.match(await page.textContent("#details"), /Given by\s*desk-1/);
+  await page.click("#details-end-arm");
+  await page.click("#sure-yes");
+  await page.waitForSelector(tile("zoe-b"), { state: "detached" });
+  await context.close();
 });
 
 test("Escape stops all, and the button of a group stops its arms alone", async () => {

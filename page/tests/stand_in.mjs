@@ -18,9 +18,9 @@ export const state = (other = {}) => ({
 });
 
 /** A station of the fleet; `id` is made of its name. */
-export const member = (name, { groups = [], here = false, presence = { type: "present" }, page = `http://127.0.0.1:9/${name}`, is_virtual = true, takes_work, offers = ["pen"], ...other } = {}) => ({
+export const member = (name, { groups = [], here = false, presence = { type: "present" }, page = `http://127.0.0.1:9/${name}`, is_virtual = true, takes_work, gives_arms, offers = ["pen"], ...other } = {}) => ({
   name, id: Buffer.from(name).toString("hex").padStart(32, "0").slice(-32), here, presence, heard_at_s: 10,
-  about: { version: "0.1.0", page, groups, offers, is_virtual, takes_work }, state: state(other),
+  about: { version: "0.1.0", page, groups, offers, is_virtual, takes_work, gives_arms }, state: state(other),
 });
 
 export const job = (title, completed, commands = 100, other = {}) => ({ job: 4, title, kind: "drawing", created_ms: 0, phase: "running", reason: null, commands, completed, planned_s: 200, left_s: 200 * (1 - completed / commands), took_s: null, speed_percent: 100, height_mm: 0, program: null, ...other });
@@ -119,7 +119,7 @@ export function crowd(count) {
   return Array.from({ length: count }, (_, n) => {
     const name = `desk-${n + 1}`, groups = [`room-${1 + Math.floor(n / Math.max(12, count / 4))}`];
     const turn = ((n * 37) % 160) - 80, rear_deg = 10 + ((n * 13) % 50), fore_deg = 15 + ((n * 29) % 50);
-    const other = { groups, here: n === 0, takes_work: "queue", offers: n % 2 ? ["pen"] : ["pen", "a5"], arm: { ...state().arm, base_deg: turn, rear_deg, fore_deg } };
+    const other = { groups, here: n === 0, takes_work: "queue", ...(n === 0 && { gives_arms: 30 }), offers: n % 2 ? ["pen"] : ["pen", "a5"], arm: { ...state().arm, base_deg: turn, rear_deg, fore_deg } };
     if (n % 3 === 1) Object.assign(other, { job: job(titles[n % titles.length], (n * 17) % 100), lease: { client: 2, name: ["Anna", "Bo", "Chen"][n % 3], is_program: false, since_s: 1, asked_by: [] } });
     if (n % 9 === 4) Object.assign(other, { job: job("name.svg", 40, 100, { phase: "paused", reason: "put the red pen in" }) });
     if (n % 11 === 6) Object.assign(other, { stop: { by: "Ms Lee", reason: "a hand is in the way", at_s: 9, rests_by_s: 9.5, at_rest: true } });

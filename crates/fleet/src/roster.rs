@@ -181,6 +181,7 @@ fn refusal(alive: &Alive, claim: usize) -> Option<Problem> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::telling::tests::state;
 
     fn key(name: &str, digit: char) -> MemberKey {
         MemberKey {
@@ -292,6 +293,23 @@ mod tests {
             member.about.as_ref().map(|it| &*it.groups[0]),
             Some("room-1")
         );
+    }
+
+    #[test]
+    fn a_station_with_a_wrong_clock_is_heard_when_it_is_heard() {
+        let mut roster = roster();
+        roster.came(alive(key("desk-2", 'b')), 2.0);
+        for at_s in [-1e9, 1e12] {
+            let state = State { at_s, ..state() };
+            let told = Told {
+                about: MemberAbout::default(),
+                state: Some(Box::new(state)),
+            };
+            roster.told(&key("desk-2", 'b'), told, 3.0);
+            let member = &roster.members()[1];
+            assert_eq!(member.heard_at_s, 3.0);
+            assert_eq!(member.presence, Presence::Present);
+        }
     }
 
     #[test]

@@ -52,12 +52,12 @@ fn is_like(one: &State, other: &State) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use dobot_api::{LaserView, LinkPhase, LinkView, QueueView, StopView, TrustView};
 
     use super::*;
 
-    fn state() -> State {
+    pub(crate) fn state() -> State {
         State {
             at_s: 1.0,
             link: LinkView {

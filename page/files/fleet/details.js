@@ -39,8 +39,17 @@ export function details(context) {
       <button id="details-stop" type="button" class="stops" @click=${() => void act.stop(to)}>${say("fleet.stop.one", { name })}</button>
       ${state?.stop ? html`<button id="details-reset" type="button" class="small" ?disabled=${!isThere(member)} @click=${() => act.send({ type: "question", question: resetQuestion(board.language, [member]) })}>${say("stopped.reset")}</button>` : nothing}
       <button id="details-drawing" type="button" class="small" ?disabled=${!isThere(member) || !member.about?.is_virtual} @click=${() => void act.saveDrawings(to)}>${say("fleet.drawing")}</button>
+      ${endArm(context, member)}
     </div>
     ${presence.type === "present" ? html`${numbers(context, member)}${learners(context, member)}${ofArm(context, member)}${jobs(context, member)}` : nothing}`;
+}
+
+/** A virtual arm that was given can be ended where it was given. @param {Context} context @param {Member} member */
+function endArm({ board, say, act }, { name, about }) {
+  const giver = about?.given_by;
+  if (giver == null) return nothing;
+  const isGone = !board.members.some((it) => it.name === giver && isThere(it));
+  return html`<button id="details-end-arm" type="button" class="small" ?disabled=${isGone} @click=${() => act.send({ type: "question", question: { about: "fleet_end_arm", giver, name, values: { name } } })}>${say("fleet.arm.end")}</button>`;
 }
 
 /** What stands behind the alarms, in the stations' own words. @param {Context} context @param {Member} member */
@@ -69,6 +78,7 @@ function numbers({ say }, { about, state }) {
     ["fleet.groups", about?.groups.join(", ") || "–"],
     ["fleet.offers", about?.offers.join(", ") || "–"],
     ["fleet.version", about?.version ?? "–"],
+    ...(about?.given_by == null ? [] : [/** @type {[Word, string]} */ (["fleet.arm.giver", about.given_by])]),
   ];
   return html`<dl class="facts">${rows.map(([word, value]) => html`<div><dt>${say(word)}</dt><dd>${value}</dd></div>`)}</dl>`;
 }

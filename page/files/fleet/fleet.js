@@ -74,6 +74,8 @@ function agreed(question) {
       return requests.reset(question.to);
     case "fleet_give":
       return void queueRequests.give(question.work);
+    case "fleet_end_arm":
+      return requests.endArm(question.giver, question.name);
     case "fleet_cancel":
       return void queueRequests.cancel(question.work);
   }

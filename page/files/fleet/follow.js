@@ -35,16 +35,19 @@ export function followFleet(store, http) {
     const isWanted = () => listening === mine;
     const answer = await http.get("api/v1/fleet/events", mine.signal);
     /** @type {Map<string, Member>} */ let news = new Map();
+    /** The numbers of those that are not kept in mind any more. @type {string[]} */ let gone = [];
     /** @param {string} event @param {string} data */
     const hear = (event, data) => {
+      if (event === "gone") gone.push(/** @type {{ id: string }} */ (JSON.parse(data)).id);
       if (event !== "member") return;
       /** @type {Member} */ const member = JSON.parse(data);
       news.set(member.id, member);
     };
     const came = () => {
-      if (news.size) send({ type: "members", members: [...news.values()], now_ms: now_ms() });
+      if (news.size || gone.length) send({ type: "members", members: [...news.values()], gone, now_ms: now_ms() });
       else send({ type: "alive", now_ms: now_ms() });
       news = new Map();
+      gone = [];
     };
     if (answer?.ok) await readEvents(answer, { hear, came, isWanted });
     if (isWanted()) send({ type: "closed", problem: null });

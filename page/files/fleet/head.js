@@ -5,7 +5,7 @@ import { live } from "../vendor/lit-html/directives/live.js";
 import { sure } from "../views/sure.js";
 import { tokenForm } from "../views/token.js";
 import { span } from "../words/words.js";
-import { SORTS, count, groups, isMeant, isThere, lockOf, recipients } from "./members.js";
+import { SORTS, count, giver, groups, isMeant, isThere, lockOf, nameOf, recipients } from "./members.js";
 import { counts } from "./queue.js";
 import { problemText, told, toneOfTold, toText } from "./told.js";
 
@@ -34,8 +34,10 @@ export function head(context) {
           ${all.map((it) => html`<option value=${it} .selected=${live(it === board.group)}>${it}</option>`)}
         </select>` : nothing}
       <button id="lesson-open" type="button" class="small" aria-expanded=${String(board.lesson)} aria-controls="lesson" @click=${() => act.send({ type: "lesson", open: !board.lesson })}>${say("fleet.lesson")}</button>
+      ${armButton(context)}
       ${queueButton(context)}
     </div>
+    ${wanting(context)}
     ${lesson(context)}`;
 }
 
@@ -43,6 +45,30 @@ export function head(context) {
 function queueButton({ board, say, act }) {
   const { open } = board.queue, { open: number, doubt } = counts(board.queue.all);
   return html`<button id="queue-open" type="button" class="small" data-tone=${doubt ? "warn" : "off"} aria-expanded=${String(open)} aria-controls="queue" @click=${() => act.send({ type: "queue_open", open: !open })}>${say(doubt ? "fleet.queue.open.doubt" : "fleet.queue.open", { number, doubt })}</button>`;
+}
+
+/** Opens the form for those who have no arm, where a station gives virtual ones. @param {Context} context */
+function armButton({ board, say, act }) {
+  if (!giver(board.members)) return nothing;
+  return html`<button id="arm-open" type="button" class="small" aria-expanded=${String(board.wanting)} aria-controls="arm" @click=${() => act.send({ type: "wanting", open: !board.wanting })}>${say("fleet.arm.open")}</button>`;
+}
+
+/** Who has no arm asks for a virtual one. @param {Context} context */
+function wanting({ board, say, act }) {
+  const from = giver(board.members);
+  if (!from || !board.wanting) return nothing;
+  const ask = async (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.currentTarget).elements.namedItem("name"));
+    const answers = await act.giveArm(from.name, nameOf(field.value));
+    if (answers.some(({ answer }) => answer.status < 300)) field.value = "";
+  };
+  return html`
+    <form id="arm" @submit=${ask}>
+      <label for="arm-name">${say("fleet.arm.text", { giver: from.name })}</label>
+      <input id="arm-name" name="name" type="text" maxlength="40" autocomplete="off" autocapitalize="none" spellcheck="false" required placeholder=${say("fleet.arm.name")}>
+      <button id="arm-give" type="submit" class="small strong">${say("fleet.arm.give")}</button>
+    </form>`;
 }
 
 /** How many are of a sort; pressed, these are shown alone. @param {Context} context @param {import("./members.js").Sort} sort */

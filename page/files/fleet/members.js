@@ -24,8 +24,10 @@ export const groupsOf = ({ about }) => about?.groups ?? [];
 export const groups = (members) => [...new Set(members.flatMap(groupsOf))].sort(byName);
 
 /** Where its own page is: an address of the web, and nothing else that a browser would follow. @param {Member} member */
-export function pageOf({ about }) {
-  const page = about?.page ?? "";
+export const pageOf = ({ about }) => pageIn(about?.page ?? "");
+
+/** The same of an address that a station told. @param {string} page */
+export function pageIn(page) {
   return /^https?:\/\//i.test(page) && URL.canParse(page) ? page : null;
 }
 
@@ -66,6 +68,16 @@ export function alarms({ presence, state, learners }) {
   if (job?.phase === "paused") all.push({ word: "job.paused", tone: "warn" });
   if (learners?.some(isStuck)) all.push({ word: "fleet.stuck", tone: "warn" });
   return all;
+}
+
+/** What somebody can be called in the fleet who types his name: small letters and digits, with hyphens between. @param {string} typed */
+export const nameOf = (typed) => typed.trim().normalize("NFD").replace(/\p{M}/gu, "").toLowerCase().replace(/[\s_.-]+/g, "-").replace(/^-|-$/g, "");
+
+/** The station that has the most virtual arms left to give; nobody where none gives any. @param {readonly Member[]} members */
+export function giver(members) {
+  const left = (/** @type {Member} */ { name, about }) => (about?.gives_arms ?? 0) - members.filter((it) => it.about?.given_by === name).length;
+  const givers = members.filter((it) => isThere(it) && it.about?.gives_arms != null);
+  return givers.sort((a, b) => left(b) - left(a))[0] ?? null;
 }
 
 /** The lock of a station, if one holds it. @param {Station | null} state */

@@ -15,6 +15,7 @@ import { problemOf } from "./outcome.js";
 /** What other clients do with the jobs of a station nobody tells: they are read so often while they are seen. */
 const JOBS_MS = 2000;
 const LEASE = "/api/v1/lease";
+const ARMS = "/api/v1/fleet/virtual-arms";
 
 /** @param {Store} store @param {import("../station/http.js").Http} http */
 export function createRequests(store, http) {
@@ -81,6 +82,12 @@ export function createRequests(store, http) {
 
     /** @param {Recipients} to @param {string} text */
     message: (to, text) => ask("message", to, { method: "POST", path: "/api/v1/message", body: { text } }),
+
+    /** Asks a station for a virtual arm of this name. @param {string} giver @param {string} name */
+    giveArm: (giver, name) => ask("give_arm", { members: [giver] }, { method: "POST", path: ARMS, body: { name } }),
+
+    /** Ends a virtual arm that a station gave. @param {string} giver @param {string} name */
+    endArm: (giver, name) => void ask("end_arm", { members: [giver] }, { method: "DELETE", path: `${ARMS}/${encodeURIComponent(name)}` }),
 
     /** @param {string} name */
     pauseJob: (name) => void ofJob(name, { method: "POST", path: "/api/v1/jobs/pause" }),

@@ -14,9 +14,9 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 /** @typedef {import("../state/jobs.js").JobView} JobView */
 
 /** `token`: the station of this board wants one. `alone`: it belongs to no fleet. @typedef {"connecting" | "open" | "closed" | "token" | "alone"} Connection */
-/** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing"} What */
+/** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing" | "give_arm" | "end_arm"} What */
 /** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} Asked */
-/** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_give" | "fleet_cancel", work: string }) & { values: Record<string, string | number> }} Question */
+/** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_give" | "fleet_cancel", work: string } | { about: "fleet_end_arm", giver: string, name: string }) & { values: Record<string, string | number> }} Question */
 
 /**
  * @typedef {object} Board
@@ -36,6 +36,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * @property {Asked | null} asked What else was asked for last.
  * @property {Problem | null} denied Why a token is wanted, by a station or by several.
  * @property {boolean} lesson Whether a phone shows the words to all.
+ * @property {boolean} wanting Whether somebody is about to ask for a virtual arm.
  * @property {Question | null} question
  * @property {Language} language
  * @property {Theme} theme
@@ -43,7 +44,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 
 /**
  * @typedef {{ type: "fleet", name: string, members: readonly Member[], now_ms: number }
- * | { type: "members", members: readonly Member[], now_ms: number }
+ * | { type: "members", members: readonly Member[], gone: readonly string[], now_ms: number }
  * | { type: "alive", now_ms: number }
  * | { type: "learners", answers: readonly MemberAnswer[] }
  * | { type: "connecting" }
@@ -60,6 +61,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * | { type: "answered", number: number, answers: readonly MemberAnswer[] | null, problem: Problem | null }
  * | { type: "told_closed", what: "stop" | "asked" | "denied" }
  * | { type: "lesson", open: boolean }
+ * | { type: "wanting", open: boolean }
  * | { type: "question", question: Question | null }
  * | import("./queue.js").QueueMessage} Message
  */
@@ -82,6 +84,7 @@ export const begin = ({ language, theme }) => ({
   asked: null,
   denied: null,
   lesson: false,
+  wanting: false,
   question: null,
   language,
   theme,
@@ -93,7 +96,7 @@ export function reduce(board, message) {
     case "fleet":
       return { ...board, connection: "open", name: message.name, members: order(withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
     case "members":
-      return { ...board, members: withNews(board.members, withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...board, chosen: message.gone.includes(board.chosen ?? "") ? null : board.chosen, members: withNews(without(board.members, message.gone), withLearners(board.members, message.members)), heard_ms: message.now_ms, now_ms: message.now_ms };
     case "alive":
       return { ...board, heard_ms: message.now_ms, now_ms: message.now_ms };
     case "learners":
@@ -127,6 +130,8 @@ export function reduce(board, message) {
       return { ...board, [message.what]: null };
     case "lesson":
       return { ...board, lesson: message.open };
+    case "wanting":
+      return { ...board, wanting: message.open };
     case "question":
       return { ...board, question: message.question };
     case "queue_open":
@@ -149,6 +154,9 @@ function withNews(members, news) {
   const all = new Map([...members, ...news].map((it) => [it.id, it]));
   return order([...all.values()]);
 }
+
+/** Those that are not gone. @param {readonly Member[]} members @param {readonly string[]} gone */
+const without = (members, gone) => (gone.length ? members.filter(({ id }) => !gone.includes(id)) : members);
 
 /** Members as they are told anew, with the students that are known of them. @param {readonly Member[]} members @param {readonly Member[]} news @returns {Member[]} */
 function withLearners(members, news) {

@@ -13,9 +13,9 @@ const answer = (name, status, body = {}) => ({ member: name, id: name, took_ms: 
 test("a station that changes stays where it is, and one that comes takes its place by name", () => {
   const changed = member("desk-2", { presence: { type: "away" } });
   const before = after(fleet("desk-1", "desk-2", "desk-3"));
-  const now = reduce(before, { type: "members", members: [changed], now_ms: 2 });
+  const now = reduce(before, { type: "members", members: [changed], gone: [], now_ms: 2 });
   assert.deepEqual(now.members, [before.members[0], changed, before.members[2]]);
-  const grown = reduce(now, { type: "members", members: [member("desk-10"), member("desk-0")], now_ms: 3 });
+  const grown = reduce(now, { type: "members", members: [member("desk-10"), member("desk-0")], gone: [], now_ms: 3 });
   assert.deepEqual(grown.members.map(({ name }) => name), ["desk-0", "desk-1", "desk-2", "desk-3", "desk-10"]);
 });
 
@@ -45,7 +45,7 @@ test("the students of a station stay told while its arm moves, and go when it do
   const learner = { student: "Anna", lesson: "tour", done: 2, steps: 12, for_s: 5 };
   const told = after(fleet("desk-1", "desk-2"), { type: "learners", answers: [answer("id-desk-1", 200, [learner]), answer("id-desk-2", 503, { detail: "away" })] });
   assert.deepEqual(told.members.map(({ learners }) => learners), [[learner], []]);
-  const moved = reduce(told, { type: "members", members: [member("desk-1")], now_ms: 2 });
+  const moved = reduce(told, { type: "members", members: [member("desk-1")], gone: [], now_ms: 2 });
   assert.deepEqual(moved.members[0].learners, [learner]);
   assert.deepEqual(reduce(moved, { type: "learners", answers: [] }).members[0].learners, []);
 });

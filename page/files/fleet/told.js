@@ -2,8 +2,8 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { sentence } from "../views/banners.js";
-import { pageOf } from "./members.js";
-import { list, outcomeOf } from "./outcome.js";
+import { pageIn, pageOf } from "./members.js";
+import { list, outcomeOf, problemOf } from "./outcome.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./state.js").Asked} Asked */
@@ -36,9 +36,16 @@ export function told(context, asked) {
   const { done, silent, refused } = outcomeOf(answers);
   const all = answers.length;
   return html`
-    <strong>${say(`fleet.done.${what}`, { done: done.length, all })}</strong>
+    ${what === "give_arm" ? given(context, answers) : html`<strong>${say(`fleet.done.${what}`, { done: done.length, all })}</strong>`}
     ${silent.length ? html`<span class="silent">${say(what === "stop" ? "fleet.silent.stop" : "fleet.silent", { names: list(language, silent) })} ${what === "stop" ? pages(context, silent) : nothing}</span>` : nothing}
     ${refused.map((it) => html`<span class="refused">${list(language, it.members)}: ${problemText(it.problem)}</span>`)}`;
+}
+
+/** The virtual arm that was given, with the way to its page. @param {Context} context @param {readonly import("./state.js").MemberAnswer[]} answers */
+function given({ say }, answers) {
+  const arms = answers.filter(({ answer }) => !problemOf(answer)).map(({ answer }) => /** @type {import("../state/types.js").Schemas["GivenArm"]} */ (answer.body));
+  if (!arms.length) return html`<strong>${say("fleet.failed.give_arm")}</strong>`;
+  return arms.map(({ name, page }) => html`<strong>${say("fleet.arm.given", { name })}</strong> <a id="arm-page" href=${pageIn(page) ?? ""} target="_blank" rel="noreferrer">${say("fleet.page.of", { name })}</a>`);
 }
 
 /** The own pages of these stations, as far as they have told them. @param {Context} context @param {readonly string[]} names */

@@ -507,6 +507,68 @@ async fn a_request_that_is_too_large_is_told_so_and_a_stop_works_after_it() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn a_message_that_no_station_takes_reaches_none_and_a_stop_works_after_it() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let stranger = stranger_who_sees("desk-1", &at).await;
+    // More than the router and the stations take at all.
+    let flood = stranger
+        .get("dobot/1/desk-1/*/api")
+        .payload(vec![b' '; 90 << 20]);
+    let replies = flood.timeout(PATIENCE).await.unwrap();
+    let other = stranger_who_sees("desk-1", &at).await;
+    assert_eq!(stop_by(&other, "desk-1").await["status"], 200);
+    let answered = replies.try_recv().ok().flatten();
+    let answered = answered.is_some_and(|it| it.result().is_ok());
+    assert!(!answered, "it was taken");
+    one.end().await;
+    other.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_stolen_token_that_is_removed_moves_no_arm_any_more_not_even_with_the_control_that_it_took()
+ {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let two = Desk::up("desk-2", &at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
+    let stolen = tokens.add(Role::Control, "anna").unwrap();
+    let thief = |method: &str, path: &str, body: Value| {
+        let asked =
+            json!({"to": {"members": ["desk-2"]}, "method": method, "path": path, "body": body});
+        one.all_as(Some(stolen.secret().to_owned()), asked)
+    };
+    let answers = thief("POST", "/api/v1/lease", Value::Null).await;
+    let lease = answers[0].answer.body["token"].as_str().unwrap().to_owned();
+    tokens.remove("anna").unwrap();
+    let mut packets = two.station.handle().passed();
+    let jog = json!({"jog": {"frame": "linear", "axis": "x_plus", "speed_percent": 50}});
+    let asked = json!({"to": {"members": ["desk-2"]}, "method": "POST", "path": "/api/v1/jog", "body": jog, "lease": lease});
+    let answers = one.all_as(Some(stolen.secret().to_owned()), asked).await;
+    assert_eq!(answers[0].answer.status, 401, "{answers:?}");
+    let answers = thief("POST", "/api/v1/lease", Value::Null).await;
+    assert_eq!(answers[0].answer.status, 401, "{answers:?}");
+    // The stop that follows is the first that the arm is told of a motion.
+    assert!(one.stop_all().await.iter().all(|it| it.answer.is_success()));
+    let first = async {
+        loop {
+            let packet = packets.recv().await.unwrap();
+            if packet.to_arm {
+                return packet.bytes;
+            }
+        }
+    };
+    let first = timeout(PATIENCE, first).await.unwrap();
+    assert_eq!(first, LASER_OFF.emit(&dialect()).to_bytes());
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn between_too_many_requests_a_stop_works() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;

@@ -6,6 +6,8 @@ use dobot_api::{Member, Role};
 use dobot_fleet::{VirtualArms, VirtualArmsConfig};
 use dobot_station::Tokens;
 use serde_json::{Value, json};
+use tokio::io::{AsyncBufReadExt, AsyncWriteExt, BufReader, Lines};
+use tokio::net::TcpStream;
 use tokio::time::{interval, timeout};
 
 use super::{Desk, Folders, PATIENCE, fleet_config, free_port, present, router, station_config};
@@ -46,6 +48,34 @@ impl Desk {
         assert!(status >= 400, "{body}");
         let kind = body["type"].as_str().unwrap();
         kind.rsplit('/').next().unwrap().to_owned()
+    }
+}
+
+/// One who listens to the events of the fleet.
+struct Board(Lines<BufReader<TcpStream>>);
+
+impl Board {
+    async fn open(desk: &Desk) -> Self {
+        let address = desk.station.address();
+        let mut stream = TcpStream::connect(address).await.unwrap();
+        let head = format!("GET /api/v1/fleet/events HTTP/1.1\r\nHost: {address}\r\n\r\n");
+        stream.write_all(head.as_bytes()).await.unwrap();
+        Self(BufReader::new(stream).lines())
+    }
+
+    /// Waits for an event with this text in it.
+    async fn hears(&mut self, event: &str, text: &str) {
+        let event = format!("event: {event}");
+        let heard = async {
+            loop {
+                if self.0.next_line().await.unwrap().unwrap() == event
+                    && self.0.next_line().await.unwrap().unwrap().contains(text)
+                {
+                    return;
+                }
+            }
+        };
+        timeout(PATIENCE, heard).await.unwrap();
     }
 }
 
@@ -151,6 +181,9 @@ async fn an_arm_that_was_ended_is_not_missed_and_has_its_jobs_when_it_is_given_a
     let wanted = || Some(json!({"name": "anna"}));
     hall.ask("POST", ARMS, wanted()).await;
     hall.sees("it", present(&["anna", "hall"])).await;
+    let anna = hall.members().await.remove(0).id;
+    let mut board = Board::open(&hall).await;
+    board.hears("member", "\"anna\"").await;
     let target = json!({"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "rotation_deg": 0, "suction": false, "mode": "jump", "gripper_deg": 0, "pause_s": 0});
     let job = json!({"title": "first try", "kind": "program", "commands": [target]});
     let (status, submitted) = hall.of("anna", "POST", "/api/v1/jobs", job).await;
@@ -158,6 +191,7 @@ async fn an_arm_that_was_ended_is_not_missed_and_has_its_jobs_when_it_is_given_a
     let (status, left) = hall.ask("DELETE", &format!("{ARMS}/anna"), None).await;
     assert_eq!((status, &left["arms"]), (200, &json!([])));
     hall.sees("that it is gone", is_unknown("anna")).await;
+    board.hears("gone", &anna).await;
     let (status, again) = hall.ask("POST", ARMS, wanted()).await;
     assert_eq!(status, 200, "{again}");
     hall.sees("it again", present(&["anna", "hall"])).await;

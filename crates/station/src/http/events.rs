@@ -27,11 +27,11 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 #[derive(JsonSchema)]
 #[expect(dead_code, reason = "only its schema is used")]
 pub(super) struct ServerSentEvent {
-    /// What it tells: `state` or `notice`; `packet` or `lost`.
+    /// What it tells: `state` or `notice`; `packet` or `lost`; `member` or `gone`.
     event: String,
     /// The number of a notice; nothing else has one.
     id: Option<String>,
-    /// A message as in `ToClient`, or a packet as in `PacketView`, as text.
+    /// A message as in `ToClient`, a packet as in `PacketView`, or a station of the fleet as in `Member`, as text.
     data: String,
 }
 

@@ -34,7 +34,7 @@ pub(super) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>
     }))
 }
 
-/// Tells of each member as it changes; first of all of them.
+/// Tells of each member as it changes; first of all of them. Of one that is not kept in mind any more it tells that it is gone.
 pub(super) async fn events(
     State(app): State<Arc<App>>,
 ) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
@@ -44,6 +44,7 @@ pub(super) async fn events(
         members: app.fleet()?.look().await?,
         told: Members::default(),
         waiting: Vec::new(),
+        gone: Vec::new(),
         pace,
         ending: app.ending.clone(),
         _place: app.place()?,
@@ -65,6 +66,8 @@ struct Watching {
     told: Members,
     /// Those that have still to be told.
     waiting: Vec<Arc<Member>>,
+    /// The numbers of those of which it has still to be told that they are gone.
+    gone: Vec<String>,
     pace: Interval,
     ending: watch::Receiver<bool>,
     _place: OwnedSemaphorePermit,
@@ -72,7 +75,7 @@ struct Watching {
 
 impl Watching {
     async fn next(&mut self) -> Option<Event> {
-        while self.waiting.is_empty() {
+        while self.waiting.is_empty() && self.gone.is_empty() {
             let ends = tokio::select! {
                 _ = self.pace.tick() => false,
                 _ = self.ending.wait_for(|it| *it) => true,
@@ -81,6 +84,10 @@ impl Watching {
                 return None;
             }
             self.look();
+        }
+        if let Some(id) = self.gone.pop() {
+            let text = serde_json::json!({ "id": id }).to_string();
+            return Some(Event::default().event("gone").data(text));
         }
         let member = self.waiting.pop()?;
         let text = serde_json::to_string(&*member).expect("structures with text keys are JSON");
@@ -93,6 +100,9 @@ impl Watching {
             let told: HashSet<_> = self.told.iter().map(Arc::as_ptr).collect();
             let is_new = |it: &&Arc<Member>| !told.contains(&Arc::as_ptr(it));
             self.waiting = now.iter().filter(is_new).cloned().collect();
+            let there: HashSet<_> = now.iter().map(|it| &it.id).collect();
+            let known = self.told.iter().map(|it| &it.id);
+            self.gone = known.filter(|it| !there.contains(it)).cloned().collect();
             self.told = now;
         }
     }

@@ -35,7 +35,9 @@ fn stations() -> Vec<Route> {
             GET,
             "/api/v1/fleet/events",
             "The stations of the fleet as server-sent events: `member`, each with a message as in `Member`; first all of \
-                them, then each one that changes, ten times in a second at the most",
+                them, then each one that changes, ten times in a second at the most; and `gone` with the number of one that \
+                is not kept in mind any more, as in `{\"id\": \"...\"}`: a virtual arm that was given and has ended, or one \
+                that was replaced under its name",
             fleet::events,
         )
         .gives_as::<ServerSentEvent>(200, "text/event-stream", "the events")
