@@ -1075,7 +1075,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** The stations of the fleet as server-sent events: `member`, each with a message as in `Member`; first all of them, then each one that changes, ten times in a second at the most */
+        /** The stations of the fleet as server-sent events: `member`, each with a message as in `Member`; first all of them, then each one that changes, ten times in a second at the most; and `gone` with the number of one that is not kept in mind any more, as in `{"id": "..."}`: a virtual arm that was given and has ended, or one that was replaced under its name */
         get: operations["get_fleet_events"];
         put?: never;
         post?: never;
@@ -1201,6 +1201,41 @@ export interface paths {
         post?: never;
         /** Takes an offer back: it is refused whenever it comes, and a job that has come of it ends if it has not begun */
         delete: operations["delete_fleet_offers_key"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/virtual-arms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The virtual arms that this station gives to those without an arm */
+        get: operations["get_fleet_virtual-arms"];
+        put?: never;
+        /** Gives a virtual arm: a station of the fleet with a page of its own, which accepts the tokens of this one. Whoever asks for the same name again gets the same arm, with its jobs and recordings */
+        post: operations["post_fleet_virtual-arms"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/fleet/virtual-arms/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /** Ends a virtual arm; its jobs and recordings stay for the next one of its name */
+        delete: operations["delete_fleet_virtual-arms_name"];
         options?: never;
         head?: never;
         patch?: never;
@@ -2259,11 +2294,11 @@ export interface components {
         };
         /** @description One event, as its lines say it; for the document only. */
         ServerSentEvent: {
-            /** @description What it tells: `state` or `notice`; `packet` or `lost`. */
+            /** @description What it tells: `state` or `notice`; `packet` or `lost`; `member` or `gone`. */
             event: string;
             /** @description The number of a notice; nothing else has one. */
             id?: string | null;
-            /** @description A message as in `ToClient`, or a packet as in `PacketView`, as text. */
+            /** @description A message as in `ToClient`, a packet as in `PacketView`, or a station of the fleet as in `Member`, as text. */
             data: string;
         };
         /** @description A command to be sent. */
@@ -4946,6 +4981,13 @@ export interface components {
             is_virtual: boolean;
             /** @description What it does with work of the fleet; absent where it takes none. */
             takes_work?: components["schemas"]["TakesWork"] | null;
+            /**
+             * Format: uint16
+             * @description How many virtual arms it gives to those without an arm; absent where it gives none.
+             */
+            gives_arms?: number | null;
+            /** @description The station that gave this virtual arm to somebody; absent where it is no such arm. */
+            given_by?: string | null;
         };
         /** @description What a station does with the work of its fleet. */
         TakesWork: "queue" | "start";
@@ -5104,6 +5146,33 @@ export interface components {
             job?: components["schemas"]["NewJob"] | null;
             /** @description The calibration of the arm that the job's places are meant for, as ten numbers. */
             made_for?: number[] | null;
+        };
+        /** @description The virtual arms that a station gives to those without an arm. */
+        GivenArms: {
+            /**
+             * Format: uint16
+             * @description So many it gives at a time.
+             */
+            most: number;
+            /**
+             * Format: uint64
+             * @description One that nobody looks at ends after so long, in seconds.
+             */
+            unused_s: number;
+            /** @description Those that are given. */
+            arms: components["schemas"]["GivenArm"][];
+        };
+        /** @description A virtual arm that somebody was given: a station of the fleet like any other one. */
+        GivenArm: {
+            /** @description What it is called in the fleet. */
+            name: string;
+            /** @description Where its page is. */
+            page: string;
+        };
+        /** @description A virtual arm that is wanted. */
+        WantedVirtualArm: {
+            /** @description What it is to be called in the fleet: 1 to 40 small letters of English, digits and hyphens, the first one a letter. */
+            name: string;
         };
         /** @description What the station sends over the WebSocket. */
         ToClient: {
@@ -15424,6 +15493,335 @@ export interface operations {
             };
             /** @description - `journal`: the journal cannot be written */
             507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    "get_fleet_virtual-arms": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the virtual arms */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GivenArms"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `gives-no-arms`: this station gives no virtual arms */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    "post_fleet_virtual-arms": {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 65536 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "name": "anna"
+                 *     }
+                 */
+                "application/json": components["schemas"]["WantedVirtualArm"];
+            };
+        };
+        responses: {
+            /** @description the virtual arm */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GivenArm"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-fleet`: this station belongs to no fleet */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `gives-no-arms`: this station gives no virtual arms
+             *     - `name-taken`: another station has this name
+             *     - `all-arms-given`: all virtual arms are given
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `arm-not-started`: the virtual arm cannot be started */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    "delete_fleet_virtual-arms_name": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description those that are left */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["GivenArms"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-such-arm`: there is no such virtual arm */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `gives-no-arms`: this station gives no virtual arms */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

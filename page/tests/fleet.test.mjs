@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { launch, pose, press, serveFromDisk, takeControl } from "./bench.mjs";
+import { launch, pose, press, serveFromDisk } from "./bench.mjs";
 import { end, start } from "./program.mjs";
 
 const GROUPS = { "desk-1": "room-1", "desk-2": "room-1", "desk-3": "room-2" };
@@ -193,7 +193,8 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
   const own = await context.newPage();
   own.on("pageerror", (error) => errors.push(error));
   await own.goto(at);
-  await takeControl(own);
+  await own.click("#take");
+  await own.waitForSelector("[data-axis=x_plus]:enabled");
   const before = await pose(own, "x_mm");
   await press(own, "x_plus");
   await own.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
@@ -210,6 +211,7 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
   await page.click("#details-end-arm");
   await page.click("#sure-yes");
   await page.waitForSelector(tile("zoe-b"), { state: "detached" });
+  await page.click(`${tile("desk-2")} .name`);
   await context.close();
 });
 

@@ -27,7 +27,7 @@ use usvg::{FontResolver, ImageHrefResolver, Tree};
 use self::groups::Groups;
 use self::page::SvgPage;
 use self::renderer::TreeRenderer;
-use self::substitutes::Substitutes;
+use self::substitutes::{Substitutes, nearest};
 use self::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
 use crate::error::{SourceError, SvgError};
@@ -106,6 +106,7 @@ impl<'a> TreeWarnings<'a> {
         FontResolver {
             select_font: Box::new(move |font, fonts| {
                 let found = by_name(font, fonts);
+                let found = found.map(|it| nearest(font, fonts, it));
                 let found = found.or_else(|| fonts.faces().next().map(|face| face.id));
                 match found {
                     Some(_) if single_line::font(font).is_some() => {}

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-use usvg::fontdb::{Database, Family, ID};
-use usvg::{Font, FontFamily};
+use usvg::fontdb::{Database, Family, ID, Query, Style, Weight};
+use usvg::{Font, FontFamily, FontStyle};
 
 use crate::place::printable;
 use crate::warning::Warning;
@@ -16,24 +16,8 @@ pub(super) struct Substitutes(Mutex<BTreeMap<String, String>>);
 impl Substitutes {
     /// Takes down what a file asks for by name, where it got none of that.
     pub(super) fn note(&self, asked: &Font, fonts: &Database, got: ID) {
-        let Some(face) = fonts.face(got) else {
-            return;
-        };
-        let is_got = |name: &str| face.families.iter().any(|it| it.0 == name);
-        let names = asked.families();
-        if names
-            .iter()
-            .any(|it| is_got(fonts.family_name(&family(it))))
-        {
-            return;
-        }
-        // Where a file names none, the default is asked for; nobody misses that.
-        let default = fonts.family_name(&Family::Serif);
-        let named = names.iter().find_map(|it| match it {
-            FontFamily::Named(name) if name != default => Some(name),
-            _ => None,
-        });
-        if let (Some(named), Some((taken, _))) = (named, face.families.first()) {
+        let taken = fonts.face(got).and_then(|it| it.families.first());
+        if let (Some(named), Some((taken, _))) = (missing(asked, fonts, got), taken) {
             let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
             all.entry(named.clone()).or_insert_with(|| taken.clone());
         }
@@ -48,6 +32,76 @@ impl Substitutes {
         })
     }
 }
+
+/// The face that comes nearest to a font that is not here: of the kind of letters that its name tells.
+pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
+    let Some(kind) = missing(asked, fonts, got).and_then(kind_of) else {
+        return got;
+    };
+    let query = Query {
+        families: &[kind],
+        weight: Weight(asked.weight()),
+        style: match asked.style() {
+            FontStyle::Normal => Style::Normal,
+            FontStyle::Italic => Style::Italic,
+            FontStyle::Oblique => Style::Oblique,
+        },
+        ..Query::default()
+    };
+    fonts.query(&query).unwrap_or(got)
+}
+
+/// The family that was asked for by name, where the face that was got is of none that was asked for.
+fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String> {
+    let face = fonts.face(got)?;
+    let is_got = |name: &str| face.families.iter().any(|it| it.0 == name);
+    let names = asked.families();
+    if names
+        .iter()
+        .any(|it| is_got(fonts.family_name(&family(it))))
+    {
+        return None;
+    }
+    // Where a file names none, the default is asked for; nobody misses that.
+    let default = fonts.family_name(&Family::Serif);
+    names.iter().find_map(|it| match it {
+        FontFamily::Named(name) if name != default => Some(name),
+        _ => None,
+    })
+}
+
+/// The kind of letters that a family's name tells, where they have no serifs as the default has.
+fn kind_of(name: &String) -> Option<Family<'static>> {
+    let name = name.to_lowercase();
+    let kinds = [
+        (Family::Monospace, MONOSPACE),
+        (Family::Cursive, CURSIVE),
+        (Family::SansSerif, SANS_SERIF),
+    ];
+    let told = |(_, words): &(Family<'_>, &[&str])| words.iter().any(|it| name.contains(it));
+    kinds.into_iter().find(told).map(|(kind, _)| kind)
+}
+
+const MONOSPACE: &[&str] = &["mono", "courier", "consol", "typewriter", "menlo", "fixed"];
+const CURSIVE: &[&str] = &["script", "hand", "cursive", "comic", "chancery"];
+const SANS_SERIF: &[&str] = &[
+    "sans",
+    "arial",
+    "helvetica",
+    "verdana",
+    "tahoma",
+    "trebuchet",
+    "calibri",
+    "segoe",
+    "roboto",
+    "ubuntu",
+    "lato",
+    "gothic",
+    "grotesk",
+    "futura",
+    "montserrat",
+    "myriad",
+];
 
 fn family(it: &FontFamily) -> Family<'_> {
     match it {

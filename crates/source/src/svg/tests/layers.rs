@@ -243,6 +243,39 @@ fn a_font_that_is_not_here_is_told_with_the_one_taken_for_it() {
 }
 
 #[test]
+fn a_font_that_is_not_here_is_drawn_in_the_kind_of_letters_that_its_name_tells() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    let mut names: Vec<_> = fonts.faces().map(|it| it.families[0].0.clone()).collect();
+    names.sort();
+    names.dedup();
+    let [serif, sans, mono, ..] = &names[..] else {
+        return; // A machine with less than three fonts cannot show this.
+    };
+    fonts.set_serif_family(serif);
+    fonts.set_sans_serif_family(sans);
+    fonts.set_monospace_family(mono);
+    let options = ReadOptions {
+        fonts: Arc::new(fonts),
+        ..ReadOptions::default()
+    };
+    for (asked, taken) in [
+        ("No Such Sans", sans),
+        ("Helvetica of Nowhere", sans),
+        ("No Such Mono Sans", mono),
+        ("No Such Roman", serif),
+    ] {
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><text font-family="{asked}" x="10" y="30" font-size="20">o</text></svg>"#
+        );
+        let (_, warnings) = read(&svg, &options).unwrap();
+        let told = format!("1 font {asked}: not here, drawn in {taken}");
+        let warnings: Vec<_> = warnings.iter().map(Warning::to_string).collect();
+        assert!(warnings.contains(&told), "{told}: {warnings:?}");
+    }
+}
+
+#[test]
 fn areas_are_moved_as_their_shapes_are() {
     let (layers, _) = read_by(
         LayersBy::Nothing,
