@@ -89,7 +89,7 @@ impl Args {
         if button.moves() {
             check_pose(station, self.to.pose_confirmed).await?;
         }
-        control::status(station).await?;
+        let before = control::status(station).await?;
         take_control(station).await?;
         arm_laser(station, self.arm_laser).await?;
         if button.moves() {
@@ -106,7 +106,14 @@ impl Args {
                 carry_out(station, end.command()).await?;
             }
         }
-        control::rest(station).await
+        let now = control::rest(station).await?;
+        if button.moves() && now == before {
+            eprintln!(
+                "the arm stands where it stood: this axis is at its end, or the time was over before the arm got the \
+                button; hold it longer, as in `--for 1`"
+            );
+        }
+        Ok(now)
     }
 }
 
