@@ -3859,7 +3859,7 @@ export interface components {
              *         "join": null,
              *         "drop_doubles": false,
              *         "keep_order": false,
-             *         "tries": 60000,
+             *         "tries": 80000,
              *         "seed": 1,
              *         "from": null
              *       }
@@ -3964,7 +3964,7 @@ export interface components {
              *       "join": null,
              *       "drop_doubles": false,
              *       "keep_order": false,
-             *       "tries": 60000,
+             *       "tries": 80000,
              *       "seed": 1,
              *       "from": null
              *     }
@@ -4344,7 +4344,7 @@ export interface components {
             /**
              * Format: uint32
              * @description How long to look for the shortest way with the pen up: so many tries
-             * @default 60000
+             * @default 80000
              */
             tries: number;
             /**

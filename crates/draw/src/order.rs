@@ -71,7 +71,12 @@ fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -
         let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way));
         local_search.settle_all();
         let mean = cost(strokes, &way, start, search.travel) / lossy(way.len().max(1));
-        local_search.anneal(kicks(search, way.len()) / rounds, mean, &mut random);
+        let kicks = kicks(search, way.len());
+        local_search.anneal(
+            kicks / rounds,
+            mean * patience(kicks, way.len()),
+            &mut random,
+        );
         way = nodes.way(local_search.tour());
         turn(&mut way);
     }
@@ -80,8 +85,14 @@ fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -
 
 /// In small drawings everything has been tried before the kicks are used up.
 fn kicks(search: &Search, strokes: usize) -> u32 {
-    let most = u32::try_from(strokes).unwrap_or(u32::MAX);
-    search.kicks.min(most.saturating_mul(KICKS_FOR_EACH))
+    let strokes = u32::try_from(strokes).unwrap_or(u32::MAX);
+    let most = strokes.saturating_mul(KICKS_FOR_EACH);
+    search.kicks.min(most.saturating_add(LEAST_KICKS))
+}
+
+/// How much worse an order may be meanwhile, as a share of what is best where there are kicks enough for each stroke.
+fn patience(kicks: u32, strokes: usize) -> f64 {
+    (f64::from(kicks) / (f64::from(KICKS_FOR_EACH) * lossy(strokes.max(1)))).min(1.0)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "far fewer than 2^53")]
@@ -90,7 +101,9 @@ const fn lossy(count: usize) -> f64 {
 }
 
 const ROUNDS: u32 = 2;
-const KICKS_FOR_EACH: u32 = 100;
+const KICKS_FOR_EACH: u32 = 40;
+/// For a handful of strokes, which take no time.
+const LEAST_KICKS: u32 = 1000;
 
 #[cfg(test)]
 mod tests;

@@ -159,7 +159,7 @@ impl ChainSpeeds {
 }
 
 /// How many vectors before and behind count for how fast one may be.
-const REACH: usize = 1;
+const REACH: usize = 2;
 const ROUNDS: i32 = 60;
 /// After so many rounds corners are eased by more than it seems they need, and more so after twice as
 /// many: their neighbours speed up meanwhile.

@@ -17,9 +17,9 @@ pub(super) fn greedy(nodes: &Nodes) -> Vec<u32> {
 fn shortest_first(nodes: &Nodes) -> Vec<(u32, u32)> {
     let mut ways = Vec::new();
     for a in 0..nodes.end() {
-        for &b in nodes.near(a) {
+        for b in nodes.near(a).iter().map(|it| it.node) {
             // Of two that know each other the smaller one tells; equal: no neighbour.
-            if a < b || (a > b && !nodes.near(b).contains(&a)) {
+            if a < b || (a > b && !nodes.near(b).iter().any(|it| it.node == a)) {
                 #[expect(clippy::cast_possible_truncation, reason = "only to sort by it")]
                 let length = (nodes.point(b) - nodes.point(a)).length() as f32;
                 // Numbers that are not negative sort as their bits do.

@@ -4,7 +4,7 @@ use dobot_geometry::{BoxTree, Point, Stroke};
 
 use super::neighbours::{NEAR, near};
 use super::stops::Stop;
-use super::travel::Travel;
+use super::travel::{Fare, Travel};
 
 /// The nodes: two for a stroke that may be drawn from either end, one for a dot or a closed stroke,
 /// one for where the pen comes from, and one that ends the tour.
@@ -18,8 +18,15 @@ pub(super) struct Nodes {
     /// The stroke, and the point of it that the node stands for.
     stops: Vec<Stop>,
     /// The nearest few of each.
-    near: Vec<[u32; NEAR]>,
-    travel: Travel,
+    near: Vec<[Near; NEAR]>,
+    fare: Fare,
+}
+
+/// A neighbour, and what the way to it costs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Near {
+    pub(super) node: u32,
+    pub(super) cost: f64,
 }
 
 impl Nodes {
@@ -42,7 +49,15 @@ impl Nodes {
         }
         let tree = BoxTree::sort(&mut stops, |stop| (stop.0, stop.0));
         let (mut at, mut stops): (Vec<Point>, Vec<Stop>) = stops.into_iter().unzip();
-        let near = near(&tree, &at, &mates(&stops, strokes.len()));
+        let fare = Fare::of(travel);
+        let near = (0..).zip(near(&tree, &at, &mates(&stops, strokes.len())));
+        let near = near.map(|(node, near)| {
+            near.map(|it| Near {
+                node: it,
+                cost: way_cost(fare, &at, node, it),
+            })
+        });
+        let near = near.collect();
         at.push(Point::new(f64::NAN, f64::NAN));
         stops.push(Stop {
             stroke: NONE,
@@ -53,7 +68,7 @@ impl Nodes {
             at,
             stops,
             near,
-            travel,
+            fare,
         }
     }
 
@@ -65,9 +80,7 @@ impl Nodes {
     /// What the way between two nodes costs.
     #[inline]
     pub(super) fn cost(&self, a: u32, b: u32) -> f64 {
-        let way = self.at[b as usize] - self.at[a as usize];
-        // `max` takes the number where the other one is NaN: the way to the end costs nothing.
-        self.travel.cost(way.hypot2().sqrt().max(0.0))
+        way_cost(self.fare, &self.at, a, b)
     }
 
     /// Whether the edge between two neighbours of the tour is a stroke, which must stay.
@@ -79,7 +92,7 @@ impl Nodes {
     /// The nearest few, beginning with the nearest; never the other end of the same stroke. Where
     /// there are fewer, the node itself stands in.
     #[inline]
-    pub(super) fn near(&self, node: u32) -> &[u32] {
+    pub(super) fn near(&self, node: u32) -> &[Near] {
         self.near.get(node as usize).map_or(&[], |near| near)
     }
 
@@ -145,6 +158,13 @@ impl Nodes {
         }
         way
     }
+}
+
+#[inline]
+fn way_cost(fare: Fare, at: &[Point], a: u32, b: u32) -> f64 {
+    let way = at[b as usize] - at[a as usize];
+    // `max` takes the number where the other one is NaN: the way to the end costs nothing.
+    fare.cost(way.hypot2().sqrt().max(0.0))
 }
 
 /// For each node the other one with the same stroke, or itself.

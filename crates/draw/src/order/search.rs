@@ -3,7 +3,7 @@
 use dobot_random::Random;
 use std::collections::VecDeque;
 
-use super::nodes::Nodes;
+use super::nodes::{Near, Nodes};
 use super::tour::{MOST, Tour};
 
 /// Exchanges edges as long as the tour gets shorter (Lin and Kernighan's way): an edge is taken
@@ -42,11 +42,13 @@ impl<'a> LocalSearch<'a> {
     }
 
     /// Kicks the tour somewhere and settles it again, so many times. What is worse is taken back, but for a little at
-    /// the beginning, less and less of it: so the search leaves a hollow in which it would stay. `mean` is what a way
-    /// between strokes costs.
+    /// the beginning, less and less of it: so the search leaves a hollow in which it would stay. The best of all stays. `mean` is what a way
+    /// between strokes costs, or less where there are few kicks.
     pub(super) fn anneal(&mut self, kicks: u32, mean: f64, random: &mut Random) {
         let work = u64::from(kicks) * KICK_WRITES;
         let begin = self.tour.written();
+        let (mut gain, mut most) = (0.0, 0.0);
+        let mut best = self.tour.order().to_vec();
         for kick in 0_u64.. {
             let done = kick * KICK_WRITES + (self.tour.written() - begin);
             if done >= work {
@@ -54,15 +56,22 @@ impl<'a> LocalSearch<'a> {
             }
             #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
             let left = 1.0 - done as f64 / work as f64;
-            self.kick(WARMTH * mean * left, random);
+            gain += self.kick(WARMTH * mean * left * left, random);
+            if gain > most + EPSILON {
+                most = gain;
+                best.copy_from_slice(self.tour.order());
+            }
+        }
+        if gain < most - EPSILON {
+            self.tour.set(best);
         }
     }
 
     /// Kicks the tour somewhere, settles it again, and takes that back where it is worse: by how much it may be worse is
-    /// left to chance, and is `warmth` on average.
-    fn kick(&mut self, warmth: f64, random: &mut Random) {
+    /// left to chance, and is `warmth` on average. Returns the gain.
+    fn kick(&mut self, warmth: f64, random: &mut Random) -> f64 {
         let Some(places) = self.kick_places(random) else {
-            return;
+            return 0.0;
         };
         let mut gain = 0.0;
         let ends = places.map(|place| [self.tour.at(place), self.after(place)]);
@@ -71,7 +80,7 @@ impl<'a> LocalSearch<'a> {
         }
         if gain <= EPSILON {
             // Nothing is cheaper than no way at all.
-            return;
+            return 0.0;
         }
         let [[a0, b0], [a1, b1], [a2, b2], [a3, b3]] = ends;
         for [a, b] in [[a0, b2], [a3, b1], [a2, b0], [a1, b3]] {
@@ -85,16 +94,58 @@ impl<'a> LocalSearch<'a> {
         let chance = f64::from(random.below(CHANCES) + 1) / f64::from(CHANCES);
         if gain < warmth * chance.ln() - EPSILON {
             self.tour.take_back();
+            gain = 0.0;
         }
         self.tour.keep();
+        gain
     }
 
     pub(super) fn tour(&self) -> &[u32] {
         self.tour.order()
     }
 
-    /// Four places near each other after which the tour may be cut.
+    /// Four places near each other after which the tour may be cut: as often on the paper as in the tour, as what lies
+    /// side by side may be far apart in the tour (hatching).
     fn kick_places(&self, random: &mut Random) -> Option<[u32; 4]> {
+        let mut places = if random.below(2) == 0 {
+            self.places_on_paper(random)?
+        } else {
+            self.places_in_tour(random)
+        };
+        places.sort_unstable();
+        let distinct = places.windows(2).all(|pair| pair[0] < pair[1]);
+        distinct.then_some(places)
+    }
+
+    /// Places that a walk from neighbour to neighbour comes by.
+    fn places_on_paper(&self, random: &mut Random) -> Option<[u32; 4]> {
+        let mut node = self.tour.at(random.below(self.tour.len()));
+        let mut places = [0; 4];
+        for place in &mut places {
+            for _ in 0..=random.below(MOST_STEPS_ASIDE) {
+                node = self.neighbour(node, random)?;
+            }
+            let before = self.tour.previous(node);
+            let after = self.tour.next(node);
+            let is_behind = self.nodes.is_stroke(node, after)
+                || !self.nodes.is_stroke(node, before) && random.below(2) == 0;
+            *place = self.tour.place(if is_behind { before } else { node });
+        }
+        Some(places)
+    }
+
+    /// A neighbour of a node, or the other end of that neighbour's stroke.
+    fn neighbour(&self, node: u32, random: &mut Random) -> Option<u32> {
+        let near = self.nodes.near(node);
+        let count = u32::try_from(near.len()).expect("a handful");
+        let next = near.get(random.below(count.max(1)) as usize)?.node;
+        let mate = self.nodes.mate(next);
+        let is_other_end = mate != self.nodes.end() && random.below(2) == 0;
+        Some(if is_other_end { mate } else { next })
+    }
+
+    /// Places out of so many in a row.
+    fn places_in_tour(&self, random: &mut Random) -> [u32; 4] {
         let size = self.tour.len();
         let window = WINDOW.min(size);
         let first = random.below(size - window + 1);
@@ -107,9 +158,7 @@ impl<'a> LocalSearch<'a> {
                 *place = if *place + 1 == size { 0 } else { *place + 1 };
             }
         }
-        places.sort_unstable();
-        let distinct = places.windows(2).all(|pair| pair[0] < pair[1]);
-        distinct.then_some(places)
+        places
     }
 
     fn after(&self, place: u32) -> u32 {
@@ -182,8 +231,8 @@ impl<'a> LocalSearch<'a> {
         let (mut count, most) = (0, BREADTH[depth - 1]);
         let from = self.ends[2 * depth - 1];
         let around = [self.tour.next(from), self.tour.previous(from)];
-        for &to in self.nodes.near(from) {
-            let left = open - self.nodes.cost(from, to);
+        for &Near { node: to, cost } in self.nodes.near(from) {
+            let left = open - cost;
             if left <= EPSILON {
                 break;
             }
@@ -237,11 +286,13 @@ const DEPTH: usize = MOST;
 const BREADTH: [usize; MOST - 1] = [5, 3, 1];
 
 const MOST_STEPS: usize = 5;
-/// Kicks cut the tour in four places out of so many in a row.
+/// Every other kick cuts the tour in four places out of so many in a row.
 const WINDOW: u32 = 50;
+/// The others cut it where a walk on the paper comes by after at most so many steps each.
+const MOST_STEPS_ASIDE: u32 = 3;
 
 /// How much worse than before the tour may be after a kick, at the beginning and on average: of a way between strokes.
-const WARMTH: f64 = 0.3;
+const WARMTH: f64 = 1.5;
 const CHANCES: u32 = 1 << 30;
 /// A kick takes about as long as writing so many places; in large tours exchanges write far more.
 const KICK_WRITES: u64 = 16_000;

@@ -28,18 +28,25 @@ pub(super) struct Exchange {
 
 impl Tour {
     pub(super) fn new(order: Vec<u32>, reach: usize) -> Self {
-        let mut place = vec![0; order.len()];
-        for (i, &node) in (0..).zip(&order) {
-            place[node as usize] = i;
-        }
-        Self {
-            order,
-            place,
+        let mut tour = Self {
+            place: vec![0; order.len()],
+            order: Vec::new(),
             undo: Vec::new(),
             writings: Vec::new(),
             reach,
             written: 0,
+        };
+        tour.set(order);
+        tour
+    }
+
+    /// The same nodes in another order; what was done so far cannot be taken back any more.
+    pub(super) fn set(&mut self, order: Vec<u32>) {
+        for (i, &node) in (0..).zip(&order) {
+            self.place[node as usize] = i;
         }
+        self.order = order;
+        self.keep();
     }
 
     /// How many places were written so far: what the search costs beside looking.
@@ -58,6 +65,11 @@ impl Tour {
     #[inline]
     pub(super) fn at(&self, place: u32) -> u32 {
         self.order[place as usize]
+    }
+
+    #[inline]
+    pub(super) fn place(&self, node: u32) -> u32 {
+        self.place[node as usize]
     }
 
     #[inline]

@@ -26,24 +26,59 @@ impl Travel {
     ///         +----------------> t            +--------> t
     ///           d/v + v/a                       2 sqrt(d/a), where d < v²/a
     /// ```
-    #[inline]
     #[must_use]
     pub fn cost(self, length_mm: f64) -> f64 {
-        match self {
-            Self::Length => length_mm,
-            Self::Time { .. } if length_mm == 0.0 => 0.0,
-            Self::Time {
+        Fare::of(self).cost(length_mm)
+    }
+}
+
+/// The cost of a way as the sum of so much for each mm, so much for the root of its length, and so much anyhow:
+/// without the divisions, for a search that asks all the time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fare {
+    /// Below this length only the root counts, from there on it does not; in mm.
+    long_mm: f64,
+    for_root: f64,
+    for_mm: f64,
+    anyhow: f64,
+    least: f64,
+}
+
+impl Fare {
+    pub(super) fn of(travel: Travel) -> Self {
+        match travel {
+            Travel::Length => Self {
+                long_mm: 0.0,
+                for_root: 0.0,
+                for_mm: 1.0,
+                anyhow: 0.0,
+                least: 0.0,
+            },
+            Travel::Time {
                 speed_mm_s: v,
                 acceleration_mm_s2: a,
                 least_s,
-            } => {
-                let time = if length_mm * a < v * v {
-                    2.0 * (length_mm / a).sqrt()
-                } else {
-                    length_mm / v + v / a
-                };
-                time.max(least_s)
-            }
+            } => Self {
+                long_mm: v * v / a,
+                for_root: 2.0 / a.sqrt(),
+                for_mm: 1.0 / v,
+                anyhow: v / a,
+                least: least_s,
+            },
         }
+    }
+
+    /// What a straight way of `length_mm` costs. No way costs nothing.
+    #[inline]
+    pub(super) fn cost(self, length_mm: f64) -> f64 {
+        if length_mm == 0.0 {
+            return 0.0;
+        }
+        let cost = if length_mm < self.long_mm {
+            self.for_root * length_mm.sqrt()
+        } else {
+            self.for_mm * length_mm + self.anyhow
+        };
+        cost.max(self.least)
     }
 }

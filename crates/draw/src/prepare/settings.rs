@@ -156,7 +156,7 @@ impl Default for Settings {
 }
 
 /// Enough for ordinary drawings, in well under a second, and a second or so for each 100,000 strokes.
-pub(crate) const TRIES: u32 = 60_000;
+pub(crate) const TRIES: u32 = 80_000;
 const FLATTEN_SHARE: f64 = 0.1;
 const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
 /// With more, nothing of a drawing would be left.

@@ -5,7 +5,7 @@ use dobot_plan::{DrawingTool, Machine, Pace, Pass, Plan};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
-use crate::simplify::{simplify, simplify_at};
+use crate::simplify::{fast_ways_at, simplify, simplify_at};
 
 /// The same pass with the vectors that are the fastest; of a laser, which burns at an even speed, with the
 /// fewest.
@@ -31,21 +31,18 @@ pub(super) fn simplified(pass: &Pass, settings: &Settings) -> Result<Pass, Prepa
     })
 }
 
-/// A stroke of a pen with the vectors that the plan takes the least time for: those of its pace, the fewest, or
-/// what lies between: those of a pace at which the link is slower, and on an arm with ticks the fewest within
-/// half of the tolerance.
+/// A stroke of a pen with the vectors that the plan takes the least time for: those of its pace, the fewest, the fewest
+/// within half of the tolerance, or on an arm without ticks those chosen one by one.
 fn faster(stroke: &Stroke, fewest: Stroke, tool: DrawingTool, settings: &Settings) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let pace = Pace::of(&settings.machine, &tool);
-    let mut slower = pace;
-    slower.link.period_s *= SLOWER_LINK;
-    let other = if settings.machine.has_ticks {
-        simplify(stroke, 0.5 * tolerance_mm)
+    let mut ways = if settings.machine.has_ticks {
+        vec![simplify_at(stroke, tolerance_mm, &pace)]
     } else {
-        simplify_at(stroke, tolerance_mm, &slower)
+        fast_ways_at(stroke, tolerance_mm, &pace)
     };
-    let paced = simplify_at(stroke, tolerance_mm, &pace);
-    let mut ways = vec![paced, other, fewest.clone()];
+    ways.push(simplify(stroke, 0.5 * tolerance_mm));
+    ways.push(fewest.clone());
     ways.dedup();
     if ways.len() == 1 {
         return fewest;
@@ -72,7 +69,5 @@ fn planned_s(stroke: &Stroke, tool: DrawingTool, settings: &Settings) -> f64 {
     plan.map_or(f64::INFINITY, |it| it.duration_s())
 }
 
-/// How many times slower than it is the link is taken to be, for fewer vectors.
-const SLOWER_LINK: f64 = 1.15;
 /// Fewer vectors, which are farther from the curve, are taken if so much faster.
 const WORTH_FEWER: f64 = 0.995;

@@ -10,36 +10,77 @@
 //!                   `--.____.--'          the arm limits the long one
 //! ```
 
+use dobot_geometry::Point;
 use dobot_plan::Pace;
 
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 use super::search::fewest;
+use super::timed::timed;
 
 /// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
 /// without vectors that are too short.
-///
-/// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
-/// slower than a smaller one.
 pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
-    let mut most_mm = corridor.radii.first().copied()?;
-    let mut best = Attempt::new(&corridor, pace)?;
-    let mut here = best.clone();
-    while here.time_s <= best.time_s * WORTH_MORE {
-        let curved = here.is_curved(&corridor, most_mm / NARROWEST);
-        best = best.or(here);
-        if !curved {
-            break;
-        }
-        best = rounds(&mut corridor, most_mm, pace, best);
-        most_mm *= 0.5;
-        if most_mm < NARROWEST * MIN_VECTOR_MM {
-            break;
+    Some(Found::new(&mut corridor, pace)?.best.path)
+}
+
+/// The same, and on a curve another path, chosen vector by vector: only a plan tells which is faster.
+pub(super) fn fast_ways(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Vec<Corner>>> {
+    let most_mm = corridor.radii.first().copied()?;
+    let mut found = Found::new(&mut corridor, pace)?;
+    let mut ways = vec![found.best.path.clone()];
+    if found.is_curved {
+        corridor.radii.fill(most_mm / FINE);
+        if let Some(fine) = Attempt::new(&corridor, pace) {
+            fine.note_slowness(corridor.points, &mut found.slowness);
         }
         corridor.radii.fill(most_mm);
-        here = Attempt::new(&corridor, pace)?;
+        ways.extend(timed(&corridor, &found.fewest, &found.slowness, pace));
     }
-    Some(best.path)
+    Some(ways)
+}
+
+/// What the search within ever narrower corridors finds.
+struct Found {
+    best: Attempt,
+    /// The path with the fewest vectors.
+    fewest: Vec<Corner>,
+    /// How long the fastest of all paths takes from each point to the next, in s for each mm.
+    slowness: Vec<f64>,
+    /// Whether more vectors could be faster than the fewest.
+    is_curved: bool,
+}
+
+impl Found {
+    /// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
+    /// slower than a smaller one.
+    fn new(corridor: &mut Corridor<'_>, pace: &Pace) -> Option<Self> {
+        let mut most_mm = corridor.radii.first().copied()?;
+        let mut here = Attempt::new(corridor, pace)?;
+        let mut found = Self {
+            best: here.clone(),
+            fewest: here.path.clone(),
+            slowness: vec![f64::INFINITY; corridor.points.len()],
+            is_curved: false,
+        };
+        while here.time_s <= found.best.time_s * WORTH_MORE {
+            here.note_slowness(corridor.points, &mut found.slowness);
+            let curved = here.is_curved(corridor, most_mm / NARROWEST);
+            found.best = found.best.or(here);
+            if !curved {
+                break;
+            }
+            found.is_curved = true;
+            found.best = rounds(corridor, most_mm, pace, found.best);
+            most_mm *= 0.5;
+            if most_mm < NARROWEST * MIN_VECTOR_MM {
+                break;
+            }
+            corridor.radii.fill(most_mm);
+            here = Attempt::new(corridor, pace)?;
+        }
+        Some(found)
+    }
 }
 
 /// Makes a corridor that is as wide everywhere as narrow as is best, a few times. What is best of
@@ -87,6 +128,18 @@ impl Attempt {
             width_mm: corridor.radii.iter().sum(),
             path,
         })
+    }
+
+    /// Notes how long it takes for each mm, in s, from each point to the next, where that is less than known.
+    fn note_slowness(&self, points: &[Point], slowness: &mut [f64]) {
+        for (pair, took_s) in self.path.windows(2).zip(&self.durations_s) {
+            let range = pair[0].passed..pair[1].passed;
+            let ways_mm = range.clone().map(|i| points[i].distance(points[i + 1]));
+            let for_mm = took_s / ways_mm.sum::<f64>().max(pair[0].at.distance(pair[1].at));
+            for known in &mut slowness[range] {
+                *known = known.min(for_mm);
+            }
+        }
     }
 
     /// Whether a vector passes points at which another could end, so far off that it might.
@@ -155,6 +208,8 @@ const SAME: f64 = 1.005;
 const WORTH_MORE: f64 = 1.05;
 /// How many times narrower than the tolerance a corridor may become.
 const NARROWEST: f64 = 16.0;
+/// How many times narrower than the tolerance the corridor is whose path tells how fast the arm could be.
+const FINE: f64 = 8.0;
 /// How much the width follows the time: with the square a chord would take just as long as wanted.
 const STRENGTH: f64 = 1.3;
 /// How much narrower or wider it becomes in one round.
