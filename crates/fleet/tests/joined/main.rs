@@ -535,6 +535,8 @@ async fn a_stolen_token_that_is_removed_moves_no_arm_any_more_not_even_with_the_
     one.sees("both", present(&["desk-1", "desk-2"])).await;
     let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
     let stolen = tokens.add(Role::Control, "anna").unwrap();
+    let mut others = Tokens::open(&Folders::at(one.folder.path()).tokens()).unwrap();
+    others.accept(Role::Control, "anna", &stolen).unwrap();
     let thief = |method: &str, path: &str, body: Value| {
         let asked =
             json!({"to": {"members": ["desk-2"]}, "method": method, "path": path, "body": body});
