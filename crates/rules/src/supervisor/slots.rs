@@ -56,7 +56,12 @@ impl Slots {
     ///
     /// [`Refusal::BadSlots`]; the old ones hold on then.
     pub(super) fn set(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
-        let all = read(now, slots).map_err(Refusal::BadSlots)?;
+        let mut all = read(now, slots).map_err(Refusal::BadSlots)?;
+        // Whose time goes on notices nothing of another list.
+        let student = self.student();
+        if let Some(first) = all.first_mut().filter(|it| it.from <= now) {
+            first.begun = student.is_some_and(|it| is_same_person(it, &first.student));
+        }
         self.all = all.into();
         Ok(())
     }

@@ -193,6 +193,27 @@ fn nothing_is_interrupted_between_two_slots_of_one_student() {
 }
 
 #[test]
+fn a_list_by_which_the_time_of_a_student_goes_on_interrupts_nothing() {
+    let (mut it, [teacher, anna, _]) = class(Personality::Specification);
+    it.ask(teacher, set(&[slot("Anna", 0.0, 60.0)])).unwrap();
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&spiral(8)).unwrap();
+    it.start(anna, job).unwrap();
+    // Her job goes on without her, as it does in her time.
+    it.leave(anna);
+    it.run_for(Duration::from_secs(1));
+    it.ask(teacher, set(&[slot("anna", 0.0, 900.0)])).unwrap();
+    let minute = it.now() + Duration::from_mins(1);
+    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    let began = it
+        .notices()
+        .iter()
+        .filter(|it| matches!(it.news, News::SlotBegan { .. }));
+    assert_eq!(began.count(), 1);
+}
+
+#[test]
 fn a_student_is_told_a_minute_before_and_the_arm_is_free_behind_the_last_slot() {
     let (mut it, [teacher, anna, ben]) = class(Personality::Specification);
     it.ask(teacher, set(&[slot("Anna", 0.0, 90.0)])).unwrap();
