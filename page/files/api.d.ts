@@ -379,6 +379,25 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/slots": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** All time slots that are not over, in their order */
+        get: operations["get_slots"];
+        /** Says whose the arm is and when, in place of what was said before (admin): while a slot is under way only its student and administrators have control */
+        put: operations["put_slots"];
+        post?: never;
+        /** Ends all time slots (admin): the arm is everyone's */
+        delete: operations["delete_slots"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/message": {
         parameters: {
             query?: never;
@@ -1288,6 +1307,8 @@ export interface components {
             lease?: components["schemas"]["LeaseView"] | null;
             /** @description The lock that holds the arm for administrators, if one does. */
             lock?: components["schemas"]["LockView"] | null;
+            /** @description Whose time it is now and next, where the arm has time slots. */
+            slots?: components["schemas"]["SlotsView"] | null;
             /** @description The stop that holds the arm, if one does. */
             stop?: components["schemas"]["StopView"] | null;
             /** @description The laser's interlock. */
@@ -1486,6 +1507,11 @@ export interface components {
             /** @description What the holder calls itself. */
             name: string;
             /**
+             * @description By which name time slots know the holder: that of its token where this is one person's.
+             * @default
+             */
+            person: string;
+            /**
              * @description Whether the holder is a program on the raw port, which cannot be asked: an administrator takes
              *     control from it.
              * @default false
@@ -1522,6 +1548,36 @@ export interface components {
              * @description When, in seconds since the station started.
              */
             at_s: number;
+        };
+        /** @description The time slots of an arm, as far as those who watch have to know: `GET /api/v1/slots` tells all. */
+        SlotsView: {
+            /** @description The one that is under way, if one is: only its student and administrators have control meanwhile. */
+            now?: components["schemas"]["SlotView"] | null;
+            /** @description The one that comes next, if one does. */
+            next?: components["schemas"]["SlotView"] | null;
+            /**
+             * Format: double
+             * @description When the arm is everyone's again, in seconds since the station started: the end of the last of the slots that follow each
+             *     other without a break. Absent where it is everyone's now.
+             */
+            free_s?: number | null;
+        };
+        /** @description A time slot, for those who watch. */
+        SlotView: {
+            /** @description Whose it is. */
+            student: string;
+            /** @description The group of that one. */
+            group?: string | null;
+            /**
+             * Format: double
+             * @description When it begins, in seconds since the station started.
+             */
+            starts_s: number;
+            /**
+             * Format: double
+             * @description When it ends, in seconds since the station started.
+             */
+            ends_s: number;
         };
         /** @description A stop that holds the arm. */
         StopView: {
@@ -1759,6 +1815,24 @@ export interface components {
         } | {
             /** @constant */
             type: "unlocked";
+        } | {
+            /** @constant */
+            type: "slots_changed";
+        } | {
+            /** @constant */
+            type: "slot_began";
+            /** @description Who. */
+            student: string;
+        } | {
+            /** @constant */
+            type: "slot_ending";
+            /** @description Who. */
+            student: string;
+        } | {
+            /** @constant */
+            type: "slot_ended";
+            /** @description Who. */
+            student: string;
         } | {
             /** @constant */
             type: "message";
@@ -2632,6 +2706,11 @@ export interface components {
             lease?: components["schemas"]["LeaseView"] | null;
         } | {
             /** @constant */
+            type: "slots";
+            /** @description The slots. */
+            slots: components["schemas"]["TimeSlot"][];
+        } | {
+            /** @constant */
             type: "job";
             /** @description The job. */
             job: components["schemas"]["JobView"];
@@ -2660,6 +2739,23 @@ export interface components {
             path_mm: number[][];
             /** @description Base, rear arm, forearm and servo at the end, in degrees. */
             joints_deg: number[];
+        };
+        /** @description A time slot, told from now on: no clocks are compared, so that a wrong one does no harm. */
+        TimeSlot: {
+            /** @description Whose it is: 1 to 60 visible characters. Capital letters and spaces around it make no difference. */
+            student: string;
+            /** @description The group of that one: 1 to 40 small letters of English, digits and hyphens. */
+            group?: string | null;
+            /**
+             * Format: double
+             * @description When it begins, in seconds from now; 0 where it has begun.
+             */
+            starts_in_s: number;
+            /**
+             * Format: double
+             * @description When it ends, in seconds from now: at least a second after it begins.
+             */
+            ends_in_s: number;
         };
         /** @description What is known of how an arm differs from the drawing of it. */
         Calibrations: {
@@ -2906,6 +3002,11 @@ export interface components {
              * @default null
              */
             message: string | null;
+        };
+        /** @description Whose the arm is, and when. */
+        NewSlots: {
+            /** @description The slots, in any order: up to 200, none of which overlaps another one. */
+            slots: components["schemas"]["TimeSlot"][];
         };
         /** @description What to tell. */
         NewMessage: {
@@ -4499,6 +4600,11 @@ export interface components {
             name: string;
             /** @description What its holder may do. */
             role: components["schemas"]["Role"];
+            /**
+             * @description Whether it is for several people, each of whom is who he calls himself; any other one is that of one person, by its name.
+             * @default false
+             */
+            shared: boolean;
         };
         /** @description What a client may do; each role may do what those before it may. */
         Role: "watch" | "queue" | "control" | "admin";
@@ -5138,6 +5244,11 @@ export interface components {
             client: components["schemas"]["ClientId"];
             /** @description What it may do. */
             role: components["schemas"]["Role"];
+            /**
+             * @description By which name time slots know it: that of its token where this is one person's, or else what the client calls itself.
+             * @default
+             */
+            person: string;
             /** @description The version of the station. */
             version: string;
             /**
@@ -5239,6 +5350,14 @@ export interface components {
         } | {
             /** @constant */
             type: "unlock";
+        } | {
+            /** @constant */
+            type: "set_slots";
+            /** @description The slots, in any order: up to 200, none of which overlaps another one. */
+            slots: components["schemas"]["TimeSlot"][];
+        } | {
+            /** @constant */
+            type: "show_slots";
         } | {
             /** @constant */
             type: "message";
@@ -6447,6 +6566,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -6756,6 +6876,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -6903,6 +7024,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7308,6 +7430,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7575,6 +7698,7 @@ export interface operations {
             };
             /**
              * @description - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7714,6 +7838,7 @@ export interface operations {
              * @description - `no-lease`: this client does not have control
              *     - `not-asking`: nobody asks for control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -8057,6 +8182,342 @@ export interface operations {
         };
         responses: {
             /** @description the arm is not locked */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_slots: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the slots */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_slots: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "slots": [
+                 *         {
+                 *           "student": "Anna",
+                 *           "starts_in_s": 0,
+                 *           "ends_in_s": 900
+                 *         },
+                 *         {
+                 *           "student": "Ben",
+                 *           "group": "red",
+                 *           "starts_in_s": 900,
+                 *           "ends_in_s": 1800
+                 *         }
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewSlots"];
+            };
+        };
+        responses: {
+            /** @description the slots */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-slots`: the time slots cannot be so
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_slots: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description there are none */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -8572,6 +9033,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -8711,6 +9173,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -8845,6 +9308,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -8983,6 +9447,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `job-running`: a job has the arm
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -9115,6 +9580,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -9478,6 +9944,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -10616,6 +11083,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `job-phase`: the job does not allow this now
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -11332,6 +11800,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -11502,6 +11971,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -11661,6 +12131,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `no-job-runs`: no job is running
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -11806,6 +12277,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `no-job-runs`: no job is running
              *     - `still-moving`: the arm still moves
              *     - `no-vectors`: the job has no vectors
@@ -11948,6 +12420,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `no-job-runs`: no job is running
              *     - `still-moving`: the arm still moves
              *     - `no-vectors`: the job has no vectors
