@@ -6,14 +6,14 @@ from typing import Literal
 
 Kind = Literal[
     "arm-busy", "bad-drawing", "bad-fault", "bad-job", "bad-policy", "bad-program", "bad-scene",
-    "bad-touches", "cannot-resume", "command", "detecting", "dialect-not-found",
+    "bad-slots", "bad-touches", "cannot-resume", "command", "detecting", "dialect-not-found",
     "drawing-phase", "ending", "forbidden-host", "forbidden-origin", "invalid", "job-phase",
     "job-running", "journal", "key-reused", "laser-disarmed", "lease-gone", "let-go", "locked",
     "malformed", "media-type", "member-away", "member-refused", "method", "no-fleet",
     "no-job-runs", "no-lease", "no-link", "no-such-drawing", "no-such-job", "no-such-member",
     "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking",
     "not-reached", "not-virtual", "out-of-range", "policy", "policy-file", "recording", "role",
-    "still-moving", "stopped", "timeout", "token-file", "token-name", "token-taken",
+    "slot", "still-moving", "stopped", "timeout", "token-file", "token-name", "token-taken",
     "too-large", "too-many", "too-many-clients", "too-many-requests", "unauthorised",
     "unknown-path", "upgrade", "work-file", "work-phase", "work-refused",
 ]
