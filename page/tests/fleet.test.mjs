@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import { execFile } from "node:child_process";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -11,6 +11,7 @@ import { promisify } from "node:util";
 import { launch, serveFromDisk } from "./bench.mjs";
 import { end, start } from "./program.mjs";
 
+const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const GROUPS = { "desk-1": "room-1", "desk-2": "room-1", "desk-3": "room-2" };
 
 let folder, router, browser, page, token;
@@ -106,6 +107,13 @@ async function hold(name, axis) {
     await again;
     await fetch(new URL("api/v1/lease", stations.get(name).url), { method: "DELETE", headers: { "dobot-lease": token } });
   };
+}
+
+/** What is wrong on a page for a screen reader and people who see little, by rule and place. */
+async function violations(opened) {
+  await opened.evaluate(AXE);
+  const { violations } = await opened.evaluate(() => window.axe.run());
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((it) => it.target.join(" ")).join(", ")}`);
 }
 
 /** The packets to the arm of a station, from now on. */
@@ -248,6 +256,10 @@ test("in a time slot its student alone has the arm, the others see whose it is a
     assert.equal(await it.isDisabled("[data-axis=x_plus]"), true);
   }
   assert.equal(await ben.locator("#slot-me").count(), 0, "his token says that he is Ben");
+  await mate.setViewportSize({ width: 360, height: 740 });
+  await mate.emulateMedia({ colorScheme: "dark" });
+  for (const it of [ben, mate]) assert.deepEqual(await violations(it), []);
+  assert.equal(await mate.evaluate(() => document.documentElement.scrollWidth), 360);
   await anna.waitForSelector("#slot[data-tone=good]");
   assert.match(await anna.textContent("#slot"), /It is your time\.\s+1\d min \d\d s left\. Then it is the time of Chen\./);
   await anna.click("#take");
