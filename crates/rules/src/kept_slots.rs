@@ -47,7 +47,7 @@ impl KeptSlots {
         };
         let content: Content =
             toml::from_str(&text).map_err(|error| told(error.message().to_owned()))?;
-        let slots = content.slot.into_iter().map(|it| it.from_now(now_ms));
+        let slots = content.slot.into_iter().map(|it| it.after(now_ms));
         Ok(slots.filter(|it| it.ends_in_s >= LEFT_S).collect())
     }
 
@@ -74,7 +74,7 @@ impl KeptSlot {
         }
     }
 
-    fn from_now(self, now_ms: i64) -> TimeSlot {
+    fn after(self, now_ms: i64) -> TimeSlot {
         #[expect(
             clippy::cast_precision_loss,
             reason = "what is farther away than a day is refused"

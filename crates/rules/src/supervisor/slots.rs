@@ -239,7 +239,7 @@ fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
 }
 
 /// So long before the end of his time a person is told.
-const WARNING: Duration = Duration::from_mins(1);
+const WARNING: Duration = Duration::from_secs(60);
 /// A shorter slot is a mistake.
 const SHORTEST_S: f64 = 1.0;
 
