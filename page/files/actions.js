@@ -150,7 +150,14 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     }
   }
 
+  /** From now on this page goes by the name of a student: time slots know it by that. @param {string} name */
+  function beStudent(name) {
+    lessons.tellStudent(name);
+    socket.again();
+  }
+
   return {
+    beStudent,
     send, ask, takeIfFree, command, stop, arming_s, setUp, calibrate, recordings, lessons, jobs: createJobs(takeIfFree), teach: createTeach(takeIfFree),
 
     /** Asks a person before something is done. @param {Question} question */

@@ -379,6 +379,25 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/slots": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** All time slots that are not over, in their order */
+        get: operations["get_slots"];
+        /** Says whose the arm is and when, in place of what was said before (admin): while a slot is under way only its student and administrators have control */
+        put: operations["put_slots"];
+        post?: never;
+        /** Ends all time slots (admin): the arm is everyone's */
+        delete: operations["delete_slots"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/message": {
         parameters: {
             query?: never;
@@ -1323,6 +1342,8 @@ export interface components {
             lease?: components["schemas"]["LeaseView"] | null;
             /** @description The lock that holds the arm for administrators, if one does. */
             lock?: components["schemas"]["LockView"] | null;
+            /** @description Whose time it is now and next, where the arm has time slots. */
+            slots?: components["schemas"]["SlotsView"] | null;
             /** @description The stop that holds the arm, if one does. */
             stop?: components["schemas"]["StopView"] | null;
             /** @description The laser's interlock. */
@@ -1521,6 +1542,11 @@ export interface components {
             /** @description What the holder calls itself. */
             name: string;
             /**
+             * @description By which name time slots know the holder: that of its token where this is one person's.
+             * @default
+             */
+            person: string;
+            /**
              * @description Whether the holder is a program on the raw port, which cannot be asked: an administrator takes
              *     control from it.
              * @default false
@@ -1557,6 +1583,36 @@ export interface components {
              * @description When, in seconds since the station started.
              */
             at_s: number;
+        };
+        /** @description The time slots of an arm, as far as those who watch have to know: `GET /api/v1/slots` tells all. */
+        SlotsView: {
+            /** @description The one that is under way, if one is: only its student and administrators have control meanwhile. */
+            now?: components["schemas"]["SlotView"] | null;
+            /** @description The one that comes next, if one does. */
+            next?: components["schemas"]["SlotView"] | null;
+            /**
+             * Format: double
+             * @description When the arm is everyone's again, in seconds since the station started: the end of the last of the slots that follow each
+             *     other without a break. Absent where it is everyone's now.
+             */
+            free_s?: number | null;
+        };
+        /** @description A time slot, for those who watch. */
+        SlotView: {
+            /** @description Whose it is. */
+            student: string;
+            /** @description The group of that one. */
+            group?: string | null;
+            /**
+             * Format: double
+             * @description When it begins, in seconds since the station started.
+             */
+            starts_s: number;
+            /**
+             * Format: double
+             * @description When it ends, in seconds since the station started.
+             */
+            ends_s: number;
         };
         /** @description A stop that holds the arm. */
         StopView: {
@@ -1794,6 +1850,24 @@ export interface components {
         } | {
             /** @constant */
             type: "unlocked";
+        } | {
+            /** @constant */
+            type: "slots_changed";
+        } | {
+            /** @constant */
+            type: "slot_began";
+            /** @description Who. */
+            student: string;
+        } | {
+            /** @constant */
+            type: "slot_ending";
+            /** @description Who. */
+            student: string;
+        } | {
+            /** @constant */
+            type: "slot_ended";
+            /** @description Who. */
+            student: string;
         } | {
             /** @constant */
             type: "message";
@@ -2667,6 +2741,11 @@ export interface components {
             lease?: components["schemas"]["LeaseView"] | null;
         } | {
             /** @constant */
+            type: "slots";
+            /** @description The slots. */
+            slots: components["schemas"]["TimeSlot"][];
+        } | {
+            /** @constant */
             type: "job";
             /** @description The job. */
             job: components["schemas"]["JobView"];
@@ -2695,6 +2774,23 @@ export interface components {
             path_mm: number[][];
             /** @description Base, rear arm, forearm and servo at the end, in degrees. */
             joints_deg: number[];
+        };
+        /** @description A time slot, told from now on: no clocks are compared, so that a wrong one does no harm. */
+        TimeSlot: {
+            /** @description Whose it is: 1 to 60 visible characters. Capital letters and spaces around it make no difference. */
+            student: string;
+            /** @description The group of that one: 1 to 40 small letters of English, digits and hyphens. */
+            group?: string | null;
+            /**
+             * Format: double
+             * @description When it begins, in seconds from now; 0 where it has begun.
+             */
+            starts_in_s: number;
+            /**
+             * Format: double
+             * @description When it ends, in seconds from now: at least a second after it begins.
+             */
+            ends_in_s: number;
         };
         /** @description What is known of how an arm differs from the drawing of it. */
         Calibrations: {
@@ -2941,6 +3037,11 @@ export interface components {
              * @default null
              */
             message: string | null;
+        };
+        /** @description Whose the arm is, and when. */
+        NewSlots: {
+            /** @description The slots, in any order: up to 200, none of which overlaps another one. */
+            slots: components["schemas"]["TimeSlot"][];
         };
         /** @description What to tell. */
         NewMessage: {
@@ -4534,6 +4635,11 @@ export interface components {
             name: string;
             /** @description What its holder may do. */
             role: components["schemas"]["Role"];
+            /**
+             * @description Whether it is for several people, each of whom is who he calls himself; any other one is that of one person, by its name.
+             * @default false
+             */
+            shared: boolean;
         };
         /** @description What a client may do; each role may do what those before it may. */
         Role: "watch" | "queue" | "control" | "admin";
@@ -5207,6 +5313,11 @@ export interface components {
             client: components["schemas"]["ClientId"];
             /** @description What it may do. */
             role: components["schemas"]["Role"];
+            /**
+             * @description By which name time slots know it: that of its token where this is one person's, or else what the client calls itself.
+             * @default
+             */
+            person: string;
             /** @description The version of the station. */
             version: string;
             /**
@@ -5308,6 +5419,14 @@ export interface components {
         } | {
             /** @constant */
             type: "unlock";
+        } | {
+            /** @constant */
+            type: "set_slots";
+            /** @description The slots, in any order: up to 200, none of which overlaps another one. */
+            slots: components["schemas"]["TimeSlot"][];
+        } | {
+            /** @constant */
+            type: "show_slots";
         } | {
             /** @constant */
             type: "message";
@@ -6516,6 +6635,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -6825,6 +6945,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -6972,6 +7093,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7377,6 +7499,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7644,6 +7767,7 @@ export interface operations {
             };
             /**
              * @description - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -7783,6 +7907,7 @@ export interface operations {
              * @description - `no-lease`: this client does not have control
              *     - `not-asking`: nobody asks for control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -8126,6 +8251,342 @@ export interface operations {
         };
         responses: {
             /** @description the arm is not locked */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_slots: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the slots */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_slots: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "slots": [
+                 *         {
+                 *           "student": "Anna",
+                 *           "starts_in_s": 0,
+                 *           "ends_in_s": 900
+                 *         },
+                 *         {
+                 *           "student": "Ben",
+                 *           "group": "red",
+                 *           "starts_in_s": 900,
+                 *           "ends_in_s": 1800
+                 *         }
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewSlots"];
+            };
+        };
+        responses: {
+            /** @description the slots */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-slots`: the time slots cannot be so
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_slots: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description there are none */
             200: {
                 headers: {
                     [name: string]: unknown;
@@ -8641,6 +9102,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -8780,6 +9242,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -8914,6 +9377,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -9052,6 +9516,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `job-running`: a job has the arm
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -9184,6 +9649,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -9547,6 +10013,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -10685,6 +11152,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `job-phase`: the job does not allow this now
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -11401,6 +11869,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -11571,6 +12040,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `stopped`: the arm is stopped
              *     - `still-moving`: the arm still moves
              *     - `laser-disarmed`: the laser is disarmed
@@ -11730,6 +12200,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `no-job-runs`: no job is running
              *     - `lease-gone`: the lease token is not valid any more
              */
@@ -11875,6 +12346,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `no-job-runs`: no job is running
              *     - `still-moving`: the arm still moves
              *     - `no-vectors`: the job has no vectors
@@ -12017,6 +12489,7 @@ export interface operations {
             /**
              * @description - `no-lease`: this client does not have control
              *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
              *     - `no-job-runs`: no job is running
              *     - `still-moving`: the arm still moves
              *     - `no-vectors`: the job has no vectors

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
 import { launch } from "./bench.mjs";
-import { crowd, job, learner, member, queue, standIn } from "./stand_in.mjs";
+import { crowd, job, learner, member, queue, standIn, time } from "./stand_in.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 360, height: 740 } };
@@ -68,6 +68,10 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       await page.click("#queue-open");
       await page.waitForSelector("#queue [data-work]");
       await look("queue");
+      if (size === "phone") await page.click("#lesson-open");
+      await page.click("#slots-open");
+      await page.waitForSelector("#slots h3");
+      await look("slots");
     });
   }
 }
@@ -84,7 +88,11 @@ test("on a phone nothing hangs over the edge, and STOP ALL is the largest thing,
     await page.click("#queue-open");
     await page.waitForSelector("#queue [data-work]");
   };
-  for (const lead of [async () => {}, () => page.click("#stop"), () => page.click("#lesson-open"), lock, () => page.click(".tile[data-member=desk-1] .name"), queued]) {
+  const timed = async () => {
+    await page.click("#slots-open");
+    await page.waitForSelector("#slots h3");
+  };
+  for (const lead of [async () => {}, () => page.click("#stop"), () => page.click("#lesson-open"), lock, () => page.click(".tile[data-member=desk-1] .name"), queued, timed]) {
     await lead();
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), SIZES.phone.width);
     const stop = await page.locator("#stop").boundingBox();
@@ -220,6 +228,56 @@ test("who has control is told with for how long, and who asks for it", async () 
   assert.deepEqual(facts.slice(0, 2), [["Control", "Anna, for 1 min 35 s"], ["Asks for control", "Ben, Chen"]]);
 });
 
+test("whose time it is stands on the tile, beside an administrator who has control meanwhile", async () => {
+  const lease = (name) => ({ client: 2, name, is_program: false, since_s: 1, asked_by: [] });
+  const { page } = await open([member("desk-1", { here: true, ...time("Anna"), lease: lease("anna") }), member("desk-2", { ...time("Ben", 30), lease: lease("Ms Lee") }), member("desk-3", time("Chen"))]);
+  await page.waitForSelector(".tile");
+  assert.deepEqual(await page.$$eval(".tile .who", (all) => all.map((it) => it.textContent.trim())), ["Anna: 4 min 10 s left", "Ben: 30 s left · Ms Lee", "Chen: 4 min 10 s left"]);
+  await page.fill("#sought", "chen");
+  await page.waitForFunction(() => document.querySelectorAll(".tile").length === 1);
+});
+
+test("names are dealt over the arms of a group in turn, are listed there, and are ended", async () => {
+  const groups = ["room-1"];
+  const { page, station } = await open([member("desk-1", { here: true, groups, ...time("Zoë") }), member("desk-2", { groups }), member("desk-3", { groups: ["room-2"] }), member("desk-4", { groups, presence: { type: "away" } })]);
+  await page.waitForSelector(".tile");
+  const requests = (method) => asked(station, "/api/v1/fleet/requests").map(({ body }) => body).filter((it) => it.method === method && it.path === "/api/v1/slots");
+  await page.selectOption("#group", "room-1");
+  await page.click("#slots-open");
+  await page.fill("#slots-group [name=names]", "Anna\nBen\n\n Chen ");
+  await page.fill("#slots-group [name=minutes]", "10");
+  await page.click("#slots-group [type=submit]");
+  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("2 of 2 have their slots."));
+  const slot = (student, starts_in_s) => ({ student, group: "room-1", starts_in_s, ends_in_s: starts_in_s + 600 });
+  assert.deepEqual(requests("PUT").map(({ to, body }) => [to, body.slots]), [[{ members: ["desk-1"] }, [slot("Anna", 0), slot("Chen", 600)]], [{ members: ["desk-2"] }, [slot("Ben", 0)]]]);
+  await page.waitForFunction(() => document.querySelectorAll("#slots ol li").length === 3);
+  assert.equal(await text(page, "#slots ol li:nth-of-type(2)"), "Chen in 10 min 00 s, for 10 min 00 s");
+  assert.equal(await page.inputValue("#slots-group [name=names]"), "");
+  await page.click("#slots [data-act=clear]");
+  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("2 of 3 are everyone's again."));
+  assert.deepEqual(requests("DELETE").map(({ to }) => to), [{ group: "room-1" }]);
+  await page.waitForSelector("#slots ol", { state: "detached" });
+  // One at a time lies beside the tiles.
+  await page.click(".tile[data-member=desk-1] .name");
+  await page.waitForSelector("#slots", { state: "hidden" });
+  await page.fill("#slots-arm [name=names]", "Mia");
+  await page.click("#slots-arm [type=submit]");
+  await page.waitForFunction(() => document.querySelector("#details ol.slots li")?.textContent.includes("Mia"));
+  assert.deepEqual(requests("PUT").at(-1).body.slots, [{ student: "Mia", group: "room-1", starts_in_s: 0, ends_in_s: 900 }]);
+});
+
+test("why a station gives no time is told in its own words, and the names stay", async () => {
+  const wrong = { type: "/api/v1/problems/bad-slots", title: "the time slots cannot be so", status: 422, detail: "ends_in_s of Anna is 90000; allowed is 1 to 86400" };
+  const answer = ({ body }) => (body?.method === "PUT" ? { body: [{ member: "desk-1", id: "1", answer: { status: 422, body: wrong }, took_ms: 1 }] } : undefined);
+  const { page } = await open([member("desk-1", { here: true })], { answer });
+  await page.waitForSelector(".tile");
+  await page.click("#slots-open");
+  await page.fill("#slots-group [name=names]", "Anna");
+  await page.click("#slots-group [type=submit]");
+  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("desk-1: Ends_in_s of Anna is 90000"));
+  assert.equal(await page.inputValue("#slots-group [name=names]"), "Anna");
+});
+
 test("who takes a lesson is on the tile with the step, and who is stuck can be shown alone", async () => {
   const { page } = await open(crowd(12));
   await page.waitForSelector(".tile[data-member=desk-3] .learner");
@@ -244,7 +302,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       await calm.waitForSelector(".tile");
       const before = await places(calm);
 
-      const busy = { job: job("The harbour of a town whose name is long.svg", 40), lease: { client: 2, name: "Wolfeschlegelsteinhausenbergerdorff", is_program: false, since_s: 1, asked_by: ["Ben", "Chen"] } };
+      const busy = { job: job("The harbour of a town whose name is long.svg", 40), lease: { client: 2, name: "Wolfeschlegelsteinhausenbergerdorff", is_program: false, since_s: 1, asked_by: ["Ben", "Chen"] }, ...time("Wolfeschlegelsteinhausenbergerdorff the younger") };
       const { page } = await open([
         first, { ...second, presence: { type: "away" } },
         { ...third, presence: { type: "refused", problem: { ...DENIED, detail: "two stations are called desk-3, and neither is asked for anything", hint: "start one of them with another --name; until then each is stopped on its own page" } } },

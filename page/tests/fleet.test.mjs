@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import { execFile } from "node:child_process";
-import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -11,9 +11,12 @@ import { promisify } from "node:util";
 import { launch, pose, press, serveFromDisk } from "./bench.mjs";
 import { end, start } from "./program.mjs";
 
+const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const GROUPS = { "desk-1": "room-1", "desk-2": "room-1", "desk-3": "room-2" };
 
 let folder, router, browser, page, token;
+/** The tokens of students at desk-2; that of a class is for several of them. */
+const students = {};
 /** The stations that run: their child processes and where they are. */
 const stations = new Map();
 const errors = [];
@@ -44,6 +47,10 @@ before(async () => {
     const { stdout } = await promisify(execFile)(process.env.DOBOT ?? "dobot", words);
     token ??= stdout.trim();
     await writeFile(file, token);
+  }
+  for (const [name, ...more] of [["Anna"], ["Ben"], ["class", "--shared"]]) {
+    const { stdout } = await promisify(execFile)(process.env.DOBOT ?? "dobot", ["token", "add", "control", name, ...more, "--data", join(folder, "desk-2")]);
+    students[name] = stdout.trim();
   }
   for (const name of Object.keys(GROUPS)) stations.set(name, await beginStation(name, at));
   browser = await launch();
@@ -100,6 +107,13 @@ async function hold(name, axis) {
     await again;
     await fetch(new URL("api/v1/lease", stations.get(name).url), { method: "DELETE", headers: { "dobot-lease": token } });
   };
+}
+
+/** What is wrong on a page for a screen reader and people who see little, by rule and place. */
+async function violations(opened) {
+  await opened.evaluate(AXE);
+  const { violations } = await opened.evaluate(() => window.axe.run());
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map((it) => it.target.join(" ")).join(", ")}`);
 }
 
 /** The packets to the arm of a station, from now on. */
@@ -259,6 +273,49 @@ test("eyes on me holds every arm, and its own page says who and why; a message a
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ lock }) => !lock);
   await own.waitForSelector("#locked", { state: "detached" });
   await own.context().close();
+});
+
+test("in a time slot its student alone has the arm, the others see whose it is and when it is free, and a class says who it is", async () => {
+  await page.fill("#slots-arm [name=names]", "Anna\nChen");
+  await page.click("#slots-arm [type=submit]");
+  await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-2] .who").textContent.startsWith("Anna: 1"));
+  await page.waitForFunction(() => document.querySelectorAll("#details ol.slots li").length === 2);
+  const [anna, ben, mate] = await Promise.all(["Anna", "Ben", "class"].map((name) => visit("desk-2", `#token=${students[name]}`)));
+  for (const it of [ben, mate]) {
+    await it.waitForSelector("#slot");
+    assert.match(await it.textContent("#slot"), /It is the time of Anna\.\s+1\d min \d\d s left\. The arm is free in (29|30) min/);
+    assert.equal(await it.textContent("#holder"), "Not your time: nobody has control");
+    assert.equal(await it.locator("#take, #ask").count(), 0, "no button that leads nowhere");
+    assert.equal(await it.isDisabled("[data-axis=x_plus]"), true);
+  }
+  assert.equal(await ben.locator("#slot-me").count(), 0, "his token says that he is Ben");
+  await mate.setViewportSize({ width: 360, height: 740 });
+  await mate.emulateMedia({ colorScheme: "dark" });
+  for (const it of [ben, mate]) assert.deepEqual(await violations(it), []);
+  assert.equal(await mate.evaluate(() => document.documentElement.scrollWidth), 360);
+  await anna.waitForSelector("#slot[data-tone=good]");
+  assert.match(await anna.textContent("#slot"), /It is your time\.\s+1\d min \d\d s left\. Then it is the time of Chen\./);
+  await anna.click("#take");
+  await anna.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
+  await anna.click("#release");
+  await mate.click("#slot-me");
+  await mate.waitForSelector("#slot[data-tone=good]");
+  await mate.click("#take");
+  await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-2] .who").textContent.startsWith("Anna: 1"));
+  const { lease } = await ask("desk-2", "api/v1/state");
+  assert.equal(lease.name, "Anna");
+
+  // The next one is Ben: whoever has control loses it at once, and he has the arm.
+  await page.fill("#slots-arm [name=names]", "Ben");
+  await page.click("#slots-arm [type=submit]");
+  await answered("desk-2", "api/v1/state", ({ lease, slots }) => lease === null && slots.now.student === "Ben");
+  await ben.click("#take");
+  await ben.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
+  await mate.waitForSelector("#slot[data-tone=warn]");
+  await page.click("#details [data-act=clear]");
+  await mate.waitForSelector("#slot", { state: "detached" });
+  await ben.click("#release");
+  for (const it of [anna, ben, mate]) await it.context().close();
 });
 
 test("a student who takes a lesson says a name once, and the board shows the lesson and the step", async () => {

@@ -17,6 +17,9 @@ export const state = (other = {}) => ({
   laser: { armed_for_s: 0, on: false }, job: null, clients: 1, ...other,
 });
 
+/** Whose time it is at an arm, and who comes next. */
+export const time = (student, left_s = 250, next = "Ben") => ({ slots: { now: { student, starts_s: 0, ends_s: 10 + left_s }, next: { student: next, starts_s: 10 + left_s, ends_s: 910 + left_s }, free_s: 910 + left_s } });
+
 /** A station of the fleet; `id` is made of its name. */
 export const member = (name, { groups = [], here = false, presence = { type: "present" }, page = `http://127.0.0.1:9/${name}`, is_virtual = true, takes_work, gives_arms, offers = ["pen"], ...other } = {}) => ({
   name, id: Buffer.from(name).toString("hex").padStart(32, "0").slice(-32), here, presence, heard_at_s: 10,
@@ -57,6 +60,8 @@ const learnersOf = ({ name }) => {
 export async function standIn(members, answer = () => undefined, submitted = []) {
   const asked = [];
   const listeners = new Set();
+  /** The time slots of each, by name. */
+  const slots = new Map(members.map((it) => [it.name, it.slots ?? []]));
   const fleet = new Map(members.map((it) => [it.id, it]));
   const event = (it) => `event: member\ndata: ${JSON.stringify(it)}\n\n`;
   const json = (response, status, body) => response.writeHead(status, { "content-type": status < 400 ? "application/json" : "application/problem+json" }).end(JSON.stringify(body));
@@ -87,9 +92,13 @@ export async function standIn(members, answer = () => undefined, submitted = [])
     if (pathname === "/api/v1/fleet/stop" || pathname === "/api/v1/fleet/requests") return json(response, 200, meant(body.to).map((it) => ({ member: it.name, id: it.id, answer: answerOf(it, body), took_ms: 1 })));
     return json(response, 404, { type: "/api/v1/problems/unknown-path", title: "nothing is here", status: 404, detail: `there is nothing at ${pathname}` });
   });
-  const answerOf = (it, { path, method }) => {
+  const answerOf = (it, { path, method, body }) => {
     if (it.presence.type === "away") return { status: 503, body: { type: "/api/v1/problems/member-away", title: "away", status: 503, detail: `${it.name} cannot be reached` } };
     if (path === "/api/v1/learners") return { status: 200, body: learnersOf(it) };
+    if (path === "/api/v1/slots") {
+      if (method !== "GET") slots.set(it.name, body?.slots ?? []);
+      return { status: 200, body: { type: "slots", slots: slots.get(it.name) } };
+    }
     return { status: 200, body: path === "/api/v1/jobs" && method === "GET" ? jobsOf(it) : { type: "done" } };
   };
   server.listen(0, "127.0.0.1");
@@ -121,6 +130,7 @@ export function crowd(count) {
     const turn = ((n * 37) % 160) - 80, rear_deg = 10 + ((n * 13) % 50), fore_deg = 15 + ((n * 29) % 50);
     const other = { groups, here: n === 0, takes_work: "queue", ...(n === 0 && { gives_arms: 30 }), offers: n % 2 ? ["pen"] : ["pen", "a5"], arm: { ...state().arm, base_deg: turn, rear_deg, fore_deg } };
     if (n % 3 === 1) Object.assign(other, { job: job(titles[n % titles.length], (n * 17) % 100), lease: { client: 2, name: ["Anna", "Bo", "Chen"][n % 3], is_program: false, since_s: 1, asked_by: [] } });
+    if (n % 8 === 1) Object.assign(other, time("Anna"));
     if (n % 9 === 4) Object.assign(other, { job: job("name.svg", 40, 100, { phase: "paused", reason: "put the red pen in" }) });
     if (n % 11 === 6) Object.assign(other, { stop: { by: "Ms Lee", reason: "a hand is in the way", at_s: 9, rests_by_s: 9.5, at_rest: true } });
     if (n % 13 === 8) Object.assign(other, { trust: { trusted: false, reason: "the arm was reset: look where it is" } });

@@ -133,6 +133,12 @@ impl Folders {
         self.data.join("arms.toml")
     }
 
+    /// Whose time it is at the arm, and when.
+    #[must_use]
+    pub fn slots(&self) -> PathBuf {
+        self.data.join("slots.toml")
+    }
+
     /// What the guardian of the arm did while the station could not.
     #[must_use]
     pub fn guardian(&self) -> PathBuf {

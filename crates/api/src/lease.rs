@@ -17,6 +17,9 @@ pub struct LeaseView {
     pub client: ClientId,
     /// What the holder calls itself.
     pub name: String,
+    /// By which name time slots know the holder: that of its token where this is one person's.
+    #[serde(default)]
+    pub person: String,
     /// Whether the holder is a program on the raw port, which cannot be asked: an administrator takes
     /// control from it.
     #[serde(default)]

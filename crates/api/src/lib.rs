@@ -34,6 +34,7 @@ mod request;
 mod role;
 #[cfg(feature = "remote")]
 mod running;
+mod slot;
 mod state;
 mod way;
 mod work;
@@ -70,6 +71,7 @@ pub use request::{Jog, Request};
 pub use role::{Role, UnknownRole};
 #[cfg(feature = "remote")]
 pub use running::{Running, RunningError};
+pub use slot::{SlotView, SlotsView, TimeSlot, is_same_person};
 pub use state::{
     ArmView, CalibratedView, LaserView, LinkPhase, LinkView, LockView, QueueView, State, StopView,
     TrustView,

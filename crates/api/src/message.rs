@@ -60,6 +60,9 @@ pub struct Hello {
     pub client: ClientId,
     /// What it may do.
     pub role: Role,
+    /// By which name time slots know it: that of its token where this is one person's, or else what the client calls itself.
+    #[serde(default)]
+    pub person: String,
     /// The version of the station.
     pub version: String,
     /// How long a jog button stays pressed without being said again, in seconds.

@@ -93,6 +93,23 @@ pub enum News {
     Locked,
     /// Everyone may take control of the arm again.
     Unlocked,
+    /// Other time slots hold from now on, or none.
+    SlotsChanged,
+    /// The time of a student at the arm begins.
+    SlotBegan {
+        /// Who.
+        student: String,
+    },
+    /// The time of a student at the arm is over in a minute, or sooner.
+    SlotEnding {
+        /// Who.
+        student: String,
+    },
+    /// The time of a student at the arm is over.
+    SlotEnded {
+        /// Who.
+        student: String,
+    },
     /// A person tells something to all who watch.
     Message {
         /// Who.

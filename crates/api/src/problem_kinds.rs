@@ -124,6 +124,8 @@ kinds! {
         "A lease that was taken over plain HTTP ends when its token is not used for ten seconds. Take it again.";
     LOCKED = 409 "locked" "the arm is locked"
         "An administrator keeps the arm for himself, as a teacher does who wants to be listened to. The detail says who, and why. Stopping takes no control.";
+    SLOT = 409 "slot" "it is the time of somebody else"
+        "The arm has time slots, and one of another student is under way: only that student and administrators have control meanwhile. The detail says whose it is, for how long, and when the arm is free. Stopping takes no control.";
     NOT_ASKING = 409 "not-asking" "nobody asks for control"
         "Control can be given only to a client that asks for it; the state lists those that do.";
     STOPPED = 409 "stopped" "the arm is stopped"
@@ -176,6 +178,8 @@ kinds! {
         "A number lies outside its range. The detail says which one, and what is allowed.";
     KEY_REUSED = 422 "key-reused" "the key was that of another request"
         "An `Idempotency-Key` is the name of one request: sent again with the same key it queues no other job, and answers with the one that is there. Another request needs another key.";
+    BAD_SLOTS = 422 "bad-slots" "the time slots cannot be so"
+        "Two slots overlap, a name or a time is not allowed, or there are too many. The detail says which, what was found, and what is allowed. The slots that held before hold on.";
     BAD_JOB = 422 "bad-job" "the job cannot be done"
         "A command of the job cannot be done. The detail says which one, counted from 0, and why.";
     BAD_DRAWING = 422 "bad-drawing" "it cannot be drawn"

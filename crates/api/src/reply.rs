@@ -4,7 +4,7 @@ use dobot_wire::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Calibrations, JobView, LeaseView, WayView};
+use crate::{Calibrations, JobView, LeaseView, TimeSlot, WayView};
 
 /// The answer to a request that was granted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -33,6 +33,11 @@ pub enum Reply {
     Lease {
         /// Who has it, if anybody has.
         lease: Option<LeaseView>,
+    },
+    /// The time slots that are not over, in their order.
+    Slots {
+        /// The slots.
+        slots: Vec<TimeSlot>,
     },
     /// The job, as it is now.
     Job {

@@ -4,7 +4,7 @@ use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{CalibrationFile, ClientId, NewJob, Role};
+use crate::{CalibrationFile, ClientId, NewJob, Role, TimeSlot};
 
 /// What a client can ask of the station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -68,6 +68,16 @@ pub enum Request {
     /// Let everyone take control again.
     #[serde(deserialize_with = "without_fields")]
     Unlock,
+    /// Say whose the arm is and when, in place of all that was said before; with no slots it is everyone's. While a slot is under
+    /// way only its student and administrators have control: whoever else has it loses it, and a job that runs is paused.
+    SetSlots {
+        /// The slots, in any order: up to 200, none of which overlaps another one.
+        #[schemars(length(max = 200))]
+        slots: Vec<TimeSlot>,
+    },
+    /// Tell all time slots.
+    #[serde(deserialize_with = "without_fields")]
+    ShowSlots,
     /// Tell something to all who watch.
     Message {
         /// What. What is longer than 200 characters is cut.
@@ -186,13 +196,14 @@ impl Request {
     #[must_use]
     pub const fn role(&self) -> Role {
         match self {
-            Self::Stop { .. } | Self::CheckCommand { .. } => Role::Watch,
+            Self::Stop { .. } | Self::CheckCommand { .. } | Self::ShowSlots => Role::Watch,
             Self::SubmitJob { .. } | Self::QueueAgain { .. } => Role::Queue,
             Self::SetDialect { .. }
             | Self::Calibrate { .. }
             | Self::SeizeLease
             | Self::Lock { .. }
-            | Self::Unlock => Role::Admin,
+            | Self::Unlock
+            | Self::SetSlots { .. } => Role::Admin,
             _ => Role::Control,
         }
     }

@@ -4,7 +4,7 @@ use dobot_wire::{Dialect, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{JobView, LeaseView};
+use crate::{JobView, LeaseView, SlotsView};
 
 /// All that the station knows at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -29,6 +29,9 @@ pub struct State {
     /// The lock that holds the arm for administrators, if one does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lock: Option<LockView>,
+    /// Whose time it is now and next, where the arm has time slots.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slots: Option<SlotsView>,
     /// The stop that holds the arm, if one does.
     pub stop: Option<StopView>,
     /// The laser's interlock.

@@ -33,6 +33,7 @@ mod say;
 mod service;
 mod set;
 mod simulate;
+mod slots;
 mod status;
 mod stop;
 mod teach;
@@ -83,6 +84,7 @@ pub(crate) enum Verb {
     Fleet(fleet::Args),
     Mcp(mcp::Args),
     Lease(lease::Args),
+    Slots(slots::Args),
     Confirm(confirm::Args),
     Detect(detect::Args),
     Token(token::Args),
@@ -139,6 +141,7 @@ impl Verb {
             Self::Fleet(args) => wait_for(fleet::run(args)),
             Self::Mcp(args) => wait_for(mcp::run(args)),
             Self::Lease(args) => wait_for(lease::run(args)),
+            Self::Slots(args) => wait_for(slots::run(args)),
             Self::Confirm(args) => wait_for(confirm::run(args)),
             Self::Detect(args) => wait_for(detect::run(args)),
             Self::Token(args) => token::run(args),

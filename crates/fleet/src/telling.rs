@@ -84,6 +84,7 @@ pub(crate) mod tests {
             },
             lease: None,
             lock: None,
+            slots: None,
             stop: None,
             laser: LaserView {
                 armed_for_s: 0.0,

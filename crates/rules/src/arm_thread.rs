@@ -125,6 +125,7 @@ mod tests {
     use crate::guardian::{Hazards, HeartbeatSender, JogKind};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
+    use crate::kept_slots::KeptSlots;
     use crate::known_arms::KnownArms;
     use crate::recording::Recording;
     use crate::supervisor::Supervisor;
@@ -178,6 +179,7 @@ mod tests {
             ends,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
             arms: KnownArms::read(&folders.arms()).unwrap(),
+            slots: KeptSlots::at(&folders.slots()),
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
             own: own.clone(),

@@ -22,6 +22,7 @@ use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Ends, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
+use crate::kept_slots::KeptSlots;
 use crate::known_arms::KnownArms;
 use crate::recording::Recording;
 use crate::supervisor::{Effect, Supervisor};
@@ -34,6 +35,7 @@ pub(crate) struct Driver {
     ends: Ends,
     source: Source,
     arms: KnownArms,
+    slots: KeptSlots,
     link: Option<Link>,
     /// Where the arm is, or was last.
     address: Option<String>,
@@ -64,6 +66,7 @@ pub(crate) struct DriverParts {
     pub(crate) ends: Ends,
     pub(crate) source: Source,
     pub(crate) arms: KnownArms,
+    pub(crate) slots: KeptSlots,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
     /// For tasks that tell the driver something.
@@ -96,6 +99,7 @@ impl Driver {
             ends: parts.ends,
             source: parts.source,
             arms: parts.arms,
+            slots: parts.slots,
             link: None,
             address: None,
             connecting: None,
@@ -133,6 +137,30 @@ impl Driver {
                 self.jobs.give_up(&job, &refusal.to_string());
                 Err(format!("job {} cannot be gone on with: {refusal}", job.id))
             }
+        }
+    }
+
+    /// Takes up the time slots that the station before this one had.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line: there are none then.
+    pub(crate) fn recover_slots(&mut self) -> Result<(), String> {
+        let slots = self.slots.read(now_ms());
+        let now = self.now();
+        let taken = slots.and_then(|slots| {
+            let taken = self.supervisor.handle_kept_slots(now, &slots);
+            taken.map_err(|refusal| refusal.to_string())
+        });
+        taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
+    }
+
+    /// Keeps the time slots for a station that comes after this one.
+    fn keep_slots(&mut self) {
+        if let Err(error) = self.slots.keep(&self.supervisor.slots(), now_ms()) {
+            let now = self.now();
+            let text = format!("the time slots cannot be kept: {error}");
+            self.supervisor.handle_trouble(now, text);
         }
     }
 
@@ -303,8 +331,13 @@ impl Driver {
     fn handle(&mut self, message: Message) {
         let now = self.now();
         match message {
-            Message::Came { name, role, reply } => {
-                let client = self.supervisor.handle_client(now, &name, role);
+            Message::Came {
+                name,
+                person,
+                role,
+                reply,
+            } => {
+                let client = self.supervisor.handle_client(now, &name, role, &person);
                 tracing::debug!(client = client.0, name, ?role, "a client came");
                 if reply.send(client).is_err() {
                     self.supervisor.handle_left(now, client);
@@ -431,8 +464,12 @@ impl Driver {
             return drop(reply.send(changed));
         }
         if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
+            let sets_slots = matches!(job, Request::SetSlots { .. });
             let answer = self.supervisor.handle_request(now, client, job);
             self.send();
+            if sets_slots && matches!(answer, Some(Ok(_))) {
+                self.keep_slots();
+            }
             match answer {
                 // Whoever asked may have left.
                 Some(answer) => drop(reply.send(answer)),

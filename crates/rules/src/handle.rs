@@ -128,6 +128,7 @@ const AFTER: &str = "}";
 pub struct Client {
     id: ClientId,
     role: Role,
+    person: String,
     handle: Handle,
 }
 
@@ -138,6 +139,8 @@ pub enum Message {
     Came {
         /// What it calls itself.
         name: String,
+        /// By which name time slots know it.
+        person: String,
         /// What it may do.
         role: Role,
         /// Its number.
@@ -217,10 +220,12 @@ pub enum OfferAsk {
         /// The calibration of the arm that its places are meant for, where it was not planned for this one.
         made_for: Option<Calibration>,
     },
-    /// That it is refused: this station cannot do it.
+    /// That it is refused: this station cannot do it, or not now.
     Refuse {
         /// Why.
         reason: String,
+        /// Whether it may be taken later, when it is offered anew.
+        busy: bool,
     },
     /// That no job comes of it, and that the one that has come of it ends if it has not begun.
     Withdraw {
@@ -344,13 +349,28 @@ impl Handle {
     ///
     /// [`Refusal::Ending`].
     pub async fn client(&self, name: &str, role: Role) -> Result<Client, Refusal> {
+        self.client_of(name, role, name).await
+    }
+
+    /// Makes a client known under a name, with what it may do, and by which name time slots know it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn client_of(&self, name: &str, role: Role, person: &str) -> Result<Client, Refusal> {
         let (reply, answer) = oneshot::channel();
-        let name = name.to_owned();
-        self.send(Message::Came { name, role, reply }).await?;
+        let came = Message::Came {
+            name: name.to_owned(),
+            person: person.to_owned(),
+            role,
+            reply,
+        };
+        self.send(came).await?;
         let id = answer.await.map_err(|_| Refusal::Ending)?;
         Ok(Client {
             id,
             role,
+            person: person.to_owned(),
             handle: self.clone(),
         })
     }
@@ -479,6 +499,12 @@ impl Client {
     #[must_use]
     pub const fn role(&self) -> Role {
         self.role
+    }
+
+    /// By which name time slots know it.
+    #[must_use]
+    pub fn person(&self) -> &str {
+        &self.person
     }
 
     /// The station.

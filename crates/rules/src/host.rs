@@ -17,6 +17,7 @@ use crate::driver::{Driver, DriverParts};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
+use crate::kept_slots::KeptSlots;
 use crate::known_arms::{KnownArms, KnownArmsError};
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
@@ -96,6 +97,7 @@ impl Host {
             ends,
             source,
             arms,
+            slots: KeptSlots::at(&setup.folders.slots()),
             jobs: Jobs::new(journal, Arc::new(setup.policy), own.clone()),
             recording: Recording::new(recorder, personality),
             own,
@@ -105,7 +107,10 @@ impl Host {
         Ok(Self {
             handle,
             virtual_arm,
-            notes: notes.chain(driver.recover().err()).collect(),
+            notes: notes
+                .chain(driver.recover().err())
+                .chain(driver.recover_slots().err())
+                .collect(),
             of_guardian: take_note(&note),
             thread: approach.thread.give(driver, approach.first),
         })

@@ -53,15 +53,13 @@ pub enum KnownArmsError {
 
 impl KnownArms {
     pub(crate) fn read(file: &Path) -> Result<Self, KnownArmsError> {
-        let known = match fs::read_to_string(file) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => BTreeMap::new(),
-            Err(source) => {
-                return Err(KnownArmsError::Read {
-                    file: file.display().to_string(),
-                    source,
-                });
-            }
-            Ok(text) => toml::from_str(&text).map_err(|error| KnownArmsError::Content {
+        let text = read_file(file).map_err(|source| KnownArmsError::Read {
+            file: file.display().to_string(),
+            source,
+        })?;
+        let known = match text {
+            None => BTreeMap::new(),
+            Some(text) => toml::from_str(&text).map_err(|error| KnownArmsError::Content {
                 file: file.display().to_string(),
                 why: error.to_string(),
             })?,
@@ -115,11 +113,23 @@ impl KnownArms {
         }
         self.known.insert(address.to_owned(), arm);
         let text = toml::to_string(&self.known).map_err(io::Error::other)?;
-        // First beside it, so that a crash leaves one of the two whole.
-        let beside = self.file.with_extension("new");
-        fs::write(&beside, text)?;
-        fs::rename(&beside, &self.file)
+        replace_file(&self.file, &text)
     }
+}
+
+/// A file of text, if there is one.
+pub(crate) fn read_file(file: &Path) -> io::Result<Option<String>> {
+    match fs::read_to_string(file) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        read => read.map(Some),
+    }
+}
+
+/// Writes a file first beside the old one, so that a crash leaves one of the two whole.
+pub(crate) fn replace_file(file: &Path, text: &str) -> io::Result<()> {
+    let beside = file.with_extension("new");
+    fs::write(&beside, text)?;
+    fs::rename(&beside, file)
 }
 
 #[cfg(test)]

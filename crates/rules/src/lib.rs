@@ -51,6 +51,7 @@ mod handle;
 mod host;
 mod job_path;
 mod jobs;
+mod kept_slots;
 mod known_arms;
 mod planned_for;
 mod predict;

@@ -240,6 +240,7 @@ mod tests {
             },
             lease: None,
             lock: None,
+            slots: None,
             stop: None,
             laser: LaserView {
                 armed_for_s: 0.0,

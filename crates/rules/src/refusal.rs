@@ -33,6 +33,21 @@ pub enum Refusal {
         /// Why.
         message: Option<String>,
     },
+    /// It is the time of somebody else at the arm.
+    #[error("it is the time of {student}{}, for another {}; the arm is free in {}", group.as_ref().map(|it| format!(" ({it})")).unwrap_or_default(), span(*left_s), span(*free_in_s))]
+    Slot {
+        /// Whose time it is.
+        student: String,
+        /// The group of that one.
+        group: Option<String>,
+        /// How much of it is left, in seconds.
+        left_s: f64,
+        /// In how many seconds the arm is everyone's, if nobody changes the time slots.
+        free_in_s: f64,
+    },
+    /// The time slots cannot be so.
+    #[error("{0}")]
+    BadSlots(String),
     /// Nobody of that number asked for control.
     #[error("client {0} does not ask for control")]
     NotAsking(u64),
@@ -175,6 +190,10 @@ impl Refusal {
                 problem_kinds::LOCKED,
                 "wait until it is unlocked; anybody may stop the arm meanwhile",
             ),
+            Self::Slot { .. } => (
+                problem_kinds::SLOT,
+                "wait for your own time, or until the arm is free: `dobot slots` shows when; anybody may stop the arm meanwhile",
+            ),
             Self::NotAsking(_) => (problem_kinds::NOT_ASKING, "`dobot lease` shows who asks"),
             Self::Stopped { .. } => (
                 problem_kinds::STOPPED,
@@ -235,6 +254,7 @@ impl Refusal {
             // Both say what is allowed.
             Self::OutOfRange { .. } => return (problem_kinds::OUT_OF_RANGE, None),
             Self::Malformed(_) => return (problem_kinds::MALFORMED, None),
+            Self::BadSlots(_) => return (problem_kinds::BAD_SLOTS, None),
         };
         (kind, Some(hint.into()))
     }
@@ -247,6 +267,17 @@ fn lease_hint(holder: Option<&Holder>) -> &'static str {
             "a program on the raw port cannot be asked; on this machine, take control from it: `dobot lease take`"
         }
         Some(_) => "ask the holder for the lease: `dobot lease ask`",
+    }
+}
+
+/// A time as a person says it, in minutes and seconds.
+pub(crate) fn span(s: f64) -> String {
+    let s = s.ceil();
+    let (minutes, rest) = ((s / 60.0).floor(), s % 60.0);
+    match (minutes > 0.0, rest > 0.0) {
+        (false, _) => format!("{rest} s"),
+        (true, false) => format!("{minutes} min"),
+        (true, true) => format!("{minutes} min {rest} s"),
     }
 }
 

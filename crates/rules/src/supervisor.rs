@@ -17,13 +17,14 @@ mod plan;
 mod request;
 mod run;
 mod save;
+mod slots;
 mod stop;
 mod urgent;
 
 use std::time::Duration;
 
 use dobot_api::{
-    ArmView, Calibrations, ClientId, News, Notice, QueueView, Reply, State, TrustView,
+    ArmView, Calibrations, ClientId, News, Notice, QueueView, Reply, State, TimeSlot, TrustView,
 };
 use dobot_arm::Calibration;
 use dobot_client::{SendError, Session};
@@ -154,6 +155,8 @@ impl Supervisor {
         // What the arm has told so far comes first: all others judge by it.
         self.arm.handle_time(now);
         self.follow_session();
+        // Whose time is over moves the arm no more, whatever of his still waits.
+        self.watch_slots();
         // A client that fell silent is heard before its press that waits: no arm moves for it any more.
         self.watch_dead_man();
         self.watch_press();
@@ -266,6 +269,7 @@ impl Supervisor {
             },
             lease: self.leases.view(),
             lock: self.leases.lock_view(),
+            slots: self.leases.slots_view(),
             stop: self.stop.view(),
             laser: self.arm.laser_view(),
             job: self.job(),
@@ -307,6 +311,7 @@ impl Supervisor {
             self.arm.session().laser_armed_until(),
             self.halt.next(),
             self.save.next(),
+            self.leases.wakeup(),
             self.arm.line_wakeup(),
         ]
         .into_iter()
@@ -383,6 +388,25 @@ impl Supervisor {
                 "no arm has told where it stands yet".into(),
             )),
         }
+    }
+
+    /// All time slots, from now on.
+    #[must_use]
+    pub fn slots(&self) -> Vec<TimeSlot> {
+        self.leases.slots(self.arm.now())
+    }
+
+    /// Takes the time slots that the station before this one had.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::BadSlots`]; there are none then.
+    pub fn handle_kept_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
+        self.handle_time(now);
+        self.leases.set_slots(self.arm.now(), slots)?;
+        self.outbox.note_change();
+        self.watch_slots();
+        Ok(())
     }
 
     /// What a client calls itself.

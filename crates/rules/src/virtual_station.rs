@@ -191,8 +191,13 @@ impl VirtualStation {
 
     /// A client of a role.
     pub fn client_as(&mut self, name: &str, role: Role) -> ClientId {
+        self.client_of(name, role, name)
+    }
+
+    /// A client of a role whom time slots know by the name of a person.
+    pub fn client_of(&mut self, name: &str, role: Role, person: &str) -> ClientId {
         let now = self.supervisor_now();
-        self.supervisor.handle_client(now, name, role)
+        self.supervisor.handle_client(now, name, role, person)
     }
 
     /// Puts another policy in place of the one that holds.

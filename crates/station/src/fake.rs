@@ -27,7 +27,9 @@ impl FakeDriver {
     /// Lets the next client in, and tells its name and role.
     pub(crate) async fn admit(&mut self) -> (ClientId, String, Role) {
         match self.next().await {
-            Message::Came { name, role, reply } => {
+            Message::Came {
+                name, role, reply, ..
+            } => {
                 self.clients += 1;
                 let id = ClientId(self.clients);
                 reply.send(id).expect("it waits");

@@ -69,6 +69,7 @@ pub(crate) fn state(at_s: f64) -> State {
         },
         lease: None,
         lock: None,
+        slots: None,
         stop: None,
         laser: LaserView {
             armed_for_s: 0.0,

@@ -9,6 +9,7 @@ import { resetQuestion } from "./foot.js";
 import { learnerLine } from "./learners.js";
 import { alarms, isThere, lockOf, pageOf, share } from "./members.js";
 import { ofArm } from "./queue_list.js";
+import { slotsOfArm } from "./slot_form.js";
 import { problemText } from "./told.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
@@ -41,7 +42,7 @@ export function details(context) {
       <button id="details-drawing" type="button" class="small" ?disabled=${!isThere(member) || !member.about?.is_virtual} @click=${() => void act.saveDrawings(to)}>${say("fleet.drawing")}</button>
       ${endArm(context, member)}
     </div>
-    ${presence.type === "present" ? html`${numbers(context, member)}${learners(context, member)}${ofArm(context, member)}${jobs(context, member)}` : nothing}`;
+    ${presence.type === "present" ? html`${numbers(context, member)}${learners(context, member)}${slotsOfArm(context, member)}${ofArm(context, member)}${jobs(context, member)}` : nothing}`;
 }
 
 /** A virtual arm that was given can be ended where it was given. @param {Context} context @param {Member} member */

@@ -16,6 +16,7 @@ import { createPictures } from "./pictures.js";
 import { queue } from "./queue_list.js";
 import { createQueueRequests } from "./queue_requests.js";
 import { createRequests } from "./requests.js";
+import { slotsAside } from "./slot_form.js";
 import { begin, reduce } from "./state.js";
 import { banners, head, question, toasts } from "./head.js";
 import { tiles } from "./tiles.js";
@@ -31,7 +32,7 @@ import { listenToWalk } from "./walk.js";
 const TEXTS_MS = 150;
 const TOLD_MS = 12_000;
 /** What comes by itself, many times in a second. */
-const FREQUENT = new Set(["members", "alive", "tick", "queue", "learners"]);
+const FREQUENT = new Set(["members", "alive", "tick", "queue", "learners", "slots"]);
 
 /** @param {string} id */
 const part = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -109,6 +110,8 @@ function draw() {
   part("details").hidden = board.chosen === null;
   render(queue(context), part("queue"));
   part("queue").hidden = !board.queue.open;
+  render(slotsAside(context), part("slots"));
+  part("slots").hidden = !board.slots.open;
   render(foot(context), part("foot"));
   render(toasts(context), part("toasts"));
   showQuestion(/** @type {HTMLDialogElement} */ (part("sure")), question(context), board.question !== null);

@@ -97,6 +97,7 @@ function lesson({ board, say, act }) {
       <button id="send" type="submit" class="small">${say("fleet.message.send")}</button>
       <button id="lock" type="button" class="small strong" title=${say("fleet.lock.hint")} @click=${lock}>${say("fleet.lock", { to: name })}</button>
       ${meant.some(({ state }) => lockOf(state)) ? html`<button id="release" type="button" class="small" @click=${() => act.release(to)}>${say("fleet.release", { to: name })}</button>` : nothing}
+      <button id="slots-open" type="button" class="small" aria-expanded=${String(board.slots.open)} aria-controls="slots" @click=${() => act.send({ type: "slots_open", open: !board.slots.open })}>${say("fleet.slots.of", { to: name })}</button>
       <button id="drawings" type="button" class="small" ?disabled=${!meant.some(({ about }) => about?.is_virtual)} title=${say("fleet.drawings.hint")} @click=${() => void act.saveDrawings(to)}>${say("fleet.drawings", { to: name })}</button>
     </form>`;
 }

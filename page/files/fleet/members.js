@@ -47,7 +47,7 @@ export function sections(members, { sought, group, sort }) {
 
 /** All by which a tile is found. @param {Member} member */
 function textOf({ name, about, state, learners = [] }) {
-  return [name, ...(about?.groups ?? []), ...(about?.offers ?? []), ...learners.map(({ student }) => student), state?.job?.title, state?.job?.phase, state?.lease?.name].join(" ").toLowerCase();
+  return [name, ...(about?.groups ?? []), ...(about?.offers ?? []), ...learners.map(({ student }) => student), state?.job?.title, state?.job?.phase, state?.lease?.name, state?.slots?.now?.student].join(" ").toLowerCase();
 }
 
 /** What a person has to know of an arm, the worst first. @param {Member} member @returns {Alarm[]} */

@@ -2,8 +2,9 @@
 
 import { saveAs } from "../parts/save.js";
 import { drawingOf } from "./drawing.js";
-import { isMeant } from "./members.js";
+import { isMeant, recipients } from "./members.js";
 import { problemOf } from "./outcome.js";
+import { listsOf } from "./slots.js";
 
 /** @typedef {import("./fleet.js").Store} Store */
 /** @typedef {import("./state.js").Recipients} Recipients */
@@ -14,14 +15,14 @@ import { problemOf } from "./outcome.js";
 
 /** What other clients do with the jobs of a station nobody tells: they are read so often while they are seen. */
 const JOBS_MS = 2000;
-const LEASE = "/api/v1/lease";
-const ARMS = "/api/v1/fleet/virtual-arms";
+const LEASE = "/api/v1/lease", SLOTS = "/api/v1/slots", ARMS = "/api/v1/fleet/virtual-arms";
 
 /** @param {Store} store @param {import("../station/http.js").Http} http */
 export function createRequests(store, http) {
   const { send } = store;
   let asked = 0;
   /** @type {number | undefined} */ let timer;
+  /** @type {number | undefined} */ let slotsTimer;
 
   /** @param {Recipients} to @param {Request} request @returns {Promise<import("../station/http.js").Outcome<MemberAnswer[]>>} */
   const request = (to, request) => http.ask("POST", "api/v1/fleet/requests", { to, ...request });
@@ -50,8 +51,27 @@ export function createRequests(store, http) {
     if (answer && !problemOf(answer)) send({ type: "jobs", id: member.id, jobs: /** @type {import("../state/jobs.js").JobView[]} */ (answer.body) });
   }
 
+  /** Reads the time slots of those whose slots are seen, again and again. */
+  async function readSlots() {
+    clearTimeout(slotsTimer);
+    const { chosen, members, slots: { open }, group } = store.page;
+    const member = members.find(({ id }) => id === chosen);
+    if (!member && !open) return;
+    slotsTimer = setTimeout(() => void readSlots(), JOBS_MS);
+    if (document.hidden) return;
+    const { value } = await request(member ? { members: [member.name] } : recipients(group), { method: "GET", path: SLOTS });
+    if (value) send({ type: "slots", lists: listsOf(value) });
+  }
+
+  /** Asks one station for what is its own. @param {import("./slots.js").Share} share @returns {Promise<MemberAnswer[]>} */
+  async function setShare({ name, id, slots }) {
+    const { value, problem } = await request({ members: [name] }, { method: "PUT", path: SLOTS, body: { slots } });
+    return value ?? [{ member: name, id, answer: { status: problem?.status ?? 503, body: problem ?? null }, took_ms: 0 }];
+  }
+
   store.listen((_, { type }) => {
     if (type === "chosen") void readJobs();
+    if (type === "chosen" || type === "slots_open" || type === "group") void readSlots();
   });
 
   /** Asks for something about a job, and reads what became of it. @param {string} name @param {Request} wanted */
@@ -79,6 +99,16 @@ export function createRequests(store, http) {
 
     /** @param {Recipients} to */
     release: (to) => void ask("release", to, { method: "DELETE", path: "/api/v1/lock" }),
+
+    /** Gives each arm its own slots, in place of those that it has. @param {Recipients} to @param {readonly import("./slots.js").Share[]} shares */
+    async setSlots(to, shares) {
+      const answers = await told("slots", to, async () => ({ value: (await Promise.all(shares.map(setShare))).flat() }));
+      await readSlots();
+      return answers;
+    },
+
+    /** @param {Recipients} to */
+    clearSlots: (to) => void ask("no_slots", to, { method: "DELETE", path: SLOTS }).then(readSlots),
 
     /** @param {Recipients} to @param {string} text */
     message: (to, text) => ask("message", to, { method: "POST", path: "/api/v1/message", body: { text } }),

@@ -14,7 +14,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 /** @typedef {import("../state/jobs.js").JobView} JobView */
 
 /** `token`: the station of this board wants one. `alone`: it belongs to no fleet. @typedef {"connecting" | "open" | "closed" | "token" | "alone"} Connection */
-/** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing" | "give_arm" | "end_arm"} What */
+/** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing" | "slots" | "no_slots" | "give_arm" | "end_arm"} What */
 /** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} Asked */
 /** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_give" | "fleet_cancel", work: string } | { about: "fleet_end_arm", giver: string, name: string }) & { values: Record<string, string | number> }} Question */
 
@@ -31,6 +31,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * @property {string | null} current The station whose tile the tab key leads to, by its number.
  * @property {string | null} chosen The station whose details are shown, by its number.
  * @property {import("./queue.js").Queue} queue Work for any arm.
+ * @property {{ open: boolean, lists: Record<string, readonly import("../state/slots.js").TimeSlot[]> }} slots Time slots: whether those of several arms are shown, and what each station has told of its own, by its number.
  * @property {readonly JobView[] | null} jobs The jobs of that station; nothing where they are not known yet.
  * @property {Asked | null} stop The stop that was asked for last; its outcome stays until it is let go.
  * @property {Asked | null} asked What else was asked for last.
@@ -57,6 +58,8 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * | { type: "current", id: string }
  * | { type: "chosen", id: string | null }
  * | { type: "jobs", id: string, jobs: readonly JobView[] }
+ * | { type: "slots_open", open: boolean }
+ * | { type: "slots", lists: Board["slots"]["lists"] }
  * | { type: "asked", asked: Asked }
  * | { type: "answered", number: number, answers: readonly MemberAnswer[] | null, problem: Problem | null }
  * | { type: "told_closed", what: "stop" | "asked" | "denied" }
@@ -80,6 +83,7 @@ export const begin = ({ language, theme }) => ({
   chosen: null,
   jobs: null,
   queue: NO_QUEUE,
+  slots: { open: false, lists: {} },
   stop: null,
   asked: null,
   denied: null,
@@ -118,7 +122,7 @@ export function reduce(board, message) {
     case "current":
       return { ...board, current: message.id };
     case "chosen":
-      return { ...board, chosen: message.id, jobs: null, queue: { ...board.queue, open: board.queue.open && message.id === null } };
+      return { ...board, chosen: message.id, jobs: null, queue: { ...board.queue, open: board.queue.open && message.id === null }, slots: { ...board.slots, open: board.slots.open && message.id === null } };
     case "jobs":
       return message.id === board.chosen ? { ...board, jobs: message.jobs } : board;
     case "asked":
@@ -135,7 +139,11 @@ export function reduce(board, message) {
     case "question":
       return { ...board, question: message.question };
     case "queue_open":
-      return { ...board, queue: reduceQueue(board.queue, message), chosen: message.open ? null : board.chosen };
+      return { ...board, queue: reduceQueue(board.queue, message), chosen: message.open ? null : board.chosen, slots: { ...board.slots, open: board.slots.open && !message.open } };
+    case "slots_open":
+      return { ...board, slots: { ...board.slots, open: message.open }, chosen: message.open ? null : board.chosen, queue: { ...board.queue, open: board.queue.open && !message.open } };
+    case "slots":
+      return { ...board, slots: { ...board.slots, lists: { ...board.slots.lists, ...message.lists } } };
     case "queue_refused":
       return { ...board, queue: reduceQueue(board.queue, message), denied: isDenial(message.problem) ? message.problem : board.denied };
     default:

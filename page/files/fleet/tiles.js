@@ -2,7 +2,8 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { clock } from "../words/words.js";
+import { isSamePerson, timeNow } from "../state/slots.js";
+import { clock, span } from "../words/words.js";
 import { learnerLine } from "./learners.js";
 import { alarms, isStuck, isThere, pageOf, sections, share, toneOf } from "./members.js";
 import { problemText } from "./told.js";
@@ -69,8 +70,16 @@ function work(say, { state, learners = [] }) {
     ${job ? html`
       <p class="job"><span class="title">${job.title}</span> <span class="part">${Math.floor(share(job) * 100)} %</span></p>
       <progress max="1" data-phase=${job.phase} .value=${share(job)} aria-label=${say("job.progress")}></progress>` : html`<p class="job idle quiet">${say(state ? "fleet.idle" : "fleet.untold")}</p>`}
-    <p class="quiet who">${lease?.name ?? say("fleet.free")}${lease?.asked_by.length ? html` · <span class="asks">${say("fleet.asks.number", { number: lease.asked_by.length })}</span>` : nothing}</p>
+    <p class="quiet who">${whose(say, state)}${lease?.asked_by.length ? html` · <span class="asks">${say("fleet.asks.number", { number: lease.asked_by.length })}</span>` : nothing}</p>
     ${learner ? learnerLine(say, learner, learners.length - 1) : nothing}`;
+}
+
+/** Whose time it is and who has control: one of both where they are the same. @param {Context["say"]} say @param {Member["state"]} state */
+function whose(say, state) {
+  const now = timeNow(state), lease = state?.lease;
+  if (!now) return lease?.name ?? say("fleet.free");
+  const text = say("fleet.slots.now", { name: now.student, left: span(say, now.left_s) });
+  return lease && !isSamePerson(lease.person || lease.name, now.student) ? `${text} · ${lease.name}` : text;
 }
 
 /** Why nothing is known of it now, and what to do. @param {Context["say"]} say @param {Member} member */

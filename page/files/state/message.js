@@ -7,7 +7,7 @@
 /** @typedef {import("./state.js").Page} Page */
 
 /**
- * @typedef {{ type: "hello", client: number, role: import("./types.js").Role, version: string, now_ms: number }
+ * @typedef {{ type: "hello", client: number, role: import("./types.js").Role, version: string, person: string, says_name: boolean, now_ms: number }
  * | { type: "state", station: Station, now_ms: number }
  * | { type: "notices", notices: readonly Notice[] }
  * | { type: "notice", notice: Notice }

@@ -42,7 +42,7 @@ export function reduce(page, message) {
 function reduceOwn(page, message) {
   switch (message.type) {
     case "hello":
-      return { ...page, connection: "open", me: message.client, role: message.role, version: message.version, heard_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
+      return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, heard_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
     case "state":
       return { ...page, station: message.station, heard_ms: message.now_ms, now_ms: message.now_ms };
     case "notices":

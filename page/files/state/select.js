@@ -3,6 +3,7 @@
 import { linesOf } from "../preview/look.js";
 import { EMPTY } from "../stage/view.js";
 import { recorded } from "./recordings.js";
+import { isSamePerson, timeNow } from "./slots.js";
 import { placeOf } from "./target.js";
 import { placeOfStep, rowAt, rowsOf } from "./teach.js";
 
@@ -14,21 +15,29 @@ const OLD_MS = 500;
 /** From when on it is told above everything else. */
 const VERY_OLD_MS = 2000;
 
-/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "locked" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} Hindrance */
+/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} Hindrance */
 
 /** @param {Page} page @returns {Hindrance | null} */
-export function hindrance({ connection, station, me, role }) {
+export function hindrance(page) {
+  const { connection, station, me, role } = page;
   if (connection !== "open" || !station) return "no_connection";
   if (station.link.phase !== "up") return "no_arm";
   if (role === "watch") return "watching_only";
   if (role === "queue") return "queueing_only";
   if (station.lock && role !== "admin") return "locked";
+  if (othersTime(page)) return "others_time";
   if (station.stop) return "stopped";
   if (!station.trust.trusted) return "not_confirmed";
   if (station.job?.phase === "running") return "job_runs";
   // Where nobody has control, the first action takes it.
   if (station.lease && station.lease.client !== me) return "others_control";
   return null;
+}
+
+/** Whose time it is, where it is not that of this page; an administrator has the arm in everybody's time. @param {Page} page */
+export function othersTime({ station, role, person }) {
+  const now = role === "admin" ? null : timeNow(station);
+  return now && !isSamePerson(now.student, person) ? now : null;
 }
 
 /** Whether this page has control. @param {Page} page */

@@ -32,6 +32,8 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {Connection} connection
  * @property {number | null} me What the station calls this page.
  * @property {Role | null} role
+ * @property {string} person By which name time slots know this page.
+ * @property {boolean} says_name Whether that is the name that it says: with a token of one person it is that of the token.
  * @property {string} version
  * @property {string | null} fleet What this station is called in its fleet; nothing where it belongs to none.
  * @property {Station | null} station What the station told last.
@@ -70,6 +72,8 @@ export const begin = ({ language, theme, greeted, program }) => ({
   connection: "connecting",
   me: null,
   role: null,
+  person: "",
+  says_name: false,
   version: "",
   fleet: null,
   station: null,

@@ -25,20 +25,22 @@ export function createSocket({ store, http }) {
 
   function connect() {
     store.send({ type: "connecting" });
-    const url = new URL("api/v1/ws?name=page", location.href);
+    const url = new URL("api/v1/ws", location.href);
+    const name = store.page.learn.student || "page";
+    url.searchParams.set("name", name);
     url.protocol = url.protocol.replace("http", "ws");
     const token = http.token();
     const mine = socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
-    mine.addEventListener("message", (event) => hear(JSON.parse(event.data)));
+    mine.addEventListener("message", (event) => hear(JSON.parse(event.data), name));
     mine.addEventListener("close", (event) => void tryAgain(event));
   }
 
-  /** @param {Schemas["ToClient"]} message */
-  function hear(message) {
+  /** @param {Schemas["ToClient"]} message @param {string} name What this page has called itself. */
+  function hear(message, name) {
     const now_ms = Date.now();
     if ("hello" in message) {
-      const { client, role, version } = message.hello;
-      store.send({ type: "hello", client, role, version, now_ms });
+      const { client, role, version, person = "" } = message.hello;
+      store.send({ type: "hello", client, role, version, person, says_name: person === name, now_ms });
     } else if ("state" in message) {
       store.send({ type: "state", station: /** @type {Station} */ (message.state), now_ms });
     } else if ("notice" in message) {
@@ -66,6 +68,8 @@ export function createSocket({ store, http }) {
   return {
     connect,
     isOpen,
+    /** Ends the connection; the next one comes by itself, under the name that holds then. */
+    again: () => socket?.close(),
     /** Asks for something; the answer always comes. @param {Request} request @returns {Promise<Answer>} */
     ask(request) {
       if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);

@@ -2,18 +2,22 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";
-import { isVeryOld, silence_ms } from "../state/select.js";
+import { isVeryOld, othersTime, silence_ms } from "../state/select.js";
+import { isSamePerson, timeNext, timeNow } from "../state/slots.js";
 import { span } from "../words/words.js";
 import { sure } from "./sure.js";
 import { tokenForm } from "./token.js";
 
 /** @typedef {import("./context.js").Context} Context */
 
+/** From when on it is told whose time comes next, and that a time is nearly over. */
+const SOON_S = 300, ENDS_S = 60;
+
 /** @param {string} text */
 export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** @param {Context} context */
-export const banners = (context) => html`${locked(context)}${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
+export const banners = (context) => html`${locked(context)}${slot(context)}${stopped(context)}${untrusted(context)}${recording(context)}${token(context)}`;
 
 /** What comes and goes by itself lies over the page: nothing moves under a pointer. @param {Context} context */
 export const toasts = (context) => html`${old(context)}${message(context)}${problem(context)}`;
@@ -30,6 +34,24 @@ function locked({ page, say }) {
   const lock = page.station?.lock;
   if (!lock) return nothing;
   return html`<p id="locked" class="banner" data-tone="warn" role="alert"><span><strong>${say("locked.title")}</strong> ${say("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}</span></p>`;
+}
+
+/** Whose time it is, so that nobody wonders what he may do. Only what changes seldom is read out. @param {Context} context */
+function slot(context) {
+  const { page, say, act } = context;
+  const { station } = page, now = timeNow(station), next = timeNext(station), others = othersTime(page);
+  const isNext = next && next.in_s < SOON_S;
+  if (!now && !isNext) return nothing;
+  const mine = now !== null && isSamePerson(now.student, page.person);
+  const title = now ? say(mine ? "slots.mine" : "slots.others", { name: now.student }) : say("slots.soon", { name: next?.student ?? "" });
+  const time = now ? say("slots.left", { left: span(say, now.left_s) }) : say("slots.in", { time: span(say, next?.in_s ?? 0) });
+  const then = !now ? "" : others ? say("slots.free", { time: span(say, others.free_in_s) }) : next ? say("slots.then", { name: next.student }) : "";
+  const ends = (now?.left_s ?? next?.in_s ?? 0) <= ENDS_S;
+  return html`
+    <section id="slot" class="banner" data-tone=${others || ends ? "warn" : "good"}>
+      <p><strong role="status">${title}</strong> <span id="slot-time">${time} ${then}</span></p>
+      ${others && page.says_name ? html`<button id="slot-me" type="button" @click=${() => act.beStudent(others.student)}>${say("slots.me", { name: others.student })}</button>` : nothing}
+    </section>`;
 }
 
 /** @param {Context} context */

@@ -1,7 +1,7 @@
 // The strip at the top: the truth about the arm, always.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { hasControl, isVirtual, laser } from "../state/select.js";
+import { hasControl, isVirtual, laser, othersTime } from "../state/select.js";
 import { clock } from "../words/words.js";
 
 /** @typedef {import("./context.js").Context} Context */
@@ -35,6 +35,7 @@ function control(context) {
   const { lease } = station;
   const mine = hasControl(page);
   const asked = lease?.asked_by.some((it) => it.client === me) ?? false;
+  if (othersTime(page)) return html`<div class="control"><span id="holder">${say("slots.holder", { name: lease ? lease.name : say("slots.nobody") })}</span></div>`;
   const holder = mine ? say("control.mine") : lease ? say("control.others", { name: lease.name }) : say("control.free");
   return html`
     <div class="control">

@@ -19,6 +19,7 @@ Examples:
   dobot token add queue agent          ... for one that queues drawings and programs, which a person starts
   dobot token add watch hall-screen    ... and for one that only watches (it may stop the arm, as anybody may)
   dobot token add control teacher --same-as teacher.txt      the one that another station has made
+  dobot token add control class --shared     for a whole class: time slots go by the name that each one says
   dobot token list
   dobot token remove plotter
 
@@ -40,6 +41,9 @@ enum Action {
         role: Role,
         /// Who it is for
         name: String,
+        /// It is for several people: time slots know each by what he calls himself, and not by the token's name
+        #[arg(long)]
+        shared: bool,
         /// The token that another station has made, in a file, or on standard input with -
         #[arg(long, value_name = "FILE")]
         same_as: Option<PathBuf>,
@@ -70,19 +74,31 @@ pub(crate) fn run(args: Args) -> Result<(), Failure> {
         Action::Add {
             role,
             name,
-            same_as: None,
+            shared,
+            same_as,
         } => {
-            let token = tokens.add(role, &name)?;
-            output::line(token.secret())?;
+            let made = match same_as {
+                None => Some(tokens.add(role, &name)?),
+                Some(file) => {
+                    tokens.accept(role, &name, &known(&file)?)?;
+                    None
+                }
+            };
+            if shared {
+                tokens.share(&name)?;
+            }
+            if let Some(token) = made {
+                output::line(token.secret())?;
+            }
         }
-        Action::Add {
-            role,
-            name,
-            same_as: Some(file),
-        } => tokens.accept(role, &name, &known(&file)?)?,
         Action::List => {
             for (name, role) in tokens.list() {
-                output::line(&format!("{role:8} {name}"))?;
+                let shared = if tokens.is_shared(name) {
+                    "  (shared)"
+                } else {
+                    ""
+                };
+                output::line(&format!("{role:8} {name}{shared}"))?;
             }
         }
         Action::Remove { name } => tokens.remove(&name)?,

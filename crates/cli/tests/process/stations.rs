@@ -170,6 +170,27 @@ fn control_that_is_asked_for_comes_when_its_holder_ends() {
 }
 
 #[test]
+fn students_get_their_time_one_after_the_other_and_all_of_it_is_cleared() {
+    let up = Up::new(&[]);
+    let told = |arguments: &[&str]| up.dobot(arguments).succeeds().stdout;
+    let free = "no time slots: the arm is everyone's\n";
+    assert_eq!(told(&["slots"]), free);
+    assert_eq!(
+        told(&["slots", "--each", "15m", "--group", "red", "Anna", "Ben"]),
+        "Anna (red)  now, for another 15:00 min\nBen (red)  in 15:00 min, for 15:00 min\n"
+    );
+    let slots = up.json(&["slots"]);
+    assert_eq!(slots[1]["student"], "Ben", "{slots}");
+    // What cannot be changes nothing.
+    up.dobot(&["slots", "--each", "13h", "Anna", "Ben"])
+        .fails(1, &["ends_in_s of Ben is 93600", "86400"]);
+    assert!(told(&["slots"]).starts_with("Anna (red)  now"));
+    // On this machine everyone is an administrator, in everybody's time.
+    up.dobot(&["move", "220", "0", "20"]).succeeds();
+    assert_eq!(told(&["slots", "--clear"]), free);
+}
+
+#[test]
 fn a_person_takes_control_from_a_raw_program_by_a_verb() {
     let up = Up::new(&[]);
     let mut raw = TcpStream::connect(&up.raw).expect("it is served");

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use dobot_api::{JobPhase, LinkPhase, Member, Presence, TakesWork};
+use dobot_api::{JobPhase, LinkPhase, Member, Presence, TakesWork, is_same_person};
 
 use super::ticket::Ticket;
 
@@ -41,6 +41,14 @@ pub(crate) fn suits(ticket: &Ticket, member: &Member) -> bool {
             .all(|it| it.offer.member.id != member.id)
 }
 
+/// Whether it is nobody else's time there: in a time slot an arm takes only its student's work.
+fn is_in_time(ticket: &Ticket, member: &Member) -> bool {
+    let slots = member.state.as_ref().and_then(|it| it.slots.as_ref());
+    slots
+        .and_then(|it| it.now.as_ref())
+        .is_none_or(|now| is_same_person(&now.student, &ticket.student))
+}
+
 /// The ticket that goes next to this arm: of whoever has had the least time of arms so far, and of several the one that
 /// came first.
 pub(crate) fn next<'a>(
@@ -50,7 +58,7 @@ pub(crate) fn next<'a>(
 ) -> Option<&'a str> {
     tickets
         .iter()
-        .filter(|it| suits(it, member))
+        .filter(|it| suits(it, member) && is_in_time(it, member))
         .min_by(|one, other| {
             let [(one_s, one_out), (other_s, other_out)] = [one, other].map(|it| shares.of(it));
             one_s

@@ -248,6 +248,19 @@ fn a_student_with_one_drawing_does_not_wait_for_the_ten_of_another() {
 }
 
 #[test]
+fn in_the_time_of_a_student_an_arm_gets_only_his_work() {
+    let mut world = World::new(11, 1, 1);
+    world.is_time_of(0, "ANNA");
+    world.submit(0, 1, "Ben");
+    world.submit(0, 2, "Anna");
+    while world.views()[1].phase != WorkPhase::Done {
+        world.step();
+    }
+    assert_eq!(world.views()[0].phase, WorkPhase::Waiting);
+    assert_eq!(world.desks[0].titles(), ["drawing 2 of home 0"]);
+}
+
+#[test]
 fn work_that_no_station_has_the_means_for_waits_and_says_so() {
     let mut world = World::new(9, 1, 2);
     let mut ticket = world::ticket(0, 1, "Anna");

@@ -158,9 +158,15 @@ impl Desk {
         serde_json::from_value(body).unwrap()
     }
 
-    async fn end(self) {
+    /// Ends the station; what it keeps stays.
+    async fn left(self) -> tempfile::TempDir {
         self.fleet.leave().await;
         self.station.end().await.unwrap();
+        self.folder
+    }
+
+    async fn end(self) {
+        drop(self.left().await);
     }
 }
 
@@ -276,6 +282,72 @@ async fn each_station_judges_by_its_own_tokens() {
     let lease = json!({"to": {"members": ["desk-2"]}, "method": "POST", "path": "/api/v1/lease"});
     let answers = one.all_as(Some(one.admin()), lease).await;
     assert_eq!(answers[0].answer.status, 200, "{answers:?}");
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
+    let (router, at) = router(free_port()).await;
+    let one = Desk::up("desk-1", &at, None).await;
+    let two = Desk::up("desk-2", &at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let token = dobot_station::Token::of_secret(&one.admin()).unwrap();
+    let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
+    tokens.accept(Role::Admin, "teacher", &token).unwrap();
+    let anna = tokens.add(Role::Control, "Anna").unwrap();
+    let ben = tokens.add(Role::Control, "Ben").unwrap();
+    let slots = json!({"slots": [{"student": "anna", "starts_in_s": 0, "ends_in_s": 900},
+        {"student": "Ben", "group": "red", "starts_in_s": 900, "ends_in_s": 1800}]});
+    let wanted =
+        json!({"to": {"group": "room-1"}, "method": "PUT", "path": "/api/v1/slots", "body": slots});
+    let answers = one.all_as(Some(one.admin()), wanted).await;
+    assert_eq!(answers.len(), 2);
+    assert!(
+        answers.iter().all(|it| it.answer.is_success()),
+        "{answers:?}"
+    );
+    let is_annas_time = |members: &[Member]| {
+        let now = |it: &Member| {
+            Some(
+                it.state
+                    .as_ref()?
+                    .slots
+                    .as_ref()?
+                    .now
+                    .as_ref()?
+                    .student
+                    .clone(),
+            )
+        };
+        members.iter().all(|it| now(it).as_deref() == Some("anna"))
+    };
+    one.sees("whose time it is at both", is_annas_time).await;
+    let folder = two.left().await;
+    let two = Desk::in_folder("desk-2", &at, None, folder).await;
+    let lease = |who: &dobot_station::Token| {
+        let token = Some(who.secret().to_owned());
+        // What he calls himself makes no difference.
+        two.ask_as(
+            token,
+            "POST",
+            "/api/v1/lease",
+            Some(json!({"name": "Anna"})),
+        )
+    };
+    let (status, problem) = lease(&ben).await;
+    assert_eq!(
+        (status, &problem["type"]),
+        (409, &json!("/api/v1/problems/slot"))
+    );
+    let detail = problem["detail"].as_str().unwrap();
+    assert!(
+        detail.starts_with("it is the time of anna, for another 1"),
+        "{detail}"
+    );
+    assert_eq!(lease(&anna).await.0, 200);
     for desk in [one, two] {
         desk.end().await;
     }

@@ -32,7 +32,7 @@ pub(crate) fn answer(
         }
         (_, Some(known)) => Ok(Some(known)),
         (OfferAsk::Look, None) => Ok(None),
-        (OfferAsk::Refuse { reason }, None) => journal.refuse(key, &reason, false).map(Some),
+        (OfferAsk::Refuse { reason, busy }, None) => journal.refuse(key, &reason, busy).map(Some),
         (OfferAsk::Take { job, made_for }, None) => match model {
             // It may speak later.
             Err(refusal) => journal.refuse(key, &refusal.to_string(), true).map(Some),

@@ -99,6 +99,11 @@ impl Supervisor {
 
     pub(super) fn pause_job(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         let why = format!("paused by {}", self.client_name(client));
+        self.pause_for(&why)
+    }
+
+    /// Pauses the job that runs, if one does, with why for those who find it so.
+    pub(super) fn pause_for(&mut self, why: &str) -> Result<Reply, Refusal> {
         let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) else {
             return Err(Refusal::NoJobRuns);
         };
@@ -106,7 +111,7 @@ impl Supervisor {
         self.part_from_burning();
         // One that is coming to rest already need not be told again, nor lifted twice.
         if at_work {
-            self.come_to_rest(JobPhase::Paused, &why);
+            self.come_to_rest(JobPhase::Paused, why);
         }
         Ok(self.job_reply())
     }

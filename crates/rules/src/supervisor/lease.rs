@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 use std::time::Duration;
 
-use dobot_api::{Asking, ClientId, LeaseView, LockView, Role};
+use dobot_api::{Asking, ClientId, LeaseView, LockView, Role, SlotsView, TimeSlot, is_same_person};
 
+use super::slots::{Slots, Turn};
 use crate::plain;
 use crate::refusal::{Holder, Refusal};
 
@@ -16,12 +17,15 @@ pub(super) struct Leases {
     lease: Option<Lease>,
     /// The lock that keeps control for administrators.
     lock: Option<Lock>,
+    slots: Slots,
 }
 
 /// A client that is connected.
 #[derive(Debug)]
 struct LeaseClient {
     name: String,
+    /// By which name time slots know it.
+    person: String,
     role: Role,
     /// It speaks the arm's own protocol, which has no words for leases.
     is_program: bool,
@@ -45,6 +49,13 @@ struct Lock {
     at: Duration,
 }
 
+/// Control is over for whoever had it, and the arm comes to rest.
+#[derive(Debug)]
+pub(super) struct TimeOver {
+    pub(super) why: String,
+    pub(super) changes: Vec<Change>,
+}
+
 /// What became of the lease, in order.
 #[derive(Debug)]
 pub(super) enum Change {
@@ -64,17 +75,19 @@ impl Leases {
             next_client: 1,
             lease: None,
             lock: None,
+            slots: Slots::default(),
         }
     }
 
-    /// Takes that a client came.
-    pub(super) fn handle_client(&mut self, name: &str, role: Role) -> ClientId {
+    /// Takes that a client came, and by which name time slots know it.
+    pub(super) fn handle_client(&mut self, name: &str, role: Role, person: &str) -> ClientId {
         let client = ClientId(self.next_client);
         self.next_client += 1;
         self.clients.insert(
             client,
             LeaseClient {
                 name: plain(name, NAME_LEN),
+                person: plain(person, NAME_LEN),
                 role,
                 is_program: false,
                 amended: None,
@@ -98,7 +111,7 @@ impl Leases {
     }
 
     pub(super) fn take(&mut self, now: Duration, client: ClientId) -> Result<Vec<Change>, Refusal> {
-        self.check_lock(client)?;
+        self.check_allowed(client)?;
         let mut changes = Vec::new();
         if self.holder_cannot_answer() && self.is_admin(client) && !self.is_program(client) {
             let name = self.name(client);
@@ -151,19 +164,90 @@ impl Leases {
         })
     }
 
-    /// Whether a lock lets a client have control.
-    fn check_lock(&self, client: ClientId) -> Result<(), Refusal> {
-        match &self.lock {
-            Some(lock) if !self.is_admin(client) => Err(Refusal::Locked {
+    /// Puts other time slots in place of those that there are.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::BadSlots`]; the old ones hold on then.
+    pub(super) fn set_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
+        self.slots.set(now, slots)
+    }
+
+    /// Takes the passing of time: what has become of time slots, and of control with them. Whose time it is not any more, or not
+    /// yet, loses control; it is no news where one slot of a student follows another one.
+    pub(super) fn handle_time(&mut self, now: Duration) -> (Vec<Turn>, Option<TimeOver>) {
+        let before = self.slots.student().map(str::to_owned);
+        let turns: Vec<_> = std::iter::from_fn(|| self.slots.poll_turn(now)).collect();
+        if turns.iter().all(|it| matches!(it, Turn::Ending { .. })) {
+            return (turns, None);
+        }
+        let after = self.slots.student();
+        let goes_on = before
+            .iter()
+            .zip(after)
+            .any(|(one, other)| is_same_person(one, other));
+        let holder = self.lease.as_ref().map(|it| it.client);
+        if goes_on || holder.is_some_and(|it| self.is_admin(it) || self.has_time(it)) {
+            return (turns, None);
+        }
+        let why = match (after, before) {
+            (Some(student), _) => format!("it is the time of {student}"),
+            (None, Some(student)) => format!("the time of {student} is over"),
+            (None, None) => "a time slot is over".to_owned(),
+        };
+        let changes = self.end(&why);
+        (turns, Some(TimeOver { why, changes }))
+    }
+
+    /// When it wants to know the time next.
+    pub(super) fn wakeup(&self) -> Option<Duration> {
+        self.slots.wakeup()
+    }
+
+    /// All time slots, from now on.
+    pub(super) fn slots(&self, now: Duration) -> Vec<TimeSlot> {
+        self.slots.told(now)
+    }
+
+    pub(super) fn slots_view(&self) -> Option<SlotsView> {
+        self.slots.view()
+    }
+
+    /// Whether lock and time slots let a client have control.
+    fn check_allowed(&self, client: ClientId) -> Result<(), Refusal> {
+        if self.is_admin(client) {
+            return Ok(());
+        }
+        if let Some(lock) = &self.lock {
+            return Err(Refusal::Locked {
                 by: lock.by.clone(),
                 message: lock.message.clone(),
+            });
+        }
+        match self.slots.others_time(self.person(client)) {
+            Some(others) => Err(Refusal::Slot {
+                student: others.student.to_owned(),
+                group: others.group.map(str::to_owned),
+                left_s: others.left.as_secs_f64(),
+                free_in_s: others.free_in.as_secs_f64(),
             }),
-            _ => Ok(()),
+            None => Ok(()),
         }
     }
 
+    /// Whether a slot of this client is under way.
+    fn has_time(&self, client: ClientId) -> bool {
+        let student = self.slots.student();
+        student.is_some_and(|it| is_same_person(it, self.person(client)))
+    }
+
+    /// By which name time slots know a client.
+    fn person(&self, client: ClientId) -> &str {
+        self.clients.get(&client).map_or("", |it| &it.person)
+    }
+
     pub(super) fn ask(&mut self, now: Duration, client: ClientId) -> Result<Vec<Change>, Refusal> {
-        self.check_lock(client)?;
+        self.check_allowed(client)?;
         match &mut self.lease {
             None => self.take(now, client),
             Some(lease) if lease.client == client || lease.asked_by.contains(&client) => {
@@ -187,7 +271,7 @@ impl Leases {
         if !self.lease.as_ref().is_some_and(asks) {
             return Err(Refusal::NotAsking(to.0));
         }
-        self.check_lock(to)?;
+        self.check_allowed(to)?;
         let mut changes = self.end("control was given to another client");
         changes.push(self.give(now, to));
         Ok(changes)
@@ -207,7 +291,7 @@ impl Leases {
         if let Some(known) = self.clients.get_mut(&client) {
             known.is_program = true;
         }
-        let may_have = self.lease.is_none() && self.check_lock(client).is_ok();
+        let may_have = self.lease.is_none() && self.check_allowed(client).is_ok();
         may_have.then(|| self.give(now, client))
     }
 
@@ -234,7 +318,7 @@ impl Leases {
         if self.has(client) {
             return Ok(());
         }
-        self.check_lock(client)?;
+        self.check_allowed(client)?;
         let holder = self.lease.as_ref().map(|it| Holder {
             name: self.name(it.client),
             is_program: self.is_program(it.client),
@@ -284,6 +368,7 @@ impl Leases {
         self.lease.as_ref().map(|it| LeaseView {
             client: it.client,
             name: self.name(it.client),
+            person: self.person(it.client).to_owned(),
             is_program: self.is_program(it.client),
             since_s: it.since.as_secs_f64(),
             asked_by: it.asked_by.iter().map(asking).collect(),

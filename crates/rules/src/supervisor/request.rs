@@ -2,23 +2,30 @@
 
 use std::time::Duration;
 
-use dobot_api::{Calibrations, ClientId, Jog, News, Reply, Request, Role};
+use dobot_api::{Calibrations, ClientId, Jog, News, Reply, Request, Role, TimeSlot};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
 use super::amend::amended;
 use super::commands::{button, understood};
-use super::lease::Change;
+use super::lease::{Change, TimeOver};
+use super::slots::Turn;
 use super::{Supervisor, still_moving};
 use crate::plain;
-use crate::refusal::Refusal;
+use crate::refusal::{Refusal, span};
 
 impl Supervisor {
-    /// Takes that a client came.
-    pub fn handle_client(&mut self, now: Duration, name: &str, role: Role) -> ClientId {
+    /// Takes that a client came; time slots know it by the name `person`.
+    pub fn handle_client(
+        &mut self,
+        now: Duration,
+        name: &str,
+        role: Role,
+        person: &str,
+    ) -> ClientId {
         self.handle_time(now);
         self.outbox.note_change();
-        self.leases.handle_client(name, role)
+        self.leases.handle_client(name, role, person)
     }
 
     /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
@@ -227,6 +234,8 @@ impl Supervisor {
                 }
                 Ok(Reply::Done)
             }
+            Request::SetSlots { slots } => self.set_slots(client, &slots),
+            Request::ShowSlots => Ok(self.slots_reply()),
             Request::Message { text } => {
                 let text = plain(&text, REASON_LEN);
                 let text = format!("{}: {text}", self.client_name(client));
@@ -308,6 +317,42 @@ impl Supervisor {
         let _ = self.pause_job(client);
         self.notify(News::Locked, text);
         Reply::Done
+    }
+
+    fn set_slots(&mut self, client: ClientId, slots: &[TimeSlot]) -> Result<Reply, Refusal> {
+        self.leases.set_slots(self.arm.now(), slots)?;
+        let by = self.client_name(client);
+        let text = match self.slots().last() {
+            None => format!("{by} cleared the time slots: the arm is everyone's"),
+            Some(last) => format!(
+                "{by} set {} time slots, for the next {}",
+                slots.len(),
+                span(last.ends_in_s)
+            ),
+        };
+        self.notify(News::SlotsChanged, text);
+        self.watch_slots();
+        Ok(self.slots_reply())
+    }
+
+    fn slots_reply(&self) -> Reply {
+        let slots = self.slots();
+        Reply::Slots { slots }
+    }
+
+    /// Has the arm follow its time slots: whose time is over loses it as by a lock. A job that runs comes to rest; whoever has
+    /// control next goes on with it.
+    pub(super) fn watch_slots(&mut self) {
+        let (turns, over) = self.leases.handle_time(self.arm.now());
+        if let Some(TimeOver { why, changes }) = over {
+            self.follow_lease(changes);
+            // Where none runs there is nothing to pause.
+            let _ = self.pause_for(&why);
+        }
+        for turn in turns {
+            let (news, text) = told(turn);
+            self.notify(news, text);
+        }
     }
 
     fn change_lease(&mut self, client: ClientId, request: &Request) -> Result<Reply, Refusal> {
@@ -477,6 +522,28 @@ impl Supervisor {
             );
         }
         Ok(Reply::Done)
+    }
+}
+
+/// What is told of a time slot.
+fn told(turn: Turn) -> (News, String) {
+    match turn {
+        Turn::Began { student, lasts } => {
+            let text = format!(
+                "it is the time of {student}, for {}",
+                span(lasts.as_secs_f64())
+            );
+            (News::SlotBegan { student }, text)
+        }
+        Turn::Ending { student, left } => {
+            let left = span(left.as_secs_f64());
+            let text = format!("the time of {student} is over in {left}");
+            (News::SlotEnding { student }, text)
+        }
+        Turn::Ended { student } => {
+            let text = format!("the time of {student} is over");
+            (News::SlotEnded { student }, text)
+        }
     }
 }
 

@@ -28,12 +28,12 @@ fn burning(personality: Personality) -> (VirtualStation, ClientId, u64) {
     (it, anna, job)
 }
 
-fn burns(it: &VirtualStation) -> bool {
+pub(crate) fn burns(it: &VirtualStation) -> bool {
     it.arm().controller().outputs().laser
 }
 
 /// Half a second ahead, the vector that runs, and the line.
-const SOON: Duration = Duration::from_millis(2_500);
+pub(crate) const SOON: Duration = Duration::from_millis(2_500);
 
 #[test]
 fn a_job_that_burns_is_refused_while_the_laser_is_disarmed() {

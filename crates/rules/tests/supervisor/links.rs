@@ -192,7 +192,7 @@ fn each_opening_of_a_real_port_costs_the_trust_and_that_of_a_virtual_arm_does_no
     ] {
         let mut supervisor =
             Supervisor::new(Policy::default(), Some(Personality::Firmware11.dialect()));
-        let anna = supervisor.handle_client(Duration::ZERO, "Anna", Role::Admin);
+        let anna = supervisor.handle_client(Duration::ZERO, "Anna", Role::Admin, "Anna");
         supervisor.handle_request(Duration::ZERO, anna, Request::TakeLease);
         for opened in 1..4 {
             let now = Duration::from_secs(opened * 10);
@@ -212,7 +212,7 @@ fn each_opening_of_a_real_port_costs_the_trust_and_that_of_a_virtual_arm_does_no
 fn an_arm_that_is_not_found_again_is_told_with_why_it_was_lost() {
     let now = Duration::from_secs(1);
     let mut supervisor = Supervisor::new(Policy::default(), None);
-    let anna = supervisor.handle_client(now, "Anna", Role::Control);
+    let anna = supervisor.handle_client(now, "Anna", Role::Control, "Anna");
     supervisor.handle_link_up(now, "tcp:127.0.0.1:5555");
     let closed = Some("the other end closed the link".to_owned());
     supervisor.handle_link_down(now, LinkPhase::Lost, closed);

@@ -29,6 +29,7 @@ mod people;
 mod policies;
 mod programs;
 mod releases;
+mod slots;
 mod stalls;
 mod stands;
 mod stops;

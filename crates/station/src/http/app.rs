@@ -171,6 +171,15 @@ pub(super) struct Caller {
     /// What it is called until it says better.
     pub(super) name: String,
     pub(super) role: Role,
+    /// Its token is that of one person, whose name that of the token is.
+    pub(super) is_person: bool,
+}
+
+impl Caller {
+    /// By which name time slots know it, when it calls itself so.
+    pub(super) fn person<'a>(&'a self, name: &'a str) -> &'a str {
+        if self.is_person { &self.name } else { name }
+    }
 }
 
 /// Waits until the station ends, or nobody is left who could end it.

@@ -158,10 +158,15 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
     let anyone = |role| Caller {
         name: if peer.by_fleet { "fleet" } else { "http" }.into(),
         role,
+        is_person: false,
     };
     match presented(request.headers())? {
         Some(token) => match app.holder(&token) {
-            Some((name, role)) => Ok(Caller { name, role }),
+            Some((name, role)) => Ok(Caller {
+                is_person: !app.is_local(&token) && !app.tokens().is_shared(&name),
+                name,
+                role,
+            }),
             None => Err(UNAUTHORISED.problem("the station does not know this token")),
         },
         None if is_open(request) || peer.by_fleet => Ok(anyone(Role::Watch)),

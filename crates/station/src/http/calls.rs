@@ -94,7 +94,8 @@ impl Asker {
 
     /// A new client.
     pub(super) async fn come(&self, name: &str) -> Result<Arc<Client>, NotDone> {
-        let client = self.app.handle.client(name, self.caller.role).await?;
+        let (role, person) = (self.caller.role, self.caller.person(name));
+        let client = self.app.handle.client_of(name, role, person).await?;
         Ok(Arc::new(client))
     }
 }

@@ -33,6 +33,7 @@ pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
     let messages = std::mem::replace(&mut ends.messages, nothing);
     let telling = Arc::new(FakeNews {
         ends,
+        came: Mutex::default(),
         gone: Mutex::default(),
         trouble: Mutex::default(),
     });
@@ -45,6 +46,8 @@ pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
 #[derive(Debug)]
 pub(super) struct FakeNews {
     pub(super) ends: Ends,
+    /// Clients that came: what each is called, and by which name time slots know it.
+    pub(super) came: Mutex<Vec<(String, String)>>,
     /// Clients that left.
     pub(super) gone: Mutex<Vec<ClientId>>,
     /// What those who watch were to know.
@@ -57,11 +60,17 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
     let mut offers = HashMap::new();
     while let Some(message) = messages.recv().await {
         match message {
-            Message::Came { name, role, reply } => {
+            Message::Came {
+                name,
+                person,
+                role,
+                reply,
+            } => {
                 if name == "refused" {
                     refusing.insert(ClientId(next));
                 }
                 assert!(role >= Role::Watch);
+                telling.came.lock().expect("as above").push((name, person));
                 // Nobody may be waiting any more, here and below.
                 let _ = reply.send(ClientId(next));
                 next += 1;
@@ -122,7 +131,7 @@ fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferAsk)
     let answer = match ask {
         OfferAsk::Look => return OfferAnswer::Unknown,
         OfferAsk::Withdraw { by } => refused(&format!("withdrawn by {by}"), false),
-        OfferAsk::Refuse { reason } => refused(&reason, false),
+        OfferAsk::Refuse { reason, busy } => refused(&reason, busy),
         OfferAsk::Take { .. } if is_busy => refused("job 7 is queued here", true),
         OfferAsk::Take { job: new, .. } => {
             let title = new.title;
@@ -146,6 +155,7 @@ fn granted(client: ClientId, request: &Request) -> Reply {
             lease: Some(LeaseView {
                 client,
                 name: "test".into(),
+                person: "test".into(),
                 is_program: false,
                 since_s: 3.0,
                 asked_by: Vec::new(),

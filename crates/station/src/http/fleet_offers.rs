@@ -8,7 +8,7 @@ use axum::http::request::Parts;
 use dobot_api::problem_kinds::{
     ARM_BUSY, DRAWING_PHASE, INVALID, MALFORMED, NO_SUCH_WORK, WORK_REFUSED,
 };
-use dobot_api::{JobPhase, JobView, NewJob, Problem, Request, Role, TakesWork};
+use dobot_api::{JobPhase, JobView, NewJob, Problem, Request, Role, TakesWork, is_same_person};
 use dobot_arm::Calibration;
 use dobot_rules::{Handle, OfferAnswer, OfferAsk};
 use schemars::JsonSchema;
@@ -70,9 +70,14 @@ pub(super) async fn offer(
     if known != OfferAnswer::Unknown {
         return Ok(Json(answered(known)?));
     }
+    let student = offered.student.clone();
     let ask = match port.takes_work() {
-        Some(_) => offered.ask(app, &key).await?,
+        Some(_) => match others_time(app, &student) {
+            Some(reason) => OfferAsk::Refuse { reason, busy: true },
+            None => offered.ask(app, &key).await?,
+        },
         None => OfferAsk::Refuse {
+            busy: false,
             reason: format!(
                 "{} takes no work of its fleet; `dobot up --takes-work` lets it",
                 port.name()
@@ -81,7 +86,7 @@ pub(super) async fn offer(
     };
     let job = answered(app.handle.offer(&key, ask).await?)?;
     if job.phase == JobPhase::Queued && port.takes_work() == Some(TakesWork::Start) {
-        tokio::spawn(start(app.handle.clone(), job.job));
+        tokio::spawn(start(app.handle.clone(), job.job, student));
     }
     Ok(Json(job))
 }
@@ -131,7 +136,8 @@ impl FleetOffer {
                     Err(problem) if problem.status != 422 => return Err(problem),
                     Err(problem) => {
                         let reason = problem.detail;
-                        return Ok(OfferAsk::Refuse { reason });
+                        let busy = false;
+                        return Ok(OfferAsk::Refuse { reason, busy });
                     }
                 }
             }
@@ -186,10 +192,19 @@ impl Drop for Planning<'_> {
     }
 }
 
+/// Why work of this student is not taken now, where it is the time of another one.
+fn others_time(app: &App, student: &str) -> Option<String> {
+    let state = app.handle.state();
+    let now = state.state().slots.as_ref()?.now.as_ref()?;
+    let is_others = !is_same_person(&now.student, student);
+    is_others.then(|| format!("it is the time of {} at this arm", now.student))
+}
+
 /// Starts a job of the fleet, where its owner has allowed it and nobody has control; where it cannot be started a person
 /// does it.
-async fn start(handle: Handle, job: u64) {
-    let Ok(client) = handle.client("work of the fleet", Role::Control).await else {
+async fn start(handle: Handle, job: u64, student: String) {
+    let coming = handle.client_of("work of the fleet", Role::Control, &student);
+    let Ok(client) = coming.await else {
         return;
     };
     for request in [Request::TakeLease, Request::StartJob { job }] {

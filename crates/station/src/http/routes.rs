@@ -25,7 +25,7 @@ use axum::http::Method;
 use axum::middleware::from_fn_with_state;
 use dobot_api::problem_kinds::{
     CANNOT_RESUME, COMMAND, DETECTING, JOB_RUNNING, LASER_DISARMED, LOCKED, NO_JOB_RUNS, NO_LEASE,
-    NO_LINK, NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, STILL_MOVING, STOPPED, TOO_MANY,
+    NO_LINK, NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, SLOT, STILL_MOVING, STOPPED, TOO_MANY,
 };
 
 pub(super) use self::calibration::{NewTouches, PaperTouches};
@@ -91,6 +91,7 @@ const DELETE: Method = Method::DELETE;
 const MOVES: &[ProblemKind] = &[
     NO_LEASE,
     LOCKED,
+    SLOT,
     STOPPED,
     STILL_MOVING,
     LASER_DISARMED,
@@ -107,6 +108,7 @@ const MOVES: &[ProblemKind] = &[
 const ADJUSTS: &[ProblemKind] = &[
     NO_LEASE,
     LOCKED,
+    SLOT,
     NO_JOB_RUNS,
     STILL_MOVING,
     NO_VECTORS,

@@ -118,8 +118,9 @@ pub(super) async fn upgrade(
     let wants = Wants::of(&uri)?;
     let upgrade = upgrade.map_err(|error| UPGRADE.problem(error.body_text()))?;
     let place = app.place()?;
-    let name = wants.name.clone().unwrap_or(caller.name);
-    let client = app.handle.client(&name, caller.role).await?;
+    let name = wants.name.clone().unwrap_or_else(|| caller.name.clone());
+    let person = caller.person(&name);
+    let client = app.handle.client_of(&name, caller.role, person).await?;
     let largest = if caller.role >= Role::Queue {
         JOB
     } else {

@@ -19,6 +19,7 @@ mod recordings;
 mod routes;
 mod schema;
 mod served;
+mod slots;
 mod sockets;
 mod token_routes;
 mod virtual_arms;

@@ -79,9 +79,30 @@ impl Tokens {
         self.known.push(Known {
             name: name.into(),
             role,
+            shared: false,
             sha256,
         });
         self.write()
+    }
+
+    /// Has the token of that name be for several people: each of them is who he calls himself. Any other token is that of one
+    /// person, by its name.
+    ///
+    /// # Errors
+    ///
+    /// [`TokensError`] where there is none of that name, or the file cannot be written.
+    pub fn share(&mut self, name: &str) -> Result<(), TokensError> {
+        self.follow()?;
+        let found = self.known.iter_mut().find(|it| it.name == name);
+        let known = found.ok_or_else(|| TokensError::Unknown(name.into()))?;
+        known.shared = true;
+        self.write()
+    }
+
+    /// Whether the token of that name is for several people.
+    #[must_use]
+    pub fn is_shared(&self, name: &str) -> bool {
+        self.known.iter().any(|it| it.name == name && it.shared)
     }
 
     /// Whether this is the token of programs on the same machine.
@@ -108,12 +129,6 @@ impl Tokens {
     /// The names of all tokens, and what each may do.
     pub fn list(&self) -> impl Iterator<Item = (&str, Role)> {
         self.known.iter().map(|it| (&*it.name, it.role))
-    }
-
-    /// The same, as the file has them now.
-    pub(super) fn current(&mut self) -> Result<impl Iterator<Item = (&str, Role)>, TokensError> {
-        self.follow()?;
-        Ok(self.list())
     }
 
     /// Makes the token of programs on the same machine.
@@ -145,7 +160,7 @@ impl Tokens {
     }
 
     /// Reads the file if it is not the one that was read last.
-    fn follow(&mut self) -> Result<(), TokensError> {
+    pub(super) fn follow(&mut self) -> Result<(), TokensError> {
         let version = Version::of(&self.file).map_err(|error| self.io(error))?;
         if version == self.version {
             return Ok(());
@@ -278,7 +293,18 @@ struct Content {
 struct Known {
     name: String,
     role: Role,
+    /// It is for several people.
+    #[serde(default, skip_serializing_if = "is_not")]
+    shared: bool,
     sha256: String,
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "this is how serde asks for it"
+)]
+const fn is_not(it: &bool) -> bool {
+    !*it
 }
 
 /// What changes when the file changes.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use dobot_api::{
     ClientId, JobKind, JobPhase, JobProgram, JobView, Member, MemberAbout, NewJob, Presence,
-    Request, TakesWork, WorkView,
+    Request, TakesWork, TimeSlot, WorkView,
 };
 use dobot_controller::{Personality, PowerUp};
 use dobot_random::Random;
@@ -382,6 +382,19 @@ impl World {
         desk.go_on(self.now);
         self.desks.push(desk);
         self.sides.push(false);
+    }
+
+    /// From now on it is the time of a student at a desk.
+    pub(super) fn is_time_of(&mut self, desk: usize, student: &str) {
+        let station = &mut self.desks[desk].station;
+        let teacher = station.client("Ms Weber");
+        let slots = vec![TimeSlot {
+            student: student.into(),
+            group: None,
+            starts_in_s: 0.0,
+            ends_in_s: 86_400.0,
+        }];
+        station.ask(teacher, Request::SetSlots { slots }).unwrap();
     }
 
     pub(super) fn work_of(&mut self, home: usize) -> &mut Work {

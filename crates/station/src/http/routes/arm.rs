@@ -1,7 +1,7 @@
 //! The laser, the pose and the dialect of the arm.
 
 use dobot_api::problem_kinds::{
-    DIALECT_NOT_FOUND, JOB_RUNNING, LOCKED, NO_LEASE, NO_LINK, OUT_OF_RANGE, POLICY, STOPPED,
+    DIALECT_NOT_FOUND, JOB_RUNNING, LOCKED, NO_LEASE, NO_LINK, OUT_OF_RANGE, POLICY, SLOT, STOPPED,
 };
 use dobot_api::{Reply, Request};
 use dobot_wire::Dialect;
@@ -23,7 +23,15 @@ pub(super) fn all() -> Vec<Route> {
         )
         .example(r#"{"for_s": 600}"#)
         .gives::<Reply>(200, "the laser is armed")
-        .problems(&[NO_LEASE, LOCKED, STOPPED, OUT_OF_RANGE, POLICY, NO_LINK]),
+        .problems(&[
+            NO_LEASE,
+            LOCKED,
+            SLOT,
+            STOPPED,
+            OUT_OF_RANGE,
+            POLICY,
+            NO_LINK,
+        ]),
         Route::asks(
             DELETE,
             "/api/v1/laser",
@@ -31,7 +39,7 @@ pub(super) fn all() -> Vec<Route> {
             |_: Maybe<Nothing>| Request::DisarmLaser,
         )
         .gives::<Reply>(200, "the laser is disarmed")
-        .problems(&[NO_LEASE, LOCKED, NO_LINK]),
+        .problems(&[NO_LEASE, LOCKED, SLOT, NO_LINK]),
         Route::asks(
             POST,
             "/api/v1/pose/confirm",
@@ -39,7 +47,7 @@ pub(super) fn all() -> Vec<Route> {
             |_: Maybe<Nothing>| Request::ConfirmPose,
         )
         .gives::<Reply>(200, "the pose is trusted")
-        .problems(&[NO_LEASE, LOCKED, NO_LINK]),
+        .problems(&[NO_LEASE, LOCKED, SLOT, NO_LINK]),
         Route::asks(
             PUT,
             "/api/v1/dialect",
@@ -50,7 +58,7 @@ pub(super) fn all() -> Vec<Route> {
         )
         .example(r#"{"dialect": "firmware-1.1"}"#)
         .gives::<Reply>(200, "the dialect is set")
-        .problems(&[NO_LEASE, LOCKED, JOB_RUNNING]),
+        .problems(&[NO_LEASE, LOCKED, SLOT, JOB_RUNNING]),
         Route::asks(
             POST,
             "/api/v1/dialect/detect",

@@ -7,7 +7,7 @@ use axum::extract::State;
 use axum::response::Response;
 use dobot_api::problem_kinds::{
     BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, LOCKED, MALFORMED, NO_JOB_RUNS,
-    NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, TOO_MANY,
+    NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT, TOO_MANY,
 };
 use dobot_api::{JobPath, JobView, NewJob, Reply, Request};
 use dobot_rules::Refusal;
@@ -60,7 +60,7 @@ fn kept() -> Vec<Route> {
             |OfJob(job)| Request::CancelJob { job },
         )
         .gives::<Reply>(200, "the job is over")
-        .problems(&[NO_LEASE, LOCKED, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
+        .problems(&[NO_LEASE, LOCKED, SLOT, NO_SUCH_JOB, JOB_PHASE, JOURNAL]),
         Route::new(
             POST,
             "/api/v1/jobs/{id}/again",
@@ -127,7 +127,7 @@ fn carried_out() -> Vec<Route> {
             |_: Maybe<Nothing>| Request::PauseJob,
         )
         .gives::<Reply>(200, "the job is paused")
-        .problems(&[NO_LEASE, LOCKED, NO_JOB_RUNS, JOURNAL]),
+        .problems(&[NO_LEASE, LOCKED, SLOT, NO_JOB_RUNS, JOURNAL]),
         Route::asks(
             PUT,
             "/api/v1/jobs/speed",

@@ -1,8 +1,10 @@
 //! Control of the arm.
 
 use axum::Json;
-use dobot_api::problem_kinds::{INVALID, LOCKED, NO_LEASE, NOT_ASKING, TOO_MANY_CLIENTS};
-use dobot_api::{ClientId, LeaseView, Problem, Reply, Request};
+use dobot_api::problem_kinds::{
+    BAD_SLOTS, INVALID, LOCKED, NO_LEASE, NOT_ASKING, SLOT, TOO_MANY_CLIENTS,
+};
+use dobot_api::{ClientId, LeaseView, Problem, Reply, Request, TimeSlot};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +13,7 @@ use super::super::app::Caller;
 use super::super::calls::{Asker, is_name};
 use super::super::http_leases::LASTS;
 use super::super::route::Route;
-use super::{DELETE, POST};
+use super::{DELETE, GET, POST, PUT};
 
 pub(super) fn all() -> Vec<Route> {
     vec![
@@ -21,7 +23,7 @@ pub(super) fn all() -> Vec<Route> {
             "control",
             Request::TakeLease,
         )
-        .problems(&[NO_LEASE, LOCKED, TOO_MANY_CLIENTS]),
+        .problems(&[NO_LEASE, LOCKED, SLOT, TOO_MANY_CLIENTS]),
         Route::new(DELETE, "/api/v1/lease", "Gives control back", release)
             .brings::<Maybe<Nothing>>()
             .gives::<Reply>(200, "control is free")
@@ -32,7 +34,7 @@ pub(super) fn all() -> Vec<Route> {
             "a lease token, for when control is granted",
             Request::AskLease,
         )
-        .problems(&[LOCKED, TOO_MANY_CLIENTS]),
+        .problems(&[LOCKED, SLOT, TOO_MANY_CLIENTS]),
         Route::asks(
             POST,
             "/api/v1/lease/grant",
@@ -41,7 +43,7 @@ pub(super) fn all() -> Vec<Route> {
         )
         .example(r#"{"to": 3}"#)
         .gives::<Reply>(200, "who has control now")
-        .problems(&[NO_LEASE, NOT_ASKING, LOCKED]),
+        .problems(&[NO_LEASE, NOT_ASKING, LOCKED, SLOT]),
         holds(
             "/api/v1/lease/seize",
             "Takes control from whoever has it (admin)",
@@ -66,6 +68,30 @@ pub(super) fn all() -> Vec<Route> {
             |_: Maybe<Nothing>| Request::Unlock,
         )
         .gives::<Reply>(200, "the arm is not locked"),
+        Route::new(
+            GET,
+            "/api/v1/slots",
+            "All time slots that are not over, in their order",
+            slots,
+        )
+        .gives::<Reply>(200, "the slots"),
+        Route::asks(
+            PUT,
+            "/api/v1/slots",
+            "Says whose the arm is and when, in place of what was said before (admin): while a slot is under way only its student and \
+                administrators have control",
+            |Body(new): Body<NewSlots>| Request::SetSlots { slots: new.slots },
+        )
+        .example(SLOTS_EXAMPLE)
+        .gives::<Reply>(200, "the slots")
+        .problems(&[BAD_SLOTS]),
+        Route::asks(
+            DELETE,
+            "/api/v1/slots",
+            "Ends all time slots (admin): the arm is everyone's",
+            |_: Maybe<Nothing>| Request::SetSlots { slots: Vec::new() },
+        )
+        .gives::<Reply>(200, "there are none"),
         Route::asks(
             POST,
             "/api/v1/message",
@@ -84,6 +110,17 @@ struct NewLock {
     /// For those who want to move the arm. What is longer than 200 characters is cut.
     #[serde(default)]
     message: Option<String>,
+}
+
+const SLOTS_EXAMPLE: &str = r#"{"slots": [{"student": "Anna", "starts_in_s": 0, "ends_in_s": 900}, {"student": "Ben", "group": "red", "starts_in_s": 900, "ends_in_s": 1800}]}"#;
+
+/// Whose the arm is, and when.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewSlots {
+    /// The slots, in any order: up to 200, none of which overlaps another one.
+    #[schemars(length(max = 200))]
+    slots: Vec<TimeSlot>,
 }
 
 /// What to tell.
@@ -169,6 +206,10 @@ fn called(wanted: LeaseRequest, caller: &Caller) -> Result<String, Problem> {
         return Ok(name);
     }
     Err(INVALID.problem("name: this takes 1 to 60 characters that can be printed"))
+}
+
+async fn slots(asker: Asker) -> Result<Json<Reply>, NotDone> {
+    asker.ask(Request::ShowSlots).await
 }
 
 async fn release(asker: Asker, _: Maybe<Nothing>) -> Result<Json<Reply>, NotDone> {

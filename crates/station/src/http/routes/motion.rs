@@ -6,7 +6,7 @@ use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{
-    COMMAND, LASER_DISARMED, LOCKED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY,
+    COMMAND, LASER_DISARMED, LOCKED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, SLOT,
     STILL_MOVING,
 };
 use dobot_api::{Jog, News, Notice, Problem, Reply, Request};
@@ -64,7 +64,7 @@ pub(super) fn all() -> Vec<Route> {
             |_: Maybe<Nothing>| Request::Release,
         )
         .gives::<Reply>(200, "the button is released")
-        .problems(&[NO_LEASE, LOCKED]),
+        .problems(&[NO_LEASE, LOCKED, SLOT]),
         Route::asks(
             POST,
             STOP,

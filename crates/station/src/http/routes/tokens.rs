@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::super::answer::{Body, NotDone};
 use super::super::calls::Asker;
 use super::super::route::Route;
-use super::super::tokens::TokensError;
+use super::super::tokens::{Token, Tokens, TokensError};
 use super::{DELETE, GET, POST};
 
 pub(super) fn all() -> Vec<Route> {
@@ -53,6 +53,9 @@ struct TokenView {
     name: String,
     /// What its holder may do.
     role: Role,
+    /// Whether it is for several people, each of whom is who he calls himself; any other one is that of one person, by its name.
+    #[serde(default)]
+    shared: bool,
 }
 
 /// A token that was just made.
@@ -76,11 +79,19 @@ async fn add(
     Body(new): Body<TokenView>,
 ) -> Result<(StatusCode, Json<NewToken>), NotDone> {
     asker.check_role(Role::Admin)?;
-    let TokenView { name, role } = new;
-    let token = asker.app.tokens().add(role, &name);
+    let TokenView { name, role, shared } = new;
+    let token = make(&mut asker.app.tokens(), &name, role, shared);
     let token = token.map_err(|error| told(&error))?;
     let secret = token.secret().to_owned();
     Ok((StatusCode::CREATED, Json(NewToken { name, role, secret })))
+}
+
+fn make(tokens: &mut Tokens, name: &str, role: Role, shared: bool) -> Result<Token, TokensError> {
+    let token = tokens.add(role, name)?;
+    if shared {
+        tokens.share(name)?;
+    }
+    Ok(token)
 }
 
 async fn remove(asker: Asker, Path(name): Path<String>) -> Result<Json<Vec<TokenView>>, NotDone> {
@@ -92,12 +103,13 @@ async fn remove(asker: Asker, Path(name): Path<String>) -> Result<Json<Vec<Token
 
 fn all_of(asker: &Asker) -> Result<Vec<TokenView>, Problem> {
     let mut tokens = asker.app.tokens();
-    let list = tokens.current().map_err(|error| told(&error))?;
+    tokens.follow().map_err(|error| told(&error))?;
     let view = |(name, role): (&str, Role)| TokenView {
         name: name.to_owned(),
         role,
+        shared: tokens.is_shared(name),
     };
-    Ok(list.map(view).collect())
+    Ok(tokens.list().map(view).collect())
 }
 
 fn told(error: &TokensError) -> Problem {

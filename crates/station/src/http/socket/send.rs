@@ -112,6 +112,7 @@ fn hello(app: &App, client: &Client) -> Message {
     let hello = Hello {
         client: client.id(),
         role: client.role(),
+        person: client.person().to_owned(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
         dead_man_s: app.handle.rules().dead_man_s,
     };

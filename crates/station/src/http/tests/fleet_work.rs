@@ -4,6 +4,7 @@ use axum::body::Body;
 use dobot_api::{Role, TakesWork, WorkPhase, WorkView};
 use serde_json::{Value, json};
 
+use super::slots::is_time_of;
 use super::{Answer, Harness};
 use crate::{FleetEnd, FleetPort, FleetWish, WorkWish};
 
@@ -50,6 +51,20 @@ async fn an_offer_is_taken_once_and_the_next_one_finds_the_arm_busy() {
     assert_eq!(look.is(200).value(), first);
     offer(&harness, "b").await.is(409).is_problem("arm-busy");
     offer(&harness, "b").await.is(409).is_problem("arm-busy");
+}
+
+#[tokio::test]
+async fn in_the_time_of_a_student_only_his_work_is_taken() {
+    let (harness, _end) = desk(Some(TakesWork::Queue));
+    is_time_of(&harness, "Ben");
+    let answer = offer(&harness, "a").await;
+    let (kind, detail) = answer.is(409).problem();
+    assert_eq!(
+        (&*kind, &*detail),
+        ("arm-busy", "it is the time of Ben at this arm")
+    );
+    is_time_of(&harness, "anna");
+    offer(&harness, "b").await.is(200);
 }
 
 #[tokio::test]

@@ -1,0 +1,135 @@
+//! The time slots of the arm, through crashes of the station.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use dobot_api::TimeSlot;
+use serde::{Deserialize, Serialize};
+
+use crate::known_arms::{read_file, replace_file};
+
+/// The file with the time slots. It has their times by the computer's clock: nothing else goes on while no station runs.
+#[derive(Debug)]
+pub(crate) struct KeptSlots(PathBuf);
+
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Content {
+    #[serde(default)]
+    slot: Vec<KeptSlot>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct KeptSlot {
+    student: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    group: Option<String>,
+    /// In milliseconds since 1970-01-01T00:00:00Z, and below.
+    starts_ms: i64,
+    ends_ms: i64,
+}
+
+impl KeptSlots {
+    pub(crate) fn at(file: &Path) -> Self {
+        Self(file.to_owned())
+    }
+
+    /// Those that are not over, from now on.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line.
+    pub(crate) fn read(&self, now_ms: i64) -> Result<Vec<TimeSlot>, String> {
+        let told = |why: String| format!("{}: {why}", self.0.display());
+        let Some(text) = read_file(&self.0).map_err(|error| told(error.to_string()))? else {
+            return Ok(Vec::new());
+        };
+        let content: Content =
+            toml::from_str(&text).map_err(|error| told(error.message().to_owned()))?;
+        let slots = content.slot.into_iter().map(|it| it.after(now_ms));
+        Ok(slots.filter(|it| it.ends_in_s >= LEFT_S).collect())
+    }
+
+    /// Keeps these in place of those before.
+    pub(crate) fn keep(&self, slots: &[TimeSlot], now_ms: i64) -> io::Result<()> {
+        let slot = slots.iter().map(|it| KeptSlot::of(it, now_ms)).collect();
+        let text = toml::to_string(&Content { slot }).map_err(io::Error::other)?;
+        replace_file(&self.0, &text)
+    }
+}
+
+impl KeptSlot {
+    fn of(slot: &TimeSlot, now_ms: i64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "a day has fewer milliseconds"
+        )]
+        let at = |in_s: f64| now_ms.saturating_add((in_s * 1000.0).round() as i64);
+        Self {
+            student: slot.student.clone(),
+            group: slot.group.clone(),
+            starts_ms: at(slot.starts_in_s),
+            ends_ms: at(slot.ends_in_s),
+        }
+    }
+
+    fn after(self, now_ms: i64) -> TimeSlot {
+        #[expect(
+            clippy::cast_precision_loss,
+            reason = "what is farther away than a day is refused"
+        )]
+        let in_s = |at_ms: i64| at_ms.saturating_sub(now_ms) as f64 / 1000.0;
+        TimeSlot {
+            student: self.student,
+            group: self.group,
+            starts_in_s: in_s(self.starts_ms).max(0.0),
+            ends_in_s: in_s(self.ends_ms),
+        }
+    }
+}
+
+/// What is left of a slot is worth nothing below that, in seconds.
+const LEFT_S: f64 = 1.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn slot(student: &str, starts_in_s: f64, ends_in_s: f64) -> TimeSlot {
+        TimeSlot {
+            student: student.into(),
+            group: Some("red".into()),
+            starts_in_s,
+            ends_in_s,
+        }
+    }
+
+    #[test]
+    fn slots_go_on_where_they_were_when_the_station_comes_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let kept = KeptSlots::at(&folder.path().join("slots.toml"));
+        assert_eq!(kept.read(5).unwrap(), []);
+        let all = [slot("Anna", 0.0, 600.0), slot("Ben", 600.0, 1200.5)];
+        kept.keep(&all, 1_000_000).unwrap();
+        assert_eq!(
+            kept.read(1_100_000).unwrap(),
+            [slot("Anna", 0.0, 500.0), slot("Ben", 500.0, 1100.5)]
+        );
+        assert_eq!(
+            kept.read(1_700_000).unwrap(),
+            [slot("Ben", 0.0, 500.5)],
+            "the one of Anna is over"
+        );
+    }
+
+    #[test]
+    fn a_file_that_was_spoiled_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("slots.toml");
+        std::fs::write(&file, "[[slot]]\nstudent = 5").unwrap();
+        let why = KeptSlots::at(&file).read(0).unwrap_err();
+        assert!(why.contains("slots.toml"), "{why}");
+    }
+}

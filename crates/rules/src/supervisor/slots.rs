@@ -1,0 +1,375 @@
+//! Time slots: whose time it is at the arm.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_api::{SlotView, SlotsView, TimeSlot, is_fleet_name, is_same_person};
+
+use crate::is_plain;
+use crate::refusal::Refusal;
+
+/// The slots that are not over, in their order.
+#[derive(Debug, Default)]
+pub(super) struct Slots {
+    /// None overlaps another one: at most the first one is under way.
+    all: VecDeque<Slot>,
+    /// When it was looked at last.
+    now: Duration,
+}
+
+/// A slot, by the supervisor's time.
+#[derive(Clone, Debug)]
+struct Slot {
+    student: String,
+    group: Option<String>,
+    from: Duration,
+    until: Duration,
+    /// It is under way.
+    begun: bool,
+    /// Its student was told that it ends soon.
+    warned: bool,
+}
+
+/// What became of a slot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Turn {
+    Began { student: String, lasts: Duration },
+    Ending { student: String, left: Duration },
+    Ended { student: String },
+}
+
+/// Time that is somebody else's.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OthersTime<'a> {
+    pub(super) student: &'a str,
+    pub(super) group: Option<&'a str>,
+    /// For how long it goes on.
+    pub(super) left: Duration,
+    /// In how long the arm is free: behind all slots that follow each other without a break.
+    pub(super) free_in: Duration,
+}
+
+impl Slots {
+    /// Puts others in place of those that there are.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::BadSlots`]; the old ones hold on then.
+    pub(super) fn set(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
+        let mut all = read(now, slots).map_err(Refusal::BadSlots)?;
+        // Whose time goes on notices nothing of another list.
+        let student = self.student();
+        if let Some(first) = all.first_mut().filter(|it| it.from <= now) {
+            first.begun = student.is_some_and(|it| is_same_person(it, &first.student));
+        }
+        self.all = all.into();
+        Ok(())
+    }
+
+    /// Takes the passing of time: what has become of a slot, one after the other.
+    pub(super) fn poll_turn(&mut self, now: Duration) -> Option<Turn> {
+        self.now = now;
+        // One that is over before it could begin was nobody's.
+        while self
+            .all
+            .front()
+            .is_some_and(|it| !it.begun && it.until <= now)
+        {
+            self.all.pop_front();
+        }
+        let first = self.all.front_mut()?;
+        let student = first.student.clone();
+        let left = first.until.saturating_sub(now);
+        if left.is_zero() {
+            self.all.pop_front();
+            return Some(Turn::Ended { student });
+        }
+        if !first.begun && first.from <= now {
+            first.begun = true;
+            return Some(Turn::Began {
+                student,
+                lasts: left,
+            });
+        }
+        if first.begun && !first.warned && left <= WARNING {
+            first.warned = true;
+            return Some(Turn::Ending { student, left });
+        }
+        None
+    }
+
+    /// When it wants to know the time next.
+    pub(super) fn wakeup(&self) -> Option<Duration> {
+        let first = self.all.front()?;
+        Some(if !first.begun {
+            first.from
+        } else if first.warned {
+            first.until
+        } else {
+            first.until.saturating_sub(WARNING)
+        })
+    }
+
+    /// Whose time it is.
+    pub(super) fn student(&self) -> Option<&str> {
+        self.under_way().map(|it| it.student.as_str())
+    }
+
+    /// Whose time it is, where it is not that of this person.
+    pub(super) fn others_time(&self, person: &str) -> Option<OthersTime<'_>> {
+        let it = self.under_way()?;
+        (!is_same_person(&it.student, person)).then(|| OthersTime {
+            student: &it.student,
+            group: it.group.as_deref(),
+            left: it.until.saturating_sub(self.now),
+            free_in: self.free(it.until).saturating_sub(self.now),
+        })
+    }
+
+    /// All of them, from now on.
+    pub(super) fn told(&self, now: Duration) -> Vec<TimeSlot> {
+        let from_now = |at: Duration| at.saturating_sub(now).as_secs_f64();
+        let told = |it: &Slot| TimeSlot {
+            student: it.student.clone(),
+            group: it.group.clone(),
+            starts_in_s: from_now(it.from),
+            ends_in_s: from_now(it.until),
+        };
+        self.all.iter().map(told).collect()
+    }
+
+    /// What those who watch have to know.
+    pub(super) fn view(&self) -> Option<SlotsView> {
+        let now = self.under_way();
+        let next = self.all.get(usize::from(now.is_some()));
+        (!self.all.is_empty()).then(|| SlotsView {
+            now: now.map(Slot::view),
+            next: next.map(Slot::view),
+            free_s: now.map(|it| self.free(it.until).as_secs_f64()),
+        })
+    }
+
+    fn under_way(&self) -> Option<&Slot> {
+        self.all.front().filter(|it| it.begun)
+    }
+
+    /// The end of what follows without a break.
+    fn free(&self, until: Duration) -> Duration {
+        let later = self.all.iter().skip(1);
+        later.fold(
+            until,
+            |free, it| if it.from <= free { it.until } else { free },
+        )
+    }
+}
+
+impl Slot {
+    fn view(&self) -> SlotView {
+        SlotView {
+            student: self.student.clone(),
+            group: self.group.clone(),
+            starts_s: self.from.as_secs_f64(),
+            ends_s: self.until.as_secs_f64(),
+        }
+    }
+}
+
+/// The slots in their order, or what is wrong with them.
+fn read(now: Duration, slots: &[TimeSlot]) -> Result<Vec<Slot>, String> {
+    let (found, most) = (slots.len(), TimeSlot::MOST);
+    if found > most {
+        return Err(format!("{found} slots; allowed are up to {most}"));
+    }
+    let mut all = Vec::with_capacity(found);
+    for (index, slot) in slots.iter().enumerate() {
+        let read = read_one(now, slot);
+        all.push(read.map_err(|why| format!("slot {}: {why}", index + 1))?);
+    }
+    all.sort_by_key(|it| it.from);
+    for (one, next) in all.iter().zip(all.iter().skip(1)) {
+        if next.from < one.until {
+            let told = |it: &Slot| {
+                let s = |at: Duration| at.saturating_sub(now).as_secs_f64();
+                let (from_s, until_s) = (s(it.from), s(it.until));
+                format!("{} (from {from_s} s to {until_s} s)", it.student)
+            };
+            let (one, next) = (told(one), told(next));
+            return Err(format!(
+                "the slots of {one} and {next} overlap; a slot begins when the one before has ended"
+            ));
+        }
+    }
+    Ok(all)
+}
+
+fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
+    let student = slot.student.trim();
+    let characters = student.chars().count();
+    if !(1..=60).contains(&characters) || !student.chars().all(is_plain) {
+        return Err(format!(
+            "student has {characters} characters; allowed are 1 to 60 visible ones"
+        ));
+    }
+    if let Some(group) = slot.group.as_deref().filter(|it| !is_fleet_name(it)) {
+        let group: String = group.chars().take(60).collect();
+        return Err(format!(
+            "group is {group:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter"
+        ));
+    }
+    let (starts_s, ends_s, latest_s) = (slot.starts_in_s, slot.ends_in_s, TimeSlot::LONGEST_S);
+    if !(0.0..=latest_s).contains(&starts_s) {
+        return Err(format!(
+            "starts_in_s of {student} is {starts_s}; allowed is 0 to {latest_s}"
+        ));
+    }
+    if !(starts_s + SHORTEST_S..=latest_s).contains(&ends_s) {
+        return Err(format!(
+            "ends_in_s of {student} is {ends_s}; allowed is {} (a second after it starts) to {latest_s}",
+            starts_s + SHORTEST_S
+        ));
+    }
+    Ok(Slot {
+        student: student.to_owned(),
+        group: slot.group.clone(),
+        from: now + Duration::from_secs_f64(starts_s),
+        until: now + Duration::from_secs_f64(ends_s),
+        begun: false,
+        warned: false,
+    })
+}
+
+/// So long before the end of his time a person is told.
+const WARNING: Duration = Duration::from_secs(60);
+/// A shorter slot is a mistake.
+const SHORTEST_S: f64 = 1.0;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn slot(student: &str, starts_in_s: f64, ends_in_s: f64) -> TimeSlot {
+        TimeSlot {
+            student: student.into(),
+            group: None,
+            starts_in_s,
+            ends_in_s,
+        }
+    }
+
+    fn s(s: u64) -> Duration {
+        Duration::from_secs(s)
+    }
+
+    /// What becomes of the slots at these seconds.
+    fn turns(slots: &mut Slots, at_s: u64) -> Vec<String> {
+        std::iter::from_fn(|| slots.poll_turn(s(at_s)))
+            .map(|it| match it {
+                Turn::Began { student, lasts } => format!("{student} has {lasts:?}"),
+                Turn::Ending { student, left } => format!("{student} has {left:?} left"),
+                Turn::Ended { student } => format!("{student} is over"),
+            })
+            .collect()
+    }
+
+    #[test]
+    fn slots_begin_are_soon_over_and_end_each_once_in_their_order() {
+        let mut slots = Slots::default();
+        let all = [slot("Ben", 600.0, 1200.0), slot("Anna", 0.0, 600.0)];
+        slots.set(s(100), &all).unwrap();
+        assert_eq!(turns(&mut slots, 100), ["Anna has 600s"]);
+        assert_eq!(slots.wakeup(), Some(s(640)));
+        assert!(turns(&mut slots, 639).is_empty());
+        assert_eq!(turns(&mut slots, 640), ["Anna has 60s left"]);
+        assert!(turns(&mut slots, 641).is_empty());
+        assert_eq!(turns(&mut slots, 700), ["Anna is over", "Ben has 600s"]);
+        assert_eq!(turns(&mut slots, 5000), ["Ben is over"]);
+        assert_eq!((slots.wakeup(), slots.view()), (None, None));
+    }
+
+    #[test]
+    fn one_that_passed_by_while_nobody_looked_is_nobodys() {
+        let mut slots = Slots::default();
+        slots
+            .set(s(0), &[slot("Anna", 10.0, 20.0), slot("Ben", 30.0, 99.0)])
+            .unwrap();
+        assert_eq!(turns(&mut slots, 25), Vec::<String>::new());
+        assert_eq!(turns(&mut slots, 30), ["Ben has 69s"]);
+    }
+
+    #[test]
+    fn the_arm_is_free_behind_all_slots_that_follow_each_other() {
+        let mut slots = Slots::default();
+        let all = [
+            slot("Anna", 0.0, 60.0),
+            slot("Ben", 60.0, 120.0),
+            slot("Chen", 150.0, 200.0),
+        ];
+        slots.set(s(0), &all).unwrap();
+        slots.poll_turn(s(0)).unwrap();
+        let others = slots.others_time("Ben").unwrap();
+        assert_eq!(
+            (others.student, others.left, others.free_in),
+            ("Anna", s(60), s(120))
+        );
+        assert!(slots.others_time(" ANNA ").is_none());
+        let view = slots.view().unwrap();
+        assert_eq!(view.next.unwrap().student, "Ben");
+        assert_eq!(view.free_s, Some(120.0));
+    }
+
+    #[test]
+    fn what_cannot_be_is_refused_with_what_is_allowed_and_the_old_slots_hold_on() {
+        let mut slots = Slots::default();
+        slots.set(s(0), &[slot("Anna", 0.0, 60.0)]).unwrap();
+        let long = "a".repeat(61);
+        let many: Vec<_> = (0..201)
+            .map(|it| slot("Anna", f64::from(it), 9e4))
+            .collect();
+        let group = TimeSlot {
+            group: Some("Room 1".into()),
+            ..slot("Anna", 0.0, 9.0)
+        };
+        for (bad, told) in [
+            (
+                vec![slot("Anna", f64::NAN, 60.0)],
+                "starts_in_s of Anna is NaN",
+            ),
+            (vec![slot("Anna", -1.0, 60.0)], "starts_in_s of Anna is -1"),
+            (
+                vec![slot("Anna", 0.0, f64::INFINITY)],
+                "ends_in_s of Anna is inf",
+            ),
+            (
+                vec![slot("Anna", 0.0, f64::NAN)],
+                "ends_in_s of Anna is NaN",
+            ),
+            (
+                vec![slot("Anna", 0.0, 86_401.0)],
+                "ends_in_s of Anna is 86401",
+            ),
+            (
+                vec![slot("Anna", 10.0, 10.0)],
+                "ends_in_s of Anna is 10; allowed is 11",
+            ),
+            (vec![slot(" ", 0.0, 9.0)], "student has 0 characters"),
+            (vec![slot(&long, 0.0, 9.0)], "student has 61 characters"),
+            (
+                vec![slot("A\u{202e}", 0.0, 9.0)],
+                "student has 2 characters",
+            ),
+            (vec![group], "group is \"Room 1\""),
+            (many, "201 slots; allowed are up to 200"),
+            (
+                vec![slot("Ben", 50.0, 99.0), slot("Chen", 0.0, 51.5)],
+                "the slots of Chen (from 0 s to 51.5 s) and Ben (from 50 s to 99 s) overlap",
+            ),
+        ] {
+            let refused = slots.set(s(9), &bad).unwrap_err();
+            assert_eq!(refused.kind(), "bad-slots");
+            let text = refused.to_string();
+            assert!(text.contains(told), "{text}; expected {told}");
+        }
+        assert_eq!(slots.told(s(9)), [slot("Anna", 0.0, 51.0)]);
+    }
+}
