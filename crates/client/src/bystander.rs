@@ -82,7 +82,7 @@ impl Bystander {
                     seen.extend(self.belief.handle_missed(now).map(|it| SeenOver {
                         command: it.command,
                         way: None,
-                    }))
+                    }));
                 }
             }
         }

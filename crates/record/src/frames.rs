@@ -70,15 +70,15 @@ fn of_any_length(tool: Tool) -> Option<MountedTool> {
 }
 
 fn transform(link: &LinkFrame, time: &Value) -> Value {
-    let [x, y, z] = link.at_mm.map(metres);
+    let at = link.at_mm.map(metres);
     let (sin, cos) = (link.angle.0.to_radians() / 2.0).sin_cos();
-    let [i, j, k] = link.axis.map(|it| rounded(it * sin, TURN));
+    let [x, y, z] = link.axis.map(|it| rounded(it * sin, TURN));
     json!({
         "timestamp": time,
         "parent_frame_id": link.parent,
         "child_frame_id": link.child,
-        "translation": { "x": x, "y": y, "z": z },
-        "rotation": { "x": i, "y": j, "z": k, "w": rounded(cos, TURN) },
+        "translation": { "x": at[0], "y": at[1], "z": at[2] },
+        "rotation": { "x": x, "y": y, "z": z, "w": rounded(cos, TURN) },
     })
 }
 
@@ -96,8 +96,8 @@ fn rounded(number: f64, parts: f64) -> f64 {
 pub(crate) const BASE: &str = "base";
 
 const MICRO: f64 = 1e6;
-/// A turn that is off by less than this moves nothing of the arm by a nanometre.
-const TURN: f64 = 1e9;
+/// Turns that are off by less than this move the tool by a quarter of a thousandth of a millimetre at the most.
+const TURN: f64 = 1e7;
 const ANY_MM: f64 = 50.0;
 
 #[cfg(test)]

@@ -202,7 +202,7 @@ impl Piece {
             [dot] => (vec![], vec![sphere(dot, LINE_M * 2.0, &color)]),
             _ => (vec![line(&places, LINE_M, &color)], vec![]),
         };
-        entity(time, &name(self.number), lines, spheres)
+        entity(time, &name(self.number), &lines, &spheres)
     }
 }
 

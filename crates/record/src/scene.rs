@@ -112,7 +112,7 @@ impl Scene {
 }
 
 /// Something to be seen, under a name of its own; it stays until it is removed or another one has its name.
-pub(crate) fn entity(time: &Value, id: &str, lines: Vec<Value>, spheres: Vec<Value>) -> Value {
+pub(crate) fn entity(time: &Value, id: &str, lines: &[Value], spheres: &[Value]) -> Value {
     json!({
         "timestamp": time,
         "frame_id": BASE,

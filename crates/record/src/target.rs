@@ -52,8 +52,8 @@ impl Target {
             return Some(json!({ "deletions": [removal(time, NAME)], "entities": [] }));
         };
         let color = color(TARGET);
-        let lines = vec![line(&places, LINE_M, &color)];
-        let entity = entity(time, NAME, lines, vec![sphere(end, END_M, &color)]);
+        let lines = [line(&places, LINE_M, &color)];
+        let entity = entity(time, NAME, &lines, &[sphere(end, END_M, &color)]);
         Some(json!({ "deletions": [], "entities": [entity] }))
     }
 }
