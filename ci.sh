@@ -289,7 +289,10 @@ step_recordings() {
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
   needs_command node nodejs
   needs_command npm npm
-  tests/foxglove/look_on.sh "$(realpath "$(built)/dobot")"
+  rm -rf "$folder"
+  mkdir "$folder"
+  tests/foxglove/look_on.sh "$(realpath "$(built)/dobot")" "$folder"
+  tests/recordings/read.sh "$folder" scene.py
   rm -rf "$folder"
 }
 

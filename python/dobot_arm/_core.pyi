@@ -33,10 +33,16 @@ class ConnectOptions(TypedDict):
     faults: list[str]
     seed: int
 
+class Lines:
+    """Lines as they are handed over, piece by piece."""
+
+    def begin(self, points: int) -> None: ...
+    def extend(self, bytes: bytes) -> None: ...
+
 class Drawing:
     """A drawing that was planned; ``options`` is a JSON object."""
 
-    def __init__(self, file: str | None, lines: list[bytes] | None, options: str) -> None: ...
+    def __init__(self, file: str | None, lines: Lines | None, options: str) -> None: ...
     @property
     def title(self) -> str: ...
     @property

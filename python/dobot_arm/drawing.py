@@ -6,10 +6,11 @@ import json
 import os
 import sys
 from collections.abc import Callable, Iterable
+from itertools import islice
 from struct import Struct
 from typing import TYPE_CHECKING, Any
 
-from ._core import Drawing
+from ._core import Drawing, Lines
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     """The points of a line: an array of shape (n, 2), or pairs."""
 
 _PAIR = Struct("<2d")
+_PIECE = 4096
+"""How many points are handed over at once."""
 
 Progress = Callable[[int, int], object]
 """Called with how many commands of how many are over."""
@@ -91,20 +94,29 @@ def plan(
         if "scale" not in options:
             options.setdefault("fit", True)
     name = None if file is None else os.fspath(file)
-    drawn = None if lines is None else [_numbers(line) for line in lines]
+    drawn = None if lines is None else _taken(lines)
     return Plan(Drawing(name, drawn, json.dumps(options, allow_nan=False)))
 
 
-def _numbers(line: Points) -> bytes:
-    """The points of a line as numbers of eight bytes, in pairs: a copy."""
-    if hasattr(line, "__array_interface__"):
-        import numpy as np
+def _taken(lines: Iterable[Points]) -> Lines:
+    """The points of all lines, copied once, piece by piece."""
+    taken = Lines()
+    for line in lines:
+        if hasattr(line, "__array_interface__"):
+            import numpy as np
 
-        points = np.ascontiguousarray(line, dtype="<f8")
-        if points.ndim != 2 or points.shape[1] != 2:
-            raise ValueError(f"a line is an array of the shape {points.shape}; allowed is (n, 2)")
-        return points.tobytes()
-    return b"".join(_PAIR.pack(x, y) for x, y in line)
+            points = np.asarray(line)
+            if points.ndim != 2 or points.shape[1] != 2:
+                raise ValueError(f"a line is an array of the shape {points.shape}; allowed is (n, 2)")
+            taken.begin(len(points))
+            for begin in range(0, len(points), _PIECE):
+                taken.extend(np.ascontiguousarray(points[begin : begin + _PIECE], dtype="<f8").tobytes())
+        else:
+            taken.begin(0)
+            pairs = iter(line)
+            while piece := b"".join(_PAIR.pack(x, y) for x, y in islice(pairs, _PIECE)):
+                taken.extend(piece)
+    return taken
 
 
 def bar(completed: int, commands: int) -> None:

@@ -9,7 +9,6 @@ use dobot_draw::{
 use dobot_geometry::Point;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
 use serde_json::{Map, Value};
 
 use crate::failure::value_error;
@@ -22,21 +21,60 @@ pub(crate) struct Drawing {
     settings: Settings,
 }
 
+/// Lines as Python has calculated them. They come in pieces, so that nobody needs a whole copy on the way.
+#[pyclass]
+#[derive(Default)]
+pub(crate) struct Lines(Vec<Vec<Point>>);
+
+#[pymethods]
+impl Lines {
+    #[new]
+    fn new() -> Self {
+        Self::default()
+    }
+
+    /// Begins a line with so many points; more may come.
+    fn begin(&mut self, points: usize) {
+        self.0.push(Vec::with_capacity(points.min(MOST_FORESEEN)));
+    }
+
+    /// Takes the bytes of points behind those of the line that was begun last: x and y, numbers of eight bytes.
+    fn extend(&mut self, bytes: &[u8]) {
+        let number = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, f64::from_le_bytes);
+        let point = |it: &[u8]| {
+            let (x, y) = it.split_at(it.len().min(8));
+            Point::new(number(x), number(y))
+        };
+        if let Some(line) = self.0.last_mut() {
+            line.extend(bytes.chunks(16).map(point));
+        }
+    }
+}
+
+impl Lines {
+    fn take(&mut self) -> Subject {
+        Subject::of_lines("lines", std::mem::take(&mut self.0))
+    }
+}
+
+/// Room for so many points of a line is made before they come.
+const MOST_FORESEEN: usize = 10_000_000;
+
 #[pymethods]
 impl Drawing {
-    /// Plans a file (its name), lines, or what the options tell; the options are a JSON object. Each line is the bytes of
-    /// its points: x and y, numbers of eight bytes.
+    /// Plans a file (its name), lines, or what the options tell; the options are a JSON object. The lines are taken out of
+    /// what they come in.
     #[new]
     fn new(
         py: Python<'_>,
         file: Option<&str>,
-        lines: Option<Vec<Bound<'_, PyBytes>>>,
+        lines: Option<PyRefMut<'_, Lines>>,
         options: &str,
     ) -> PyResult<Self> {
         let options = grouped(options)?;
         let drawn = match (file, lines) {
             (Some(file), None) => Some(of_file(file)?),
-            (None, Some(lines)) => Some(of_lines(&lines)),
+            (None, Some(mut lines)) => Some(lines.take()),
             (None, None) => None,
             (Some(_), Some(_)) => {
                 return Err(PyTypeError::new_err("give a file or lines=, not both"));
@@ -156,21 +194,6 @@ fn grouped(json: &str) -> PyResult<Options> {
         let name = path.rsplit('.').next().unwrap_or_default();
         PyValueError::new_err(format!("{name}: {}", error.inner()))
     })
-}
-
-/// Lines as Python has calculated them: numbers of eight bytes, in pairs.
-fn of_lines(lines: &[Bound<'_, PyBytes>]) -> Subject {
-    let numbers = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, f64::from_le_bytes);
-    let line = |line: &Bound<'_, PyBytes>| {
-        let pairs = line
-            .as_bytes()
-            .chunks(16)
-            .map(|it| it.split_at(it.len().min(8)));
-        pairs
-            .map(|(x, y)| Point::new(numbers(x), numbers(y)))
-            .collect()
-    };
-    Subject::of_lines("lines", lines.iter().map(line).collect())
 }
 
 fn of_file(file: &str) -> PyResult<Subject> {

@@ -2,6 +2,7 @@
 
 use dobot_controller::Personality;
 use dobot_sim::{Plot, Script, Simulation, Snapshot, simulate_watched};
+use dobot_tables::STATUS_FLOATS;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -45,7 +46,7 @@ impl Simulated {
         #[allow(clippy::cast_precision_loss)] // A run has no 2^53 milliseconds.
         let seconds = all.iter().map(|it| it.t_ms() as f64 / 1000.0);
         let mut columns = Columns::new(py).doubles("at_s", seconds)?;
-        for (at, name) in STATUS.into_iter().enumerate() {
+        for (at, name) in STATUS_FLOATS.into_iter().enumerate() {
             columns = columns.floats(name, all.iter().map(|it| it.floats[at]))?;
         }
         columns = columns.truths("suction", all.iter().map(|it| it.floats[8] != 0.0))?;
@@ -111,15 +112,5 @@ impl Simulated {
     }
 }
 
-const STATUS: [&str; 8] = [
-    "x_mm",
-    "y_mm",
-    "z_mm",
-    "rotation_deg",
-    "base_deg",
-    "rear_deg",
-    "fore_deg",
-    "servo_deg",
-];
 const JOINTS: [&str; 4] = ["base_deg", "rear_deg", "fore_deg", "servo_deg"];
 const PULSES: [&str; 3] = ["base_pulses", "rear_pulses", "fore_pulses"];

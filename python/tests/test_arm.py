@@ -418,6 +418,38 @@ def test_lines_of_points_are_planned_as_they_are() -> None:
     assert dobot.plan(lines=[square], text="Hello").drawn_mm > 180
 
 
+SPIRAL = """
+import resource
+import numpy as np
+import dobot_arm as dobot
+
+def resident():
+    return int(open("/proc/self/statm").read().split()[1]) * resource.getpagesize()
+
+points = np.empty((1_000_000, 2))
+for begin in range(0, len(points), 10_000):
+    turn = np.linspace(begin, begin + 10_000, 10_000, endpoint=False) * (2 * np.pi / 10_000)
+    radius = 5 + turn / 20
+    points[begin : begin + 10_000, 0] = radius * np.cos(turn)
+    points[begin : begin + 10_000, 1] = radius * np.sin(turn)
+dobot.plan(lines=[points[:20_000]])
+before = resident()
+plan = dobot.plan(lines=[points])
+peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+assert plan.drawn_mm > 10_000
+print((peak - before) / points.nbytes)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells how much memory a process has now")
+def test_a_million_points_are_planned_with_two_copies_of_them() -> None:
+    pytest.importorskip("numpy")
+    # In a process of its own, whose memory nothing else has raised.
+    found = subprocess.run([sys.executable, "-c", SPIRAL], capture_output=True, text=True, check=True)
+    # The two copies, and what the planner needs while it looks for vectors: 3.6 arrays. One copy more is one too many.
+    assert float(found.stdout) < 4.2
+
+
 def test_lines_that_are_none_say_where() -> None:
     np = pytest.importorskip("numpy")
     with pytest.raises(ValueError, match=r"point 1 of line 2 is \(NaN, 0\)"):

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Looks on at a station with npm's `@foxglove/ws-protocol`, Foxglove's own client, which knows nothing of ours.
 #
-#   tests/foxglove/look_on.sh DOBOT     the program
+#   tests/foxglove/look_on.sh DOBOT [FOLDER]     the program, and where the station's recording is left
 #
 # The client is fetched at the first run; Node is enough.
 set -euo pipefail
@@ -14,4 +14,4 @@ if [[ ! -e $FOLDER/installed ]]; then
   npm install --silent --no-audit --no-fund --prefix "$FOLDER" "@foxglove/ws-protocol@$VERSION" ws
   touch "$FOLDER/installed"
 fi
-NODE_PATH=$FOLDER/node_modules node "$(dirname "${BASH_SOURCE[0]}")/look_on.cjs" "$1"
+NODE_PATH=$FOLDER/node_modules node "$(dirname "${BASH_SOURCE[0]}")/look_on.cjs" "$@"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Reads recordings with PyPI's `mcap`, a reader that knows nothing of ours, and counts their messages.
 #
-#   tests/recordings/read.sh FOLDER     each FILE.mcap beside a FILE.mcap.count
+#   tests/recordings/read.sh FOLDER              each FILE.mcap beside a FILE.mcap.count
+#   tests/recordings/read.sh FOLDER scene.py     the recording of tests/foxglove/look_on.sh: the arm, its target, its ink
 #
 # `mcap` is fetched into a virtual environment at the first run; Python 3 is enough.
 set -euo pipefail
@@ -14,4 +15,4 @@ if [[ ! -e $FOLDER/installed ]]; then
   "$FOLDER/bin/pip" install --quiet "mcap==$VERSION"
   touch "$FOLDER/installed"
 fi
-"$FOLDER/bin/python" "$(dirname "${BASH_SOURCE[0]}")/read.py" "$1"
+"$FOLDER/bin/python" "$(dirname "${BASH_SOURCE[0]}")/${2:-read.py}" "$1"

@@ -22,6 +22,7 @@ mod address;
 mod arm;
 mod belief;
 pub mod blocking;
+mod bystander;
 mod completion;
 mod connection;
 mod detection;
@@ -41,6 +42,7 @@ mod under_way;
 
 pub use address::{Address, AddressError, DEFAULT_BAUD};
 pub use arm::Arm;
+pub use bystander::{Bystander, SeenOver};
 pub use connection::{Connection, LinkError};
 pub use detection::{Detection, DetectionError};
 pub use event::{Disarmed, Event, NotReached};

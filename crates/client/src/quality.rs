@@ -183,7 +183,7 @@ const PHASE: Duration = Duration::from_millis(60);
 /// A packet each way at 9600 baud, a tick until it is taken, and one until that is told.
 const FASTEST: Duration = Duration::from_millis(140);
 /// The same over a link that is late by 0.2 s each way.
-const UNSEEN: Duration = Duration::from_millis(560);
+pub(crate) const UNSEEN: Duration = Duration::from_millis(560);
 /// What varies more than that is a status that was lost.
 const MOST_JITTER: Duration = Duration::from_millis(200);
 /// What is later than that was put off by something else, or lost.

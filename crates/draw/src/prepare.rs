@@ -405,6 +405,9 @@ fn counted(count: usize, what: &str, instead: &str) -> Option<Warning> {
 /// A stroke drawn several times without lifting the pen: a closed one goes on around, an open one back
 /// and forth.
 fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
+    if times < 2 {
+        return stroke;
+    }
     let once = stroke.points.clone();
     let is_loop = once.len() > 2 && once.first() == once.last();
     for time in 1..times {

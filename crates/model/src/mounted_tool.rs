@@ -54,12 +54,15 @@ impl MountedTool {
         }
     }
 
-    pub(crate) const fn kind(self) -> ToolKind {
+    /// What it is.
+    #[must_use]
+    pub const fn kind(self) -> ToolKind {
         self.kind
     }
 
     /// How far its tip hangs below the wrist.
-    pub(crate) const fn length(self) -> Millimeters {
+    #[must_use]
+    pub const fn length(self) -> Millimeters {
         self.length
     }
 }

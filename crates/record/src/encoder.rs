@@ -8,8 +8,10 @@ use jiff::Timestamp;
 use serde::Serialize;
 use serde_json::json;
 
+use crate::frames::BASE;
 use crate::repeats::{HeldBack, Repeats};
-use crate::topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM};
+use crate::scene::Scene;
+use crate::topic::{FROM_ARM, INK, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORMS};
 use crate::{Record, Topic, schema};
 
 /// Makes messages of records: an engine, records in, messages out.
@@ -17,6 +19,7 @@ use crate::{Record, Topic, schema};
 /// It follows the bytes of each direction, so that a message holds one packet at most, however the
 /// bytes came in pieces, and tells what the packet means. A status that comes again and again is
 /// held back until anything else happens, or for ten seconds, and then written once with all its times.
+/// Target and ink follow from the commands and from what the statuses show of them.
 #[derive(Debug)]
 pub(crate) struct Encoder {
     /// Nanoseconds since 1970 when the times of the records begin.
@@ -28,6 +31,7 @@ pub(crate) struct Encoder {
     repeats: Option<Repeats>,
     /// What the views show.
     shown: Option<Status>,
+    scene: Scene,
 }
 
 /// A message, ready to be written or told.
@@ -46,7 +50,7 @@ pub struct Message<'t> {
 /// When something happened, in each of the ways in which messages tell it.
 #[derive(Clone, Copy)]
 struct MessageTime {
-    at_s: f64,
+    at: Duration,
     at_ns: u64,
 }
 
@@ -62,6 +66,7 @@ impl Encoder {
             statuses: Decoder::statuses(dobot_client::plausible),
             repeats: None,
             shown: None,
+            scene: Scene::default(),
         })
     }
 
@@ -78,12 +83,52 @@ impl Encoder {
         }
         let mut messages = self.write_held();
         match record {
-            Record::About(about) => self.dialect = about.dialect,
+            Record::About(about) => {
+                self.dialect = about.dialect;
+                self.scene.set_dialect(about.dialect);
+            }
+            Record::Tools(tools) => self.scene.set_tools(tools),
+            Record::Pen { below_mm } => self.scene.set_pen(*below_mm),
             Record::ToArm(bytes) => messages.extend(self.messages_to_arm(time, bytes)),
             Record::FromArm(_) => {}
             Record::Json { topic, value } => messages.push(time.message(topic, value)),
         }
+        messages.extend(self.news(time));
         Some(messages)
+    }
+
+    /// Takes a record as [`Encoder::write`] does, where nobody wants to be told what it says.
+    pub(crate) fn follow(&mut self, at: Duration, record: &Record) {
+        match record {
+            Record::ToArm(bytes) => {
+                for packet in self.commands.feed(bytes) {
+                    if let Some(Ok(command)) = meaning(&packet, self.dialect) {
+                        self.scene.handle_sent(at, &command);
+                    }
+                }
+            }
+            Record::FromArm(bytes) => {
+                for frame in self.statuses.feed(bytes) {
+                    if let Ok(status) = Status::parse(&frame) {
+                        self.scene.handle_status(at, &truly(&status));
+                    }
+                }
+            }
+            // What else there is costs nothing, and nothing of it is told.
+            _ => drop(self.write(at, record)),
+        }
+        if let Some(time) = self.time(at) {
+            let _ = self.news(time);
+        }
+    }
+
+    /// All ink that was told and is kept, for one who comes late.
+    pub(crate) fn ink_so_far(&self, at: Duration) -> Vec<Message<'static>> {
+        let Some(time) = self.time(at) else {
+            return Vec::new();
+        };
+        let ink = self.scene.ink_so_far(&time.stamp());
+        ink.iter().map(|it| time.own(INK, it)).collect()
     }
 
     /// The messages that tell what was held back.
@@ -100,6 +145,7 @@ impl Encoder {
         self.repeats = None;
         if with_views {
             self.shown = None;
+            self.scene.tell_again();
         }
     }
 
@@ -116,7 +162,7 @@ impl Encoder {
         reason: &str,
     ) -> Option<Message<'static>> {
         let time = self.time(at)?;
-        let value = json!({ "at_s": time.at_s, "lost": lost, "reason": reason });
+        let value = json!({ "at_s": time.at_s(), "lost": lost, "reason": reason });
         Some(time.own(RECORDER, &value))
     }
 
@@ -131,22 +177,28 @@ impl Encoder {
             .start_ns
             .checked_add(nanos)
             .filter(|it| *it < LATEST_NS)?;
-        Some(MessageTime {
-            at_s: at.as_secs_f64(),
-            at_ns,
-        })
+        Some(MessageTime { at, at_ns })
+    }
+
+    /// What is to be seen that was not told yet.
+    fn news<'t>(&mut self, time: MessageTime) -> impl Iterator<Item = Message<'t>> + use<'t> {
+        let news = self.scene.poll(time.at, &time.stamp());
+        news.map(move |(topic, value)| time.own(topic, &value))
     }
 
     fn messages_to_arm(&mut self, time: MessageTime, bytes: &[u8]) -> Vec<Message<'static>> {
         let mut messages = Vec::new();
         for (piece, packet) in pieces(&mut self.commands, bytes) {
             let mut message = ToArm {
-                at_s: time.at_s,
+                at_s: time.at_s(),
                 bytes: HEXLOWER.encode(piece),
                 ..ToArm::default()
             };
             match packet.and_then(|packet| meaning(&packet, self.dialect)) {
-                Some(Ok(command)) => message.command = Some(command),
+                Some(Ok(command)) => {
+                    self.scene.handle_sent(time.at, &command);
+                    message.command = Some(command);
+                }
                 Some(Err(error)) => message.error = Some(error),
                 None => {}
             }
@@ -159,21 +211,27 @@ impl Encoder {
         let mut messages = Vec::new();
         for (piece, frame) in pieces(&mut self.statuses, bytes) {
             let (at_ns, is_end) = (time.at_ns, frame.is_some());
+            let status = frame.and_then(|frame| Status::parse(&frame).ok());
+            if let Some(status) = &status {
+                self.scene.handle_status(time.at, &truly(status));
+            }
             let repeats = self.repeats.as_mut();
             if repeats.is_some_and(|it| it.take(at_ns, piece, is_end)) {
-                if self.repeats.as_ref().is_some_and(Repeats::is_due) {
+                let news: Vec<_> = self.news(time).collect();
+                if !news.is_empty() || self.repeats.as_ref().is_some_and(Repeats::is_due) {
                     messages.extend(self.write_held());
                 }
+                messages.extend(news);
                 continue;
             }
             messages.extend(self.write_held());
-            let status = frame.and_then(|frame| Status::parse(&frame).ok());
             messages.push(time.bytes_from_arm(piece, status));
             if let Some(status) = status
                 && self.shown.replace(status) != Some(status)
             {
-                messages.extend(time.views(&status));
+                messages.extend(self.views(time, &status));
             }
+            messages.extend(self.news(time));
             let packet = frame.map(|frame| frame.to_bytes());
             self.repeats = packet
                 .zip(status)
@@ -182,7 +240,32 @@ impl Encoder {
         messages
     }
 
-    fn repeat_messages<'t>(&self, held: &HeldBack) -> Vec<Message<'t>> {
+    /// A status as Foxglove's panels want to see it.
+    fn views<'t>(&mut self, time: MessageTime, status: &Status) -> [Message<'t>; 3] {
+        let status = &truly(status);
+        let timestamp = time.stamp();
+        let pose = json!({
+            "timestamp": &timestamp,
+            "frame_id": BASE,
+            "pose": { "position": position_m(status), "orientation": quaternion(status) },
+        });
+        let joints = Joints {
+            at_s: time.at_s(),
+            base_deg: status.base_deg,
+            rear_deg: status.rear_deg,
+            fore_deg: status.fore_deg,
+            servo_deg: status.servo_deg,
+            suction: status.suction,
+            gripper_deg: status.gripper_deg,
+        };
+        [
+            time.own(POSE, &pose),
+            time.own(TRANSFORMS, &self.scene.transforms(status, &timestamp)),
+            time.own(JOINTS, &joints),
+        ]
+    }
+
+    fn repeat_messages<'t>(&mut self, held: &HeldBack) -> Vec<Message<'t>> {
         let mut messages = match held.ends_ns[..] {
             [] => Vec::new(),
             // One is written as if it had not been held back.
@@ -195,13 +278,13 @@ impl Encoder {
                 let gaps_ns = held.ends_ns.windows(2).map(|it| it[1] - it[0]);
                 let message = FromArm {
                     gaps_ns: Some(gaps_ns.collect()),
-                    ..FromArm::new(time.at_s, &held.packet, Some(held.status))
+                    ..FromArm::new(time.at_s(), &held.packet, Some(held.status))
                 };
                 let message = Message {
                     since_ns: first_ns,
                     ..time.own(FROM_ARM, &message)
                 };
-                let views = time.views(&held.status);
+                let views = self.views(time, &held.status);
                 std::iter::once(message).chain(views).collect()
             }
         };
@@ -215,21 +298,30 @@ impl Encoder {
 
     fn time_at(&self, at_ns: u64) -> MessageTime {
         let at = Duration::from_nanos(at_ns.saturating_sub(self.start_ns));
-        MessageTime {
-            at_s: at.as_secs_f64(),
-            at_ns,
-        }
+        MessageTime { at, at_ns }
     }
 }
 
 impl MessageTime {
+    fn at_s(self) -> f64 {
+        self.at.as_secs_f64()
+    }
+
+    /// As Foxglove has it.
+    fn stamp(self) -> serde_json::Value {
+        json!({
+            "sec": self.at_ns / NANOS_PER_S,
+            "nsec": self.at_ns % NANOS_PER_S,
+        })
+    }
+
     fn own<'t>(self, topic: &str, value: &impl Serialize) -> Message<'t> {
         let topic = schema::own(topic).expect("it is one of the recorder's own topics");
         self.message(topic, value)
     }
 
     fn bytes_from_arm<'t>(self, bytes: &[u8], status: Option<Status>) -> Message<'t> {
-        self.own(FROM_ARM, &FromArm::new(self.at_s, bytes, status))
+        self.own(FROM_ARM, &FromArm::new(self.at_s(), bytes, status))
     }
 
     fn message<'t>(self, topic: &'t Topic, value: &impl Serialize) -> Message<'t> {
@@ -239,42 +331,6 @@ impl MessageTime {
             since_ns: self.at_ns,
             json: serde_json::to_vec(value).expect("all maps have names that are text"),
         }
-    }
-
-    /// A status as Foxglove's panels want to see it.
-    fn views<'t>(self, status: &Status) -> [Message<'t>; 3] {
-        let status = &status.message().unwrap_or(*status);
-        let (position, orientation) = (position_m(status), quaternion(status));
-        let timestamp = json!({
-            "sec": self.at_ns / NANOS_PER_S,
-            "nsec": self.at_ns % NANOS_PER_S,
-        });
-        let pose = json!({
-            "timestamp": &timestamp,
-            "frame_id": BASE,
-            "pose": { "position": &position, "orientation": &orientation },
-        });
-        let transform = json!({
-            "timestamp": timestamp,
-            "parent_frame_id": BASE,
-            "child_frame_id": "tool",
-            "translation": position,
-            "rotation": orientation,
-        });
-        let joints = Joints {
-            at_s: self.at_s,
-            base_deg: status.base_deg,
-            rear_deg: status.rear_deg,
-            fore_deg: status.fore_deg,
-            servo_deg: status.servo_deg,
-            suction: status.suction,
-            gripper_deg: status.gripper_deg,
-        };
-        [
-            self.own(POSE, &pose),
-            self.own(TRANSFORM, &transform),
-            self.own(JOINTS, &joints),
-        ]
     }
 }
 
@@ -357,6 +413,11 @@ pub fn meaning(packet: &Packet, dialect: Option<Dialect>) -> Option<Result<Comma
     agree.then_some(one)
 }
 
+/// A status with the place that it tells, if it is a message of the Bluetooth port.
+fn truly(status: &Status) -> Status {
+    status.message().unwrap_or(*status)
+}
+
 fn position_m(status: &Status) -> serde_json::Value {
     let metres = |millimetres: f32| f64::from(millimetres) / 1000.0;
     json!({
@@ -371,9 +432,6 @@ fn quaternion(status: &Status) -> serde_json::Value {
     let (sine, cosine) = (f64::from(status.rotation_deg).to_radians() / 2.0).sin_cos();
     json!({ "x": 0.0, "y": 0.0, "z": sine, "w": cosine })
 }
-
-/// The frame of all poses: its origin is the rear arm's pivot.
-const BASE: &str = "base";
 
 const NANOS_PER_S: u64 = 1_000_000_000;
 
@@ -465,7 +523,7 @@ mod tests {
         let record = Record::FromArm(status().emit().to_bytes().to_vec());
         let messages = encoder.write(Duration::from_millis(1500), &record).unwrap();
         let topics: Vec<_> = messages.iter().map(|it| it.topic.name()).collect();
-        assert_eq!(topics, [FROM_ARM, POSE, TRANSFORM, JOINTS]);
+        assert_eq!(topics, [FROM_ARM, POSE, TRANSFORMS, JOINTS]);
         let pose = value(&messages[1]);
         assert_eq!(pose["timestamp"]["nsec"], 500_000_000);
         let y_m = pose["pose"]["position"]["y"].as_f64().unwrap();

@@ -3,7 +3,7 @@
 //! [`Recorder`] writes, in a thread of its own, so that a file is readable wherever it breaks off, and
 //! repairs those that broke off before; [`Live`] makes the same messages for those who look on meanwhile;
 //! [`Recording`] reads; [`Replay`] is a virtual arm that plays a recording back. The files open in
-//! Foxglove, with the tool's pose in its 3D panel and everything else to plot.
+//! Foxglove, with the arm, its target and its ink in the 3D panel and everything else to plot.
 //!
 //! ```
 //! use std::time::Duration;
@@ -31,6 +31,8 @@ mod chunk;
 mod encoder;
 mod file_writer;
 mod folder;
+mod frames;
+mod ink;
 mod limits;
 mod live;
 mod moment;
@@ -44,7 +46,9 @@ mod repairs;
 mod repeats;
 mod replay;
 mod rotation;
+mod scene;
 mod schema;
+mod target;
 mod topic;
 mod track;
 
@@ -59,5 +63,7 @@ pub use recorder::{Health, Recorder};
 pub use recording::{OpenError, Recording};
 pub use replay::{Difference, Replay, Report};
 pub use schema::topics;
-pub use topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM, Topic, TopicError};
+pub use topic::{
+    FROM_ARM, INK, JOINTS, POSE, RECORDER, TARGET, TO_ARM, TRANSFORMS, Topic, TopicError,
+};
 pub use track::{Sample, Track};

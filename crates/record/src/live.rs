@@ -44,6 +44,18 @@ impl Live {
         })
     }
 
+    /// Takes a record that nobody wants to be told: what is drawn meanwhile is told to those who come late.
+    pub fn follow(&mut self, at: Duration, record: &Record) {
+        self.encoder.follow(at, record);
+    }
+
+    /// The ink that was told before `at`, or would have been, for one who comes late: messages of [`INK`](crate::INK), with
+    /// the newest 50,000 points at the most.
+    #[must_use]
+    pub fn ink_so_far(&self, at: Duration) -> Vec<Message<'static>> {
+        self.encoder.ink_so_far(at)
+    }
+
     /// The messages that tell a record; none where its time lies centuries ahead.
     pub fn write<'t>(&mut self, at: Duration, record: &'t Record) -> Vec<Message<'t>> {
         let viewed_at = *self.viewed_at.get_or_insert(at);
@@ -65,7 +77,7 @@ mod tests {
     use dobot_wire::Status;
 
     use super::*;
-    use crate::{FROM_ARM, TRANSFORM};
+    use crate::{FROM_ARM, TRANSFORMS};
 
     #[test]
     fn an_arm_that_rests_is_told_with_each_status_and_shown_once_a_second() {
@@ -76,7 +88,7 @@ mod tests {
         for n in 0..=200 {
             for message in live.write(Duration::from_millis(50 * n), &status) {
                 told += u32::from(message.topic.name() == FROM_ARM);
-                shown += u32::from(message.topic.name() == TRANSFORM);
+                shown += u32::from(message.topic.name() == TRANSFORMS);
             }
         }
         assert_eq!(told, 201);

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use dobot_model::MountedTool;
 use serde_json::Value;
 
 use crate::{About, Topic};
@@ -11,6 +12,14 @@ use crate::{About, Topic};
 pub enum Record {
     /// From here on this is what the recording is of.
     About(Box<About>),
+    /// From here on these tools may hang at the arm, so long; of one that is not among them nobody knows how long it is.
+    Tools(Vec<MountedTool>),
+    /// From here on a pen draws where the tool is below that height, in millimetres and the arm's own words; nowhere, if
+    /// that is `None`.
+    Pen {
+        /// The height.
+        below_mm: Option<f64>,
+    },
     /// Bytes that were sent to the arm, of any number.
     ToArm(Vec<u8>),
     /// Bytes that came from the arm, of any number.
@@ -32,6 +41,8 @@ impl Record {
             + match self {
                 Self::About(about) => about.program.len() + about.address.len() + 200,
                 Self::ToArm(bytes) | Self::FromArm(bytes) => bytes.capacity(),
+                Self::Tools(tools) => size_of_val(&tools[..]),
+                Self::Pen { .. } => 0,
                 Self::Json { value, .. } => size_of_value(value, limit),
             }
     }

@@ -6,7 +6,7 @@ use dobot_wire::Status;
 use serde_json::{Value, json};
 
 use crate::Topic;
-use crate::topic::{FROM_ARM, JOINTS, POSE, RECORDER, TO_ARM, TRANSFORM};
+use crate::topic::{FROM_ARM, INK, JOINTS, OWN_COUNT, POSE, RECORDER, TARGET, TO_ARM, TRANSFORMS};
 
 /// The recorder's own topic of that name.
 pub(crate) fn own(name: &str) -> Option<&'static Topic> {
@@ -19,13 +19,15 @@ pub fn topics() -> &'static [Topic] {
     &*OWN
 }
 
-static OWN: LazyLock<[Topic; 6]> = LazyLock::new(|| {
+static OWN: LazyLock<[Topic; OWN_COUNT]> = LazyLock::new(|| {
     [
         Topic::own(TO_ARM, "dobot.ToArm", &to_arm()),
         Topic::own(FROM_ARM, "dobot.FromArm", &from_arm()),
         Topic::own(POSE, "foxglove.PoseInFrame", &pose_in_frame()),
         Topic::own(JOINTS, "dobot.Joints", &joints()),
-        Topic::own(TRANSFORM, "foxglove.FrameTransform", &frame_transform()),
+        Topic::own(TRANSFORMS, "foxglove.FrameTransforms", &frame_transforms()),
+        Topic::own(TARGET, "foxglove.SceneUpdate", &scene_update()),
+        Topic::own(INK, "foxglove.SceneUpdate", &scene_update()),
         Topic::own(RECORDER, "dobot.Recorder", &recorder()),
     ]
 });
@@ -143,6 +145,84 @@ fn frame_transform() -> Value {
     )
 }
 
+fn frame_transforms() -> Value {
+    object(
+        "An array of FrameTransform messages",
+        &["transforms"],
+        &json!({ "transforms": list(&frame_transform()) }),
+    )
+}
+
+fn scene_update() -> Value {
+    let text = || json!({ "type": "string" });
+    let number = || json!({ "type": "number" });
+    let truth = || json!({ "type": "boolean" });
+    let kind = || json!({ "type": "integer", "minimum": 0 });
+    let pose = || {
+        object(
+            "Pose in 3D space",
+            &["position", "orientation"],
+            &json!({ "position": vector(), "orientation": quaternion() }),
+        )
+    };
+    let color = || numbers("A color in RGBA format", &["r", "g", "b", "a"]);
+    let primitive = |description, properties: Value| {
+        let names: Vec<_> = properties.as_object().into_iter().flatten().collect();
+        let names: Vec<_> = names.iter().map(|(name, _)| name.as_str()).collect();
+        list(&object(description, &names, &properties))
+    };
+    let solid = |description| {
+        primitive(
+            description,
+            json!({ "pose": pose(), "size": vector(), "color": color() }),
+        )
+    };
+    let lines = primitive(
+        "A series of points connected by lines",
+        json!({
+            "type": kind(),
+            "pose": pose(),
+            "thickness": number(),
+            "scale_invariant": truth(),
+            "points": list(&vector()),
+            "color": color(),
+            "colors": list(&color()),
+            "indices": { "type": "array", "items": { "type": "integer" } },
+        }),
+    );
+    // Of the kinds that are never there, a list of objects says enough.
+    let none = |description: &str| list(&object(description, &[], &json!({})));
+    let entity = json!({
+        "timestamp": time(),
+        "frame_id": text(),
+        "id": text(),
+        "lifetime": duration(),
+        "frame_locked": truth(),
+        "metadata": primitive("A key with its associated value", json!({ "key": text(), "value": text() })),
+        "arrows": none("A primitive representing an arrow"),
+        "cubes": solid("A primitive representing a cube or rectangular prism"),
+        "spheres": solid("A primitive representing a sphere or ellipsoid"),
+        "cylinders": none("A primitive representing a cylinder"),
+        "lines": lines,
+        "triangles": none("A primitive representing a set of triangles"),
+        "texts": none("A primitive representing a text label"),
+        "models": none("A primitive representing a 3D model file"),
+    });
+    let deletion = json!({ "timestamp": time(), "type": kind(), "id": text() });
+    object(
+        "An update to the entities displayed in a 3D scene",
+        &["deletions", "entities"],
+        &json!({
+            "deletions": primitive("Command to remove previously published entities", deletion),
+            "entities": primitive("A visual element in a 3D scene", entity),
+        }),
+    )
+}
+
+fn list(items: &Value) -> Value {
+    json!({ "type": "array", "items": items })
+}
+
 fn vector() -> Value {
     numbers("In metres", &["x", "y", "z"])
 }
@@ -158,17 +238,25 @@ fn numbers(description: &str, names: &[&str]) -> Value {
 }
 
 fn time() -> Value {
-    let mut time = object(
-        "Since 1970",
+    moment("time", "Since 1970")
+}
+
+fn duration() -> Value {
+    moment("duration", "How long; 0 is for ever")
+}
+
+/// By its title Foxglove knows a time or a duration.
+fn moment(title: &str, description: &str) -> Value {
+    let mut moment = object(
+        description,
         &["sec", "nsec"],
         &json!({
             "sec": { "type": "integer", "minimum": 0 },
             "nsec": { "type": "integer", "minimum": 0, "maximum": 999_999_999 },
         }),
     );
-    // By this title Foxglove knows a time.
-    time["title"] = json!("time");
-    time
+    moment["title"] = json!(title);
+    moment
 }
 
 fn at_s() -> Value {
@@ -188,8 +276,7 @@ fn object(description: &str, required: &[&str], properties: &Value) -> Value {
 mod tests {
     use super::*;
 
-    /// What Foxglove takes: objects, numbers, texts and truths all the way down, lists of numbers, no
-    /// references.
+    /// What Foxglove takes: objects, numbers, texts, truths and lists of them all the way down, no references.
     fn plots(schema: &Value) -> bool {
         match schema["type"].as_str() {
             Some("object") => {
@@ -197,7 +284,7 @@ mod tests {
                 fields.is_none_or(|fields| fields.values().all(plots))
             }
             Some("number" | "integer" | "string" | "boolean") => true,
-            Some("array") => matches!(schema["items"]["type"].as_str(), Some("integer")),
+            Some("array") => plots(&schema["items"]),
             _ => false,
         }
     }

@@ -19,14 +19,26 @@ pub const POSE: &str = "/arm/pose";
 /// The joint angles, in degrees.
 pub const JOINTS: &str = "/arm/joints";
 
-/// Where the tool is, as `foxglove.FrameTransform` from `base` to `tool`.
-pub const TRANSFORM: &str = "/tf";
+/// Where each link of the arm is, seen from its parent, as `foxglove.FrameTransforms`: the links of the URDF of `dobot-model`, of
+/// which `tool` is where the tool is. In recordings of before, `foxglove.FrameTransform` from `base` to `tool`.
+pub const TRANSFORMS: &str = "/tf";
+
+/// Where the commands lead that the arm has, as `foxglove.SceneUpdate`.
+pub const TARGET: &str = "/arm/target";
+
+/// What the tool has drawn or burnt, as `foxglove.SceneUpdate`: each message has the pieces that are new.
+pub const INK: &str = "/arm/ink";
 
 /// What the recorder has to say about itself: records that it lost, and why.
 pub const RECORDER: &str = "/recorder";
 
 /// The topics that the recorder writes itself.
-pub(crate) const OWN: [&str; 6] = [TO_ARM, FROM_ARM, POSE, JOINTS, TRANSFORM, RECORDER];
+pub(crate) const OWN: [&str; OWN_COUNT] = [
+    TO_ARM, FROM_ARM, POSE, JOINTS, TRANSFORMS, TARGET, INK, RECORDER,
+];
+
+/// How many those are.
+pub(crate) const OWN_COUNT: usize = 8;
 
 /// A topic: messages of one kind, JSON objects with a JSON Schema.
 #[derive(Clone, Debug, PartialEq)]

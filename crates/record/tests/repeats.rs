@@ -226,7 +226,9 @@ proptest! {
             Record::ToArm(bytes) => (at, "/wire/to_arm".to_owned(), bytes),
             Record::FromArm(bytes) => (at, FROM_ARM.to_owned(), bytes),
             Record::Json { value, .. } => (at, "/events".to_owned(), value.to_string().into_bytes()),
-            Record::About(_) => unreachable!("there is none"),
+            Record::About(_) | Record::Tools(_) | Record::Pen { .. } => {
+                unreachable!("there is none")
+            }
         }));
         prop_assert_eq!(found, expected);
     }

@@ -171,6 +171,8 @@ impl Driver {
     ///
     /// What failed that the arm depends on, in one line.
     pub(crate) async fn run(mut self, first: Option<Connecting>) -> Result<(), String> {
+        self.recording
+            .tools(Duration::ZERO, self.supervisor.policy());
         self.follow(first);
         if self.link.is_none() && self.connecting.is_none() {
             self.connect();
@@ -300,7 +302,8 @@ impl Driver {
             if let Some(link) = &mut self.link {
                 link.send(&bytes);
                 link.push();
-                self.recording.sent(self.now(), &bytes);
+                let pen_below_mm = self.supervisor.pen_draws_below_mm();
+                self.recording.sent(self.now(), &bytes, pen_below_mm);
                 self.tell_passed(true, bytes);
             }
         }
@@ -318,8 +321,12 @@ impl Driver {
     }
 
     fn tell_passed(&self, to_arm: bool, bytes: [u8; 42]) {
-        let at = self.now();
-        self.ends.tell_passed(PassedPacket { at, to_arm, bytes });
+        self.ends.tell_passed(PassedPacket {
+            at: self.now(),
+            to_arm,
+            bytes,
+            pen_below_mm: self.supervisor.pen_draws_below_mm(),
+        });
     }
 
     fn publish(&mut self) {
@@ -402,6 +409,7 @@ impl Driver {
         let of_arm = in_time_of_arm(policy, self.source.speed());
         self.supervisor.handle_policy(now, client, of_arm)?;
         self.jobs.set_policy(policy);
+        self.recording.tools(now, policy);
         self.ends.change_rules(|it| {
             it.policy = policy.clone();
             it.dead_man_s = policy.jog.dead_man_s;

@@ -44,7 +44,7 @@ pub struct Ends {
 }
 
 /// A packet that has passed between the station and the arm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassedPacket {
     /// When, since the station started.
     pub at: Duration,
@@ -52,6 +52,9 @@ pub struct PassedPacket {
     pub to_arm: bool,
     /// The packet.
     pub bytes: [u8; 42],
+    /// Below which height of the tool a pen draws then, in millimetres and the arm's own words; `None` where no job lifts
+    /// one.
+    pub pen_below_mm: Option<f64>,
 }
 
 /// What holds until the policy or the arm is changed.

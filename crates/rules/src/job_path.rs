@@ -1,9 +1,8 @@
 //! The way of a job, for those who look at it.
 
 use dobot_api::JobPath;
-use dobot_arm::Position;
 use dobot_journal::{Job, Journal};
-use dobot_trajectory::{Model, Trajectory};
+use dobot_trajectory::Model;
 use dobot_wire::Command;
 
 use crate::Refusal;
@@ -26,7 +25,8 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
             index,
             why: error.to_string(),
         })?;
-        for (position, after_s) in places(&model, command, &trajectory) {
+        for (place, after_s) in trajectory.corners() {
+            let position = model.true_place(&place).pose.position;
             path.path_mm
                 .push([position.x.0, position.y.0, position.z.0].map(rounded));
             path.commands.push(index);
@@ -42,27 +42,11 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
     Ok(path)
 }
 
-/// The places along a way, and when each is reached; none where nothing moves.
-fn places(model: &Model, command: &Command, trajectory: &Trajectory) -> Vec<(Position, f64)> {
-    let duration_s = trajectory.motion_s().unwrap_or_default();
-    let parts = match command {
-        _ if !trajectory.moves() => 0,
-        Command::WriteVector(_) => 1,
-        _ => TARGET_PARTS,
-    };
-    let place = |part: u32| {
-        let after_s = duration_s * f64::from(part) / f64::from(parts);
-        let place = trajectory.place_at(after_s).ok()?;
-        Some((model.true_place(&place).pose.position, after_s))
-    };
-    (1..=parts).filter_map(place).collect()
-}
-
 /// A pen draws where a vector leaves it nearer to the lowest place than to where it is lifted.
 fn mark_lowered(path: &mut JobPath, lift_mm: f64) {
     let heights = path.path_mm.iter().map(|it| it[2]);
-    let lowest_mm = heights.fold(f64::MAX, f64::min);
-    let is_low = |at: &[f64; 3]| at[2] < lowest_mm + lift_mm / 2.0;
+    let below_mm = draws_below_mm(heights.fold(f64::MAX, f64::min), lift_mm);
+    let is_low = |at: &[f64; 3]| at[2] < below_mm;
     let mut was_low = false;
     for (at, marks) in path.path_mm.iter().zip(&mut path.marks) {
         *marks |= was_low && is_low(at);
@@ -70,10 +54,12 @@ fn mark_lowered(path: &mut JobPath, lift_mm: f64) {
     }
 }
 
+/// Below which height a pen draws that is lifted so far from its lowest place.
+pub(crate) const fn draws_below_mm(lowest_mm: f64, lift_mm: f64) -> f64 {
+    lowest_mm + lift_mm / 2.0
+}
+
 /// To a thousandth: nobody sees more, and it makes a long way shorter to send.
 fn rounded(number: f64) -> f64 {
     (number * 1000.0).round() / 1000.0
 }
-
-/// In how many parts of equal time the way to a target is shown, which may be a jump.
-const TARGET_PARTS: u32 = 16;

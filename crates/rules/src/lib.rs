@@ -78,7 +78,7 @@ pub use host::{Host, HostError, Setup};
 pub use known_arms::KnownArmsError;
 pub use planned_for::PlannedFor;
 pub use predict::{Prediction, predict};
-pub use recording::{notice_topic, state_topic};
+pub use recording::{notice_topic, state_topic, tools_of};
 pub use refusal::{Holder, Refusal};
 pub use service_manager::{Notification, ServiceManager};
 pub use supervisor::{Begun, Effect, JobPlan, Supervisor};

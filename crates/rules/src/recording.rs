@@ -4,8 +4,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_api::{Folders, Notice, State};
+use dobot_arm::Millimeters;
 use dobot_client::Address;
+use dobot_model::{MountedTool, ToolKind};
 use dobot_record::{About, Limits, Record, Recorder, Topic};
+use dobot_safety::Policy;
 use dobot_wire::{Dialect, Status};
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
@@ -18,6 +21,8 @@ pub(crate) struct Recording {
     about: About,
     states: Arc<Topic>,
     notices: Arc<Topic>,
+    /// Below which height a pen draws, as it was recorded last.
+    pen_below_mm: Option<f64>,
     /// The state that was recorded last, and when.
     told: Option<(Duration, State)>,
     /// What was wrong with the recorder when it was asked last.
@@ -34,12 +39,20 @@ impl Recording {
             },
             states: state_topic(),
             notices: notice_topic(),
+            pen_below_mm: None,
             told: None,
             problem: None,
         }
     }
 
-    pub(crate) fn sent(&self, at: Duration, bytes: &[u8]) {
+    /// Records a packet to the arm, and below which height of the tool a pen draws meanwhile.
+    pub(crate) fn sent(&mut self, at: Duration, bytes: &[u8], pen_below_mm: Option<f64>) {
+        if pen_below_mm != self.pen_below_mm {
+            self.pen_below_mm = pen_below_mm;
+            self.record(at, || Record::Pen {
+                below_mm: pen_below_mm,
+            });
+        }
         self.record(at, || Record::ToArm(bytes.to_vec()));
     }
 
@@ -50,6 +63,12 @@ impl Recording {
     /// Records a state that says something new; one in which only the arm's status, clocks and figures
     /// of the link changed, every ten seconds.
     pub(crate) fn state(&mut self, at: Duration, state: &State) {
+        if state.dialect != self.about.dialect {
+            // It was found, or a person told it, after the link came up.
+            self.about.dialect = state.dialect;
+            let about = Box::new(self.about.clone());
+            self.record(at, || Record::About(about));
+        }
         if self.recorder.is_some() && self.is_worth_telling(at, state) {
             self.told = Some((at, state.clone()));
             self.json(at, &self.states, state);
@@ -66,6 +85,11 @@ impl Recording {
         } else {
             essence(told) != essence(state)
         }
+    }
+
+    /// Records how long the tools are by the policy that holds from now on.
+    pub(crate) fn tools(&self, at: Duration, policy: &Policy) {
+        self.record(at, || Record::Tools(tools_of(policy)));
     }
 
     pub(crate) fn notice(&self, at: Duration, notice: &Notice) {
@@ -159,6 +183,17 @@ fn about() -> About {
         program: concat!("dobot ", env!("CARGO_PKG_VERSION")).into(),
         ..About::default()
     }
+}
+
+/// The tools that may hang at an arm, as long as a policy says; none that no model could have.
+#[must_use]
+pub fn tools_of(policy: &Policy) -> Vec<MountedTool> {
+    let kinds = [ToolKind::SuctionCup, ToolKind::Gripper, ToolKind::Laser];
+    let tool = |kind: ToolKind| {
+        let length = Millimeters(policy.tool_length.of(kind.tool()));
+        MountedTool::new(kind, length).ok()
+    };
+    kinds.into_iter().filter_map(tool).collect()
 }
 
 /// Where the states of a station are recorded, and told live.
@@ -264,6 +299,26 @@ mod tests {
         let files = dobot_record::recordings(folder.path()).expect("it is readable");
         let moments = dobot_record::Recording::open(&files[0].path).expect("it is one");
         moments.count()
+    }
+
+    #[test]
+    fn a_dialect_that_is_found_behind_the_first_state_is_what_the_recording_is_of() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let start = jiff::Timestamp::UNIX_EPOCH;
+        let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
+        let mut recording = Recording::new(Some(recorder.expect("it starts")), None);
+        recording.state(Duration::ZERO, &state(0.0));
+        let known = State {
+            dialect: Some(Dialect::FIRMWARE_1_1),
+            ..state(1.0)
+        };
+        recording.state(Duration::from_secs(1), &known);
+        recording.end();
+        let files = dobot_record::recordings(folder.path()).expect("it is readable");
+        let mut read = dobot_record::Recording::open(&files[0].path).expect("it is one");
+        assert_eq!(read.by_ref().count(), 2);
+        let about = read.about().expect("every file tells it");
+        assert_eq!(about.dialect, Some(Dialect::FIRMWARE_1_1));
     }
 
     fn hour() -> impl Iterator<Item = State> {

@@ -68,6 +68,12 @@ impl Source {
         !matches!(self, Self::Picture(_))
     }
 
+    /// Whether it becomes the same however large it is drawn: it has no curves that would be read more finely.
+    #[must_use]
+    pub const fn is_same_at_any_size(&self) -> bool {
+        matches!(self, Self::Lines(_))
+    }
+
     /// Whether it has letters that only installed fonts can show.
     #[must_use]
     pub fn needs_fonts(&self) -> bool {

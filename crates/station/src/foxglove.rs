@@ -5,15 +5,18 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_record::{About, Live, Record, Topic, topics};
-use dobot_rules::{Handle, PassedPacket, Snapshot, notice_topic, state_topic};
+use dobot_record::{About, INK, Live, Record, Topic, topics};
+use dobot_rules::{Handle, PassedPacket, Snapshot, notice_topic, state_topic, tools_of};
+use dobot_safety::{Policy, ToolLengths};
 use dobot_wire::Dialect;
+use foxglove::websocket::{ChannelView, Client, ServerListener};
 use foxglove::{
-    Context, FoxgloveError, PartialMetadata, RawChannel, Schema, WebSocketServerHandle,
+    Context, FoxgloveError, PartialMetadata, RawChannel, Schema, SinkId, WebSocketServerHandle,
 };
 use jiff::{SignedDuration, Timestamp};
 use serde::Serialize;
 use tokio::sync::broadcast::error::RecvError;
+use tokio::sync::mpsc;
 
 /// Where Foxglove comes and looks on: the topics are those of the recordings, so that one layout serves both.
 ///
@@ -23,6 +26,8 @@ pub struct FoxglovePort {
     server: WebSocketServerHandle,
     address: SocketAddr,
     context: Arc<Context>,
+    /// Those who want to see the ink, as they come.
+    late: mpsc::UnboundedReceiver<SinkId>,
 }
 
 /// Why there is no port for Foxglove.
@@ -59,8 +64,10 @@ impl FoxglovePort {
             return Err(FoxglovePortError::NotLoopback { found: address });
         }
         let context = Context::new();
+        let (came, late) = mpsc::unbounded_channel();
         let server = context
             .websocket_server()
+            .listener(Arc::new(Door(came)))
             .name(concat!("dobot ", env!("CARGO_PKG_VERSION")))
             .bind(address.ip().to_string(), address.port());
         let server = server.start().await;
@@ -73,6 +80,7 @@ impl FoxglovePort {
             server,
             address,
             context,
+            late,
         })
     }
 
@@ -87,7 +95,7 @@ impl FoxglovePort {
     /// # Errors
     ///
     /// A line where the clock of this machine is before 1970 or a channel cannot be made: nothing is told then.
-    pub async fn serve(self, handle: &Handle) -> Result<(), String> {
+    pub async fn serve(mut self, handle: &Handle) -> Result<(), String> {
         let mut teller = Teller::new(&self.context, &handle.state())?;
         let (mut passed, mut states, mut notices) =
             (handle.passed(), handle.states(), handle.notices());
@@ -95,18 +103,22 @@ impl FoxglovePort {
         states.mark_changed();
         loop {
             tokio::select! {
+                // Whether a dialect is known, and how long tools are, is told before the packets that it matters to.
+                biased;
+                changed = states.changed() => match changed {
+                    Ok(()) => {
+                        let state = states.borrow_and_update().clone();
+                        teller.policy(&handle.rules().policy);
+                        teller.state(&state);
+                    }
+                    Err(_) => break,
+                },
+                Some(who) = self.late.recv() => teller.ink_so_far(who),
                 packet = passed.recv() => match packet {
                     Ok(packet) => teller.packet(&packet),
                     // Foxglove drops what comes too fast, too.
                     Err(RecvError::Lagged(_)) => {}
                     Err(RecvError::Closed) => break,
-                },
-                changed = states.changed() => match changed {
-                    Ok(()) => {
-                        let state = states.borrow_and_update().clone();
-                        teller.state(&state);
-                    }
-                    Err(_) => break,
                 },
                 notice = notices.recv() => match notice {
                     Ok(notice) => teller.tell(notice.at_s, &teller.notices.clone(), &*notice),
@@ -121,6 +133,18 @@ impl FoxglovePort {
     }
 }
 
+/// Notices who comes to see the ink: what was drawn before is told to nobody else.
+struct Door(mpsc::UnboundedSender<SinkId>);
+
+impl ServerListener for Door {
+    fn on_subscribe(&self, client: Client, channel: ChannelView) {
+        if let Some(sink) = client.sink_id().filter(|_| channel.topic() == INK) {
+            // Nobody hears that when the station ends.
+            let _ = self.0.send(sink);
+        }
+    }
+}
+
 /// Makes messages of what happens, and gives them to those who look on.
 struct Teller {
     live: Live,
@@ -128,6 +152,12 @@ struct Teller {
     states: Arc<Topic>,
     notices: Arc<Topic>,
     dialect: Option<Dialect>,
+    /// How long the tools are, as it was told last.
+    tools: Option<ToolLengths>,
+    /// Below which height a pen draws, as it was told last.
+    pen_below_mm: Option<f64>,
+    /// When the last packet passed.
+    now: Duration,
 }
 
 impl Teller {
@@ -153,13 +183,18 @@ impl Teller {
             states,
             notices,
             dialect: None,
+            tools: None,
+            pen_below_mm: None,
+            now: Duration::ZERO,
         })
     }
 
     fn packet(&mut self, packet: &PassedPacket) {
-        if !self.channels.values().any(|it| it.has_sinks()) {
-            // Nobody looks on.
-            return;
+        self.now = packet.at;
+        if packet.pen_below_mm != self.pen_below_mm {
+            self.pen_below_mm = packet.pen_below_mm;
+            let below_mm = packet.pen_below_mm;
+            self.live.follow(packet.at, &Record::Pen { below_mm });
         }
         let bytes = packet.bytes.to_vec();
         let record = if packet.to_arm {
@@ -167,7 +202,30 @@ impl Teller {
         } else {
             Record::FromArm(bytes)
         };
-        self.record(packet.at, &record);
+        if self.channels.values().any(|it| it.has_sinks()) {
+            self.record(packet.at, &record);
+        } else {
+            // Nobody looks on.
+            self.live.follow(packet.at, &record);
+        }
+    }
+
+    fn policy(&mut self, policy: &Policy) {
+        if self.tools != Some(policy.tool_length) {
+            self.tools = Some(policy.tool_length);
+            let tools = Record::Tools(tools_of(policy));
+            self.live.follow(self.now, &tools);
+        }
+    }
+
+    /// Tells one who has just come what was drawn before.
+    fn ink_so_far(&self, who: SinkId) {
+        for message in self.live.ink_so_far(self.now) {
+            if let Some(channel) = self.channels.get(message.topic.name()) {
+                let log_time = PartialMetadata::with_log_time(message.at_ns);
+                channel.log_with_meta_to_sink(&message.json, log_time, Some(who));
+            }
+        }
     }
 
     fn state(&mut self, state: &Snapshot) {

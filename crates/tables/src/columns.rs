@@ -10,7 +10,7 @@ use crate::cell::{Cell, Column, Kind, column};
 /// The columns of the statuses.
 pub(crate) fn of_statuses() -> Vec<Column> {
     let mut columns = vec![column("time", Kind::Time), column("at_s", Kind::Double)];
-    columns.extend(STATUS.map(|name| column(name, Kind::Float)));
+    columns.extend(STATUS_FLOATS.map(|name| column(name, Kind::Float)));
     columns.push(column("suction", Kind::Truth));
     columns.push(column("gripper_deg", Kind::Float));
     columns
@@ -80,7 +80,8 @@ fn times(start: Timestamp, at: Duration) -> Vec<Cell> {
     ]
 }
 
-const STATUS: [&str; 8] = [
+/// The columns of the first eight floats of a status, in their order: places in mm, angles in degrees.
+pub const STATUS_FLOATS: [&str; 8] = [
     "x_mm",
     "y_mm",
     "z_mm",

@@ -48,6 +48,7 @@ mod rows;
 mod summary;
 mod table;
 
+pub use columns::STATUS_FLOATS;
 pub use error::ExportError;
 pub use files::{TableForm, export_files};
 pub use in_memory::{TableColumn, Tables, Values, read_tables};

@@ -112,6 +112,22 @@ impl Trajectory {
         }
     }
 
+    /// Places by which the way can be drawn, each with when it is reached, in seconds since the command began: of a
+    /// vector its end, of any other motion sixteen places of equal time, the last of them its end. There are none of a
+    /// jog, nor where nothing moves, and those are left out where the arm cannot be at all.
+    pub fn corners(&self) -> impl Iterator<Item = (ArmPlace, f64)> + use<'_> {
+        let duration_s = self.motion_s().unwrap_or_default();
+        let parts = match self.motion {
+            _ if !self.moves() || self.motion_s().is_none() => 0,
+            Motion::Stroke { .. } => 1,
+            _ => CORNERS,
+        };
+        (1..=parts).filter_map(move |part| {
+            let after_s = duration_s * f64::from(part) / f64::from(parts);
+            Some((self.place_at(after_s).ok()?, after_s))
+        })
+    }
+
     /// Whether something moves on the way.
     #[must_use]
     pub fn moves(&self) -> bool {
@@ -187,5 +203,7 @@ impl Trajectory {
     }
 }
 
+/// In how many parts of equal time a way is drawn that may be a jump.
+const CORNERS: u32 = 16;
 /// As often as this a way is checked against the limits: once a control tick.
 const SAMPLING_S: f64 = 0.02;

@@ -27,12 +27,17 @@ pub(super) fn read(
     };
     let begin = |it| Reading::begin(it, settings).map_err(|error| named(it, error));
     let mut readings: Vec<Reading> = sources.iter().map(begin).collect::<Result<_, _>>()?;
-    let place = |readings: &[Reading]| {
-        let parts = readings.iter().map(Reading::part).collect();
+    let place = |readings: &mut [Reading], for_good| {
+        let parts = readings.iter_mut().map(|it| it.part(for_good)).collect();
         settings.placement.place(together(parts, settings)?)
     };
-    let mut placed = place(&readings)?;
-    for _ in 0..MOST_READS {
+    // What was read as it will be need not be kept for another time.
+    let for_good = readings
+        .iter()
+        .all(|it| it.source.source.is_same_at_any_size());
+    let mut placed = place(&mut readings, for_good)?;
+    let most_reads = if for_good { 0 } else { MOST_READS };
+    for _ in 0..most_reads {
         let mut is_as_thought = true;
         for reading in &mut readings {
             let read = reading.read_for(placed.scale, settings.flatten_mm());
@@ -41,7 +46,7 @@ pub(super) fn read(
         if is_as_thought {
             break;
         }
-        placed = place(&readings)?;
+        placed = place(&mut readings, false)?;
     }
     let warnings = readings.into_iter().flat_map(|it| {
         let file = (!is_alone).then(|| it.source.name.clone());
@@ -92,13 +97,21 @@ impl<'a> Reading<'a> {
         })
     }
 
-    /// What it is on the page.
-    fn part(&self) -> (&Source, Artwork) {
-        (&self.source.source, self.artwork.clone())
+    /// What it is on the page; `for_good` where it is not asked for again.
+    fn part(&mut self, for_good: bool) -> (&'a Source, Artwork) {
+        let artwork = if for_good {
+            std::mem::take(&mut self.artwork)
+        } else {
+            self.artwork.clone()
+        };
+        (&self.source.source, artwork)
     }
 
     /// Reads it again where it was read for another size on the paper; tells whether it was.
     fn read_for(&mut self, scale: f64, flatten_mm: f64) -> Result<bool, SourceError> {
+        if self.source.source.is_same_at_any_size() {
+            return Ok(false);
+        }
         if self.source.source.has_size() {
             let tolerance_mm = (flatten_mm / scale).max(1e-6);
             let last_mm = self.options.tolerance_mm;

@@ -87,6 +87,13 @@ impl Supervisor {
         self.run.as_ref().map(Run::progress)
     }
 
+    /// Below which height of the tool a pen draws now, in millimetres and the arm's own words; `None` where no job lifts
+    /// one.
+    #[must_use]
+    pub fn pen_draws_below_mm(&self) -> Option<f64> {
+        self.run.as_ref()?.draws_below_mm()
+    }
+
     /// Whether a job is at its commands, and not on the way to where it goes on.
     #[must_use]
     pub fn job_is_under_way(&self) -> bool {

@@ -19,6 +19,7 @@ use dobot_wire::{
 use self::cycle::Cycle;
 use self::height::Height;
 use crate::Refusal;
+use crate::job_path::draws_below_mm;
 
 /// A job whose whole way has been checked: where each command ends, and how long it takes.
 #[derive(Clone, Debug)]
@@ -34,6 +35,8 @@ pub struct JobPlan {
     settings: Vec<(usize, DrawnWith)>,
     burns: bool,
     lift_mm: f32,
+    /// How low it leads as it was planned, in the arm's own words.
+    lowest_mm: f64,
     /// How the arm differs from the drawing of it.
     arm: Calibration,
     /// Which of them are done again.
@@ -115,6 +118,7 @@ impl JobPlan {
             settings: vec![(0, look.drawn_with())],
             burns,
             lift_mm,
+            lowest_mm: f64::MAX,
             arm: model.calibration,
             cycle,
         };
@@ -132,6 +136,9 @@ impl JobPlan {
         plan.planned = commands.into();
         plan.commands = drawn.into();
         plan.steps = steps.into();
+        let moved = &plan.steps[plan.first_motion()..];
+        let heights = moved.iter().map(|it| f64::from(it.end.z_mm) - it.raised_mm);
+        plan.lowest_mm = heights.fold(f64::MAX, f64::min);
         Ok(plan)
     }
 
@@ -311,6 +318,14 @@ impl JobPlan {
     #[must_use]
     pub fn lift(&self) -> Option<f32> {
         Some(self.lift_mm).filter(|it| *it > 0.0)
+    }
+
+    /// Below which height of the tool a pen draws, in millimetres and the arm's own words, where it is drawn so far above
+    /// the plan; `None` where it is not lifted.
+    #[must_use]
+    pub fn draws_below_mm(&self, raised_mm: f64) -> Option<f64> {
+        let lift_mm = self.lift()?;
+        Some(draws_below_mm(self.lowest_mm + raised_mm, lift_mm.into()))
     }
 
     /// The arm when all before a command is over; `None` before the first motion, which begins

@@ -262,6 +262,11 @@ impl Run {
         )
     }
 
+    /// Below which height of the tool its pen draws, in mm and the arm's own words.
+    pub(super) fn draws_below_mm(&self) -> Option<f64> {
+        self.begun.plan.draws_below_mm(self.begun.height_mm())
+    }
+
     pub(super) const fn burns(&self) -> bool {
         self.begun.plan.burns()
     }

@@ -1,6 +1,8 @@
 use std::net::Ipv4Addr;
 
-use dobot_wire::Status;
+use dobot_arm::{Pose, Position, Tool};
+use dobot_trajectory::ArmPlace;
+use dobot_wire::{Status, WriteVector};
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
 use tokio::net::TcpStream;
@@ -118,6 +120,7 @@ fn turned(base_deg: f32) -> PassedPacket {
         at: Duration::from_secs(7),
         to_arm: false,
         bytes: status.emit().to_bytes(),
+        pen_below_mm: None,
     }
 }
 
@@ -131,8 +134,10 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
     let mut names: Vec<_> = onlooker.channels.keys().map(String::as_str).collect();
     names.sort_unstable();
     let recorded = [
+        "/arm/ink",
         "/arm/joints",
         "/arm/pose",
+        "/arm/target",
         "/recorder",
         "/station/notices",
         "/station/state",
@@ -143,11 +148,16 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
     assert_eq!(names, recorded);
     let transform = onlooker.advertised.iter().find(|it| it["topic"] == "/tf");
     let transform = transform.expect("it is offered");
-    assert_eq!(transform["schemaName"], "foxglove.FrameTransform");
+    assert_eq!(transform["schemaName"], "foxglove.FrameTransforms");
     assert_eq!(transform["encoding"], "json");
     let schema: Value = serde_json::from_str(transform["schema"].as_str().expect("it is text"))
         .expect("it is JSON");
     assert_eq!(schema["type"], "object");
+    for topic in ["/arm/ink", "/arm/target"] {
+        let scene = onlooker.advertised.iter().find(|it| it["topic"] == topic);
+        let scene = scene.expect("it is offered");
+        assert_eq!(scene["schemaName"], "foxglove.SceneUpdate");
+    }
 }
 
 #[tokio::test]
@@ -161,20 +171,86 @@ async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
         base_deg += 0.25;
         driver.tell_passed(turned(base_deg));
     };
-    let (_, transform) = onlooker.told("/tf", again).await;
-    assert_eq!(transform["parent_frame_id"], "base");
-    assert_eq!(transform["child_frame_id"], "tool");
-    let at = |axis: &str| {
-        transform["translation"][axis]
-            .as_f64()
-            .expect("it is a number")
-    };
-    assert!((at("x").hypot(at("y")) - 0.215_07).abs() < 1e-6);
-    let turned_deg = at("y").atan2(at("x")).to_degrees();
+    let (_, told) = onlooker.told("/tf", again).await;
+    // What turns with the base alone: rear arm upright, forearm level.
+    let turret = &told["transforms"][0];
+    assert_eq!(turret["parent_frame_id"], "base");
+    assert_eq!(turret["child_frame_id"], "turret");
+    let part = |name: &str| turret["rotation"][name].as_f64().expect("it is a number");
+    let turned_deg = 2.0 * part("z").atan2(part("w")).to_degrees();
     assert!(
         (30.0..=f64::from(base_deg) + 1e-3).contains(&turned_deg),
         "{turned_deg}"
     );
+}
+
+/// The arm at zero, after so many seconds, with its tool so far to the left and so much lower, and what it was sent then.
+fn drawing(at_ms: u64, command: Option<WriteVector>, place_mm: [f32; 2]) -> PassedPacket {
+    let [y_mm, z_mm] = place_mm;
+    let here = ArmPlace::of_status(&Status::AT_ZERO).pose;
+    let there = here.position + Position::new(0.0, y_mm.into(), z_mm.into());
+    let pose = Pose {
+        position: there,
+        ..here
+    };
+    let place = ArmPlace::at_pose(pose, Tool::SuctionCup).expect("it is in reach");
+    PassedPacket {
+        at: Duration::from_millis(at_ms),
+        to_arm: command.is_some(),
+        bytes: match command {
+            Some(it) => it.emit(&Dialect::SPECIFICATION).to_bytes(),
+            None => place.status().emit().to_bytes(),
+        },
+        // It was lifted by 5 mm.
+        pen_below_mm: Some(here.position.z.0 - 2.5),
+    }
+}
+
+/// Lowers the pen by 5 mm, draws 8 mm to the left, lifts it, and rests.
+fn line_to_the_left() -> Vec<PassedPacket> {
+    let (mut packets, mut at_ms) = (vec![drawing(0, None, [0.0; 2])], 0);
+    let mut place = [0.0; 2];
+    for [y, z] in [[0.0, -5.0], [8.0, 0.0], [0.0, 5.0]] {
+        let command = WriteVector::by(0.0, y, z, 40.0);
+        packets.push(drawing(at_ms, Some(command), place));
+        place = [place[0] + y, place[1] + z];
+        for _ in 0..20 {
+            at_ms += 80;
+            packets.push(drawing(at_ms, None, place));
+        }
+    }
+    packets
+}
+
+#[tokio::test]
+async fn one_who_comes_late_is_told_the_ink_that_was_drawn_before_and_nobody_else_is_told_it_again()
+{
+    let (driver, address) = served().await;
+    let mut state = crate::sample::state(60.0);
+    state.dialect = Some(Dialect::SPECIFICATION);
+    driver.tell(state);
+    let mut early = Onlooker::come(address).await;
+    early.want("/station/state").await;
+    early.told("/station/state", || {}).await;
+    for packet in line_to_the_left() {
+        driver.tell_passed(packet);
+    }
+    for _ in 0..2 {
+        let mut late = Onlooker::come(address).await;
+        late.want("/arm/ink").await;
+        let (_, ink) = late.told("/arm/ink", || {}).await;
+        let [entity] = &ink["entities"].as_array().expect("it is a list")[..] else {
+            panic!("{ink}");
+        };
+        let points = entity["lines"][0]["points"].as_array().expect("it is one");
+        let along_m = |axis: &str| {
+            let at = [0, 1].map(|n: usize| points[n][axis].as_f64().expect("it is a number"));
+            at[1] - at[0]
+        };
+        assert_eq!(points.len(), 2);
+        assert!((along_m("y") - 0.008).abs() < 1e-6, "{points:?}");
+        assert!(along_m("x").abs() + along_m("z").abs() < 1e-6, "{points:?}");
+    }
 }
 
 #[tokio::test]

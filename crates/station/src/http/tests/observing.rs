@@ -151,7 +151,12 @@ async fn packets_are_told_both_ways_and_decoded_and_what_came_too_fast_is_counte
     let tell = |to_arm: bool, bytes: [u8; 42]| {
         let at = Duration::from_millis(1_500);
         let ends = &harness.telling.ends;
-        ends.tell_passed(PassedPacket { at, to_arm, bytes });
+        ends.tell_passed(PassedPacket {
+            at,
+            to_arm,
+            bytes,
+            pen_below_mm: None,
+        });
     };
     tell(false, Status::AT_ZERO.emit().to_bytes());
     let (name, packet) = next().await;

@@ -1,0 +1,82 @@
+//! Where the commands lead that the arm has.
+
+use std::time::Duration;
+
+use dobot_arm::Position;
+use dobot_trajectory::Trajectory;
+use serde_json::{Value, json};
+
+use crate::scene::{color, entity, line, points, removal, sphere};
+
+/// Tells where the commands lead that the arm has: one thing to be seen, which is put in place of the one before.
+#[derive(Debug, Default)]
+pub(crate) struct Target {
+    /// Something changed since it was told.
+    is_news: bool,
+    is_shown: bool,
+    told_at: Option<Duration>,
+}
+
+impl Target {
+    /// Commands came, or are over.
+    pub(crate) const fn note_change(&mut self) {
+        self.is_news = true;
+    }
+
+    /// It is told again if it is shown.
+    pub(crate) const fn tell_again(&mut self) {
+        self.is_news |= self.is_shown;
+    }
+
+    /// The target and the ways to it, if that is news; not more often than four times a second.
+    pub(crate) fn poll<'w>(
+        &mut self,
+        at: Duration,
+        time: &Value,
+        ways: impl Iterator<Item = &'w Trajectory>,
+        tip_mm: f64,
+    ) -> Option<Value> {
+        let is_due = |it| at.saturating_sub(it) >= PERIOD;
+        if !self.is_news || !self.told_at.is_none_or(is_due) {
+            return None;
+        }
+        self.is_news = false;
+        let places = places(ways);
+        let was_shown = std::mem::replace(&mut self.is_shown, !places.is_empty());
+        if !was_shown && !self.is_shown {
+            return None;
+        }
+        self.told_at = Some(at);
+        let places = points(&places, tip_mm);
+        let Some(end) = places.last() else {
+            return Some(json!({ "deletions": [removal(time, NAME)], "entities": [] }));
+        };
+        let color = color(TARGET);
+        let lines = [line(&places, LINE_M, &color)];
+        let entity = entity(time, NAME, &lines, &[sphere(end, END_M, &color)]);
+        Some(json!({ "deletions": [], "entities": [entity] }))
+    }
+}
+
+/// The places along the ways, one behind the other; none where none of them moves, or has an end.
+fn places<'w>(ways: impl Iterator<Item = &'w Trajectory>) -> Vec<Position> {
+    let mut places = Vec::new();
+    for way in ways {
+        let mut corners = way.corners().peekable();
+        if places.is_empty()
+            && corners.peek().is_some()
+            && let Ok(from) = way.place_at(0.0)
+        {
+            places.push(from.pose.position);
+        }
+        places.extend(corners.map(|(place, _)| place.pose.position));
+    }
+    places
+}
+
+const NAME: &str = "target";
+const PERIOD: Duration = Duration::from_millis(250);
+const LINE_M: f64 = 0.001;
+const END_M: f64 = 0.006;
+/// The colour of what is planned on the station's page.
+const TARGET: u32 = 0x2a_72_b8;
