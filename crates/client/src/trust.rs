@@ -7,6 +7,8 @@ use dobot_arm::Joints;
 use dobot_trajectory::ArmPlace;
 use dobot_wire::{Command, Configuration, Status};
 
+use crate::send_error::moves;
+
 /// What shows that an arm was reset: its base angle is 0 by order, rear arm and forearm are read anew
 /// from their sensors, and what it was told is forgotten (notes N28 and N35).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +58,8 @@ pub(crate) struct ResetWatch {
     /// The initial angles that were sent and not seen yet, and for how many statuses more they
     /// would explain a jump.
     told: Option<([f32; 2], u32)>,
+    /// It was seen at rest, and nothing that moves was sent since.
+    still: bool,
 }
 
 impl ResetWatch {
@@ -65,6 +69,7 @@ impl ResetWatch {
             last: None,
             opened: false,
             told: None,
+            still: false,
         }
     }
 
@@ -95,6 +100,7 @@ impl ResetWatch {
 
     pub(crate) fn handle_sent(&mut self, command: &Command) {
         self.handle_given(command);
+        self.still &= !moves(command);
         if let Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) = command
         {
             self.told = Some(([*rear_deg, *fore_deg], AWAITED));
@@ -105,8 +111,9 @@ impl ResetWatch {
     /// full queue, and a command under way may turn the base to just 0: it counts as a reset all the
     /// same, for nothing in the statuses tells the two apart. Only while the port was closed the arm may
     /// have gone on with what it had: `to_zero` tells whether that leads to a base of 0. Of a real arm
-    /// the opening itself costs the trust. `at_rest` tells whether nothing is under way: then an arm that
-    /// tells the same as before stands as before.
+    /// the opening itself costs the trust. `at_rest` tells whether nothing is under way: then, and as long as nothing that
+    /// moves is sent behind that, an arm that tells the same as before stands as before. (A computer that stood still
+    /// switches the laser off before it hears what was told meanwhile.)
     pub(crate) fn handle_status(
         &mut self,
         now: Duration,
@@ -115,6 +122,7 @@ impl ResetWatch {
         at_rest: bool,
     ) -> Option<ResetEvidence> {
         let went_on = std::mem::take(&mut self.opened) && to_zero;
+        self.still |= at_rest;
         let (heard, before) = self.last.replace((now, *status))?;
         if self.told.is_some_and(|(told, _)| shows(status, told)) {
             self.told = None;
@@ -131,7 +139,7 @@ impl ResetWatch {
         let jumped = !jumps && jumped(&before, status, silent_for);
         let base_is_zero = status.base_deg == 0.0;
         // A joint that turned since the last status may have turned alone, and from 0.
-        let begun_anew = !went_on && (!at_rest || tells_otherwise(&before, status));
+        let begun_anew = !went_on && (!self.still || tells_otherwise(&before, status));
         if !(jumped || deaf && base_is_zero && begun_anew) {
             return None;
         }

@@ -197,6 +197,13 @@ fn a_jog_moves_its_axis_and_comes_to_rest() {
 }
 
 #[test]
+fn a_jog_that_did_not_move_the_arm_says_so() {
+    // The gripper is at its end already.
+    let jog = dobot(&["jog", "gripper-", "--for", "0.1"]).succeeds();
+    assert!(jog.stderr.contains("stands where it stood"), "{jog:?}");
+}
+
+#[test]
 fn a_tool_and_angles_can_be_set() {
     let laser = json(&dobot(&["set", "tool", "laser", "--json"]).succeeds().stdout);
     assert!(near(&laser["x_mm"], 263.666_5 - 5.5), "{laser}");

@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use dobot_client::{Event, Session};
-use dobot_wire::Dialect;
+use dobot_trajectory::LASER_OFF;
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis};
 
 use crate::desk::{Desk, status, vector};
 
@@ -57,6 +58,44 @@ fn a_full_queue_is_not_a_lost_link() {
     desk.session
         .handle_time(desk.now + Duration::from_secs(1000));
     assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
+}
+
+/// An arm whose base stands at 0, and a computer that stands still for a second and says something before it hears what was
+/// told meanwhile.
+fn stood_still_and_said(commands: &[Command]) -> Desk {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    for _ in 0..3 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    desk.now += Duration::from_secs(1);
+    desk.session.handle_time(desk.now);
+    for command in commands {
+        desk.session.emit_now(command).expect("it is allowed");
+        desk.session.note_urgent(command);
+    }
+    desk
+}
+
+#[test]
+fn an_arm_at_rest_that_tells_the_same_after_a_silence_stands_as_before_though_its_laser_was_switched_off()
+ {
+    let mut desk = stood_still_and_said(&[LASER_OFF]);
+    for _ in 0..3 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert!(desk.session.is_trusted());
+}
+
+#[test]
+fn an_arm_that_was_told_to_move_before_a_silence_may_have_been_reset_though_it_tells_the_same() {
+    let turn = JointJog::new(JointJogAxis::BasePlus, 50.0).into();
+    let release = JointJog::new(JointJogAxis::Released, 0.0).into();
+    for commands in [&[turn][..], &[turn, LASER_OFF], &[turn, release]] {
+        let mut desk = stood_still_and_said(commands);
+        desk.now += Duration::from_secs(1);
+        desk.status_at(200.0, 0.0, 0.0);
+        assert!(!desk.session.is_trusted(), "{commands:?}");
+    }
 }
 
 #[test]
