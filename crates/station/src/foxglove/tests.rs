@@ -1,8 +1,6 @@
 use std::net::Ipv4Addr;
 
-use dobot_arm::{Pose, Position, Tool};
-use dobot_trajectory::ArmPlace;
-use dobot_wire::{Status, WriteVector};
+use dobot_wire::Status;
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
 use tokio::net::TcpStream;
@@ -182,75 +180,6 @@ async fn foxglove_is_told_where_the_tool_is_as_the_arm_tells_it() {
         (30.0..=f64::from(base_deg) + 1e-3).contains(&turned_deg),
         "{turned_deg}"
     );
-}
-
-/// The arm at zero, after so many seconds, with its tool so far to the left and so much lower, and what it was sent then.
-fn drawing(at_ms: u64, command: Option<WriteVector>, place_mm: [f32; 2]) -> PassedPacket {
-    let [y_mm, z_mm] = place_mm;
-    let here = ArmPlace::of_status(&Status::AT_ZERO).pose;
-    let there = here.position + Position::new(0.0, y_mm.into(), z_mm.into());
-    let pose = Pose {
-        position: there,
-        ..here
-    };
-    let place = ArmPlace::at_pose(pose, Tool::SuctionCup).expect("it is in reach");
-    PassedPacket {
-        at: Duration::from_millis(at_ms),
-        to_arm: command.is_some(),
-        bytes: match command {
-            Some(it) => it.emit(&Dialect::SPECIFICATION).to_bytes(),
-            None => place.status().emit().to_bytes(),
-        },
-        // It was lifted by 5 mm.
-        pen_below_mm: Some(here.position.z.0 - 2.5),
-    }
-}
-
-/// Lowers the pen by 5 mm, draws 8 mm to the left, lifts it, and rests.
-fn line_to_the_left() -> Vec<PassedPacket> {
-    let (mut packets, mut at_ms) = (vec![drawing(0, None, [0.0; 2])], 0);
-    let mut place = [0.0; 2];
-    for [y, z] in [[0.0, -5.0], [8.0, 0.0], [0.0, 5.0]] {
-        let command = WriteVector::by(0.0, y, z, 40.0);
-        packets.push(drawing(at_ms, Some(command), place));
-        place = [place[0] + y, place[1] + z];
-        for _ in 0..20 {
-            at_ms += 80;
-            packets.push(drawing(at_ms, None, place));
-        }
-    }
-    packets
-}
-
-#[tokio::test]
-async fn one_who_comes_late_is_told_the_ink_that_was_drawn_before_and_nobody_else_is_told_it_again()
-{
-    let (driver, address) = served().await;
-    let mut state = crate::sample::state(60.0);
-    state.dialect = Some(Dialect::SPECIFICATION);
-    driver.tell(state);
-    let mut early = Onlooker::come(address).await;
-    early.want("/station/state").await;
-    early.told("/station/state", || {}).await;
-    for packet in line_to_the_left() {
-        driver.tell_passed(packet);
-    }
-    for _ in 0..2 {
-        let mut late = Onlooker::come(address).await;
-        late.want("/arm/ink").await;
-        let (_, ink) = late.told("/arm/ink", || {}).await;
-        let [entity] = &ink["entities"].as_array().expect("it is a list")[..] else {
-            panic!("{ink}");
-        };
-        let points = entity["lines"][0]["points"].as_array().expect("it is one");
-        let along_m = |axis: &str| {
-            let at = [0, 1].map(|n: usize| points[n][axis].as_f64().expect("it is a number"));
-            at[1] - at[0]
-        };
-        assert_eq!(points.len(), 2);
-        assert!((along_m("y") - 0.008).abs() < 1e-6, "{points:?}");
-        assert!(along_m("x").abs() + along_m("z").abs() < 1e-6, "{points:?}");
-    }
 }
 
 #[tokio::test]
