@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import urllib.request
 import warnings
 from itertools import islice, pairwise
 from concurrent.futures import ThreadPoolExecutor
@@ -305,14 +306,64 @@ def test_an_arm_is_told_to_stop_when_the_interpreter_that_jogs_it_is_killed(
         assert watcher.status().y_mm == ended
 
 
+BURNS = """
+import sys
+import dobot_arm as dobot
+with dobot.connect(sys.argv[1]) as arm:
+    arm.confirm_pose()
+    arm.arm_laser(60)
+    arm.laser(True)
+    print("burns", flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_the_laser_goes_off_when_the_interpreter_that_burns_is_killed(station: str, tmp_path: Path) -> None:
+    allow_standing_light(station)
+    with dobot.connect(station) as watcher:
+        statuses = watcher.statuses()
+        command = [sys.executable, "-c", BURNS, station]
+        with subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        ) as burner:
+            assert burner.stdout is not None and burner.stdout.readline() == "burns\n"
+            burner.kill()
+        # The recording is written a little later.
+        assert any(lights_sent(tmp_path)[-1] == "laser_off" for _ in islice(statuses, 200))
+        assert "laser_on" in lights_sent(tmp_path)
+
+
+def allow_standing_light(station: str) -> None:
+    """Puts a policy in force by which the laser may burn while the arm stands."""
+    with urllib.request.urlopen(f"{station}/api/v1/policy/text") as answer:
+        text = answer.read().decode()
+    allowed = text.replace("standing = false", "standing = true")
+    assert allowed != text
+    body = json.dumps({"text": allowed, "check": False}).encode()
+    request = urllib.request.Request(
+        f"{station}/api/v1/policy", body, {"content-type": "application/json"}, method="PUT"
+    )
+    urllib.request.urlopen(request).close()
+
+
 def jogs_sent(folder: Path) -> list[str]:
-    """The axes of the jog packets that went to the arm, by the station's recording."""
+    """The axes of the linear jogs that went to the arm, by the station's recording."""
+    return sent(folder, "linear_jog")
+
+
+def lights_sent(folder: Path) -> list[str]:
+    """How the laser was switched, by the station's recording."""
+    return [it for it in sent(folder, "joint_jog") if it in ("none", "laser_on", "laser_off")]
+
+
+def sent(folder: Path, kind: str) -> list[str]:
+    """The axes of all packets of one kind that went to the arm."""
     file = max((folder / "recordings").glob("*.mcap"))
     log = subprocess.run(
         [os.environ["DOBOT"], "log", str(file), "--json"], capture_output=True, text=True, check=True
     )
     told = [json.loads(line).get("command") for line in log.stdout.splitlines()]
-    return ["none", *(it["axis"] for it in told if it and it["type"] == "linear_jog")]
+    return ["none", *(it["axis"] for it in told if it and it["type"] == kind)]
 
 
 def test_coroutines_move_the_arm_and_hear_its_statuses_meanwhile() -> None:
@@ -337,6 +388,22 @@ def test_coroutines_move_the_arm_and_hear_its_statuses_meanwhile() -> None:
                 await arm.move_to(900, 0, 0)
 
     asyncio.run(main())
+
+
+def test_loops_may_share_an_arm_one_after_the_other_and_at_once() -> None:
+    arm = asyncio.run(dobot.aconnect("virtual:firmware-1.1"))
+    there = asyncio.run(arm.move_to(200, 60, 40))
+    assert there.y_mm == pytest.approx(60, abs=1)
+
+    def in_a_loop_of_its_own(y_mm: float) -> float:
+        return asyncio.run(arm.move_to(200, y_mm, 40)).y_mm
+
+    with ThreadPoolExecutor() as threads:
+        told = list(threads.map(in_a_loop_of_its_own, (0, 30)))
+    # Each waits for its own motion, or for that and the one behind it.
+    assert {round(it) for it in told} <= {0, 30}
+    assert round(asyncio.run(arm.status()).y_mm) in (0, 30)
+    asyncio.run(arm.close())
 
 
 def test_a_task_that_is_cancelled_stops_the_arm(station: str) -> None:
