@@ -86,7 +86,7 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
     station.on("data", (bytes) => told.take(bytes));
     station.pipe(way).pipe(station);
     // A connection that is reset ends the other one, too: the arm takes the next client only when this one is gone.
-    for (const [one, other] of [[station, way], [way, station]]) one.on("error", () => {}).on("close", () => other.destroy());
+    for (const [one, other] of [[station, way], [way, station]]) one.on("error", () => {}).on("close", () => other.end());
   });
   tap.listen(0, "127.0.0.1");
   await once(tap, "listening");

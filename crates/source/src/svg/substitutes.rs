@@ -35,7 +35,7 @@ impl Substitutes {
 
 /// The face that comes nearest to a font that is not here: of the kind of letters that its name tells.
 pub(super) fn nearest(asked: &Font, fonts: &Database, got: ID) -> ID {
-    let Some(kind) = missing(asked, fonts, got).and_then(kind_of) else {
+    let Some(kind) = missing(asked, fonts, got).and_then(|it| kind_of(it)) else {
         return got;
     };
     let query = Query {
@@ -71,7 +71,7 @@ fn missing<'a>(asked: &'a Font, fonts: &Database, got: ID) -> Option<&'a String>
 }
 
 /// The kind of letters that a family's name tells, where they have no serifs as the default has.
-fn kind_of(name: &String) -> Option<Family<'static>> {
+fn kind_of(name: &str) -> Option<Family<'static>> {
     let name = name.to_lowercase();
     let kinds = [
         (Family::Monospace, MONOSPACE),
