@@ -38,6 +38,7 @@ pub struct VirtualArms {
 
 impl VirtualArms {
     /// Lets the station of this API give virtual arms.
+    #[must_use]
     pub fn start(config: VirtualArmsConfig, api: &StationApi) -> Self {
         let (port, wishes) = ArmsPort::new();
         api.give_arms(port);
