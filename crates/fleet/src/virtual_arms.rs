@@ -2,12 +2,12 @@
 
 use std::fmt::Display;
 use std::io::ErrorKind;
-use std::net::{IpAddr, SocketAddr};
+use std::net::SocketAddr;
 use std::path::Path;
 use std::time::Duration;
 
 use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_SUCH_ARM};
-use dobot_api::{GivenArm, GivenArms, JobPhase, MemberAbout, Presence, Problem};
+use dobot_api::{GivenArm, GivenArms, JobPhase, MemberAbout, Problem};
 use dobot_client::Address;
 use dobot_station::{ArmWish, ArmsPort, Config, Station, StationApi, WantedArm};
 use tokio::sync::{mpsc, oneshot};
@@ -67,14 +67,10 @@ impl VirtualArms {
 pub fn page_of(computer: &str, station: &Station) -> String {
     let address = station.address();
     let scheme = station.url().split("://").next().unwrap_or("http");
-    match address.ip() {
-        IpAddr::V4(ip) if ip.is_unspecified() => {
-            format!("{scheme}://{computer}:{}", address.port())
-        }
-        IpAddr::V6(ip) if ip.is_unspecified() => {
-            format!("{scheme}://{computer}:{}", address.port())
-        }
-        _ => station.url().to_owned(),
+    if address.ip().is_unspecified() {
+        format!("{scheme}://{computer}:{}", address.port())
+    } else {
+        station.url().to_owned()
     }
 }
 
@@ -83,7 +79,7 @@ struct Giving {
     config: VirtualArmsConfig,
     given: Vec<Given>,
     /// Those that come to rest.
-    ending: JoinSet<String>,
+    ending: JoinSet<()>,
 }
 
 /// A virtual arm that was given.
@@ -138,8 +134,12 @@ impl Giving {
             given.used = Instant::now();
             return Ok(given.view.clone());
         }
-        let is_there = |it: &_| !matches!(it, Presence::Away);
-        if let Some(other) = seen.filter(|it| is_there(&it.presence) || it.about.is_none()) {
+        // One that was given here before may still be seen.
+        let folders = self.config.station.folders.of_virtual_arm(&name);
+        let was_given = |id: &str| {
+            folders.data().is_dir() && own_id(&folders.fleet_id()).is_ok_and(|own| own == id)
+        };
+        if let Some(other) = seen.filter(|it| !was_given(&it.id)) {
             let detail = format!("a station of the fleet is called {:?} already", other.name);
             return Err(NAME_TAKEN.hinted(detail, "take another name"));
         }
@@ -151,6 +151,8 @@ impl Giving {
                 ALL_ARMS_GIVEN.hinted(detail, "end one that nobody needs, or ask another station")
             );
         }
+        // Its last one may still come to rest, in the same folder.
+        while self.ending.join_next().await.is_some() {}
         let given = self.start(&name).await?;
         let view = given.view.clone();
         self.given.push(given);
@@ -248,12 +250,10 @@ impl Given {
         state.clients > 0 || state.job.as_ref().is_some_and(|it| works(it.phase))
     }
 
-    /// Ends it, and says what it was called.
-    async fn end(self) -> String {
+    async fn end(self) {
         // The arm is a virtual one: nothing depends on how it ends.
         let _ = self.station.end().await;
         self.fleet.leave().await;
-        self.view.name
     }
 }
 

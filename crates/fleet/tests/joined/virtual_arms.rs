@@ -10,7 +10,9 @@ use tokio::io::{AsyncBufReadExt, AsyncWriteExt, BufReader, Lines};
 use tokio::net::TcpStream;
 use tokio::time::{interval, timeout};
 
-use super::{Desk, Folders, PATIENCE, fleet_config, free_port, present, router, station_config};
+use super::{
+    Desk, Folders, PATIENCE, fleet_config, free_port, is_away, present, router, station_config,
+};
 
 /// Longer than any test.
 const HOUR: Duration = Duration::from_secs(3600);
@@ -168,9 +170,31 @@ async fn what_is_no_name_or_taken_or_too_much_is_told_and_nothing_is_started() {
     );
     let there: Vec<_> = hall.members().await;
     assert!(is_unknown("ben")(&there), "{there:#?}");
+    // The name of a station that is away stays its own.
+    desk.end().await;
+    hall.sees("that desk-1 is away", is_away("desk-1")).await;
+    assert_eq!(
+        hall.refused("POST", ARMS, wanted("desk-1")).await,
+        "name-taken"
+    );
     arms.end().await;
     hall.end().await;
-    desk.end().await;
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn an_arm_is_given_again_while_the_last_one_of_its_name_still_ends() {
+    let (router, at) = router(free_port()).await;
+    let (hall, arms) = giving(&at, 1, HOUR).await;
+    let wanted = || Some(json!({"name": "anna"}));
+    assert_eq!(hall.ask("POST", ARMS, wanted()).await.0, 200);
+    let (status, _) = hall.ask("DELETE", &format!("{ARMS}/anna"), None).await;
+    assert_eq!(status, 200);
+    let (status, again) = hall.ask("POST", ARMS, wanted()).await;
+    assert_eq!(status, 200, "{again}");
+    hall.sees("it again", present(&["anna", "hall"])).await;
+    arms.end().await;
+    hall.end().await;
     router.end().await;
 }
 
