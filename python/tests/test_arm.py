@@ -9,6 +9,8 @@ import subprocess
 import sys
 import urllib.request
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from itertools import islice, pairwise
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -289,11 +291,7 @@ def test_an_arm_is_told_to_stop_when_the_interpreter_that_jogs_it_is_killed(
 ) -> None:
     with dobot.connect(station) as watcher:
         statuses = watcher.statuses()
-        command = [sys.executable, "-c", JOGS, station]
-        with subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        ) as jogger:
-            assert jogger.stdout is not None and jogger.stdout.readline() == "jogs\n"
+        with interpreter(JOGS, station, "jogs") as jogger:
             assert any(it.y_mm > 3 for it in islice(statuses, 200))
             jogger.kill()
         # The recording is written a little later.
@@ -322,15 +320,20 @@ def test_the_laser_goes_off_when_the_interpreter_that_burns_is_killed(station: s
     allow_standing_light(station)
     with dobot.connect(station) as watcher:
         statuses = watcher.statuses()
-        command = [sys.executable, "-c", BURNS, station]
-        with subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        ) as burner:
-            assert burner.stdout is not None and burner.stdout.readline() == "burns\n"
+        with interpreter(BURNS, station, "burns") as burner:
             burner.kill()
         # The recording is written a little later.
         assert any(lights_sent(tmp_path)[-1] == "laser_off" for _ in islice(statuses, 200))
         assert "laser_on" in lights_sent(tmp_path)
+
+
+@contextmanager
+def interpreter(script: str, station: str, says: str) -> Iterator[subprocess.Popen[str]]:
+    """Another interpreter with a script for a station, which has said that it is at it."""
+    command = [sys.executable, "-c", script, station]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None and process.stdout.readline() == f"{says}\n"
+        yield process
 
 
 def allow_standing_light(station: str) -> None:
