@@ -15,11 +15,6 @@ pub struct FleetConfig {
     pub name: String,
     /// What it tells of itself.
     pub about: MemberAbout,
-    /// The routers by which it joins, each as in `tls/router.school:7447`. Without any it looks for others by
-    /// itself: on this machine, and on its network where it has credentials.
-    pub connect: Vec<String>,
-    /// By what it proves to belong to the fleet; without, it joins those on this machine alone.
-    pub credentials: Option<Credentials>,
     /// The folder with the work that is submitted here for any arm; without it, none can be.
     pub work: Option<PathBuf>,
 }
@@ -68,32 +63,12 @@ pub enum FleetConfigError {
 }
 
 impl FleetConfig {
-    /// What Zenoh is told.
+    /// Looks whether every name is one.
     ///
     /// # Errors
     ///
-    /// [`FleetConfigError`].
-    pub(crate) fn zenoh(&self) -> Result<Config, FleetConfigError> {
-        self.check()?;
-        let mut config = Settings::new(self.credentials.as_ref());
-        if self.connect.is_empty() {
-            config.set("mode", "\"peer\"");
-            config.set("listen/endpoints", &listen(self.credentials.is_some()));
-            config.set("scouting/multicast/enabled", "true");
-            if self.credentials.is_none() {
-                config.set("scouting/multicast/interface", "\"lo\"");
-            }
-        } else {
-            // One way to everyone: a mesh of a hundred stations would be five thousand connections.
-            config.set("mode", "\"client\"");
-            config.set("listen/endpoints", "[]");
-            config.set("scouting/multicast/enabled", "false");
-            config.set("connect/endpoints", &json(&self.connect));
-        }
-        config.done()
-    }
-
-    fn check(&self) -> Result<(), FleetConfigError> {
+    /// [`FleetConfigError::Name`].
+    pub(crate) fn check(&self) -> Result<(), FleetConfigError> {
         let named = [("the name of the station", &self.name)];
         let groups = self.about.groups.iter().map(|it| ("a group", it));
         let offers = self.about.offers.iter().map(|it| ("what it offers", it));
@@ -103,11 +78,32 @@ impl FleetConfig {
                 return Err(FleetConfigError::Name { what, found });
             }
         }
-        let has_credentials = self.credentials.is_some();
-        self.connect
-            .iter()
-            .try_for_each(|it| check_address(it, has_credentials))
+        Ok(())
     }
+}
+
+/// What Zenoh is told where stations join.
+pub(crate) fn session(
+    connect: &[String],
+    credentials: Option<&Credentials>,
+) -> Result<Config, FleetConfigError> {
+    check_addresses(connect, credentials)?;
+    let mut config = Settings::new(credentials);
+    if connect.is_empty() {
+        config.set("mode", "\"peer\"");
+        config.set("listen/endpoints", &listen(credentials.is_some()));
+        config.set("scouting/multicast/enabled", "true");
+        if credentials.is_none() {
+            config.set("scouting/multicast/interface", "\"lo\"");
+        }
+    } else {
+        // One way to everyone: a mesh of a hundred stations would be five thousand connections.
+        config.set("mode", "\"client\"");
+        config.set("listen/endpoints", "[]");
+        config.set("scouting/multicast/enabled", "false");
+        config.set("connect/endpoints", &json(connect));
+    }
+    config.done()
 }
 
 /// What a router is told.
@@ -115,9 +111,7 @@ pub(crate) fn router(
     listen: &[String],
     credentials: Option<&Credentials>,
 ) -> Result<Config, FleetConfigError> {
-    listen
-        .iter()
-        .try_for_each(|it| check_address(it, credentials.is_some()))?;
+    check_addresses(listen, credentials)?;
     let mut config = Settings::new(credentials);
     config.set("mode", "\"router\"");
     config.set("listen/endpoints", &json(listen));
@@ -191,6 +185,14 @@ fn json(value: &(impl serde::Serialize + ?Sized)) -> String {
     serde_json::to_string(value).expect("texts are JSON")
 }
 
+fn check_addresses(
+    found: &[String],
+    credentials: Option<&Credentials>,
+) -> Result<(), FleetConfigError> {
+    let mut all = found.iter();
+    all.try_for_each(|it| check_address(it, credentials.is_some()))
+}
+
 /// Whether an address is one of Zenoh, and nobody can read along.
 fn check_address(found: &str, has_credentials: bool) -> Result<(), FleetConfigError> {
     let wrong = || FleetConfigError::Address {
@@ -222,25 +224,13 @@ fn is_loopback(host: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn desk() -> FleetConfig {
-        FleetConfig {
-            name: "desk-3".into(),
-            ..FleetConfig::default()
-        }
-    }
-
     #[test]
     fn zenoh_takes_what_it_is_told() {
-        desk().zenoh().unwrap();
+        session(&[], None).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let all = Credentials::make(folder.path(), &["desk-3".parse().unwrap()]).unwrap();
         for connect in [vec![], vec!["tls/router.school:7447".to_owned()]] {
-            let config = FleetConfig {
-                connect,
-                credentials: Some(all[0].clone()),
-                ..desk()
-            };
-            config.zenoh().unwrap();
+            session(&connect, Some(&all[0])).unwrap();
         }
         router(&["tcp/127.0.0.1:0".into()], None).unwrap();
     }
@@ -260,19 +250,11 @@ mod tests {
             ("tcp/127.0.0.1:99999", "allowed are tls/HOST:PORT"),
             ("tcp/a#iface=eth0:1", "allowed are tls/HOST:PORT"),
         ] {
-            let config = FleetConfig {
-                connect: vec![address.into()],
-                ..desk()
-            };
-            let error = config.zenoh().unwrap_err().to_string();
+            let error = session(&[address.into()], None).unwrap_err().to_string();
             assert!(error.contains(word), "{address}: {error}");
         }
         for address in ["tcp/127.0.0.1:7447", "tcp/localhost:7447", "tcp/[::1]:7447"] {
-            let config = FleetConfig {
-                connect: vec![address.into()],
-                ..desk()
-            };
-            config.zenoh().unwrap();
+            session(&[address.into()], None).unwrap();
         }
     }
 
@@ -283,9 +265,10 @@ mod tests {
                 groups: vec!["Room 2".into()],
                 ..MemberAbout::default()
             },
-            ..desk()
+            name: "desk-3".into(),
+            work: None,
         };
-        let error = config.zenoh().unwrap_err().to_string();
+        let error = config.check().unwrap_err().to_string();
         assert!(
             error.starts_with("a group is \"Room 2\"; allowed are"),
             "{error}"

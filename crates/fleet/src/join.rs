@@ -16,6 +16,7 @@ use crate::config::{FleetConfig, FleetConfigError};
 use crate::keys::{Alive, MemberKey, TOLD};
 use crate::network::{Incoming, Network, Opening, ask_all, incoming, life};
 use crate::roster::{Roster, Told};
+use crate::session::FleetSession;
 use crate::telling::{self, Pace};
 use crate::work::Working;
 
@@ -59,17 +60,18 @@ const LIVES_AT_ONCE: usize = 256;
 /// So often it is looked whether there is something to tell the others, and whether anybody still looks at them.
 const LOOK_EVERY: Duration = Duration::from_millis(100);
 impl Fleet {
-    /// Joins, for as long as this is kept. Routers that are away are waited for meanwhile.
+    /// Joins by a session, for as long as this is kept. Routers that are away are waited for meanwhile.
     ///
     /// # Errors
     ///
     /// [`FleetError`]; the station is in no fleet then.
     pub async fn join(
+        session: &FleetSession,
         config: &FleetConfig,
         id: &str,
         api: &StationApi,
     ) -> Result<Self, FleetError> {
-        let zenoh = config.zenoh()?;
+        config.check()?;
         let work = open_work(config, api)?;
         let mut network = None;
         let own = MemberKey {
@@ -77,16 +79,15 @@ impl Fleet {
             id: id.into(),
         };
         let opening = Network::open(
-            zenoh,
+            session.clone(),
             own.clone(),
             config.about.clone(),
             api.handle().clone(),
         );
         let mut opening: Opening = Box::pin(opening);
-        if config.connect.is_empty() {
-            // It waits for nobody, and what is wrong with this machine is told at once.
-            let opened = (&mut opening).await;
-            network = Some(opened.map_err(|error| FleetError::zenoh(&error))?);
+        if session.is_open() {
+            // What is wrong is told at once.
+            network = Some((&mut opening).await?);
         }
         let (port, end) = FleetPort::new(&config.name);
         let port = port.taking(config.about.takes_work);
@@ -182,12 +183,11 @@ impl Joined {
                     match opened {
                         Ok(network) => self.network = Some(network),
                         Err(error) => {
-                            let trouble = format!("the fleet cannot be joined: {error}");
-                            self.api.handle().tell_trouble(trouble);
+                            self.api.handle().tell_trouble(error.to_string());
                         }
                     }
                 }
-                came = incoming(self.network.as_ref()) => match came {
+                came = incoming(self.network.as_mut()) => match came {
                     Incoming::Life(sample) => self.hear_of_lives(&sample),
                     Incoming::Asked(query) => {
                         asking.spawn(answering.clone().answer(query));
@@ -227,7 +227,7 @@ impl Joined {
             self.work.go_on(session, &self.api, &members);
         }
         if let Some(network) = self.network {
-            network.close().await;
+            network.leave().await;
         }
     }
 
@@ -235,7 +235,7 @@ impl Joined {
     fn hear_of_lives(&mut self, sample: &Sample) {
         self.hear_of_life(sample);
         for _ in 0..LIVES_AT_ONCE {
-            let Some(more) = self.network.as_ref().and_then(Network::poll_life) else {
+            let Some(more) = self.network.as_mut().and_then(Network::poll_life) else {
                 break;
             };
             self.hear_of_life(&more);

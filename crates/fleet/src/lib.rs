@@ -2,7 +2,7 @@
 //!
 //! ```no_run
 //! use dobot_api::{Folders, MemberAbout};
-//! use dobot_fleet::{Fleet, FleetConfig, own_id};
+//! use dobot_fleet::{Fleet, FleetConfig, FleetSession, own_id};
 //! use dobot_station::{Config, Station};
 //!
 //! # async fn join() -> Result<(), Box<dyn std::error::Error>> {
@@ -13,11 +13,11 @@
 //!     name: "desk-3".into(),
 //!     about: MemberAbout::default(),
 //!     work: None,
-//!     connect: Vec::new(),
-//!     credentials: None,
 //! };
-//! let fleet = Fleet::join(&config, &id, station.api()).await?;
+//! let session = FleetSession::open(&[], None).await?;
+//! let fleet = Fleet::join(&session, &config, &id, station.api()).await?;
 //! fleet.leave().await;
+//! session.close().await;
 //! station.end().await?;
 //! # Ok(())
 //! # }
@@ -52,6 +52,7 @@ mod keys;
 mod network;
 mod roster;
 mod router;
+mod session;
 mod telling;
 pub mod together;
 mod virtual_arms;
@@ -63,4 +64,5 @@ pub use id::{IdError, own_id};
 pub use join::{Fleet, FleetError};
 pub use keys::MESSAGES;
 pub use router::Router;
+pub use session::FleetSession;
 pub use virtual_arms::{VirtualArms, VirtualArmsConfig, page_of};

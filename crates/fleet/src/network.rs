@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use dobot_api::MemberAbout;
 use dobot_rules::Handle;
-use tokio::sync::oneshot;
+use tokio::sync::mpsc;
 use tokio::time::timeout;
-use zenoh::handlers::FifoChannelHandler;
+use zenoh::handlers::{FifoChannelHandler, RingChannel, RingChannelHandler};
 use zenoh::liveliness::LivelinessToken;
 use zenoh::pubsub::{Publisher, Subscriber};
 use zenoh::query::{ConsolidationMode, Query, QueryTarget, Queryable};
@@ -15,23 +15,25 @@ use zenoh::sample::Sample;
 use zenoh::{Session, Wait};
 
 use crate::keys::{ALL_ALIVE, API, Alive, MESSAGES, MemberKey, TOLD, of_all};
-use crate::telling;
+use crate::session::FleetSession;
+use crate::{FleetError, telling};
 
 /// The way to the others.
 pub(crate) struct Network {
     session: Session,
-    alive: Subscriber<FifoChannelHandler<Sample>>,
+    /// Who came and went. Nobody waits for this station to hear it: others of this program may join by the same session.
+    lives: mpsc::UnboundedReceiver<Sample>,
     asked: Queryable<FifoChannelHandler<Query>>,
     /// What the others tell, while somebody looks.
     others: Option<Others>,
     /// What this station tells.
     telling: Publisher<'static>,
     /// What says that it is there, and what it is and does, for as long as this is kept.
-    _declared: (LivelinessToken, Queryable<()>),
+    declared: (LivelinessToken, Queryable<()>, Subscriber<()>),
 }
 
 /// The network, while the router is waited for.
-pub(crate) type Opening = Pin<Box<dyn Future<Output = Result<Network, zenoh::Error>> + Send>>;
+pub(crate) type Opening = Pin<Box<dyn Future<Output = Result<Network, FleetError>> + Send>>;
 
 /// What comes from the others.
 pub(crate) enum Incoming {
@@ -44,19 +46,33 @@ pub(crate) enum Incoming {
 const TELL_WITHIN: Duration = Duration::from_secs(1);
 /// How long the others are followed after the last one here has looked.
 const FOLLOW_FOR: Duration = Duration::from_secs(10);
+/// So much of what the others tell waits for this station; of more the oldest is dropped, since each tells it anew every second.
+const TOLD_AT_ONCE: usize = 4096;
 
 impl Network {
     /// Opens the way, as soon as there is one.
     pub(crate) async fn open(
-        config: zenoh::Config,
+        session: FleetSession,
+        own: MemberKey,
+        about: MemberAbout,
+        handle: Handle,
+    ) -> Result<Self, FleetError> {
+        let session = { session }.opened().await?;
+        let declared = Self::declare(session, own, about, handle).await;
+        declared.map_err(|error| FleetError::zenoh(&error))
+    }
+
+    async fn declare(
+        session: Session,
         own: MemberKey,
         about: MemberAbout,
         handle: Handle,
     ) -> Result<Self, zenoh::Error> {
-        let session = open(config).await?;
+        let (tells, lives) = mpsc::unbounded_channel();
         let liveliness = session.liveliness();
         let alive = liveliness.declare_subscriber(ALL_ALIVE).history(true);
-        let alive = alive.await?;
+        // One that has left hears nothing more.
+        let alive = alive.callback(move |it| drop(tells.send(it))).await?;
         let asked = session.declare_queryable(own.resource(API)).await?;
         let told = session.declare_queryable(own.resource(TOLD));
         let told = told
@@ -66,11 +82,11 @@ impl Network {
         let token = liveliness.declare_token(life(&own).key()).await?;
         Ok(Self {
             session,
-            alive,
+            lives,
             asked,
             others: None,
             telling,
-            _declared: (token, told),
+            declared: (token, told, alive),
         })
     }
 
@@ -80,9 +96,9 @@ impl Network {
     }
 
     /// What comes next.
-    async fn next(&self) -> Incoming {
+    async fn next(&mut self) -> Incoming {
         tokio::select! {
-            Ok(sample) = self.alive.recv_async() => Incoming::Life(sample),
+            Some(sample) = self.lives.recv() => Incoming::Life(sample),
             Ok(query) = self.asked.recv_async() => Incoming::Asked(query),
             Ok(sample) = told(self.others.as_ref()) => Incoming::Told(sample),
             else => std::future::pending().await,
@@ -90,8 +106,8 @@ impl Network {
     }
 
     /// Who else came or went, where that is known already.
-    pub(crate) fn poll_life(&self) -> Option<Sample> {
-        self.alive.try_recv().ok().flatten()
+    pub(crate) fn poll_life(&mut self) -> Option<Sample> {
+        self.lives.try_recv().ok()
     }
 
     /// Follows what the others tell; says whether that has just begun.
@@ -101,7 +117,8 @@ impl Network {
             others.looked = looked;
             return false;
         }
-        let told = self.session.declare_subscriber(of_all(TOLD)).await;
+        let told = self.session.declare_subscriber(of_all(TOLD));
+        let told = told.with(RingChannel::new(TOLD_AT_ONCE)).await;
         // Without a network there are no others.
         self.others = told.ok().map(|told| Others { told, looked });
         true
@@ -129,16 +146,17 @@ impl Network {
         }
     }
 
-    /// Leaves.
-    pub(crate) async fn close(self) {
+    /// Leaves. The session may be that of others, too.
+    pub(crate) async fn leave(self) {
+        let (alive, ..) = self.declared;
         // Those whom it does not reach miss this station by themselves.
-        let _ = self.session.close().await;
+        let _ = alive.undeclare().await;
     }
 }
 
 /// What the others tell.
 struct Others {
-    told: Subscriber<FifoChannelHandler<Sample>>,
+    told: Subscriber<RingChannelHandler<Sample>>,
     /// When somebody looked last.
     looked: Instant,
 }
@@ -165,7 +183,7 @@ pub(crate) async fn ask_all(session: Session) -> Vec<Sample> {
 }
 
 /// What comes next from a network that is there.
-pub(crate) async fn incoming(network: Option<&Network>) -> Incoming {
+pub(crate) async fn incoming(network: Option<&mut Network>) -> Incoming {
     match network {
         Some(network) => network.next().await,
         None => std::future::pending().await,
@@ -179,19 +197,6 @@ pub(crate) fn life(own: &MemberKey) -> Alive {
         messages: MESSAGES,
         version: env!("CARGO_PKG_VERSION").into(),
     }
-}
-
-/// Opens a session. That blocks while a router is away, so it has a thread of its own.
-async fn open(config: zenoh::Config) -> Result<Session, zenoh::Error> {
-    let (opened, session) = oneshot::channel();
-    let opens = move || {
-        // Whoever waited may have left.
-        drop(opened.send(zenoh::open(config).wait()));
-    };
-    std::thread::Builder::new()
-        .name("fleet".into())
-        .spawn(opens)?;
-    session.await?
 }
 
 /// What the others tell next; never while nobody looks.

@@ -7,14 +7,14 @@ use std::path::Path;
 use std::time::Duration;
 
 use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_SUCH_ARM};
-use dobot_api::{GivenArm, GivenArms, JobPhase, MemberAbout, Problem};
+use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
 use dobot_client::Address;
 use dobot_station::{ArmWish, ArmsPort, Config, Station, StationApi, WantedArm};
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::{JoinHandle, JoinSet};
-use tokio::time::{Instant, MissedTickBehavior, interval};
+use tokio::time::{Instant, MissedTickBehavior, interval, timeout};
 
-use crate::{Fleet, FleetConfig, own_id};
+use crate::{Fleet, FleetConfig, FleetSession, own_id};
 
 /// How a station gives virtual arms.
 #[derive(Clone, Debug)]
@@ -27,6 +27,8 @@ pub struct VirtualArmsConfig {
     pub station: Config,
     /// How it joined its fleet.
     pub fleet: FleetConfig,
+    /// By what it joined; theirs join by the same.
+    pub session: FleetSession,
 }
 
 /// What gives virtual arms; they end with it.
@@ -92,6 +94,8 @@ struct Given {
 
 /// So often it is looked who is used.
 const LOOK_EVERY: Duration = Duration::from_secs(5);
+/// So long it is waited for the link to a new virtual arm, which takes milliseconds.
+const LINKS_WITHIN: Duration = Duration::from_secs(5);
 
 impl Giving {
     async fn serve(
@@ -160,7 +164,12 @@ impl Giving {
     }
 
     async fn start(&self, name: &str) -> Result<Given, Problem> {
-        let VirtualArmsConfig { station, fleet, .. } = &self.config;
+        let VirtualArmsConfig {
+            station,
+            fleet,
+            session,
+            ..
+        } = &self.config;
         let folders = station.folders.of_virtual_arm(name);
         check_room(&station.folders.virtual_arms(), folders.data())?;
         folders.make_data().map_err(|error| not_started(&error))?;
@@ -180,6 +189,10 @@ impl Giving {
         let station = Station::start(config)
             .await
             .map_err(|error| not_started(&error))?;
+        let mut states = station.handle().states();
+        let is_up = states.wait_for(|it| matches!(it.state().link.phase, LinkPhase::Up));
+        // Whoever is given an arm may use it at once; one that takes longer says on its page what it waits for.
+        let _ = timeout(LINKS_WITHIN, is_up).await;
         let page = page_of(&fleet.name, &station);
         let config = FleetConfig {
             name: name.to_owned(),
@@ -192,10 +205,9 @@ impl Giving {
                 ..MemberAbout::default()
             },
             work: None,
-            ..fleet.clone()
         };
         let joined = match own_id(&folders.fleet_id()) {
-            Ok(id) => Fleet::join(&config, &id, station.api())
+            Ok(id) => Fleet::join(session, &config, &id, station.api())
                 .await
                 .map_err(|error| not_started(&error)),
             Err(error) => Err(not_started(&error)),

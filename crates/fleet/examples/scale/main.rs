@@ -1,7 +1,7 @@
 //! `cargo run -p dobot-fleet --example scale`: what a fleet of many stations costs, and how soon all of them stop.
 //!
-//! Many stations with virtual arms run in this process, each whole (rules, journal, recording, page, a session of Zenoh),
-//! and the router in another one. What they do is measured one step after another:
+//! Many stations with virtual arms run in this process, each whole (rules, journal, recording, page, a session of Zenoh
+//! alone or with others), and the router in another one. What they do is measured one step after another:
 //!
 //! ```text
 //! cargo run --release -p dobot-fleet --example scale -- --stations 100 --presses 300 --burning 20 --actions 300 --rest 20
@@ -63,7 +63,8 @@ async fn measure(
 
     let router = RouterProcess::start()?;
     let began = Instant::now();
-    stations.join(&router.address).await?;
+    let by_one_session = arguments.by_one_session.into();
+    stations.join(&router.address, by_one_session).await?;
     stations.all_know_all().await;
     let took = began.elapsed();
     println!("all know all {took:.1?} after the first began to join");

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_api::{ApiRequest, FleetView, Folders, MemberAbout, Role, StationAddress, fetch};
 use dobot_client::Address;
-use dobot_fleet::{Fleet, FleetConfig, own_id};
+use dobot_fleet::{Fleet, FleetConfig, FleetSession, own_id};
 use dobot_rules::Client;
 use dobot_station::{Config, Station, Token, Tokens};
 use serde_json::json;
@@ -53,10 +53,17 @@ impl Stations {
         })
     }
 
-    /// Lets all of them join by a router.
-    pub(crate) async fn join(&mut self, router: &str) -> Result<(), Box<dyn Error + Send + Sync>> {
-        for desk in &mut self.all {
-            desk.join(router).await?;
+    /// Lets all of them join by a router, and so many of them by the same session.
+    pub(crate) async fn join(
+        &mut self,
+        router: &str,
+        by_one_session: usize,
+    ) -> Result<(), Box<dyn Error + Send + Sync>> {
+        for desks in self.all.chunks_mut(by_one_session) {
+            let session = FleetSession::open(&[router.to_owned()], None).await?;
+            for desk in desks {
+                desk.join(&session).await?;
+            }
         }
         Ok(())
     }
@@ -149,7 +156,7 @@ impl Desk {
         })
     }
 
-    async fn join(&mut self, router: &str) -> Result<(), Box<dyn Error + Send + Sync>> {
+    async fn join(&mut self, session: &FleetSession) -> Result<(), Box<dyn Error + Send + Sync>> {
         let config = FleetConfig {
             name: self.name.clone(),
             about: MemberAbout {
@@ -158,11 +165,9 @@ impl Desk {
                 ..MemberAbout::default()
             },
             work: Some(self.folders.fleet_work()),
-            connect: vec![router.into()],
-            credentials: None,
         };
         let id = own_id(&self.folders.fleet_id())?;
-        self.fleet = Some(Fleet::join(&config, &id, self.station.api()).await?);
+        self.fleet = Some(Fleet::join(session, &config, &id, self.station.api()).await?);
         Ok(())
     }
 

@@ -13,7 +13,7 @@ use dobot_api::{
     ApiRequest, FleetView, Folders, Member, MemberAbout, MemberAnswer, Presence, Role,
 };
 use dobot_client::Address;
-use dobot_fleet::{Credentials, Fleet, FleetConfig, Router, own_id};
+use dobot_fleet::{Credentials, Fleet, FleetConfig, FleetSession, Router, own_id};
 use dobot_station::{Config, Station, Tokens};
 use dobot_trajectory::LASER_OFF;
 use serde_json::{Value, json};
@@ -24,6 +24,7 @@ use zenoh::query::Reply;
 /// A station, and its place in its fleet.
 struct Desk {
     station: Station,
+    session: FleetSession,
     fleet: Fleet,
     name: String,
     folder: tempfile::TempDir,
@@ -47,14 +48,13 @@ fn station_config(folder: &Path) -> Config {
     }
 }
 
-fn fleet_config(name: &str, connect: &str) -> FleetConfig {
+fn fleet_config(name: &str) -> FleetConfig {
     FleetConfig {
         name: name.into(),
         about: MemberAbout {
             groups: vec!["room-1".into()],
             ..MemberAbout::default()
         },
-        connect: vec![connect.into()],
         ..FleetConfig::default()
     }
 }
@@ -73,14 +73,17 @@ impl Desk {
     ) -> Self {
         let station = Station::start(station_config(folder.path()));
         let station = station.await.unwrap();
-        let config = FleetConfig {
-            credentials,
-            ..fleet_config(name, connect)
-        };
+        let session = FleetSession::open(&[connect.into()], credentials.as_ref())
+            .await
+            .unwrap();
+        let config = fleet_config(name);
         let id = own_id(&Folders::at(folder.path()).fleet_id()).unwrap();
-        let fleet = Fleet::join(&config, &id, station.api()).await.unwrap();
+        let fleet = Fleet::join(&session, &config, &id, station.api())
+            .await
+            .unwrap();
         Self {
             station,
+            session,
             fleet,
             name: name.into(),
             folder,

@@ -25,7 +25,8 @@ async fn giving(at: &str, most: u16, unused: Duration) -> (Desk, VirtualArms) {
         most,
         unused,
         station: station_config(hall.folder.path()),
-        fleet: fleet_config("hall", at),
+        fleet: fleet_config("hall"),
+        session: hall.session.clone(),
     };
     let arms = VirtualArms::start(config, hall.station.api());
     (hall, arms)

@@ -53,7 +53,8 @@ mod joined {
     use dobot_api::{MemberAbout, TakesWork};
     use dobot_client::Address;
     use dobot_fleet::{
-        Credentials, Fleet, FleetConfig, VirtualArms, VirtualArmsConfig, own_id, page_of,
+        Credentials, Fleet, FleetConfig, FleetSession, VirtualArms, VirtualArmsConfig, own_id,
+        page_of,
     };
     use dobot_station::Config;
 
@@ -63,7 +64,7 @@ mod joined {
     #[derive(Debug, Default)]
     pub(in super::super) struct Joined {
         name: Option<String>,
-        fleet: Option<Fleet>,
+        fleet: Option<(FleetSession, Fleet)>,
         arms: Option<VirtualArms>,
     }
 
@@ -91,12 +92,12 @@ mod joined {
             let config = FleetConfig {
                 about: self.about(&name, station),
                 name,
-                connect: self.connect.clone(),
-                credentials: credentials.as_deref().map(Credentials::read).transpose()?,
                 work: Some(folders.fleet_work()),
             };
             let id = own_id(&folders.fleet_id())?;
-            let fleet = Fleet::join(&config, &id, station.api()).await?;
+            let credentials = credentials.as_deref().map(Credentials::read).transpose()?;
+            let session = FleetSession::open(&self.connect, credentials.as_ref()).await?;
+            let fleet = Fleet::join(&session, &config, &id, station.api()).await?;
             let name = config.name.clone();
             let arms = self.virtual_arms.map(|most| {
                 let config = VirtualArmsConfig {
@@ -104,12 +105,13 @@ mod joined {
                     unused: UNUSED,
                     station: started.clone(),
                     fleet: config,
+                    session: session.clone(),
                 };
                 VirtualArms::start(config, station.api())
             });
             Ok(Joined {
                 name: Some(name),
-                fleet: Some(fleet),
+                fleet: Some((session, fleet)),
                 arms,
             })
         }
@@ -142,8 +144,9 @@ mod joined {
             if let Some(arms) = self.arms {
                 arms.end().await;
             }
-            if let Some(fleet) = self.fleet {
+            if let Some((session, fleet)) = self.fleet {
                 fleet.leave().await;
+                session.close().await;
             }
         }
     }

@@ -1,0 +1,71 @@
+//! The way of a program into its fleet.
+
+use tokio::sync::watch;
+use zenoh::{Session, Wait};
+
+use crate::{Credentials, FleetError, config};
+
+/// The way of a program into its fleet: a session of Zenoh, by which all stations of the program join.
+///
+/// It is closed by [`FleetSession::close`], or when the last of these and the last station that joined by it are dropped.
+#[derive(Clone, Debug)]
+pub struct FleetSession {
+    opened: watch::Receiver<Option<Result<Session, String>>>,
+}
+
+impl FleetSession {
+    /// Opens a session by routers, each as in `tls/router.school:7447`; it does not wait for them. Without any it looks
+    /// for other stations by itself: on this machine, and on its network where it has credentials.
+    ///
+    /// # Errors
+    ///
+    /// [`FleetError`].
+    pub async fn open(
+        connect: &[String],
+        credentials: Option<&Credentials>,
+    ) -> Result<Self, FleetError> {
+        let config = config::session(connect, credentials)?;
+        let (tells, opened) = watch::channel(None);
+        // It blocks while a router is away, so it has a thread of its own.
+        let opens = move || {
+            let session = zenoh::open(config).wait();
+            // Whoever waited may have left.
+            drop(tells.send(Some(session.map_err(|error| error.to_string()))));
+        };
+        std::thread::Builder::new()
+            .name("fleet".into())
+            .spawn(opens)
+            .map_err(|error| FleetError::Zenoh(error.to_string()))?;
+        let mut session = Self { opened };
+        if connect.is_empty() {
+            // It waits for nobody, and what is wrong with this machine is told at once.
+            session.opened().await?;
+        }
+        Ok(session)
+    }
+
+    /// Closes it: stations that have joined by it are missed by the others.
+    pub async fn close(self) {
+        let session = self.opened.borrow().clone();
+        if let Some(Ok(session)) = session {
+            // Those whom it does not reach miss its stations by themselves.
+            let _ = session.close().await;
+        }
+    }
+
+    /// Whether a router is waited for no longer.
+    pub(crate) fn is_open(&self) -> bool {
+        self.opened.borrow().is_some()
+    }
+
+    /// The session, as soon as it is open.
+    pub(crate) async fn opened(&mut self) -> Result<Session, FleetError> {
+        let opened = self.opened.wait_for(Option::is_some).await;
+        let opened = opened.map_err(|error| FleetError::Zenoh(error.to_string()))?;
+        match opened.clone() {
+            Some(Ok(session)) => Ok(session),
+            Some(Err(error)) => Err(FleetError::Zenoh(error)),
+            None => unreachable!("it is waited for until it is there"),
+        }
+    }
+}
