@@ -223,8 +223,8 @@ impl Joined {
                 _ = &mut leaving => break,
             }
             let session = self.network.as_ref().map(Network::session);
-            let members = self.roster.members();
-            self.work.go_on(session, &self.api, &members);
+            let members = || self.roster.members();
+            self.work.go_on(session, &self.api, members);
         }
         if let Some(network) = self.network {
             network.leave().await;

@@ -164,12 +164,22 @@ impl Working {
         }
     }
 
-    /// Begins what is to be done now.
-    pub(crate) fn go_on(&mut self, session: Option<&Session>, api: &StationApi, members: &Members) {
+    /// Begins what is to be done now. Only where there is work to give it is asked who is there.
+    pub(crate) fn go_on(
+        &mut self,
+        session: Option<&Session>,
+        api: &StationApi,
+        members: impl FnOnce() -> Members,
+    ) {
         let Some(kept) = &self.kept else {
             return;
         };
-        self.engine.see(members);
+        let members = if self.needs_members() {
+            members()
+        } else {
+            Members::default()
+        };
+        self.engine.see(&members);
         while let Some(wish) = self.engine.poll_wish(self.started.elapsed()) {
             let kept = kept.clone();
             match wish {
