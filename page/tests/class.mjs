@@ -6,16 +6,22 @@ import { mkdir, writeFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { launch } from "./bench.mjs";
+import { launch, pose, press } from "./bench.mjs";
 import { end, start } from "./program.mjs";
 
 const PAGE = "http://127.0.0.1:8642/";
-/** The teacher's station, a student's, who has pen and paper, and another one. */
-const DESKS = { "desk-1": [], "desk-2": ["--group", "room-2", "--offers", "pen", "--offers", "a5", "--takes-work=start"], "desk-3": ["--group", "room-2"] };
+/** The teacher's station, which gives virtual arms, a student's, who has pen and paper, and one that students share in time slots. */
+const DESKS = {
+  "desk-1": ["--virtual-arms", "5"],
+  "desk-2": ["--group", "room-2", "--offers", "pen", "--offers", "a5", "--takes-work=start"],
+  "desk-3": ["--group", "room-2", "--token-required"],
+};
 /** However slow the machine is. */
 const PATIENCE_MS = 180_000;
 
 let router, token, board, student;
+/** The tokens of those who share desk-3. */
+const students = {};
 const stations = new Map(), browsers = [], errors = [];
 
 const inside = (network) => ["ip", "netns", "exec", network];
@@ -32,6 +38,12 @@ async function addToken(name) {
   const { stdout } = await promisify(execFile)(process.env.DOBOT, words);
   token ??= stdout.trim();
   await writeFile("teacher", token);
+}
+
+/** A token of a student at desk-3. */
+async function addStudent(name) {
+  const { stdout } = await promisify(execFile)(process.env.DOBOT, ["token", "add", "control", name, "--data", resolve("desk-3")]);
+  students[name] = stdout.trim();
 }
 
 /** A page in a browser that runs in the network of a desk. */
@@ -52,6 +64,7 @@ before(async () => {
     await mkdir(name);
     await addToken(name);
   }
+  for (const name of ["Anna", "Ben"]) await addStudent(name);
   router = await beginRouter();
   for (const [n, name] of Object.keys(DESKS).entries()) stations.set(name, await beginDesk(name, n + 1));
   board = await visit("desk-1", `fleet#token=${token}`);
@@ -112,6 +125,52 @@ test("eyes on me holds each arm and is told on the student's page, a message too
   await state(student, ({ lock }) => !lock);
 });
 
+test("whoever has no arm is given a virtual one by the board, and moves it on a page of its own", async () => {
+  await board.click("#arm-open");
+  await board.fill("#arm-name", "Chen");
+  await board.click("#arm-give");
+  await board.waitForSelector(`${tile("chen")}[data-presence=present]`);
+  await says("#count .chip", "4 of 4 there");
+  const own = await board.context().newPage();
+  await own.goto(await board.getAttribute("#arm-page", "href"));
+  await own.click("#take");
+  await own.waitForSelector("[data-axis=x_plus]:enabled");
+  const before = await pose(own, "x_mm");
+  await press(own, "x_plus");
+  await own.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
+  await own.mouse.up();
+  await own.close();
+  await board.click("#arm-open");
+  await board.click(`${tile("chen")} .name`);
+  await board.click("#details-end-arm");
+  await board.click("#sure-yes");
+  await board.waitForSelector(tile("chen"), { state: "detached" });
+});
+
+test("in the time slot of a student nobody else moves the arm of the desk, and a slot ends when the teacher says so", async () => {
+  await board.click(`${tile("desk-3")} .name`);
+  await board.fill("#slots-arm [name=names]", "Anna\nBen");
+  await board.click("#slots-arm [type=submit]");
+  await says(`${tile("desk-3")} .who`, "Anna: ");
+  const [anna, ben] = await Promise.all(["Anna", "Ben"].map((name) => visit("desk-3", `#token=${students[name]}`)));
+  await anna.waitForSelector("#slot[data-tone=good]");
+  await anna.click("#take");
+  await anna.waitForSelector("[data-axis=x_plus]:enabled");
+  const before = await pose(anna, "x_mm");
+  await press(anna, "x_plus");
+  await anna.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
+  await anna.mouse.up();
+  await ben.waitForSelector("#slot");
+  assert.equal(await ben.locator("#take, #ask").count(), 0, "no button that leads nowhere");
+  // Nor does it help him to ask as a program does.
+  const asked = await ben.evaluate(async (token) => (await fetch("api/v1/lease", { method: "POST", headers: { authorization: `Bearer ${token}` } })).status, students.Ben);
+  assert.equal(asked, 409);
+  await board.click("#details [data-act=clear]");
+  await ben.waitForSelector("#slot", { state: "detached" });
+  await board.click(`${tile("desk-3")} .name`);
+  for (const it of [anna, ben]) await it.context().browser().close();
+});
+
 test("a student who takes a lesson is on the board with the step", async () => {
   await student.waitForSelector("#fleet");
   await student.click("#first-tour");
@@ -125,6 +184,7 @@ test("a student who takes a lesson is on the board with the step", async () => {
 });
 
 test("with the router killed the others are away, what they have is in doubt, and STOP ALL says who did not answer", async () => {
+  await board.click("#queue-open");
   await submit("Ben", "Ben");
   await state(student, ({ job }) => job?.phase === "running");
   await board.waitForSelector(`${entry("Ben")}[data-phase=taken]`);

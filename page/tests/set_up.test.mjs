@@ -114,6 +114,17 @@ test("a token that is made lets its holder in, is shown as a code for a phone, a
   assert.equal(await status(), 401);
 });
 
+test("a token for several people is made as one and shown as one", async () => {
+  const { page } = real;
+  await page.fill("#token-new [name=name]", "class");
+  await page.check("#token-new [name=shared]");
+  await page.click("#token-new button");
+  await page.waitForFunction(() => /class\s+to move the arm\s+several people/.test(document.querySelector(".tokens").textContent));
+  const kept = (await real.ask("api/v1/tokens")).find(({ name }) => name === "class");
+  assert.deepEqual(kept, { name: "class", role: "control", shared: true });
+  assert.equal(await page.isChecked("#token-new [name=shared]"), false, "the next one is one person's again");
+});
+
 test("the detection asks before it moves the arm, then a little, and says what it saw and what that means", async () => {
   const { page, told } = real;
   await page.click("#tab-set_up");
@@ -139,8 +150,8 @@ test("a fault that is set happens to the arm, and one that does not exist is tol
   await page.click("[data-fault='drop=1%']");
   await page.fill("#faults-text", "withhold@0s..2s");
   await page.click("#faults-set");
-  assert.deepEqual(await virtual.ask("api/v1/faults"), ["withhold@0s..2s"]);
   await page.waitForFunction(() => document.querySelector("#stage").classList.contains("is-old"));
+  assert.deepEqual(await virtual.ask("api/v1/faults"), ["withhold@0s..2s"]);
   await page.click("#faults-none");
   await says(page, "faults-now", "nothing goes wrong");
   assert.deepEqual(await virtual.ask("api/v1/faults"), []);

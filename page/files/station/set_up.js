@@ -67,10 +67,10 @@ export function createSetUp(store, http, socket) {
       send({ type: "policy_kept", text });
       await read();
     },
-    /** @param {string} name @param {Schemas["Role"]} role */
-    async makeToken(name, role) {
+    /** @param {string} name @param {Schemas["Role"]} role @param {boolean} shared Whether several people have it. */
+    async makeToken(name, role, shared) {
       /** @type {Schemas["NewToken"] | undefined} */
-      const token = await change("tokens", "POST", "api/v1/tokens", { name, role });
+      const token = await change("tokens", "POST", "api/v1/tokens", { name, role, shared });
       if (token) send({ type: "token_made", token });
       await read();
     },

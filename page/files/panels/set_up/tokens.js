@@ -25,8 +25,8 @@ export function tokens(context) {
   const make = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();
     const form = /** @type {HTMLFormElement} */ (event.target);
-    const of = (/** @type {string} */ name) => /** @type {HTMLInputElement} */ (form.elements.namedItem(name)).value;
-    void act.setUp.makeToken(of("name").trim(), /** @type {Role} */ (of("role")));
+    const field = (/** @type {string} */ name) => /** @type {HTMLInputElement} */ (form.elements.namedItem(name));
+    void act.setUp.makeToken(field("name").value.trim(), /** @type {Role} */ (field("role").value), field("shared").checked);
     form.reset();
   };
   const address = made ? `${location.origin}/#token=${made.secret}` : "";
@@ -36,12 +36,13 @@ export function tokens(context) {
       <h2 id="tokens-title">${say("tokens")}</h2>
       <p class="quiet">${say("tokens.hint")}</p>
       <ul class="tokens">
-        ${tokens.map(({ name, role }) => html`<li><span>${name}</span> <b class="chip">${say(`role.${role}`)}</b>
+        ${tokens.map(({ name, role, shared }) => html`<li><span>${name}</span> <b class="chip">${say(`role.${role}`)}</b>${shared ? html` <b class="chip">${say("tokens.is_shared")}</b>` : nothing}
           <button type="button" class="small" aria-label=${say("tokens.remove", { name })} @click=${() => act.question({ about: "remove_token", values: { name } })}>×</button></li>`)}
       </ul>
       <form id="token-new" class="row" @submit=${make}>
         <input name="name" type="text" required maxlength="60" autocomplete="off" placeholder=${say("tokens.name")} aria-label=${say("tokens.name")}>
         <select name="role" aria-label=${say("tokens.role")}>${ROLES.map((role) => html`<option value=${role} ?selected=${role === "control"}>${say(`role.${role}`)}</option>`)}</select>
+        <label class="check"><input name="shared" type="checkbox"> ${say("tokens.shared")}</label>
         <button type="submit" class="small">${say("tokens.make")}</button>
       </form>
       ${made ? html`
