@@ -36,7 +36,7 @@ export function tokens(context) {
       <h2 id="tokens-title">${say("tokens")}</h2>
       <p class="quiet">${say("tokens.hint")}</p>
       <ul class="tokens">
-        ${tokens.map(({ name, role, shared }) => html`<li><span>${name}</span> <b class="chip">${say(`role.${role}`)}</b>${shared ? html` <b class="chip">${say("tokens.is_shared")}</b>` : nothing}
+        ${tokens.map(({ name, role, shared }) => html`<li><span>${name} <b class="chip">${say(`role.${role}`)}</b>${shared ? html` <b class="chip">${say("tokens.is_shared")}</b>` : nothing}</span>
           <button type="button" class="small" aria-label=${say("tokens.remove", { name })} @click=${() => act.question({ about: "remove_token", values: { name } })}>×</button></li>`)}
       </ul>
       <form id="token-new" class="row" @submit=${make}>
