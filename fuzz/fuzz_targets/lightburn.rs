@@ -8,18 +8,23 @@ fuzz_target!(|input: &[u8]| {
     let spelled = dobot_fuzz::spelled(input, WORDS);
     let mut text = String::from_utf8_lossy(&spelled).into_owned();
     // Most of what is spelled is in a project, and much of that in a path, so that it is looked at.
-    match input.first().map_or(0, |kind| kind % 4) {
-        1 => text = format!("<LightBurnProject>{text}</LightBurnProject>"),
-        2 => text = format!("<LightBurnProject><Shape Type=\"Path\">{text}</Shape></LightBurnProject>"),
-        3 => {
-            text = format!(
-                "<LightBurnProject><Shape Type=\"Path\"><VertList>V0 0V5 0V5 5{text}</Shape></LightBurnProject>"
-            );
-        }
-        _ => {}
-    }
+    let [begin, end] = FRAMES[usize::from(input.first().copied().unwrap_or(0)) % FRAMES.len()];
+    text = format!("{begin}{text}{end}");
     dobot_fuzz::read(&Source::LightBurn(text));
 });
+
+const FRAMES: [[&str; 2]; 4] = [
+    ["", ""],
+    ["<LightBurnProject>", "</LightBurnProject>"],
+    [
+        "<LightBurnProject><Shape Type=\"Path\">",
+        "</Shape></LightBurnProject>",
+    ],
+    [
+        "<LightBurnProject><Shape Type=\"Path\"><VertList>V0 0V5 0V5 5",
+        "</Shape></LightBurnProject>",
+    ],
+];
 
 const WORDS: &[&str] = &[
     "<LightBurnProject MirrorX=\"True\" MirrorY=\"True\">",

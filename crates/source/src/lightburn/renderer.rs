@@ -100,9 +100,9 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         self.tools.tell(self.sketch, "tool-layer shape", tools);
         for cut in self.drawn {
             if let Some(at) = self.cuts.of(cut).at {
-                let instead = "drawn, but their speed, power, passes and kerf are not taken, for they are of another laser; \
+                let instead = "drawn without its speed, power, passes and kerf, which are for another laser; \
                      --laser MATERIAL has those of this one";
-                self.sketch.warn(at, "layer with settings", instead);
+                self.sketch.warn(at, "laser layer", instead);
             }
         }
         Ok(())

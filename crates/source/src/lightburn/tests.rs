@@ -46,7 +46,7 @@ fn draw(inside: &str) -> Artwork {
     let (artwork, warnings) = read_text(&project(&(cut(0, "Cut", "") + inside)));
     let others = warnings
         .into_iter()
-        .filter(|it| !it.contains("are not taken"));
+        .filter(|it| !it.contains("laser layer"));
     assert_eq!(others.collect::<Vec<_>>(), [""; 0]);
     artwork
 }
@@ -257,7 +257,7 @@ fn what_cannot_be_drawn_is_told_with_what_to_do() {
         "1 text without outlines: left out; convert it to a path in LightBurn",
         "1 shape of another kind: left out (the first is a \"QrCode\")",
         "1 picture: left out; save it from LightBurn and draw it by itself: dobot draw picture.png",
-        "1 layer with settings: drawn, but their speed, power, passes and kerf are not taken",
+        "1 laser layer: drawn without its speed, power, passes and kerf",
     ] {
         assert!(told.contains(part), "{told}");
     }

@@ -105,7 +105,7 @@ fn the_bracket_has_an_outline_and_holes() {
 fn the_tag_is_filled_drawn_and_cut_in_this_order() {
     let (tag, warnings) = example_with_warnings("tag.lbrn2");
     let told: Vec<&str> = warnings.iter().map(|it| it.what.as_str()).collect();
-    assert_eq!(told, ["tool-layer shape", "layer with settings"]);
+    assert_eq!(told, ["tool-layer shape", "laser layer"]);
     assert!(
         is_large(&tag, 90.0, 50.0),
         "{} x {}",
