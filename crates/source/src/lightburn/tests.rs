@@ -285,6 +285,8 @@ proptest! {
             prop_assert!(off <= 2.0 * tolerance, "{off}");
         }
         let share = length_mm(&artwork) / (2.0 * PI * expected);
-        prop_assert!((0.98..=1.0).contains(&share), "{share}");
+        // Its corners lie on the circle: a chord that leaves it by the tolerance is shorter by less than this share.
+        let least = 1.0 - tolerance / expected;
+        prop_assert!((least..=1.0 + 1e-9).contains(&share), "{share}");
     }
 }

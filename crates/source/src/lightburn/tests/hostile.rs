@@ -1,3 +1,5 @@
+use dobot_geometry::Point;
+
 use super::*;
 
 fn lists(vertices: &str, joints: &str) -> String {
@@ -213,4 +215,34 @@ fn a_huge_picture_is_left_out_quickly() {
         &(picture + "<Shape Type=\"Rect\" W=\"9\" H=\"9\"/>"),
     ));
     assert_eq!(strokes(&artwork).len(), 1);
+}
+
+/// Something of all that is read.
+const PROJECT: &str = r#"<LightBurnProject MirrorX="True"><CutSetting type="Scan"><index Value="0"/><scanOpt
+Value="byGroup"/></CutSetting><CutSetting type="Cut"><index Value="1"/><name Value="a"/><hide Value="0"/></CutSetting>
+<Shape Type="Rect" CutIndex="1" W="9" H="5" Cr="2"><XForm>1 0 0 1 5 5</XForm></Shape><Shape Type="Group"><XForm>2 0 0 2 1
+0</XForm><Children><Shape Type="Ellipse" CutIndex="0" Rx="9" Ry="5"/><Shape Type="Polygon" N="5" Rx="3" Ry="4"/></Children>
+</Shape><Shape Type="Path" VertID="0" PrimID="0"><VertList>V0 0c0x1c1x1V9 0Sc0x12c0y3c1x1V9.5 1e1c0x1c1x6c1y12</VertList>
+<PrimList>L0 1B1 2L2 0</PrimList></Shape><Shape Type="Path" VertID="0" PrimID="0"/><Shape Type="Path"><V vx="1" vy="2"/>
+<V vx="3" vy="4"/><P T="L" p0="0" p1="1"/></Shape><Shape Type="Text"><BackupPath Type="Path"><VertList>V0 0V1 1</VertList>
+<PrimList>LineOpen</PrimList></BackupPath></Shape></LightBurnProject>"#;
+
+proptest! {
+    #[test]
+    fn a_project_that_is_cut_or_damaged_anywhere_gives_a_drawing_or_an_error_of_one_line(
+        at in 0..PROJECT.len(),
+        length in 0..40_usize,
+        other in prop::sample::select(vec![
+            "", "<", ">", "\"", "-", "1e9", "nan", "9", "V", "L9 9", "B0 1", "Scan", "Group", "Text", "</Shape>", "<Shape>",
+        ]),
+    ) {
+        let end = (at + length).min(PROJECT.len());
+        let damaged = format!("{}{other}{}", &PROJECT[..at], &PROJECT[end..]);
+        for text in [&PROJECT[..at], damaged.as_str()] {
+            match super::super::read(text, &ReadOptions::default()) {
+                Ok((artwork, _)) => prop_assert!(artwork.points().all(Point::is_finite)),
+                Err(error) => prop_assert!(!error.to_string().contains('\n'), "{error}"),
+            }
+        }
+    }
 }
