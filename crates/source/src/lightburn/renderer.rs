@@ -137,7 +137,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
                 let instead = format!(
                     "left out (the first is a {kind:?}); convert them to paths in LightBurn and save the project"
                 );
-                self.left_out(shape, "shape of another kind", &instead);
+                self.left_out(shape, "unread shape", &instead);
                 return Ok(());
             }
         };
@@ -176,8 +176,8 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
                 return self.shape(outlines, pose);
             }
         }
-        let instead = "left out; convert it to a path in LightBurn (Edit, Convert to Path) and save the project";
-        self.left_out(text, "text without outlines", instead);
+        let instead = "left out, the project has no outlines of it; convert it to a path in LightBurn (Edit, Convert to Path) and save the project";
+        self.left_out(text, "plain text", instead);
         Ok(())
     }
 
@@ -193,9 +193,8 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         let at = shape.range().start;
         let cut = self.cuts.of(cut_index);
         if cut.at.is_none() {
-            let instead = "drawn as lines";
-            self.sketch
-                .warn(at, "shape of a layer without settings", instead);
+            let instead = "drawn as lines, for the project has no settings of its layer";
+            self.sketch.warn(at, "unlisted shape", instead);
         }
         if cut.output == Output::Hidden {
             let instead = "drawn, its layer is output although LightBurn does not show it";
@@ -209,8 +208,8 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
                     self.fills.keep(cut_index, filling, self.counts, points);
                 }
                 Some(_) => {
-                    let instead = "drawn as a line, for only a closed one can be filled";
-                    self.sketch.warn(at, "open line of a fill layer", instead);
+                    let instead = "drawn as a line, for only what is closed can be filled";
+                    self.sketch.warn(at, "unclosed fill", instead);
                     self.sketch.stroke(points)?;
                 }
                 None => self.sketch.stroke(points)?,

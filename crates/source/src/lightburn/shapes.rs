@@ -48,13 +48,13 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
         if radius < 0.0 {
             let instead =
                 "drawn with sharp corners; convert it to a path in LightBurn and save the project";
-            self.left_out(it, "rectangle with a corner radius below 0", instead);
+            self.left_out(it, "negatively rounded rectangle", instead);
             return Ok(0.0);
         }
         let most = x.min(y);
         if radius > most {
             let instead = "drawn as round as its shorter side allows";
-            self.left_out(it, "rectangle with corners rounder than its side", instead);
+            self.left_out(it, "too-round rectangle", instead);
             return Ok(most);
         }
         Ok(radius)
@@ -117,7 +117,7 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
             }
         };
         if joints.is_empty() {
-            self.left_out(it, "path without lines", "left out");
+            self.left_out(it, "empty path", "left out");
         }
         let mut contours: Vec<Contour> = Vec::new();
         let mut last: Option<Joint> = None;

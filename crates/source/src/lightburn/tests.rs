@@ -254,8 +254,8 @@ fn what_cannot_be_drawn_is_told_with_what_to_do() {
     assert_eq!(strokes(&artwork).len(), 1);
     let told = warnings.join("\n");
     for part in [
-        "1 text without outlines: left out; convert it to a path in LightBurn",
-        "1 shape of another kind: left out (the first is a \"QrCode\")",
+        "1 plain text: left out, the project has no outlines of it; convert it to a path in LightBurn",
+        "1 unread shape: left out (the first is a \"QrCode\")",
         "1 picture: left out; save it from LightBurn and draw it by itself: dobot draw picture.png",
         "1 laser layer: drawn without its speed, power, passes and kerf",
     ] {

@@ -173,7 +173,7 @@ fn texts_in_outlines_of_texts_end() {
     let begin = "<BackupPath Type=\"Text\">".repeat(100_000);
     let end = "</BackupPath>".repeat(100_000);
     let text = project(&shape("Type=\"Text\"", HERE, &format!("{begin}{end}")));
-    refused(&text, &["nothing to draw", "text without outlines"]);
+    refused(&text, &["nothing to draw", "plain text"]);
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn an_open_line_of_a_fill_layer_is_a_line() {
     let (artwork, warnings) = read_text(&project(&(cut(0, "Scan", "") + &line)));
     assert_eq!((strokes(&artwork).len(), rings(&artwork).len()), (1, 0));
     assert!(
-        warnings[0].contains("1 open line of a fill layer: drawn as a line"),
+        warnings[0].contains("1 unclosed fill: drawn as a line"),
         "{warnings:?}"
     );
 }
@@ -119,7 +119,7 @@ fn a_layer_without_settings_is_drawn_as_lines() {
     let (artwork, warnings) = read_text(&project(&square(5, 9.0, 0.0)));
     assert_eq!(artwork.layers[0].name, "C05");
     assert!(
-        warnings[0].contains("1 shape of a layer without settings: drawn as lines"),
+        warnings[0].contains("1 unlisted shape: drawn as lines"),
         "{warnings:?}"
     );
 }

@@ -83,7 +83,7 @@ fn a_path_without_lines_is_told() {
     let (artwork, warnings) = read_text(&project(&(path(lists) + &line)));
     assert_eq!(strokes(&artwork).len(), 1);
     assert!(
-        warnings[0].ends_with("1 path without lines: left out"),
+        warnings[0].ends_with("1 empty path: left out"),
         "{warnings:?}"
     );
 }
