@@ -6,11 +6,10 @@ use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|input: &[u8]| {
     let spelled = dobot_fuzz::spelled(input, WORDS);
-    let mut text = String::from_utf8_lossy(&spelled).into_owned();
+    let inside = String::from_utf8_lossy(&spelled);
     // Most of what is spelled is in a project, and much of that in a path, so that it is looked at.
     let [begin, end] = FRAMES[usize::from(input.first().copied().unwrap_or(0)) % FRAMES.len()];
-    text = format!("{begin}{text}{end}");
-    dobot_fuzz::read(&Source::LightBurn(text));
+    dobot_fuzz::read(&Source::LightBurn(format!("{begin}{inside}{end}")));
 });
 
 const FRAMES: [[&str; 2]; 4] = [
