@@ -76,8 +76,8 @@ class Plan:
 def plan(
     file: str | os.PathLike[str] | None = None, *, lines: Iterable[Points] | None = None, **options: object
 ) -> Plan:
-    """Plans a drawing: a file (SVG, DXF, HP-GL, G-code, a picture, points), ``lines=[...]``, ``text="..."``, or one of the
-    first with a text below.
+    """Plans a drawing: a file (SVG, DXF, LightBurn, HP-GL, G-code, a picture, points), ``lines=[...]``, ``text="..."``,
+    or one of the first with a text below.
 
     ``lines`` are arrays of shape (n, 2), or sequences of pairs: x to the right and y down, in millimetres, as on a page.
 

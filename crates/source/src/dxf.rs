@@ -6,7 +6,6 @@ mod content;
 mod cover;
 mod entity;
 mod file;
-mod frame;
 mod hatch;
 mod mesh;
 mod multileader;

@@ -27,7 +27,7 @@ pub enum SourceError {
     },
     /// Neither name nor contents tell what it is.
     #[error(
-        "{name:?} is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .csv and .json files"
+        "{name:?} is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .lbrn, .lbrn2, .csv and .json files"
     )]
     UnknownKind {
         /// The file's name.

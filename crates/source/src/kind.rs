@@ -7,6 +7,7 @@ use crate::error::SourceError;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TextKind {
     Svg,
+    LightBurn,
     Json,
     Dxf,
     Csv,
@@ -20,6 +21,9 @@ impl TextKind {
     pub(super) fn of_start(bytes: &[u8]) -> Option<Self> {
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
         let start = start.trim_start_matches('\u{FEFF}').trim_start();
+        if is_lightburn(bytes) {
+            return Some(Self::LightBurn);
+        }
         if bytes.is_empty() || start.contains("<svg") || start.starts_with("<?xml") {
             return Some(Self::Svg);
         }
@@ -37,6 +41,7 @@ impl TextKind {
     pub(super) fn source(self, bytes: Vec<u8>) -> Result<Source, SourceError> {
         Ok(match self {
             Self::Svg => Source::Svg(text(bytes)?),
+            Self::LightBurn => Source::LightBurn(text(bytes)?),
             Self::Json => Source::Json(text(bytes)?),
             Self::Csv => Source::Csv(text(bytes)?),
             Self::Dxf => Source::Dxf(bytes),
@@ -51,6 +56,13 @@ pub(super) fn is_svg(bytes: &[u8]) -> bool {
     let start = String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]);
     let start = start.trim_start_matches('\u{FEFF}').trim_start();
     start.starts_with("<svg") || (start.starts_with("<?xml") && start.contains("<svg"))
+}
+
+/// Whether it is a project of `LightBurn`, whatever its name says.
+pub(super) fn is_lightburn(bytes: &[u8]) -> bool {
+    let start = &bytes[..bytes.len().min(1000)];
+    let mark = b"<LightBurnProject";
+    start.windows(mark.len()).any(|it| it == mark)
 }
 
 /// Refuses what other programs make a drawing of, and says which.
@@ -153,6 +165,10 @@ mod tests {
             ("", Some(TextKind::Svg)),
             ("\u{FEFF}<?xml version=\"1.0\"?>", Some(TextKind::Svg)),
             ("<!-- made by hand --><svg/>", Some(TextKind::Svg)),
+            (
+                "<?xml version=\"1.0\"?>\n<LightBurnProject AppVersion=\"1.7\">",
+                Some(TextKind::LightBurn),
+            ),
             (" [[[0,0]]]", Some(TextKind::Json)),
             ("{\"strokes\": []}", Some(TextKind::Json)),
             ("  0\r\nSECTION\r\n", Some(TextKind::Dxf)),

@@ -7,7 +7,7 @@ use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
-use crate::{dxf, gcode, hpgl, kind, packed, picture, points, svg};
+use crate::{dxf, gcode, hpgl, kind, lightburn, packed, picture, points, svg};
 
 /// Something to be drawn, not yet read.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,8 @@ pub enum Source {
     Hpgl(Vec<u8>),
     /// DXF in text. Bytes, for older ones are no UTF-8.
     Dxf(Vec<u8>),
+    /// A project of `LightBurn` (`.lbrn`, `.lbrn2`).
+    LightBurn(String),
     /// Points in lines: x to the right, y down, in mm.
     Csv(String),
     /// Lines of points that a program has calculated: x to the right, y down, in mm.
@@ -34,7 +36,7 @@ pub enum Source {
 
 impl Source {
     /// Takes the contents of a file, which may be packed with gzip, for what its name says or its first
-    /// bytes: SVG files and pictures are known by these whatever they are called.
+    /// bytes: SVG files, projects of `LightBurn` and pictures are known by these whatever they are called.
     ///
     /// # Errors
     ///
@@ -49,6 +51,7 @@ impl Source {
         match ending.to_ascii_lowercase().as_str() {
             _ if kind::is_svg(&bytes) => Ok(Self::Svg(kind::text(bytes)?)),
             _ if picture::is_picture(&bytes) => Ok(Self::Picture(bytes)),
+            _ if kind::is_lightburn(&bytes) => Ok(Self::LightBurn(kind::text(bytes)?)),
             "svg" | "svgz" => Ok(Self::Svg(kind::text(bytes)?)),
             "png" | "jpg" | "jpeg" | "gif" | "webp" | "bmp" | "tif" | "tiff" => {
                 Ok(Self::Picture(bytes))
@@ -56,6 +59,7 @@ impl Source {
             "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
             "hpgl" | "hpg" | "hgl" | "plt" => Ok(Self::Hpgl(bytes)),
             "dxf" => Ok(Self::Dxf(bytes)),
+            "lbrn" | "lbrn2" => Ok(Self::LightBurn(kind::text(bytes)?)),
             "csv" => Ok(Self::Csv(kind::text(bytes)?)),
             "json" => Ok(Self::Json(kind::text(bytes)?)),
             _ => Self::of_contents(name, bytes),
@@ -105,6 +109,7 @@ impl Source {
             Self::Gcode(text) => gcode::read(text, options),
             Self::Hpgl(text) => hpgl::read(text, options),
             Self::Dxf(text) => dxf::read(text, options),
+            Self::LightBurn(text) => lightburn::read(text, options),
             Self::Csv(text) => points::read_csv(text, options),
             Self::Json(text) => points::read_json(text, options),
             Self::Lines(lines) => points::read_lines(lines, options),

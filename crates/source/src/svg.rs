@@ -185,7 +185,8 @@ fn parse(
     Ok((tree.map_err(|error| unreadable(&error))?, names))
 }
 
-fn malformed(error: &usvg::roxmltree::Error) -> SvgError {
+/// Tells where XML goes wrong.
+pub(crate) fn malformed(error: &usvg::roxmltree::Error) -> SvgError {
     let place = error.pos();
     let problem = error.to_string();
     let suffix = format!(" at {place}");
@@ -229,6 +230,7 @@ fn nothing_to_draw(warnings: &[WarningCount], cut: Option<Warning>) -> SourceErr
 }
 
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
-const MAX_NODES: u32 = 2_000_000;
+/// How many elements, texts and comments a file may have.
+pub(crate) const MAX_NODES: u32 = 2_000_000;
 #[cfg(test)]
 mod tests;

@@ -29,7 +29,7 @@ import { paperOf } from "./paper.js";
 /** Where drawings lie unless told otherwise. */
 export const MIDDLE = { x_mm: 210, y_mm: 0 };
 /** The endings of what can be drawn, as a field for files takes them. */
-export const DRAWN = ".svg,.dxf,.gcode,.gco,.nc,.ngc,.hpgl,.plt,.png,.jpg,.jpeg,.gif,.webp,.bmp,.tiff,.csv";
+export const DRAWN = ".svg,.dxf,.lbrn,.lbrn2,.gcode,.gco,.nc,.ngc,.hpgl,.plt,.png,.jpg,.jpeg,.gif,.webp,.bmp,.tiff,.csv";
 /** How large a file may be; in Base64 it is a third larger. */
 export const MOST_BYTES = 24_000_000;
 /** What takes a number. @type {readonly (keyof Settings)[]} */

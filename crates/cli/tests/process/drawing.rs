@@ -53,7 +53,7 @@ fn every_bundled_drawing_of_each_kind_is_drawn_within_tolerance_of_the_true_posi
             assert!((-0.5..2.0).contains(&late_s), "{file}: {report}");
         }
     }
-    let known = ["csv", "dxf", "gcode", "jpg", "json", "plt", "svg"];
+    let known = ["csv", "dxf", "gcode", "jpg", "json", "lbrn2", "plt", "svg"];
     assert_eq!(kinds, known.map(|it| Some(it.into())).into());
 }
 

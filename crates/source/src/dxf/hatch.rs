@@ -3,13 +3,13 @@
 use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 
 use super::entity::Entity;
-use super::frame::way;
 use super::pairs::Pair;
 use super::pattern::PatternLine;
 use super::renderer::EntityRenderer;
 use super::shapes::{Corner, span_rad};
 use crate::arc::Arc;
 use crate::error::SourceError;
+use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
 
 impl EntityRenderer<'_, '_> {

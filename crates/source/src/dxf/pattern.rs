@@ -3,9 +3,9 @@
 use dobot_geometry::{Affine, Area, Point, Rect, Vec2, bounds};
 
 use super::entity::Entity;
-use super::frame::way;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
+use crate::frame::way;
 
 /// A family of parallel lines: each is as far from the one before as the shift says, and dashed alike.
 ///

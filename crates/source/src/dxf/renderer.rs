@@ -4,10 +4,10 @@ use dobot_geometry::{Affine, Point, Vec2};
 
 use super::entity::Entity;
 use super::file::{Block, File, LayerInfo, Span};
-use super::frame::way;
 use super::pairs::Pair;
 use crate::artwork::Layer;
 use crate::error::SourceError;
+use crate::frame::way;
 use crate::place::printable;
 use crate::sketch::Sketch;
 use crate::text::Lettering;

@@ -6,12 +6,12 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 
 use super::entity::Entity;
 use super::file::Span;
-use super::frame::way;
 use super::pairs::Pair;
 use super::renderer::EntityRenderer;
 use super::spline::Spline;
 use crate::arc::Arc;
 use crate::error::SourceError;
+use crate::frame::way;
 use crate::limits::MAX_SEGMENTS;
 
 /// A corner of a polyline, and how the way to the next bulges: the tangent of a quarter of its angle.

@@ -4,10 +4,10 @@ use dobot_geometry::{Affine, Vec2};
 
 use super::content::{Content, line, lines};
 use super::entity::Entity;
-use super::frame::way;
 use super::pairs::Pair;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
+use crate::frame::way;
 use crate::text::{CAPITAL, Lettering, Pose};
 
 /// A line of text in units of the letters' grid.

@@ -10,6 +10,12 @@ use crate::artwork::Layer;
 
 /// A drawing that comes with the project; whatever is left out of it would be a mistake in it.
 fn example(name: &str) -> Artwork {
+    let (artwork, warnings) = example_with_warnings(name);
+    assert_eq!(warnings, [], "{name}");
+    artwork
+}
+
+fn example_with_warnings(name: &str) -> (Artwork, Vec<Warning>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/drawings");
     let bytes = fs::read(folder.join(name)).unwrap();
     let named = Source::of_file(name, bytes.clone()).unwrap();
@@ -18,9 +24,7 @@ fn example(name: &str) -> Artwork {
         named,
         "{name} without its name"
     );
-    let (artwork, warnings) = named.read(&ReadOptions::default()).unwrap();
-    assert_eq!(warnings, [], "{name}");
-    artwork
+    named.read(&ReadOptions::default()).unwrap()
 }
 
 /// Name, strokes and closed strokes of each layer.
@@ -98,6 +102,26 @@ fn the_bracket_has_an_outline_and_holes() {
 }
 
 #[test]
+fn the_tag_is_filled_drawn_and_cut_in_this_order() {
+    let (tag, warnings) = example_with_warnings("tag.lbrn2");
+    let told: Vec<&str> = warnings.iter().map(|it| it.what.as_str()).collect();
+    assert_eq!(told, ["tool-layer shape", "laser layer"]);
+    assert!(
+        is_large(&tag, 90.0, 50.0),
+        "{} x {}",
+        tag.width_mm,
+        tag.height_mm
+    );
+    assert_eq!(
+        layers(&tag),
+        [("moon", 2, 2), ("waves", 5, 2), ("edge", 2, 2)]
+    );
+    // The star is a hole in the moon.
+    assert_eq!(tag.layers[0].areas[0].rings.len(), 2);
+    assert_eq!(tag.layers[2].color, Some([255, 0, 0]));
+}
+
+#[test]
 fn the_wave_is_fifteen_lines() {
     let wave = example("wave.csv");
     assert!((wave.width_mm - 160.0).abs() < 1e-9 && wave.height_mm < 80.0);
@@ -123,7 +147,7 @@ fn a_name_without_a_known_ending_is_told_with_those_that_are() {
     let error = Source::of_file("letter.txt", b"Dear reader".to_vec()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "\"letter.txt\" is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .csv and .json files"
+        "\"letter.txt\" is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .lbrn, .lbrn2, .csv and .json files"
     );
     let endings = ["gcode", "gco", "g", "nc", "ngc", "tap", "cnc", "NC"];
     for ending in endings {

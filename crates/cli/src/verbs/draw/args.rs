@@ -31,8 +31,8 @@ Examples:
                                                          cut out, inside first, held by tabs
   dobot draw long.svg --from 40%                         the rest of a drawing
 
-It draws SVG, G-code, HPGL (.plt), DXF and pictures (PNG, JPEG, GIF, WebP, BMP, TIFF), and points as CSV or
-JSON; - reads standard input, and gzip is unpacked. A picture fills the drawing area; what is larger than it goes where
+It draws SVG, G-code, HPGL (.plt), DXF, LightBurn projects (.lbrn2) and pictures (PNG, JPEG, GIF, WebP, BMP, TIFF),
+and points as CSV or JSON; - reads standard input, and gzip is unpacked. A picture fills the drawing area; what is larger than it goes where
 the arm reaches all of it, or is made to fit; --scale insists. --paper-size puts the page of the file on a sheet.
 
 The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the

@@ -1,0 +1,72 @@
+//! Reading the projects of `LightBurn`: XML, older ones (`.lbrn`) and newer ones (`.lbrn2`).
+//!
+//! Nobody has published the format; this is what files and the readers of others tell.
+
+mod cut;
+mod field;
+mod fill;
+mod list;
+mod palette;
+mod path;
+mod renderer;
+mod shapes;
+
+use usvg::roxmltree::{Document, Error, ParsingOptions};
+
+use self::cut::Cuts;
+use self::renderer::ShapeRenderer;
+use crate::artwork::Artwork;
+use crate::error::{SourceError, SvgError};
+use crate::options::ReadOptions;
+use crate::sketch::{Sketch, Y};
+use crate::svg::{MAX_NODES, malformed};
+use crate::warning::Warning;
+
+/// Reads a project: its layers are layers, in the order in which `LightBurn` runs them, and what they fill is areas.
+/// The page is as large as the ink, in the orientation that `LightBurn` shows.
+pub(crate) fn read(
+    text: &str,
+    options: &ReadOptions,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let mut sketch = Sketch::new(text.as_bytes(), options)?;
+    let document = parse(text)?;
+    let root = document.root_element();
+    if !root.has_tag_name(ROOT) {
+        let found = format!("<{}>", root.tag_name().name());
+        return Err(sketch.found(root.range().start, found, "<LightBurnProject"));
+    }
+    let cuts = Cuts::read(text, root)?;
+    let mut renderer = ShapeRenderer::new(text, &mut sketch, root, cuts);
+    renderer.all(root)?;
+    renderer.finish()?;
+    let is_mirrored = root.attribute("MirrorY") == Some(TRUE);
+    let y = if is_mirrored { Y::Down } else { Y::Up };
+    sketch.finish(y, "no shapes that are output")
+}
+
+fn parse(text: &str) -> Result<Document<'_>, SourceError> {
+    let options = ParsingOptions {
+        allow_dtd: false,
+        nodes_limit: MAX_NODES,
+        ..ParsingOptions::default()
+    };
+    Document::parse_with_options(text, options).map_err(|error| match error {
+        Error::DtdDetected => {
+            let at = text.find("<!DOCTYPE").unwrap_or_default();
+            let expected = "<LightBurnProject: no project has a DOCTYPE";
+            SourceError::unexpected(text.as_bytes(), at, expected)
+        }
+        Error::NodesLimitReached => SvgError::TooManyElements {
+            limit: u64::from(MAX_NODES),
+        }
+        .into(),
+        other => malformed(&other).into(),
+    })
+}
+
+const ROOT: &str = "LightBurnProject";
+/// How a project says that an axis is mirrored.
+const TRUE: &str = "True";
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,155 @@
+//! The layers of a project, which it calls cut settings.
+
+use std::collections::{BTreeMap, HashMap};
+
+use usvg::roxmltree::Node;
+
+use super::field::Field;
+use super::palette;
+use crate::artwork::Layer;
+use crate::error::SourceError;
+use crate::place::printable;
+
+/// How the shapes of a layer become ink.
+#[derive(Clone, Debug)]
+pub(super) struct Cut {
+    /// What a person calls it, which no other layer is called.
+    pub(super) name: String,
+    color: Option<[u8; 3]>,
+    pub(super) filling: Option<Filling>,
+    pub(super) output: Output,
+    /// Where it is told, in bytes; a layer may be told nowhere.
+    pub(super) at: Option<usize>,
+    priority: i64,
+}
+
+/// What a laser makes of a layer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Output {
+    /// It is burned.
+    On,
+    /// It is burned, and not shown on the screen.
+    Hidden,
+    /// Its output is switched off.
+    Off,
+    /// It is a help for drawing (T1, T2).
+    Tool,
+}
+
+/// Which shapes of a layer are filled together, so that one inside another is a hole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Filling {
+    /// All of the layer.
+    Layer,
+    /// Those of an outermost group.
+    Group,
+    /// Each by itself.
+    Shape,
+}
+
+impl Cut {
+    pub(super) fn layer(&self) -> Layer {
+        Layer {
+            name: self.name.clone(),
+            color: self.color,
+            ..Layer::default()
+        }
+    }
+
+    fn read(file: &str, node: Node<'_, '_>, index: u32) -> Result<Self, SourceError> {
+        let mode = node.attribute("type").unwrap_or_default();
+        let flag = |name| Field::value(node, name).map(|it| it.flag(file)).transpose();
+        let is_tool = mode == "Tool" || TOOLS.contains(&index);
+        let output = match (is_tool, flag("doOutput")?, flag("hide")?) {
+            (true, ..) => Output::Tool,
+            (_, Some(false), _) => Output::Off,
+            (.., Some(true)) => Output::Hidden,
+            _ => Output::On,
+        };
+        let filling = match Field::value(node, "scanOpt").map(|it| it.text) {
+            Some("byGroup") => Filling::Group,
+            Some("individual") => Filling::Shape,
+            _ => Filling::Layer,
+        };
+        let fills = mode.contains("Scan") || mode.contains("Offset");
+        let name = Field::value(node, "name").map(|it| printable(it.text.trim()));
+        let priority = Field::value(node, "priority").map(|it| it.number(file));
+        #[expect(clippy::cast_possible_truncation, reason = "at most 1e9")]
+        let priority = priority.transpose()?.map(|it| it as i64);
+        Ok(Self {
+            name: name
+                .filter(|it| !it.is_empty())
+                .unwrap_or_else(|| code(index)),
+            color: palette::color(index),
+            filling: fills.then_some(filling),
+            output,
+            at: Some(node.range().start),
+            priority: priority.unwrap_or_else(|| i64::from(index)),
+        })
+    }
+
+    /// A layer that no setting tells of: lines.
+    fn untold(index: u32) -> Self {
+        let is_tool = TOOLS.contains(&index);
+        Self {
+            name: code(index),
+            color: palette::color(index),
+            filling: None,
+            output: if is_tool { Output::Tool } else { Output::On },
+            at: None,
+            priority: i64::from(index),
+        }
+    }
+}
+
+/// The layers by their numbers.
+#[derive(Debug)]
+pub(super) struct Cuts(BTreeMap<u32, Cut>);
+
+impl Cuts {
+    pub(super) fn read(file: &str, root: Node<'_, '_>) -> Result<Self, SourceError> {
+        let mut cuts = BTreeMap::new();
+        for node in root.children().filter(|it| it.has_tag_name("CutSetting")) {
+            let index = Field::value(node, "index").ok_or_else(|| {
+                let at = node.range().start;
+                let found = "a <CutSetting> without an <index>";
+                SourceError::found(file.as_bytes(), at, found, "<index Value=\"0\"/> in it")
+            })?;
+            let index = index.count(file)?;
+            cuts.insert(index, Cut::read(file, node, index)?);
+        }
+        let mut counts = HashMap::new();
+        for cut in cuts.values() {
+            *counts.entry(cut.name.clone()).or_insert(0) += 1;
+        }
+        for (index, cut) in &mut cuts {
+            if counts[&cut.name] > 1 {
+                cut.name = format!("{} ({})", cut.name, code(*index));
+            }
+        }
+        Ok(Self(cuts))
+    }
+
+    /// Those that are burned, in the order in which they are.
+    pub(super) fn in_order(&self) -> Vec<&Cut> {
+        let is_burned = |it: &&Cut| matches!(it.output, Output::On | Output::Hidden);
+        let mut cuts: Vec<&Cut> = self.0.values().filter(is_burned).collect();
+        cuts.sort_by_key(|it| it.priority);
+        cuts
+    }
+
+    pub(super) fn of(&mut self, index: u32) -> &Cut {
+        self.0.entry(index).or_insert_with(|| Cut::untold(index))
+    }
+}
+
+/// What `LightBurn` calls a layer that has no other name.
+fn code(index: u32) -> String {
+    match TOOLS.iter().position(|it| *it == index) {
+        Some(tool) => format!("T{}", tool + 1),
+        None => format!("C{index:02}"),
+    }
+}
+
+/// The numbers of the tool layers.
+const TOOLS: [u32; 2] = [30, 31];

@@ -1,0 +1,292 @@
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+mod hostile;
+mod layers;
+mod paths;
+
+use std::f64::consts::{PI, TAU};
+
+use dobot_geometry::{Stroke, bounds_of_strokes};
+use proptest::prelude::*;
+
+use super::*;
+
+/// A project with these elements.
+fn project(inside: &str) -> String {
+    mirrored("False", "False", inside)
+}
+
+fn mirrored(x: &str, y: &str, inside: &str) -> String {
+    let root = format!(
+        "<LightBurnProject AppVersion=\"1.7.08\" FormatVersion=\"1\" MirrorX=\"{x}\" MirrorY=\"{y}\">"
+    );
+    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{root}\n{inside}\n</LightBurnProject>\n")
+}
+
+/// A layer that `LightBurn` calls so, of a mode, with more settings.
+fn cut(index: u32, mode: &str, more: &str) -> String {
+    format!(
+        "<CutSetting type=\"{mode}\"><index Value=\"{index}\"/><name Value=\"C{index:02}\"/>{more}</CutSetting>"
+    )
+}
+
+fn shape(attributes: &str, frame: &str, inside: &str) -> String {
+    format!("<Shape {attributes}><XForm>{frame}</XForm>{inside}</Shape>")
+}
+
+const HERE: &str = "1 0 0 1 0 0";
+
+fn read_text(text: &str) -> (Artwork, Vec<String>) {
+    let (artwork, warnings) = super::read(text, &ReadOptions::default()).unwrap();
+    (artwork, warnings.iter().map(Warning::to_string).collect())
+}
+
+/// What becomes of these shapes, on layer 0 for lines.
+fn draw(inside: &str) -> Artwork {
+    let (artwork, warnings) = read_text(&project(&(cut(0, "Cut", "") + inside)));
+    let others = warnings
+        .into_iter()
+        .filter(|it| !it.contains("laser layer"));
+    assert_eq!(others.collect::<Vec<_>>(), [""; 0]);
+    artwork
+}
+
+fn error(text: &str) -> String {
+    let read = super::read(text, &ReadOptions::default());
+    read.unwrap_err().to_string()
+}
+
+fn strokes(artwork: &Artwork) -> Vec<&Stroke> {
+    artwork.layers.iter().flat_map(|it| &it.strokes).collect()
+}
+
+fn corners(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
+    let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
+    let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
+    strokes(artwork).into_iter().map(corners).collect()
+}
+
+fn length_mm(artwork: &Artwork) -> f64 {
+    strokes(artwork).iter().map(|it| it.length_mm()).sum()
+}
+
+#[track_caller]
+fn same(found: f64, expected: f64, tolerance: f64) {
+    let off = (found - expected).abs();
+    assert!(
+        off <= tolerance,
+        "{found}, expected is {expected} within {tolerance}"
+    );
+}
+
+#[test]
+fn a_rectangle_lies_about_its_middle_and_y_points_up() {
+    let small = shape(
+        "Type=\"Rect\" CutIndex=\"0\" W=\"2\" H=\"4\"",
+        "1 0 0 1 1 2",
+        "",
+    );
+    let above = shape(
+        "Type=\"Rect\" CutIndex=\"0\" W=\"2\" H=\"2\"",
+        "1 0 0 1 9 9",
+        "",
+    );
+    let artwork = draw(&(small + &above));
+    assert_eq!([artwork.width_mm, artwork.height_mm], [10.0, 10.0]);
+    let boxes: Vec<_> = strokes(&artwork)
+        .into_iter()
+        .map(|it| bounds_of_strokes(std::slice::from_ref(it)))
+        .map(|it| (it.x0, it.y0, it.x1, it.y1))
+        .collect();
+    assert_eq!(boxes, [(0.0, 6.0, 2.0, 10.0), (8.0, 0.0, 10.0, 2.0)]);
+}
+
+#[test]
+fn a_mirrored_project_is_drawn_as_it_is_seen_in_lightburn() {
+    let hook = shape(
+        "Type=\"Path\" CutIndex=\"0\"",
+        HERE,
+        "<VertList>V0 0V0 5V3 5</VertList><PrimList>L0 1L1 2</PrimList>",
+    );
+    let seen = |x, y| corners(&read_text(&mirrored(x, y, &(cut(0, "Cut", "") + &hook))).0);
+    assert_eq!(
+        seen("False", "False"),
+        [[(0.0, 5.0), (0.0, 0.0), (3.0, 0.0)]]
+    );
+    assert_eq!(
+        seen("False", "True"),
+        [[(0.0, 0.0), (0.0, 5.0), (3.0, 5.0)]]
+    );
+    assert_eq!(
+        seen("True", "False"),
+        [[(3.0, 5.0), (3.0, 0.0), (0.0, 0.0)]]
+    );
+    assert_eq!(seen("True", "True"), [[(3.0, 0.0), (3.0, 5.0), (0.0, 5.0)]]);
+}
+
+#[test]
+fn round_corners_are_quarters_of_circles() {
+    let round = shape(
+        "Type=\"Rect\" CutIndex=\"0\" W=\"30\" H=\"20\" Cr=\"4\"",
+        HERE,
+        "",
+    );
+    let artwork = draw(&round);
+    assert_eq!(strokes(&artwork).len(), 1);
+    assert!(strokes(&artwork)[0].closed);
+    same(artwork.width_mm, 30.0, 1e-9);
+    same(artwork.height_mm, 20.0, 1e-9);
+    same(length_mm(&artwork), 100.0 - 8.0 * 4.0 + TAU * 4.0, 0.05);
+}
+
+#[test]
+fn corners_that_are_too_round_or_turned_inwards_are_told() {
+    let with = |radius: &str| {
+        let it = format!("Type=\"Rect\" CutIndex=\"0\" W=\"30\" H=\"20\" Cr=\"{radius}\"");
+        read_text(&project(&shape(&it, HERE, "")))
+    };
+    let (artwork, warnings) = with("15");
+    same(length_mm(&artwork), 20.0 + TAU * 10.0, 0.05);
+    assert!(
+        warnings[0].contains("as round as its shorter side allows"),
+        "{warnings:?}"
+    );
+    let (artwork, warnings) = with("-3");
+    same(length_mm(&artwork), 100.0, 1e-9);
+    assert!(warnings[0].contains("sharp corners"), "{warnings:?}");
+}
+
+#[test]
+fn an_ellipse_has_its_radii_and_a_polygon_begins_on_the_right() {
+    let circle = draw(&shape(
+        "Type=\"Ellipse\" CutIndex=\"0\" Rx=\"10\" Ry=\"10\"",
+        HERE,
+        "",
+    ));
+    same(length_mm(&circle), TAU * 10.0, 0.05);
+    let flat = draw(&shape(
+        "Type=\"Ellipse\" CutIndex=\"0\" Rx=\"10\" Ry=\"3\"",
+        HERE,
+        "",
+    ));
+    same(flat.width_mm, 20.0, 1e-9);
+    same(flat.height_mm, 6.0, 0.01);
+    let square = draw(&shape(
+        "Type=\"Polygon\" CutIndex=\"0\" N=\"4\" Rx=\"5\" Ry=\"2\"",
+        HERE,
+        "",
+    ));
+    let diamond = [(10.0, 2.0), (5.0, 0.0), (0.0, 2.0), (5.0, 4.0), (10.0, 2.0)];
+    assert_eq!(corners(&square), [diamond]);
+}
+
+#[test]
+fn groups_move_turn_and_stretch_what_is_in_them() {
+    let dash = shape(
+        "Type=\"Path\" CutIndex=\"0\"",
+        "2 0 0 2 1 0",
+        "<VertList>V0 0V3 0</VertList><PrimList>L0 1</PrimList>",
+    );
+    let still = shape(
+        "Type=\"Path\" CutIndex=\"0\"",
+        HERE,
+        "<VertList>V0 0V-5 0</VertList><PrimList>LineOpen</PrimList>",
+    );
+    let inner = shape(
+        "Type=\"Group\"",
+        "0 1 -1 0 0 0",
+        &format!("<Children>{dash}</Children>"),
+    );
+    let outer = shape(
+        "Type=\"Group\"",
+        "1 0 0 1 10 0",
+        &format!("<Children>{inner}</Children>"),
+    );
+    // (0, 0) and (3, 0) become (1, 0) and (7, 0), turned (0, 1) and (0, 7), moved (10, 1) and (10, 7).
+    let lines = corners(&draw(&(still + &outer)));
+    assert_eq!(
+        lines,
+        [[(5.0, 7.0), (0.0, 7.0)], [(15.0, 6.0), (15.0, 0.0)]]
+    );
+}
+
+#[test]
+fn a_text_lies_where_its_outlines_are_whatever_group_it_is_in() {
+    let line = "<VertList>V0 0V4 0</VertList><PrimList>L0 1</PrimList>";
+    let outlines = format!(
+        "<BackupPath Type=\"Path\" CutIndex=\"0\"><XForm>1 0 0 1 10 8</XForm>{line}</BackupPath>"
+    );
+    let text = shape(
+        "Type=\"Text\" CutIndex=\"0\" Str=\"-\" HasBackupPath=\"1\"",
+        "1 0 0 1 22 3",
+        &outlines,
+    );
+    let group = shape(
+        "Type=\"Group\"",
+        "1 0 0 1 -12 5",
+        &format!("<Children>{text}</Children>"),
+    );
+    let below = shape("Type=\"Path\" CutIndex=\"0\"", HERE, line);
+    let lines = corners(&draw(&(below + &group)));
+    assert_eq!(
+        lines,
+        [[(0.0, 8.0), (4.0, 8.0)], [(10.0, 0.0), (14.0, 0.0)]]
+    );
+}
+
+#[test]
+fn what_cannot_be_drawn_is_told_with_what_to_do() {
+    let line = shape(
+        "Type=\"Path\"",
+        HERE,
+        "<VertList>V0 0V4 0</VertList><PrimList>L0 1</PrimList>",
+    );
+    let text = shape("Type=\"Text\" Str=\"hi\"", HERE, "");
+    let code = shape("Type=\"QrCode\"", HERE, "");
+    let picture = shape(
+        "Type=\"Bitmap\" Data=\"iVBORw0KGgo=\" W=\"9\" H=\"9\"",
+        HERE,
+        "",
+    );
+    let (artwork, warnings) = read_text(&project(
+        &(cut(0, "Cut", "") + &line + &text + &code + &picture),
+    ));
+    assert_eq!(strokes(&artwork).len(), 1);
+    let told = warnings.join("\n");
+    for part in [
+        "1 plain text: left out, the project has no outlines of it; convert it to a path in LightBurn",
+        "1 unread shape: left out (the first is a \"QrCode\")",
+        "1 picture: left out; save it from LightBurn and draw it by itself: dobot draw picture.png",
+        "1 laser layer: drawn without its speed, power, passes and kerf",
+    ] {
+        assert!(told.contains(part), "{told}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_circle_keeps_its_distance_from_its_middle_through_any_turn_and_size(
+        turn in 0.0..TAU,
+        size in 0.1..20.0_f64,
+        [x, y] in [-500.0..500.0_f64, -500.0..500.0],
+        radius in 0.5..30.0_f64,
+    ) {
+        let (sin, cos) = turn.sin_cos();
+        let [a, b, c, d] = [size * cos, size * sin, -size * sin, size * cos];
+        let frame = format!("{a} {b} {c} {d} {x} {y}");
+        let it = format!("Type=\"Ellipse\" CutIndex=\"0\" Rx=\"{radius}\" Ry=\"{radius}\"");
+        let artwork = draw(&shape(&it, &frame, ""));
+        let tolerance = ReadOptions::default().tolerance_mm;
+        let expected = radius * size;
+        let middle = bounds_of_strokes(&artwork.layers[0].strokes).center();
+        for p in artwork.points() {
+            // The middle of the bounds is off by the tolerance, too.
+            let off = (p.distance(middle) - expected).abs();
+            prop_assert!(off <= 2.0 * tolerance, "{off}");
+        }
+        let share = length_mm(&artwork) / (2.0 * PI * expected);
+        // Its corners lie on the circle: a chord that leaves it by the tolerance is shorter by less than this share.
+        let least = 1.0 - tolerance / expected;
+        prop_assert!((least..=1.0 + 1e-9).contains(&share), "{share}");
+    }
+}
