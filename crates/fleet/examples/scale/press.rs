@@ -3,13 +3,12 @@
 use std::error::Error;
 use std::time::{Duration, Instant};
 
-use dobot_api::{
-    JobKind, JobProgram, MemberAnswer, NewJob, Reply, Request, State, StationAddress, post,
-};
+use dobot_api::{JobKind, JobProgram, MemberAnswer, NewJob, Reply, Request, State, StationAddress};
 use dobot_rules::{Client, Handle, PassedPacket};
 use dobot_trajectory::LASER_OFF;
 use dobot_wire::{Command, Configuration, Dialect, EndEffector, MoveTo, MovingMode, WriteVector};
-use serde_json::json;
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::TcpStream;
 use tokio::sync::broadcast::Receiver;
 use tokio::task::JoinSet;
 use tokio::time::timeout;
@@ -113,13 +112,20 @@ async fn press(stations: &Stations) -> Result<Press, Box<dyn Error + Send + Sync
     })
 }
 
-async fn stop(station: &StationAddress) -> Result<Vec<MemberAnswer>, dobot_api::ConnectError> {
-    post(
-        station,
-        "/api/v1/fleet/stop",
-        &json!({"reason": "a fire drill"}),
-    )
-    .await
+/// Waits for the answer as long as it takes: two cores with a thousand stations take longer than a client waits.
+async fn stop(station: &StationAddress) -> Result<Vec<MemberAnswer>, Box<dyn Error + Send + Sync>> {
+    let (host, port) = (station.host(), station.port());
+    let body = r#"{"reason": "a fire drill"}"#;
+    let request = format!(
+        "POST /api/v1/fleet/stop HTTP/1.1\r\nHost: {host}:{port}\r\nContent-Type: application/json\r\nContent-Length: {}\r\nConnection: close\r\n\r\n{body}",
+        body.len()
+    );
+    let mut stream = TcpStream::connect((host, port)).await?;
+    stream.write_all(request.as_bytes()).await?;
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).await?;
+    let (_, answer) = answer.split_once("\r\n\r\n").ok_or("no answer")?;
+    Ok(serde_json::from_str(answer)?)
 }
 
 /// When the laser-off packet was handed to the arm's line.
