@@ -223,13 +223,7 @@ fn passes<E>(
             continue;
         }
         settings.give_up.check()?;
-        strokes = finished(strokes, here, tool, settings, warnings);
-        if settings.clips {
-            // The way into a shape beside the border may begin beyond it.
-            let clipped = within_reach(&strokes, tool, settings, reachable);
-            warnings.extend(cut_off(&clipped, "way of the laser beam out of reach"));
-            strokes = clipped.strokes;
-        }
+        let strokes = finished(strokes, here, tool, settings, warnings);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let message = layers::message(&layer, passes.last(), settings);
         passes.push(Pass {

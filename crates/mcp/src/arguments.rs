@@ -173,7 +173,7 @@ pub(crate) struct NewDrawing {
     pub(crate) text: Option<String>,
     /// A whole SVG document.
     pub(crate) svg: Option<String>,
-    /// A file of the folder for agents: SVG, G-code, HPGL, DXF, a LightBurn project, a picture, or points as CSV or JSON.
+    /// A file of the folder for agents: SVG, G-code, HPGL, DXF, a `LightBurn` project, a picture, or points as CSV or JSON.
     pub(crate) file: Option<String>,
     /// How it is drawn, as the arguments of `dobot draw`.
     #[serde(default)]

@@ -181,34 +181,6 @@ fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within()
 }
 
 #[test]
-fn the_way_into_a_shape_beside_the_border_of_the_reach_is_cut_there_and_the_shape_stays_whole() {
-    // The corner in which it begins is 0.5 mm within the border, and the way into it 5 mm long.
-    let page = [(0.0, 0.0), (-10.0, 0.0), (-10.0, 10.0), (0.0, 10.0)];
-    let page = page.map(|(x, y)| Point::new(x, y));
-    let square = [&page[..], &page[..1]].concat();
-    let mut settings = Settings {
-        clips: true,
-        tool: DrawingTool::Laser(Laser {
-            cuts: true,
-            ..Laser::default()
-        }),
-        tries: None,
-        ..Settings::default()
-    };
-    settings.cutting.lead_in_mm = 5.0;
-    settings.placement.center = Some(Point::new(320.5 - 5.0, 5.0));
-    let prepared = prepare(&Source::Lines(vec![square]), &settings, in_reach).unwrap();
-    let wanted = prepared.wanted();
-    assert_eq!(wanted.len(), 1);
-    let length_mm = wanted[0].length_mm();
-    assert!(length_mm > 40.0 && length_mm < 45.0, "{length_mm}");
-    let [warning] = &prepared.warnings[..] else {
-        panic!("{:?}", prepared.warnings);
-    };
-    assert_eq!(warning.what, "way of the laser beam out of reach");
-}
-
-#[test]
 fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
     // All black, with a white margin as wide as itself on the right.
     let mut file = Vec::new();
