@@ -60,8 +60,10 @@ test("what is drawn then follows the paper", async () => {
   await page.fill("#draw-text", "I");
   await page.waitForSelector("#draw-start:enabled");
   assert.equal(await page.getAttribute("#draw-down", "placeholder"), "as touched");
+  // The plan of the old height holds no longer from the moment on in which the new one is typed.
+  const asked = page.waitForResponse((it) => it.request().method() === "POST" && it.url().endsWith("api/v1/drawings"));
   await page.fill("#draw-height", "40");
-  await page.waitForSelector("#draw-start:disabled");
+  await asked;
   await page.waitForSelector("#draw-start:enabled");
   const from = told.packets.length;
   await page.click("#draw-start");
