@@ -177,6 +177,16 @@ export async function press(page, axis) {
   await page.mouse.down();
 }
 
+/** Takes control of an arm and moves it with a button, until the arm tells that it has moved. */
+export async function takeAndMove(page) {
+  await page.click("#take");
+  await page.waitForSelector("[data-axis=x_plus]:enabled");
+  const before = await pose(page, "x_mm");
+  await press(page, "x_plus");
+  await page.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
+  await page.mouse.up();
+}
+
 /** Waits until a number of the pose has changed by so much, either way. */
 export async function moved(page, name, by) {
   const from = await pose(page, name);

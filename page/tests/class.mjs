@@ -6,7 +6,7 @@ import { mkdir, writeFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { launch, pose, press } from "./bench.mjs";
+import { launch, takeAndMove } from "./bench.mjs";
 import { end, start } from "./program.mjs";
 
 const PAGE = "http://127.0.0.1:8642/";
@@ -133,12 +133,7 @@ test("whoever has no arm is given a virtual one by the board, and moves it on a 
   await says("#count .chip", "4 of 4 there");
   const own = await board.context().newPage();
   await own.goto(await board.getAttribute("#arm-page", "href"));
-  await own.click("#take");
-  await own.waitForSelector("[data-axis=x_plus]:enabled");
-  const before = await pose(own, "x_mm");
-  await press(own, "x_plus");
-  await own.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
-  await own.mouse.up();
+  await takeAndMove(own);
   await own.close();
   await board.click("#arm-open");
   await board.click(`${tile("chen")} .name`);
@@ -154,12 +149,7 @@ test("in the time slot of a student nobody else moves the arm of the desk, and a
   await says(`${tile("desk-3")} .who`, "Anna: ");
   const [anna, ben] = await Promise.all(["Anna", "Ben"].map((name) => visit("desk-3", `#token=${students[name]}`)));
   await anna.waitForSelector("#slot[data-tone=good]");
-  await anna.click("#take");
-  await anna.waitForSelector("[data-axis=x_plus]:enabled");
-  const before = await pose(anna, "x_mm");
-  await press(anna, "x_plus");
-  await anna.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
-  await anna.mouse.up();
+  await takeAndMove(anna);
   await ben.waitForSelector("#slot");
   assert.equal(await ben.locator("#take, #ask").count(), 0, "no button that leads nowhere");
   // Nor does it help him to ask as a program does.

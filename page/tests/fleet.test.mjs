@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { launch, pose, press, serveFromDisk } from "./bench.mjs";
+import { launch, serveFromDisk, takeAndMove } from "./bench.mjs";
 import { end, start } from "./program.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
@@ -207,12 +207,7 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
   const own = await context.newPage();
   own.on("pageerror", (error) => errors.push(error));
   await own.goto(at);
-  await own.click("#take");
-  await own.waitForSelector("[data-axis=x_plus]:enabled");
-  const before = await pose(own, "x_mm");
-  await press(own, "x_plus");
-  await own.waitForFunction((before) => Number(document.querySelector("[data-pose=x_mm]").textContent) > before + 2, before);
-  await own.mouse.up();
+  await takeAndMove(own);
   await page.waitForFunction(() => document.querySelector(".tile[data-member=zoe-b] .who")?.textContent !== "nobody has control");
   // One who is named as an arm that is there already is told so, and gets another name.
   await page.fill("#arm-name", "desk-2");
