@@ -52,12 +52,12 @@ const TOLD_AT_ONCE: usize = 4096;
 impl Network {
     /// Opens the way, as soon as there is one.
     pub(crate) async fn open(
-        session: FleetSession,
+        mut session: FleetSession,
         own: MemberKey,
         about: MemberAbout,
         handle: Handle,
     ) -> Result<Self, FleetError> {
-        let session = { session }.opened().await?;
+        let session = session.opened().await?;
         let declared = Self::declare(session, own, about, handle).await;
         declared.map_err(|error| FleetError::zenoh(&error))
     }

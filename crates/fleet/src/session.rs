@@ -62,10 +62,7 @@ impl FleetSession {
     pub(crate) async fn opened(&mut self) -> Result<Session, FleetError> {
         let opened = self.opened.wait_for(Option::is_some).await;
         let opened = opened.map_err(|error| FleetError::Zenoh(error.to_string()))?;
-        match opened.clone() {
-            Some(Ok(session)) => Ok(session),
-            Some(Err(error)) => Err(FleetError::Zenoh(error)),
-            None => unreachable!("it is waited for until it is there"),
-        }
+        let opened = opened.clone().expect("it is waited for until it is there");
+        opened.map_err(FleetError::Zenoh)
     }
 }
