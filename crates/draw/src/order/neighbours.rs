@@ -1,34 +1,37 @@
 //! The neighbours that a search tries to join a node with.
 
-use dobot_geometry::{BoxTree, Point, Rect, bounds};
+use std::collections::HashMap;
 
-/// The nearest few of every node, the nearest first, and then the nearest in each direction where
-/// none of them lies: a dense cloud has to know its surroundings. Never the node's mate; where there
-/// are fewer, the node itself stands in.
+use dobot_geometry::{BoxTree, Point};
+
+/// The nearest few of every node, the nearest first, and then the nearest of those beyond with which a triangulation
+/// joins it: shapes that are dense inside have to know each other. Never the node's mate; where there are fewer, the
+/// node itself stands in.
 pub(super) fn near(tree: &BoxTree, at: &[Point], mate: &[u32]) -> Vec<[u32; NEAR]> {
+    let net = Net::new(at);
     (0..)
         .zip(at)
         .map(|(node, &p)| {
             let not = [node, mate[node as usize]];
-            let mut found = nearest(tree, at, p, not);
-            let mut count = NEAREST;
-            for quadrant in missing(at, p, &found[..NEAREST]) {
-                if count < NEAR
-                    && let Some(other) = nearest_in(quadrant, tree, at, p, not)
-                {
-                    found[count] = other;
-                    count += 1;
-                }
+            let mut near = [node; NEAR];
+            near[..NEAREST].copy_from_slice(&nearest(tree, at, p, not));
+            let mut beyond: Vec<(f64, u32)> = net
+                .joined(node)
+                .filter(|it| !not.contains(it) && !near.contains(it))
+                .map(|it| (at[it as usize].distance_squared(p), it))
+                .collect();
+            beyond.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+            for (slot, (_, other)) in near[NEAREST..].iter_mut().zip(beyond) {
+                *slot = other;
             }
-            found[NEAREST..count].sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-            found.map(|(_, other)| other)
+            near
         })
         .collect()
 }
 
-/// The nearest of all, with their squared distances.
-fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u32); NEAR] {
-    let mut found = [(f64::INFINITY, not[0]); NEAR];
+/// The nearest of all.
+fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [u32; NEAREST] {
+    let mut found = [(f64::INFINITY, not[0]); NEAREST];
     tree.around(p, f64::INFINITY, &|_, _| true, &mut |others| {
         for other in others.filter(|it| !not.contains(it)) {
             let distance2 = at[other as usize].distance_squared(p);
@@ -44,84 +47,102 @@ fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [(f64, u32)
         }
         found[NEAREST - 1].0
     });
-    found
+    found.map(|(_, other)| other)
 }
 
-/// The quadrants around `p` in which nothing was found.
-fn missing(at: &[Point], p: Point, found: &[(f64, u32)]) -> impl Iterator<Item = Rect> + use<> {
-    let mut seen = [false; 4];
-    for &(distance2, other) in found {
-        let away = at[other as usize] - p;
-        if distance2 > 0.0 {
-            seen[usize::from(away.x < 0.0) + 2 * usize::from(away.y < 0.0)] = true;
-        }
+/// Triangles between the nodes (Delaunay's): the shortest way between any two groups of nodes is a side of one.
+struct Net {
+    /// For each node the first of those at the same place, by their order among the places.
+    place: Vec<u32>,
+    /// For each place a node.
+    node: Vec<u32>,
+    /// The sides of the triangles as pairs of places, each in both directions, in order.
+    sides: Vec<(u32, u32)>,
+}
+
+impl Net {
+    fn new(at: &[Point]) -> Self {
+        let mut known = HashMap::with_capacity(at.len());
+        let mut node = Vec::with_capacity(at.len());
+        let place = (0..).zip(at).map(|(this, p)| {
+            let bits = [p.x, p.y].map(f64::to_bits);
+            *known.entry(bits).or_insert_with(|| {
+                node.push(this);
+                index(node.len() - 1)
+            })
+        });
+        let place = place.collect();
+        let places = node.iter().map(|&it: &u32| {
+            let Point { x, y } = at[it as usize];
+            delaunator::Point { x, y }
+        });
+        let net = delaunator::triangulate(&places.collect::<Vec<_>>());
+        let corners = net.triangles.chunks_exact(3);
+        let sides = corners.flat_map(|it| [(it[0], it[1]), (it[1], it[2]), (it[2], it[0])]);
+        // Where all lie on a line there are no triangles, but still a hull.
+        let hull = net.hull.windows(2).map(|it| (it[0], it[1]));
+        let sides = sides.chain(hull).flat_map(|(a, b)| [(a, b), (b, a)]);
+        let mut sides: Vec<_> = sides.map(|(a, b)| (index(a), index(b))).collect();
+        sides.sort_unstable();
+        sides.dedup();
+        Self { place, node, sides }
     }
-    let corners = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
-    let quadrants = corners.into_iter().zip(seen).filter(|(_, seen)| !seen);
-    quadrants.map(move |((x, y), _)| bounds([p, Point::new(x * f64::INFINITY, y * f64::INFINITY)]))
+
+    /// The nodes with which a node is joined.
+    fn joined(&self, node: u32) -> impl Iterator<Item = u32> {
+        let place = self.place[node as usize];
+        let begin = self.sides.partition_point(|side| side.0 < place);
+        let sides = self.sides[begin..].iter();
+        let sides = sides.take_while(move |side| side.0 == place);
+        sides.map(|side| self.node[side.1 as usize])
+    }
 }
 
-/// The nearest in a quadrant that is not at the same place.
-fn nearest_in(
-    quadrant: Rect,
-    tree: &BoxTree,
-    at: &[Point],
-    p: Point,
-    not: [u32; 2],
-) -> Option<(f64, u32)> {
-    let mut best = (f64::INFINITY, None);
-    let is_here = |there: Rect| there == Rect::from_points(p, p);
-    // Most of what lies outside is left out, and heaps of points at `p` itself.
-    let is_sought = |_, there: Rect| there.overlaps(quadrant) && !is_here(there);
-    tree.around(p, f64::INFINITY, &is_sought, &mut |others| {
-        for other in others.filter(|it| !not.contains(it)) {
-            let there = at[other as usize];
-            let distance2 = there.distance_squared(p);
-            let is_in = Rect::from_points(there, there).overlaps(quadrant);
-            if distance2 < best.0 && distance2 > 0.0 && is_in {
-                best = (distance2, Some(other));
-            }
-        }
-        best.0
-    });
-    best.1.map(|other| (best.0, other))
+fn index(place: usize) -> u32 {
+    u32::try_from(place).expect("fewer than the nodes")
 }
 
 /// How many neighbours a node has.
-pub(super) const NEAR: usize = NEAREST + 3;
+pub(super) const NEAR: usize = NEAREST + 4;
 const NEAREST: usize = 7;
 
 #[cfg(test)]
 mod tests {
-    use proptest::prelude::*;
-
     use super::*;
 
-    fn point() -> impl Strategy<Value = Point> {
-        (-9..9_i32, -9..9_i32).prop_map(|(x, y)| Point::new(f64::from(x), f64::from(y)))
+    /// Whether a node of `one` has a neighbour in `other`.
+    fn is_joined(one: &[Point], other: &[Point]) -> bool {
+        let mut points = [one, other].concat();
+        let tree = BoxTree::sort(&mut points, |&p| (p, p));
+        let alone: Vec<u32> = (0..).take(points.len()).collect();
+        let found = near(&tree, &points, &alone);
+        points.iter().zip(found).any(|(p, near)| {
+            let is_other = |it: u32| other.contains(&points[it as usize]);
+            one.contains(p) && near.into_iter().any(is_other)
+        })
     }
 
-    proptest! {
-        #[test]
-        fn the_nearest_of_a_quadrant_is_as_near_as_by_looking_at_all_of_them(
-            mut points in proptest::collection::vec(point(), 1..80),
-            p in point(),
-            right in any::<bool>(),
-            down in any::<bool>(),
-        ) {
-            let tree = BoxTree::sort(&mut points, |&p| (p, p));
-            let far = |positive| if positive { f64::INFINITY } else { f64::NEG_INFINITY };
-            let quadrant = bounds([p, Point::new(far(right), far(down))]);
-            let none = u32::MAX;
-            let found = nearest_in(quadrant, &tree, &points, p, [none, none]).map(|it| it.0);
-            let is_in = |it: &&Point| {
-                let beside = if right { it.x >= p.x } else { it.x <= p.x };
-                let along = if down { it.y >= p.y } else { it.y <= p.y };
-                beside && along && **it != p
-            };
-            let away2 = |it: &Point| (it.x - p.x).powi(2) + (it.y - p.y).powi(2);
-            let looked = points.iter().filter(is_in).map(away2).min_by(f64::total_cmp);
-            prop_assert_eq!(found, looked);
-        }
+    fn row(count: u32, at: impl Fn(f64) -> Point) -> Vec<Point> {
+        (0..count).map(|i| at(f64::from(i))).collect()
+    }
+
+    #[test]
+    fn dense_rows_of_ends_know_each_other_across_a_gap() {
+        let facing = |x: f64| row(40, move |i| Point::new(x + 0.1 * (2.0 * i).sin(), 0.6 * i));
+        assert!(is_joined(&facing(0.0), &facing(15.0)));
+        assert!(is_joined(&facing(15.0), &facing(0.0)));
+    }
+
+    #[test]
+    fn a_heap_in_one_place_knows_its_surroundings() {
+        let heap = vec![Point::new(3.0, 4.0); 30];
+        assert!(is_joined(&heap, &row(9, |i| Point::new(i, 20.0))));
+        assert!(is_joined(&heap, &[Point::new(50.0, 50.0)]));
+    }
+
+    #[test]
+    fn what_lies_on_one_line_is_joined_too() {
+        let along = |begin: f64| row(20, move |i| Point::new(begin + 0.5 * i, 7.0));
+        assert!(is_joined(&along(0.0), &along(100.0)));
     }
 }

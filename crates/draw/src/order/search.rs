@@ -292,7 +292,7 @@ const WINDOW: u32 = 50;
 const MOST_STEPS_ASIDE: u32 = 3;
 
 /// How much worse than before the tour may be after a kick, at the beginning and on average: of a way between strokes.
-const WARMTH: f64 = 1.5;
+const WARMTH: f64 = 4.0;
 const CHANCES: u32 = 1 << 30;
 /// A kick takes about as long as writing so many places; in large tours exchanges write far more.
 const KICK_WRITES: u64 = 16_000;
