@@ -303,4 +303,4 @@ const MUCH_LATE_SHARE: f64 = 0.05;
 /// How often a chain is planned again for the ticks of a stock arm.
 const MOST_ROUNDS: u32 = 12;
 /// How much an end speed above the one wanted counts at the most.
-const MOST_OVER: f64 = 128.0;
+const MOST_OVER: f64 = 16.0 * OVER;

@@ -221,7 +221,7 @@ fn the_best(mut ways: Vec<Way>, most: usize) -> Vec<Way> {
 /// From where the tool was a window ago to where it is, both ends included, without the last.
 const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
 /// How much it counts if the tool is seen to accelerate by all of what is allowed too much; in the square.
-const BEYOND: f64 = 2500.0;
+const BEYOND: f64 = 10_000.0;
 /// So many vectors before a change and behind it are run anew too.
 const MARGIN: usize = 4;
 /// How much worse than the best a way may be that goes on as the arm did.

@@ -165,7 +165,8 @@ impl TickTarget {
         fit.rank(fits);
     }
 
-    /// In steps of speed, squared: what is too fast counts more than what is too slow.
+    /// In steps of speed, squared: what is too fast counts more than what is too slow. A tick too many counts most: it is a
+    /// fourth of what the link takes for a vector, and a way that turns too fast is told by where its ticks lie.
     fn cost(&self, stored_mm_s: f32, cut: &Cut) -> f64 {
         let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
         let late = f64::from(cut.ticks()) - self.ticks;
@@ -176,7 +177,7 @@ impl TickTarget {
         let jump = (jump - 1.0).max(0.0);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
         let weight = if over > 0.0 { self.over } else { UNDER };
-        late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
+        LATE * late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
     }
 
     /// The fastest even speed with which the vector gets its full length, or as far up and down as the
@@ -224,10 +225,12 @@ impl TickTarget {
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
 const NEAR: f32 = 0.4;
-pub(super) const OVER: f64 = 8.0;
+/// How much a tick counts by which a vector is longer or shorter than it should be.
+const LATE: f64 = 20.0;
+pub(super) const OVER: f64 = 3.0;
 const UNDER: f64 = 0.5;
 /// So many choices are told.
-pub(super) const MOST_FITS: usize = 3;
+pub(super) const MOST_FITS: usize = 6;
 /// Speeds with so little of a tick's change between them are the same.
 pub(super) const SAME_SHARE: f32 = 0.25;
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
