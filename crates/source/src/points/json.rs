@@ -173,12 +173,14 @@ struct Points(Vec<JsonPoint>);
 
 impl<'de> Deserialize<'de> for Points {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let points = Vec::deserialize(deserializer)?;
+        let mut points = Vec::deserialize(deserializer)?;
         if points.is_empty() {
             return Err(D::Error::custom(
                 "a stroke without points, expected at least one point",
             ));
         }
+        // There may be many of them, with room for more.
+        points.shrink_to_fit();
         Ok(Self(points))
     }
 }
