@@ -114,6 +114,8 @@ struct SectionReader<'a> {
     block: Option<(&'a [u8], Block<'a>)>,
     /// The layer in hand, with its name.
     layer: Option<(String, LayerInfo)>,
+    /// How many entities, layers, blocks and objects there are.
+    count: usize,
 }
 
 impl<'a> SectionReader<'a> {
@@ -133,12 +135,17 @@ impl<'a> SectionReader<'a> {
             handle: None,
             block: None,
             layer: None,
+            count: 0,
         }
     }
 
     fn pair(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
         if pair.code == 0 {
             self.end_entity(pair.at);
+            self.count += 1;
+        }
+        if self.count > MOST_OBJECTS {
+            return Err(too_many(self.file.text, pair.at));
         }
         match (pair.code, pair.value) {
             (0, b"SECTION" | b"ENDSEC") => {
@@ -252,7 +259,10 @@ impl<'a> SectionReader<'a> {
         if pair.code == 5 && self.handle.is_none() {
             self.handle = Some(pair.value);
         }
-        if matches!(pair.value, b"DICTIONARY" | b"SPATIAL_FILTER") {
+        if matches!(
+            pair.value,
+            b"DICTIONARY" | b"SPATIAL_FILTER" | b"SORTENTSTABLE"
+        ) {
             self.entity_pair(pair);
         }
     }
@@ -276,6 +286,13 @@ impl<'a> SectionReader<'a> {
     }
 }
 
+/// Refuses what would fill the memory.
+pub(super) fn too_many(text: &[u8], at: usize) -> SourceError {
+    let found = format!("more than {MOST_OBJECTS} entities, layers, blocks and objects");
+    let expected = "fewer; purge the drawing, or draw it in parts";
+    SourceError::found(text, at, found, expected)
+}
+
 /// The unit that a value of `$INSUNITS` stands for.
 fn unit_mm(code: f64) -> Option<f64> {
     const CODES: [(f64, f64); 11] = [
@@ -293,3 +310,6 @@ fn unit_mm(code: f64) -> Option<f64> {
     ];
     CODES.iter().find(|it| it.0 == code).map(|it| it.1)
 }
+
+/// They would fill the memory: each takes about 100 bytes, and a line as much again once it is drawn.
+pub(super) const MOST_OBJECTS: usize = 1_000_000;

@@ -46,6 +46,32 @@ fn error(text: &[u8]) -> String {
 }
 
 #[test]
+fn more_objects_and_groups_than_fit_are_refused_with_their_place() {
+    let many = file("", "", &"0 X ".repeat(1_000_000));
+    let told = error(many.as_bytes());
+    let expected =
+        "found more than 1000000 entities, layers, blocks and objects; expected fewer; purge";
+    assert!(told.contains(expected), "{told}");
+    let wide = file(
+        "",
+        "",
+        &format!("0 LWPOLYLINE {}", "10 1 20 2 ".repeat(500_001)),
+    );
+    let told = error(wide.as_bytes());
+    let expected =
+        "2000029:1: found an entity of more than 1000000 groups; expected fewer; simplify";
+    assert_eq!(told.split(" it,").next(), Some(expected));
+}
+
+#[test]
+fn many_entities_without_a_name_are_passed_at_once() {
+    let text = file("", "", "0 CIRCLE 10 0 20 0 40 9");
+    let nameless = "0\n\n".repeat(300_000);
+    let text = text.replace("0\nCIRCLE", &(nameless + "0\nCIRCLE"));
+    assert_eq!(corners(&draw_text(&text).0).len(), 1);
+}
+
+#[test]
 fn a_circle_that_leads_too_far_on_one_side_is_refused() {
     for far in ["10 -900000 20 0", "10 900000 20 0", "10 0 20 900000"] {
         let text = file("", "", &format!("0 CIRCLE {far} 40 900000"));
