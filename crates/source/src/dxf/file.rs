@@ -81,6 +81,7 @@ impl<'a> File<'a> {
             let pair = pair?;
             if pair.is(0, b"EOF") {
                 reader.end_entity(pair.at);
+                reader.end_layer();
                 return Ok(reader.file);
             }
             reader.pair(pair)?;
@@ -149,6 +150,7 @@ impl<'a> SectionReader<'a> {
         }
         match (pair.code, pair.value) {
             (0, b"SECTION" | b"ENDSEC") => {
+                self.end_layer();
                 self.section = b"";
                 return Ok(());
             }
@@ -197,7 +199,11 @@ impl<'a> SectionReader<'a> {
 
     fn table(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
         if pair.code == 0 {
-            self.layer = (pair.value == b"LAYER").then(Default::default);
+            self.end_layer();
+            if pair.value == b"LAYER" {
+                self.layer = Some(Default::default());
+                self.count += LAYER_OBJECTS;
+            }
             return Ok(());
         }
         let Some((name, info)) = &mut self.layer else {
@@ -213,11 +219,15 @@ impl<'a> SectionReader<'a> {
             62 => info.color = Some(pair.number()? as i32),
             70 => info.is_frozen = pair.number()? as i32 & 1 != 0,
             420 => info.true_color = Some(pair.number()? as u32),
-            _ => return Ok(()),
+            _ => {}
         }
-        let info = *info;
-        self.file.layers.insert(name.clone(), info);
         Ok(())
+    }
+
+    fn end_layer(&mut self) {
+        if let Some((name, info)) = self.layer.take() {
+            self.file.layers.insert(name, info);
+        }
     }
 
     fn block(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
@@ -313,3 +323,5 @@ fn unit_mm(code: f64) -> Option<f64> {
 
 /// They would fill the memory: each takes about 100 bytes, and a line as much again once it is drawn.
 pub(super) const MOST_OBJECTS: usize = 1_000_000;
+/// A layer has a name of its own, which is copied.
+const LAYER_OBJECTS: usize = 10;

@@ -64,6 +64,38 @@ fn more_objects_and_groups_than_fit_are_refused_with_their_place() {
 }
 
 #[test]
+fn a_text_that_nobody_reads_is_refused() {
+    for kind in ["TEXT", "MTEXT"] {
+        let text = file(
+            "",
+            "",
+            &format!("0 {kind} 10 0 20 0 40 5 1 {}", "A".repeat(100_001)),
+        );
+        let told = error(text.as_bytes());
+        let expected = "found a text of 100001 bytes; expected at most 100000; divide it";
+        assert!(told.ends_with(expected), "{told}");
+    }
+}
+
+#[test]
+fn the_last_of_the_groups_of_a_layer_count_and_so_many_layers_are_refused() {
+    let layers = |count: usize| {
+        let names: Vec<String> = (0..count)
+            .map(|it| format!("0 LAYER 2 {it} 62 1 62 5"))
+            .collect();
+        let tables = format!("0 TABLE 2 LAYER {} 0 ENDTAB", names.join(" "));
+        file(&tables, "", "0 CIRCLE 8 3 10 0 20 0 40 9")
+    };
+    let (artwork, _) = draw_text(&layers(5));
+    assert_eq!(artwork.layers[0].color, Some([0, 0, 255]));
+    let told = error(layers(95_000).as_bytes());
+    assert!(
+        told.contains("found more than 1000000 entities, layers"),
+        "{told}"
+    );
+}
+
+#[test]
 fn many_entities_without_a_name_are_passed_at_once() {
     let text = file("", "", "0 CIRCLE 10 0 20 0 40 9");
     let nameless = "0\n\n".repeat(300_000);
