@@ -33,6 +33,7 @@ pub(crate) fn read(
         sketch.use_layer(Layer {
             name: stroke
                 .layer
+                .map(String::from)
                 .or(stroke.color.as_ref().map(|it| it.name.clone()))
                 .unwrap_or_default(),
             color: stroke.color.map(|it| it.parts),
@@ -138,8 +139,9 @@ struct JsonStroke(StrokeFields);
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StrokeFields {
-    layer: Option<String>,
-    color: Option<Color>,
+    // Most strokes have neither, and there may be a million of them.
+    layer: Option<Box<str>>,
+    color: Option<Box<Color>>,
     #[serde(default)]
     closed: bool,
     points: Points,
