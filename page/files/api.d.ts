@@ -4146,7 +4146,7 @@ export interface components {
              */
             no_crop: boolean;
             /**
-             * @description Leave out what lies under the filled shapes of an SVG or DXF file, white ones too, as in a picture
+             * @description Leave out what lies under the filled shapes of an SVG, DXF or HP-GL file, white ones too, as in a picture
              * @default false
              */
             hide: boolean;

@@ -9,6 +9,7 @@ mod file;
 mod hatch;
 mod mesh;
 mod multileader;
+mod order;
 mod pairs;
 mod pattern;
 mod renderer;
@@ -32,7 +33,11 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text, options)?;
-    let file = File::read(text)?;
+    let mut file = File::read(text)?;
+    if sketch.hides() {
+        // Nothing else depends on it.
+        order::sort(&mut file)?;
+    }
     let unit_mm = file.unit_mm.unwrap_or_else(|| {
         let instead = "taken for millimetres";
         sketch.warn(None, "file without a unit ($INSUNITS)", instead);

@@ -40,6 +40,7 @@ mod stack;
 mod svg;
 mod text;
 mod warning;
+mod xml;
 
 pub use artwork::{Artwork, Layer};
 pub use error::{ImageError, SourceError, SvgError, TextError};

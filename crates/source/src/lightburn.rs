@@ -11,16 +11,14 @@ mod path;
 mod renderer;
 mod shapes;
 
-use usvg::roxmltree::{Document, Error, ParsingOptions};
-
 use self::cut::Cuts;
 use self::renderer::ShapeRenderer;
 use crate::artwork::Artwork;
-use crate::error::{SourceError, SvgError};
+use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
-use crate::svg::{MAX_NODES, malformed};
 use crate::warning::Warning;
+use crate::xml;
 
 /// Reads a project: its layers are layers, in the order in which `LightBurn` runs them, and what they fill is areas.
 /// The page is as large as the ink, in the orientation that `LightBurn` shows.
@@ -29,7 +27,7 @@ pub(crate) fn read(
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text.as_bytes(), options)?;
-    let document = parse(text)?;
+    let document = xml::tree(text, false)?;
     let root = document.root_element();
     if !root.has_tag_name(ROOT) {
         let found = format!("<{}>", root.tag_name().name());
@@ -42,26 +40,6 @@ pub(crate) fn read(
     let is_mirrored = root.attribute("MirrorY") == Some(TRUE);
     let y = if is_mirrored { Y::Down } else { Y::Up };
     sketch.finish(y, "no shapes that are output")
-}
-
-fn parse(text: &str) -> Result<Document<'_>, SourceError> {
-    let options = ParsingOptions {
-        allow_dtd: false,
-        nodes_limit: MAX_NODES,
-        ..ParsingOptions::default()
-    };
-    Document::parse_with_options(text, options).map_err(|error| match error {
-        Error::DtdDetected => {
-            let at = text.find("<!DOCTYPE").unwrap_or_default();
-            let expected = "<LightBurnProject: no project has a DOCTYPE";
-            SourceError::unexpected(text.as_bytes(), at, expected)
-        }
-        Error::NodesLimitReached => SvgError::TooManyElements {
-            limit: u64::from(MAX_NODES),
-        }
-        .into(),
-        other => malformed(&other).into(),
-    })
 }
 
 const ROOT: &str = "LightBurnProject";

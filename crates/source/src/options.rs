@@ -22,7 +22,7 @@ pub struct ReadOptions {
     pub layers: LayersBy,
     /// Whether what lies beyond the page of an SVG file is cut off.
     pub crops: bool,
-    /// Whether the filled shapes of an SVG or DXF file hide what lies under them.
+    /// Whether the filled shapes of an SVG, DXF or HP-GL file hide what lies under them.
     pub hides: bool,
     /// Whether the areas of what is partly hidden are wanted, which takes most of the time.
     pub fills: bool,

@@ -91,12 +91,15 @@ impl<'a> Sketch<'a> {
 
     /// A straight line, joined to the one before where that ended here.
     pub(super) fn line(&mut self, from: Point, to: Point) -> Result<(), SourceError> {
-        self.spend(1)?;
-        let goes_on = self.goes_on;
-        let strokes = &mut self.layer().strokes;
-        match strokes.last_mut() {
-            Some(stroke) if goes_on && stroke.last() == Some(from) => stroke.points.push(to),
-            _ => strokes.push(Stroke::open(vec![from, to])),
+        if self.ends_at(from) {
+            self.spend(1)?;
+            if let Some(stroke) = self.layer().strokes.last_mut() {
+                stroke.points.push(to);
+            }
+        } else {
+            // As a stroke of two points does.
+            self.spend(2)?;
+            self.layer().strokes.push(Stroke::open(vec![from, to]));
         }
         self.goes_on = true;
         Ok(())

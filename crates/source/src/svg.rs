@@ -12,6 +12,7 @@ mod layers;
 mod page;
 mod renderer;
 mod single_line;
+mod styles;
 mod substitutes;
 mod warning_count;
 
@@ -21,7 +22,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use usvg::fontdb::Family;
-use usvg::roxmltree::{Document, ParsingOptions};
+use usvg::roxmltree::Document;
 use usvg::{FontResolver, ImageHrefResolver, Tree};
 
 use self::groups::Groups;
@@ -33,8 +34,8 @@ use crate::artwork::Artwork;
 use crate::error::{SourceError, SvgError};
 use crate::limits::{Budget, MAX_SEGMENTS, checked_tolerance_mm};
 use crate::options::{LayersBy, ReadOptions};
-use crate::place::printable;
 use crate::warning::Warning;
+use crate::xml::{self, malformed};
 
 /// Reads an SVG file as a browser does, at 96 dots per inch.
 ///
@@ -151,12 +152,7 @@ fn parse(
         return Err(SvgError::EmptyFile.into());
     }
     entities::check(text)?;
-    let xml = ParsingOptions {
-        allow_dtd: true,
-        nodes_limit: MAX_NODES,
-        ..ParsingOptions::default()
-    };
-    let doc = Document::parse_with_options(text, xml).map_err(|error| malformed(&error))?;
+    let doc = xml::tree(text, true)?;
     check_root(&doc)?;
     let flowed = doc
         .descendants()
@@ -164,6 +160,7 @@ fn parse(
     tree_warnings
         .flowed
         .store(flowed.count(), Ordering::Relaxed);
+    styles::check(&doc)?;
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     expand::check(&doc, &segments)?;
     let usvg_options = usvg::Options {
@@ -183,17 +180,6 @@ fn parse(
         Cow::Owned(text) => Tree::from_str(&text, &usvg_options),
     };
     Ok((tree.map_err(|error| unreadable(&error))?, names))
-}
-
-/// Tells where XML goes wrong.
-pub(crate) fn malformed(error: &usvg::roxmltree::Error) -> SvgError {
-    let place = error.pos();
-    let problem = error.to_string();
-    let suffix = format!(" at {place}");
-    SvgError::Malformed {
-        place: place.into(),
-        problem: printable(problem.strip_suffix(&suffix).unwrap_or(&problem)),
-    }
 }
 
 fn check_root(doc: &Document<'_>) -> Result<(), SvgError> {
@@ -230,7 +216,6 @@ fn nothing_to_draw(warnings: &[WarningCount], cut: Option<Warning>) -> SourceErr
 }
 
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
-/// How many elements, texts and comments a file may have.
-pub(crate) const MAX_NODES: u32 = 2_000_000;
+
 #[cfg(test)]
 mod tests;

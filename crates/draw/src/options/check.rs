@@ -39,6 +39,7 @@ pub(super) fn check(
         is: match kinds[..] {
             [SourceKind::Svg] => format!("{title} is an SVG file"),
             [SourceKind::Dxf] => format!("{title} is a DXF file"),
+            [SourceKind::Hpgl] => format!("{title} is an HP-GL file"),
             [SourceKind::Lines] => format!("{title} is a file of lines"),
             [SourceKind::Picture] => format!("{title} is a picture"),
             [SourceKind::Text] => "this is a text".to_owned(),
@@ -220,6 +221,8 @@ enum SourceKind {
     Svg,
     /// A DXF file: lines and areas, painted over each other.
     Dxf,
+    /// An HP-GL file: lines and areas, painted over each other.
+    Hpgl,
     /// Another file of lines and areas.
     Lines,
     Picture,
@@ -232,6 +235,7 @@ impl SourceKind {
         match source {
             Source::Svg(_) => Self::Svg,
             Source::Dxf(_) => Self::Dxf,
+            Source::Hpgl(_) => Self::Hpgl,
             Source::Text(_) => Self::Text,
             Source::Picture(_) => Self::Picture,
             _ => Self::Lines,
@@ -253,21 +257,31 @@ const AREAS: Purpose = Purpose(
     &[
         SourceKind::Svg,
         SourceKind::Dxf,
+        SourceKind::Hpgl,
         SourceKind::Lines,
         SourceKind::Text,
     ],
     "the areas of drawings and texts (`--shade hatch` is for pictures)",
 );
-const PAINTED: Purpose = Purpose(&[SourceKind::Svg, SourceKind::Dxf], "SVG and DXF files");
+const PAINTED: Purpose = Purpose(
+    &[SourceKind::Svg, SourceKind::Dxf, SourceKind::Hpgl],
+    "SVG, DXF and HP-GL files",
+);
 const SVG_FILES: Purpose = Purpose(&[SourceKind::Svg], "SVG files");
 const LAYERS: Purpose = Purpose(
-    &[SourceKind::Svg, SourceKind::Dxf, SourceKind::Lines],
+    &[
+        SourceKind::Svg,
+        SourceKind::Dxf,
+        SourceKind::Hpgl,
+        SourceKind::Lines,
+    ],
     "the layers of drawings",
 );
 const DRAWINGS: Purpose = Purpose(
     &[
         SourceKind::Svg,
         SourceKind::Dxf,
+        SourceKind::Hpgl,
         SourceKind::Lines,
         SourceKind::Picture,
         SourceKind::Text,
@@ -383,10 +397,11 @@ mod tests {
         };
         of("a.dxf", Source::Dxf(Vec::new())).unwrap();
         of("a.svg", Source::from("<svg/>")).unwrap();
-        let refused = of("a.plt", Source::Hpgl(Vec::new())).unwrap_err();
+        of("a.plt", Source::Hpgl(Vec::new())).unwrap();
+        let refused = of("a.gcode", Source::Gcode(Vec::new())).unwrap_err();
         assert_eq!(
             refused.to_string(),
-            "--hide is for SVG and DXF files, and a.plt is a file of lines"
+            "--hide is for SVG, DXF and HP-GL files, and a.gcode is a file of lines"
         );
     }
 

@@ -58,7 +58,7 @@ pub struct ContentOptions {
     /// Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
     #[arg(long)]
     pub no_crop: bool,
-    /// Leave out what lies under the filled shapes of an SVG or DXF file, white ones too, as in a picture
+    /// Leave out what lies under the filled shapes of an SVG, DXF or HP-GL file, white ones too, as in a picture
     #[arg(long)]
     pub hide: bool,
     /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)

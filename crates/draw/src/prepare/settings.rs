@@ -51,7 +51,7 @@ pub struct Settings {
     pub tools: Vec<(String, DrawingTool)>,
     /// Whether what lies beyond the page of an SVG file is cut off.
     pub crops: bool,
-    /// Whether the filled shapes of an SVG or DXF file hide what lies under them.
+    /// Whether the filled shapes of an SVG, DXF or HP-GL file hide what lies under them.
     pub hides: bool,
     /// Whether what the arm does not reach is cut off, instead of refused.
     pub clips: bool,

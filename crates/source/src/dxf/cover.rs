@@ -22,6 +22,8 @@ impl EntityRenderer<'_, '_> {
     ///             |       |        down. A pixel is as wide as 11, 21 and as high as 12, 22; the picture begins at
     ///     10, 20 -+-------+        10, 20 and is so many (23) high.
     /// ```
+    ///
+    /// Where its mode (290) is 1, it covers all of the picture but what lies inside them.
     pub(super) fn wipeout(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
         if !self.sketch.hides() {
             self.left_out(
@@ -39,12 +41,19 @@ impl EntityRenderer<'_, '_> {
             &[a, b] => rectangle([a, b]),
             corners => corners.to_vec(),
         };
-        let places = corners
+        let mut rings = vec![corners];
+        if it.flags(290)? == INSIDE {
+            rings.push(rectangle(whole));
+        }
+        let on_paper = |p: Point| {
+            let p = corner + across * (p.x + 0.5) + up * (high - 0.5 - p.y);
+            self.place(it, frame, p)
+        };
+        let rings = rings
             .into_iter()
-            .map(|p| corner + across * (p.x + 0.5) + up * (high - 0.5 - p.y))
-            .map(|p| self.place(it, frame, p));
-        let ring = places.collect::<Result<_, _>>()?;
-        self.sketch.cover(&[ring], FillRule::EvenOdd)
+            .map(|ring| ring.into_iter().map(on_paper).collect());
+        let rings = rings.collect::<Result<Vec<_>, _>>()?;
+        self.sketch.cover(&rings, FillRule::EvenOdd)
     }
 }
 
@@ -59,6 +68,8 @@ fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
     vec![a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)]
 }
 
+/// How a picture says that what lies inside its corners is cut away.
+const INSIDE: u32 = 1;
 /// How a transparency (440) says that its last byte is one.
 const BY_VALUE: u32 = 2;
 const OPAQUE: u32 = 0xff;

@@ -96,8 +96,21 @@ impl<'a> Entity<'a> {
 
 fn own_pairs(text: &[u8], from: usize) -> Result<Vec<Pair<'_>>, SourceError> {
     let is_own = |it: &Result<Pair<'_>, _>| it.as_ref().map_or(true, |it| it.code != EMBEDDED);
-    pairs(text, from).take_while(is_own).collect()
+    let mut own = Vec::new();
+    for pair in pairs(text, from).take_while(is_own) {
+        let pair = pair?;
+        if own.len() == MOST_PAIRS {
+            let found = format!("an entity of more than {MOST_PAIRS} groups");
+            let expected = "fewer; simplify it, or draw it in parts";
+            return Err(SourceError::found(text, pair.at, found, expected));
+        }
+        own.push(pair);
+    }
+    Ok(own)
 }
+
+/// They would fill the memory: an outline of half a million corners has a million.
+const MOST_PAIRS: usize = 1_000_000;
 
 /// What follows repeats the entity for newer programs.
 const EMBEDDED: i32 = 101;

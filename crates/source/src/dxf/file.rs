@@ -81,6 +81,7 @@ impl<'a> File<'a> {
             let pair = pair?;
             if pair.is(0, b"EOF") {
                 reader.end_entity(pair.at);
+                reader.end_layer();
                 return Ok(reader.file);
             }
             reader.pair(pair)?;
@@ -114,6 +115,8 @@ struct SectionReader<'a> {
     block: Option<(&'a [u8], Block<'a>)>,
     /// The layer in hand, with its name.
     layer: Option<(String, LayerInfo)>,
+    /// How many entities, layers, blocks and objects there are.
+    count: usize,
 }
 
 impl<'a> SectionReader<'a> {
@@ -133,15 +136,21 @@ impl<'a> SectionReader<'a> {
             handle: None,
             block: None,
             layer: None,
+            count: 0,
         }
     }
 
     fn pair(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
         if pair.code == 0 {
             self.end_entity(pair.at);
+            self.count += 1;
+        }
+        if self.count > MOST_OBJECTS {
+            return Err(too_many(self.file.text, pair.at));
         }
         match (pair.code, pair.value) {
             (0, b"SECTION" | b"ENDSEC") => {
+                self.end_layer();
                 self.section = b"";
                 return Ok(());
             }
@@ -190,7 +199,11 @@ impl<'a> SectionReader<'a> {
 
     fn table(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
         if pair.code == 0 {
-            self.layer = (pair.value == b"LAYER").then(Default::default);
+            self.end_layer();
+            if pair.value == b"LAYER" {
+                self.layer = Some(Default::default());
+                self.count += LAYER_OBJECTS;
+            }
             return Ok(());
         }
         let Some((name, info)) = &mut self.layer else {
@@ -206,11 +219,15 @@ impl<'a> SectionReader<'a> {
             62 => info.color = Some(pair.number()? as i32),
             70 => info.is_frozen = pair.number()? as i32 & 1 != 0,
             420 => info.true_color = Some(pair.number()? as u32),
-            _ => return Ok(()),
+            _ => {}
         }
-        let info = *info;
-        self.file.layers.insert(name.clone(), info);
         Ok(())
+    }
+
+    fn end_layer(&mut self) {
+        if let Some((name, info)) = self.layer.take() {
+            self.file.layers.insert(name, info);
+        }
     }
 
     fn block(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
@@ -252,7 +269,10 @@ impl<'a> SectionReader<'a> {
         if pair.code == 5 && self.handle.is_none() {
             self.handle = Some(pair.value);
         }
-        if matches!(pair.value, b"DICTIONARY" | b"SPATIAL_FILTER") {
+        if matches!(
+            pair.value,
+            b"DICTIONARY" | b"SPATIAL_FILTER" | b"SORTENTSTABLE"
+        ) {
             self.entity_pair(pair);
         }
     }
@@ -276,6 +296,13 @@ impl<'a> SectionReader<'a> {
     }
 }
 
+/// Refuses what would fill the memory.
+pub(super) fn too_many(text: &[u8], at: usize) -> SourceError {
+    let found = format!("more than {MOST_OBJECTS} entities, layers, blocks and objects");
+    let expected = "fewer; purge the drawing, or draw it in parts";
+    SourceError::found(text, at, found, expected)
+}
+
 /// The unit that a value of `$INSUNITS` stands for.
 fn unit_mm(code: f64) -> Option<f64> {
     const CODES: [(f64, f64); 11] = [
@@ -293,3 +320,8 @@ fn unit_mm(code: f64) -> Option<f64> {
     ];
     CODES.iter().find(|it| it.0 == code).map(|it| it.1)
 }
+
+/// They would fill the memory: each takes about 100 bytes, and a line as much again once it is drawn.
+pub(super) const MOST_OBJECTS: usize = 1_000_000;
+/// A layer has a name of its own, which is copied.
+const LAYER_OBJECTS: usize = 10;

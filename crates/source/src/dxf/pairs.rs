@@ -35,10 +35,12 @@ impl<'a> Pair<'a> {
             .ok()
             .and_then(|it| it.parse().ok());
         let number = number.filter(|it: &f64| it.abs() <= MAX_NUMBER);
-        number.ok_or_else(|| {
-            let found = format!("{:?} for group {}", shortened(&self.text()), self.code);
-            SourceError::found(self.text, self.value_at, found, "a number from -1e9 to 1e9")
-        })
+        number.ok_or_else(|| self.refused("a number from -1e9 to 1e9"))
+    }
+
+    pub(super) fn refused(&self, expected: &str) -> SourceError {
+        let found = format!("{:?} for group {}", shortened(&self.text()), self.code);
+        SourceError::found(self.text, self.value_at, found, expected)
     }
 
     /// The value as text: Windows' western letters where it is no UTF-8, as before 2007.

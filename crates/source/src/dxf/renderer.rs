@@ -61,12 +61,13 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
                 self.spend(span)?;
             }
             let part = match span.kind {
-                b"POLYLINE" => &b"VERTEX"[..],
-                b"INSERT" => b"ATTRIB",
-                _ => b"",
+                b"POLYLINE" => Some(&b"VERTEX"[..]),
+                b"INSERT" => Some(&b"ATTRIB"[..]),
+                _ => None,
             };
             let rest = spans.as_slice();
-            let count = rest.iter().take_while(|it| it.kind == part).count();
+            let parts = rest.iter().take_while(|it| Some(it.kind) == part);
+            let count = parts.count();
             if span.kind == b"POLYLINE" {
                 spans = rest[count..].iter();
             }

@@ -46,6 +46,64 @@ fn error(text: &[u8]) -> String {
 }
 
 #[test]
+fn more_objects_and_groups_than_fit_are_refused_with_their_place() {
+    let many = file("", "", &"0 X ".repeat(1_000_000));
+    let told = error(many.as_bytes());
+    let expected =
+        "found more than 1000000 entities, layers, blocks and objects; expected fewer; purge";
+    assert!(told.contains(expected), "{told}");
+    let wide = file(
+        "",
+        "",
+        &format!("0 LWPOLYLINE {}", "10 1 20 2 ".repeat(500_001)),
+    );
+    let told = error(wide.as_bytes());
+    let expected =
+        "2000029:1: found an entity of more than 1000000 groups; expected fewer; simplify";
+    assert_eq!(told.split(" it,").next(), Some(expected));
+}
+
+#[test]
+fn a_text_that_nobody_reads_is_refused() {
+    for kind in ["TEXT", "MTEXT"] {
+        let text = file(
+            "",
+            "",
+            &format!("0 {kind} 10 0 20 0 40 5 1 {}", "A".repeat(100_001)),
+        );
+        let told = error(text.as_bytes());
+        let expected = "found a text of 100001 bytes; expected at most 100000; divide it";
+        assert!(told.ends_with(expected), "{told}");
+    }
+}
+
+#[test]
+fn the_last_of_the_groups_of_a_layer_count_and_so_many_layers_are_refused() {
+    let layers = |count: usize| {
+        let names: Vec<String> = (0..count)
+            .map(|it| format!("0 LAYER 2 {it} 62 1 62 5"))
+            .collect();
+        let tables = format!("0 TABLE 2 LAYER {} 0 ENDTAB", names.join(" "));
+        file(&tables, "", "0 CIRCLE 8 3 10 0 20 0 40 9")
+    };
+    let (artwork, _) = draw_text(&layers(5));
+    assert_eq!(artwork.layers[0].color, Some([0, 0, 255]));
+    let told = error(layers(95_000).as_bytes());
+    assert!(
+        told.contains("found more than 1000000 entities, layers"),
+        "{told}"
+    );
+}
+
+#[test]
+fn many_entities_without_a_name_are_passed_at_once() {
+    let text = file("", "", "0 CIRCLE 10 0 20 0 40 9");
+    let nameless = "0\n\n".repeat(300_000);
+    let text = text.replace("0\nCIRCLE", &(nameless + "0\nCIRCLE"));
+    assert_eq!(corners(&draw_text(&text).0).len(), 1);
+}
+
+#[test]
 fn a_circle_that_leads_too_far_on_one_side_is_refused() {
     for far in ["10 -900000 20 0", "10 900000 20 0", "10 0 20 900000"] {
         let text = file("", "", &format!("0 CIRCLE {far} 40 900000"));

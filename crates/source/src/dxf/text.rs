@@ -61,7 +61,9 @@ impl EntityRenderer<'_, '_> {
         let Some(pair) = code.and_then(|code| it.find(code)) else {
             return Ok(());
         };
-        let content = line(&pair.whole_text());
+        let whole = pair.whole_text();
+        check_length(it, &whole)?;
+        let content = line(&whole);
         self.tell_plainer(it, &content);
         if content.text.trim().is_empty() {
             return Ok(());
@@ -77,7 +79,9 @@ impl EntityRenderer<'_, '_> {
 
     /// MTEXT: lines. Its point and its direction are the world's.
     pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Affine) -> Result<(), SourceError> {
-        let content = lines(&whole_text(it));
+        let whole = whole_text(it);
+        check_length(it, &whole)?;
+        let content = lines(&whole);
         self.tell_plainer(it, &content);
         let unit = it.number(40)? / CAPITAL;
         let (right, up) = paragraph_directions(it)?;
@@ -169,6 +173,16 @@ impl EntityRenderer<'_, '_> {
             self.sketch.warn(it.at, "formatted text", instead);
         }
     }
+}
+
+/// Refuses what nobody reads, and what takes for ever to set.
+fn check_length(it: &Entity<'_>, text: &str) -> Result<(), SourceError> {
+    if text.len() <= MOST_LETTERS {
+        return Ok(());
+    }
+    let found = format!("a text of {} bytes", text.len());
+    let expected = format!("at most {MOST_LETTERS}; divide it");
+    Err(it.refused(found, &expected))
 }
 
 /// The group of what is shown: of a definition its tag, or in a block its value where all copies
@@ -330,3 +344,5 @@ const DESCENT: f64 = 7.0;
 const NARROW: f64 = 0.8;
 /// From line to line, in heights of capitals.
 const LINE: f64 = 5.0 / 3.0;
+/// How many bytes a text may have: thirty pages.
+const MOST_LETTERS: usize = 100_000;

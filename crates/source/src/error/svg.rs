@@ -73,6 +73,11 @@ pub enum SvgError {
         /// How many are allowed.
         limit: u64,
     },
+    /// Styles that take for ever to read.
+    #[error(
+        "the styles (CSS) of the elements take for ever to read, counting copies; save the file as plain SVG, without long style attributes"
+    )]
+    LongStyles,
     /// More line segments than a plotter draws in a lifetime.
     #[error(
         "the drawing has more than {limit} line segments; simplify its paths or allow a larger tolerance"

@@ -36,6 +36,8 @@ pub(super) struct Plotter<'a> {
     is_new_page: bool,
     /// The file has set P1 and P2 (IP).
     pub(super) knows_corners: bool,
+    /// Areas are filled with lines or dots (FT).
+    has_pattern: bool,
     pub(super) polygon: Polygon,
     pub(super) labels: Labels,
 }
@@ -66,6 +68,7 @@ impl<'a> Plotter<'a> {
             has_drawn: false,
             is_new_page: false,
             knows_corners: false,
+            has_pattern: false,
             polygon: Polygon::default(),
             labels: Labels::default(),
         }
@@ -147,6 +150,7 @@ impl<'a> Plotter<'a> {
     fn reset(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         self.lift(it)?;
         self.is_relative = false;
+        self.has_pattern = false;
         self.polygon = Polygon::default();
         self.reset_labels();
         let mut transform = PlotTransform::DEFAULT;
@@ -248,8 +252,12 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
+    /// A filled area, which hides what was drawn before it unless its pattern lets that show (FT).
     pub(super) fn fill(&mut self, it: &Command<'_>, area: Area) -> Result<(), SourceError> {
         if self.select(it)? {
+            if !self.has_pattern {
+                self.sketch.cover(&area.rings, area.rule)?;
+            }
             self.sketch.area(area)?;
         }
         Ok(())
@@ -348,6 +356,10 @@ impl<'a> Plotter<'a> {
 
     /// Line types, fill patterns and clip windows: nothing of them is drawn.
     fn style(&mut self, it: &Command<'_>) {
+        if &it.name == b"FT" {
+            // Without a number it is filled, as in the beginning.
+            self.has_pattern = it.number(0).is_some_and(|kind| kind > 2.0);
+        }
         match (&it.name, it.number(0)) {
             (b"LT", Some(_)) => self.warn(it, "dashed line type", "drawn solid (LT)"),
             (b"FT", Some(kind)) if kind > 2.0 => {

@@ -217,6 +217,49 @@ fn the_edges_of_areas_are_drawn_once() {
     assert_eq!(draw(&format!("{polygon};EP")).0.layers[0].strokes.len(), 2);
 }
 
+/// The length of all lines that show, in mm.
+fn shown_mm(text: &str) -> f64 {
+    let hides = ReadOptions {
+        hides: true,
+        ..ReadOptions::default()
+    };
+    let (artwork, _) = super::read(text.as_bytes(), &hides).unwrap();
+    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    strokes.map(Stroke::length_mm).sum()
+}
+
+#[test]
+fn filled_shapes_hide_what_lies_under_them() {
+    // 60 mm long, and a square of 20 mm over its middle.
+    let line = "SP1;PU0,400;PD2400,400;PU";
+    let [square, edge] = ["RA", "EA"].map(|it| format!("SP2;PU800,0;{it}1600,800"));
+    let polygon = "SP2;PU800,0;PM0;PD1600,0,1600,800,800,800;PM2;FP";
+    let cake = "SP2;PU1200,400;WG400,0,360";
+    for (text, expected_mm) in [
+        (format!("{line};{square}"), 40.0 + 80.0),
+        (format!("{square};{line}"), 60.0 + 80.0),
+        (format!("{line};{edge}"), 60.0 + 80.0),
+        (format!("{line};{polygon}"), 40.0 + 80.0),
+        (format!("{line};{square};{edge}"), 40.0 + 80.0),
+        (format!("FT2;{line};{square}"), 40.0 + 80.0),
+        // A pattern lets it show.
+        (format!("FT3,40,45;{line};{square}"), 60.0 + 80.0),
+        (format!("FT3,40,45;FT;{line};{square}"), 40.0 + 80.0),
+        (format!("FT3,40,45;IN;{line};{square}"), 40.0 + 80.0),
+        (format!("{line};{cake}"), 40.0 + 20.0 * std::f64::consts::PI),
+    ] {
+        let found_mm = shown_mm(&text);
+        assert!(
+            (found_mm - expected_mm).abs() < 0.1,
+            "{text}: {found_mm} mm, expected are {expected_mm} mm"
+        );
+    }
+    let (artwork, _) = draw(&format!("{line};{square}"));
+    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+    let drawn_mm: f64 = strokes.map(Stroke::length_mm).sum();
+    assert!((drawn_mm - 140.0).abs() < 1e-6, "{drawn_mm}");
+}
+
 /// Numbers as PE packs them.
 fn packed(numbers: &[i64], has_7_bits: bool) -> Vec<u8> {
     let (bits, last) = if has_7_bits { (5, 95) } else { (6, 191) };

@@ -56,7 +56,7 @@ pub(super) fn vertices(
     let mut vertices = Vec::new();
     while list.goes_on() {
         list.word(&["V"]).ok_or_else(|| list.refused())?;
-        budget.spend(1)?;
+        budget.spend(SHARE)?;
         let at = Point::new(list.number()?, list.number()?);
         let mut pulls = [None; 4];
         while let Some(which) = list.pull() {
@@ -84,7 +84,7 @@ pub(super) fn joints(
     let mut list = List::new(file, field, JOINTS);
     let mut joints = Vec::new();
     while list.goes_on() {
-        budget.spend(1)?;
+        budget.spend(SHARE)?;
         let at = list.at();
         let kind = list.word(&["L", "B"]).ok_or_else(|| list.refused())?;
         joints.push(Joint {
@@ -104,7 +104,7 @@ pub(super) fn old_vertices(
     budget: &mut Budget,
 ) -> Result<Vec<Vertex>, SourceError> {
     let read = |node: Node<'_, '_>| {
-        budget.spend(1)?;
+        budget.spend(SHARE)?;
         let at = Point::new(number(file, node, "vx")?, number(file, node, "vy")?);
         let pull = |name| {
             let field = Field::attribute(node, name);
@@ -122,9 +122,9 @@ pub(super) fn old_joints(
     file: &str,
     shape: Node<'_, '_>,
     budget: &mut Budget,
-) -> Result<Vec<Joint>, SourceError> {
+) -> Result<Joints, SourceError> {
     let read = |node: Node<'_, '_>| {
-        budget.spend(1)?;
+        budget.spend(SHARE)?;
         let at = node.range().start;
         let refused = |found| SourceError::found(file.as_bytes(), at, found, OLD_JOINT);
         let end = |name| {
@@ -145,7 +145,10 @@ pub(super) fn old_joints(
         })
     };
     let nodes = shape.children().filter(|it| it.has_tag_name("P"));
-    nodes.map(read).collect()
+    nodes
+        .map(read)
+        .collect::<Result<_, _>>()
+        .map(Joints::Listed)
 }
 
 /// A point pulls only where both of its numbers are told: a lone `c0x1` says that there is none.
@@ -250,6 +253,8 @@ impl<'d> List<'d> {
     }
 }
 
+/// A point of a list, or a line, takes as much as that many that are drawn.
+const SHARE: usize = 2;
 const VERTICES: &str = "points such as V1 2 or V1 2c0x3c0y4c1x5c1y6, with numbers of at most 1e9";
 const JOINTS: &str = "lines and curves such as L0 1B1 2, LineClosed or LineOpen";
 const OLD_JOINT: &str = "a line or curve such as <P T=\"L\" p0=\"0\" p1=\"1\"/>";

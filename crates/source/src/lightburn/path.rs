@@ -15,10 +15,61 @@ use crate::limits::{Budget, MAX_SEGMENTS};
 #[derive(Debug)]
 pub(super) struct Lists<'d> {
     file: &'d str,
-    vertices: HashMap<&'d str, Shared<'d, Vec<Vertex>>>,
-    joints: HashMap<&'d str, Shared<'d, Joints>>,
+    vertices: ListsOf<'d, Vec<Vertex>>,
+    joints: ListsOf<'d, Joints>,
     /// How many points and joints may still be read.
     budget: Budget,
+}
+
+impl<'d> Lists<'d> {
+    pub(super) fn new(file: &'d str, root: Node<'d, '_>) -> Self {
+        let mut lists = Self {
+            file,
+            vertices: ListsOf {
+                element: "VertList",
+                number: "VertID",
+                read: list::vertices,
+                read_old: list::old_vertices,
+                shared: HashMap::new(),
+            },
+            joints: ListsOf {
+                element: "PrimList",
+                number: "PrimID",
+                read: list::joints,
+                read_old: list::old_joints,
+                shared: HashMap::new(),
+            },
+            budget: Budget::new(MAX_SEGMENTS),
+        };
+        for node in root.descendants().filter(Node::is_element) {
+            lists.vertices.note(node);
+            lists.joints.note(node);
+        }
+        lists
+    }
+
+    /// The points of a path, and how they are joined.
+    pub(super) fn of(
+        &mut self,
+        path: Node<'d, '_>,
+    ) -> Result<(Rc<Vec<Vertex>>, Rc<Joints>), SourceError> {
+        let vertices = self.vertices.of(self.file, path, &mut self.budget)?;
+        let joints = self.joints.of(self.file, path, &mut self.budget)?;
+        Ok((vertices, joints))
+    }
+}
+
+/// The lists of one kind.
+#[derive(Debug)]
+struct ListsOf<'d, T> {
+    /// What a list is called, and the attribute that has its number.
+    element: &'static str,
+    number: &'static str,
+    read: fn(&str, Field<'_>, &mut Budget) -> Result<T, SourceError>,
+    /// Reads it from a path of the older format.
+    read_old: fn(&str, Node<'_, '_>, &mut Budget) -> Result<T, SourceError>,
+    /// Those with a number.
+    shared: HashMap<&'d str, Shared<'d, T>>,
 }
 
 /// A list with a number, which is read when it is first needed.
@@ -28,105 +79,45 @@ struct Shared<'d, T> {
     list: Option<Rc<T>>,
 }
 
-impl<'d> Lists<'d> {
-    pub(super) fn new(file: &'d str, root: Node<'d, '_>) -> Self {
-        let mut lists = Self {
-            file,
-            vertices: HashMap::new(),
-            joints: HashMap::new(),
-            budget: Budget::new(MAX_SEGMENTS),
+impl<'d, T> ListsOf<'d, T> {
+    /// Keeps the place of a list that has a number.
+    fn note(&mut self, node: Node<'d, '_>) {
+        let Some(number) = node.attribute(self.number) else {
+            return;
         };
-        for node in root.descendants().filter(Node::is_element) {
-            note(&mut lists.vertices, node, VERTICES);
-            note(&mut lists.joints, node, JOINTS);
+        if let Some(field) = Field::content(node, self.element) {
+            let list = None;
+            self.shared.entry(number).or_insert(Shared { field, list });
         }
-        lists
     }
 
-    /// The points of a path.
-    pub(super) fn vertices(&mut self, path: Node<'d, '_>) -> Result<Rc<Vec<Vertex>>, SourceError> {
-        let Self {
-            file,
-            vertices,
-            budget,
-            ..
-        } = self;
-        let read = |field| list::vertices(file, field, budget);
-        if let Some(vertices) = find(file, vertices, path, VERTICES, read)? {
-            return Ok(vertices);
+    /// The list of a path: its own, the one that its number tells, or where it has neither, one of the older format.
+    fn of(
+        &mut self,
+        file: &str,
+        path: Node<'d, '_>,
+        budget: &mut Budget,
+    ) -> Result<Rc<T>, SourceError> {
+        let own = Field::content(path, self.element);
+        let number = Field::attribute(path, self.number);
+        let (own, number) = match (own, number) {
+            (None, None) => return (self.read_old)(file, path, budget).map(Rc::new),
+            (Some(own), None) => return (self.read)(file, own, budget).map(Rc::new),
+            (own, Some(number)) => (own, number),
+        };
+        let Some(of_number) = self.shared.get_mut(number.text) else {
+            let expected = format!("the number of a <{}> of the file", self.element);
+            return Err(number.refused(file, &expected));
+        };
+        // Another list of the same number is its own.
+        if let Some(own) = own.filter(|it| it.at != of_number.field.at) {
+            return (self.read)(file, own, budget).map(Rc::new);
         }
-        Ok(Rc::new(list::old_vertices(file, path, budget)?))
-    }
-
-    /// How they are joined.
-    pub(super) fn joints(&mut self, path: Node<'d, '_>) -> Result<Rc<Joints>, SourceError> {
-        let Self {
-            file,
-            joints,
-            budget,
-            ..
-        } = self;
-        let read = |field| list::joints(file, field, budget);
-        if let Some(joints) = find(file, joints, path, JOINTS, read)? {
-            return Ok(joints);
+        if let Some(list) = &of_number.list {
+            return Ok(Rc::clone(list));
         }
-        let joints = list::old_joints(file, path, budget)?;
-        Ok(Rc::new(Joints::Listed(joints)))
+        let list = Rc::new((self.read)(file, of_number.field, budget)?);
+        of_number.list = Some(Rc::clone(&list));
+        Ok(list)
     }
-}
-
-/// What a list is called, and the attribute that has its number.
-#[derive(Clone, Copy, Debug)]
-struct ListName {
-    element: &'static str,
-    number: &'static str,
-}
-
-const VERTICES: ListName = ListName {
-    element: "VertList",
-    number: "VertID",
-};
-const JOINTS: ListName = ListName {
-    element: "PrimList",
-    number: "PrimID",
-};
-
-fn note<'d, T>(shared: &mut HashMap<&'d str, Shared<'d, T>>, node: Node<'d, '_>, name: ListName) {
-    let Some(number) = node.attribute(name.number) else {
-        return;
-    };
-    if let Some(field) = Field::content(node, name.element) {
-        let list = None;
-        shared.entry(number).or_insert(Shared { field, list });
-    }
-}
-
-/// The list of a path: its own, or the one that its number tells; `None` where it has neither.
-fn find<'d, T>(
-    file: &str,
-    shared: &mut HashMap<&'d str, Shared<'d, T>>,
-    path: Node<'d, '_>,
-    name: ListName,
-    mut read: impl FnMut(Field<'d>) -> Result<T, SourceError>,
-) -> Result<Option<Rc<T>>, SourceError> {
-    let own = Field::content(path, name.element);
-    let number = Field::attribute(path, name.number);
-    let (field, number) = match (own, number) {
-        (None, None) => return Ok(None),
-        (Some(field), None) => return Ok(Some(Rc::new(read(field)?))),
-        (own, Some(number)) => (own, number),
-    };
-    let of_number = shared.get_mut(number.text);
-    let Some(of_number) = of_number else {
-        let expected = format!("the number of a <{}> of the file", name.element);
-        return Err(number.refused(file, &expected));
-    };
-    // Another list of the same number is its own.
-    if let Some(field) = field.filter(|it| it.at != of_number.field.at) {
-        return Ok(Some(Rc::new(read(field)?)));
-    }
-    if of_number.list.is_none() {
-        of_number.list = Some(Rc::new(read(of_number.field)?));
-    }
-    Ok(of_number.list.clone())
 }

@@ -104,8 +104,7 @@ impl<'d> ShapeRenderer<'_, '_, 'd> {
         it: Node<'d, '_>,
         frame: Affine,
     ) -> Result<Vec<Contour>, SourceError> {
-        let vertices = self.lists.vertices(it)?;
-        let joints = self.lists.joints(it)?;
+        let (vertices, joints) = self.lists.of(it)?;
         let in_order;
         let joints = match &*joints {
             Joints::Listed(joints) => joints,

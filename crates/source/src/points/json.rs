@@ -33,6 +33,7 @@ pub(crate) fn read(
         sketch.use_layer(Layer {
             name: stroke
                 .layer
+                .map(String::from)
                 .or(stroke.color.as_ref().map(|it| it.name.clone()))
                 .unwrap_or_default(),
             color: stroke.color.map(|it| it.parts),
@@ -138,8 +139,9 @@ struct JsonStroke(StrokeFields);
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StrokeFields {
-    layer: Option<String>,
-    color: Option<Color>,
+    // Most strokes have neither, and there may be a million of them.
+    layer: Option<Box<str>>,
+    color: Option<Box<Color>>,
     #[serde(default)]
     closed: bool,
     points: Points,
@@ -173,12 +175,14 @@ struct Points(Vec<JsonPoint>);
 
 impl<'de> Deserialize<'de> for Points {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let points = Vec::deserialize(deserializer)?;
+        let mut points = Vec::deserialize(deserializer)?;
         if points.is_empty() {
             return Err(D::Error::custom(
                 "a stroke without points, expected at least one point",
             ));
         }
+        // There may be many of them, with room for more.
+        points.shrink_to_fit();
         Ok(Self(points))
     }
 }

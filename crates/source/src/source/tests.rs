@@ -36,22 +36,20 @@ fn layers(artwork: &Artwork) -> Vec<(&str, usize, usize)> {
         .collect()
 }
 
-fn is_large(artwork: &Artwork, width_mm: f64, height_mm: f64) -> bool {
-    let by = (artwork.width_mm - width_mm)
-        .abs()
-        .max((artwork.height_mm - height_mm).abs());
-    by < 0.1
+#[track_caller]
+fn has_size(artwork: &Artwork, expected_mm: [f64; 2]) {
+    let found_mm = [artwork.width_mm, artwork.height_mm];
+    let is_near = |i: usize| (found_mm[i] - expected_mm[i]).abs() < 0.1;
+    assert!(
+        is_near(0) && is_near(1),
+        "{found_mm:?} mm, expected are {expected_mm:?} mm"
+    );
 }
 
 #[test]
 fn the_leaf_has_an_outline_and_slower_veins() {
     let leaf = example("leaf.gcode");
-    assert!(
-        is_large(&leaf, 110.0, 50.0),
-        "{} x {}",
-        leaf.width_mm,
-        leaf.height_mm
-    );
+    has_size(&leaf, [110.0, 50.0]);
     assert_eq!(
         layers(&leaf),
         [("S1000 F1200", 1, 1), ("S1000 F600", 15, 0)]
@@ -69,12 +67,7 @@ fn the_leaf_has_an_outline_and_slower_veins() {
 #[test]
 fn the_gear_has_24_teeth_and_its_holes_are_for_another_pen() {
     let gear = example("gear.plt");
-    assert!(
-        is_large(&gear, 80.0, 80.0),
-        "{} x {}",
-        gear.width_mm,
-        gear.height_mm
-    );
+    has_size(&gear, [80.0, 80.0]);
     assert_eq!(layers(&gear), [("pen 1", 2, 2), ("pen 2", 7, 7)]);
     assert_eq!(gear.layers[0].strokes[0].points.len(), 24 * 4 + 1);
 }
@@ -91,12 +84,7 @@ fn the_dial_has_labels_around_it_and_a_pointer_for_another_pen() {
 #[test]
 fn the_bracket_has_an_outline_and_holes() {
     let bracket = example("bracket.dxf");
-    assert!(
-        is_large(&bracket, 120.0, 80.0),
-        "{} x {}",
-        bracket.width_mm,
-        bracket.height_mm
-    );
+    has_size(&bracket, [120.0, 80.0]);
     assert_eq!(layers(&bracket), [("outline", 2, 1), ("holes", 7, 7)]);
     assert_eq!(bracket.layers[1].color, Some([255, 0, 0]));
 }
@@ -106,12 +94,7 @@ fn the_tag_is_filled_drawn_and_cut_in_this_order() {
     let (tag, warnings) = example_with_warnings("tag.lbrn2");
     let told: Vec<&str> = warnings.iter().map(|it| it.what.as_str()).collect();
     assert_eq!(told, ["tool-layer shape", "laser layer"]);
-    assert!(
-        is_large(&tag, 90.0, 50.0),
-        "{} x {}",
-        tag.width_mm,
-        tag.height_mm
-    );
+    has_size(&tag, [90.0, 50.0]);
     assert_eq!(
         layers(&tag),
         [("moon", 2, 2), ("waves", 5, 2), ("edge", 2, 2)]
@@ -131,12 +114,7 @@ fn the_wave_is_fifteen_lines() {
 #[test]
 fn the_knot_is_one_line_in_two_rings() {
     let knot = example("knot.json");
-    assert!(
-        is_large(&knot, 100.0, 100.0),
-        "{} x {}",
-        knot.width_mm,
-        knot.height_mm
-    );
+    has_size(&knot, [100.0, 100.0]);
     assert_eq!(layers(&knot), [("knot", 1, 1), ("ring", 2, 2)]);
     let ring: f64 = knot.layers[1].strokes.iter().map(Stroke::length_mm).sum();
     assert!((ring - std::f64::consts::TAU * 97.0).abs() < 0.2, "{ring}");

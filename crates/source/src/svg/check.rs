@@ -8,8 +8,8 @@ use usvg::roxmltree::{Attribute, Document, Node};
 use crate::error::SvgError;
 use crate::limits::{Budget, MAX_NUMBER};
 
-/// Reads every path, point list, length, transform and viewBox of the document, and tells how many
-/// line segments and curves each node describes, by its number in the document.
+/// Reads every path, point list, length, transform and viewBox of the document, and tells as how many
+/// line segments each node counts, by its number in the document.
 pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>, SvgError> {
     // As many as there are nodes, each at the place that its number tells.
     let mut segments = vec![0; doc.descendants().count()];
@@ -70,9 +70,21 @@ fn check_path(value: &str) -> Result<usize, ValueProblem> {
             let expected = "coordinates of at most 1e9";
             return Err(ValueProblem { at: 0, expected });
         }
-        count += 1;
+        count += weight(segment);
     }
     Ok(count)
+}
+
+/// As how many lines a segment counts: a curve becomes several, and takes as much memory before that.
+const fn weight(segment: PathSegment) -> usize {
+    match segment {
+        PathSegment::CurveTo { .. }
+        | PathSegment::SmoothCurveTo { .. }
+        | PathSegment::Quadratic { .. }
+        | PathSegment::SmoothQuadratic { .. } => 4,
+        PathSegment::EllipticalArc { .. } => 12,
+        _ => 1,
+    }
 }
 
 fn check_points(value: &str) -> Result<usize, ValueProblem> {

@@ -22,7 +22,7 @@ pub(crate) fn check(text: &str) -> Result<(), SvgError> {
     }
     let references = used.bytes().filter(|&byte| byte == b'&').count();
     if declared.len().saturating_mul(references) > LIMIT {
-        return refuse("more than 16 million characters");
+        return refuse("more than 2 million characters");
     }
     Ok(())
 }
@@ -36,7 +36,7 @@ fn refers_to_another(declared: &str) -> bool {
     })
 }
 
-const LIMIT: usize = 16_000_000;
+const LIMIT: usize = 2_000_000;
 
 #[cfg(test)]
 mod tests {

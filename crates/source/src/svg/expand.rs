@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use usvg::roxmltree::{Document, Node};
 
+use super::styles;
 use crate::error::SvgError;
 
 /// Refuses a document that grows too large or too deep once every reference is replaced by a copy
@@ -24,6 +25,9 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError
         let limit = MAX_ELEMENTS;
         return Err(SvgError::TooManyElements { limit });
     }
+    if cost.styles > styles::MOST {
+        return Err(SvgError::LongStyles);
+    }
     if cost.segments > MAX_COPIED_SEGMENTS {
         let limit = MAX_COPIED_SEGMENTS;
         return Err(SvgError::TooManySegments { limit });
@@ -35,6 +39,8 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError
 struct Cost {
     elements: u64,
     segments: u64,
+    /// How long it takes to read their styles.
+    styles: u64,
     /// How many levels of elements it holds.
     height: u32,
 }
@@ -47,6 +53,9 @@ impl Cost {
         self.segments = self
             .segments
             .saturating_add(inner.segments.saturating_mul(times));
+        self.styles = self
+            .styles
+            .saturating_add(inner.styles.saturating_mul(times));
         self.height = self.height.max(inner.height + 1);
     }
 }
@@ -88,6 +97,7 @@ impl<'a> Counter<'a> {
         let mut cost = Cost {
             elements: 1,
             segments: self.segments[number],
+            styles: styles::cost(node),
             height: 0,
         };
         for child in node.children().filter(Node::is_element) {
@@ -139,5 +149,5 @@ fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
 
 /// Far above any drawing, far below what the stack holds.
 const MAX_DEPTH: u32 = 100;
-const MAX_ELEMENTS: u64 = 500_000;
-const MAX_COPIED_SEGMENTS: u64 = 20_000_000;
+const MAX_ELEMENTS: u64 = 150_000;
+const MAX_COPIED_SEGMENTS: u64 = 4_000_000;

@@ -368,7 +368,21 @@ fn copies_of_copies_of_copies_are_refused_before_they_are_made() {
         .unwrap();
     }
     content += r##"</defs><use href="#a39"/>"##;
-    assert!(error(&page(&content)).contains("more than 500000 elements"));
+    assert!(error(&page(&content)).contains("more than 150000 elements"));
+}
+
+#[test]
+fn styles_that_would_take_for_ever_are_refused() {
+    let sheet = |rules: usize| format!("<style>{}</style><rect/>", "a{fill:red}".repeat(rules));
+    let message = error(&page(&sheet(20_000)));
+    assert!(message.contains("found styles (CSS) that take for ever to read; expected a sheet of"));
+    let many = format!("{}{}", sheet(1_000), "<g/>".repeat(140_000));
+    let message = error(&page(&many));
+    assert!(!message.contains("CSS"), "{message}");
+    let more = format!("{}{}", sheet(4_000), "<g/>".repeat(140_000));
+    assert!(error(&page(&more)).contains("expected fewer rules for so many elements"));
+    let long = format!("<g style='{}'/>", "fill:red;".repeat(10_000));
+    assert!(error(&page(&long)).contains("the styles (CSS) of the elements take for ever"));
 }
 
 #[test]

@@ -125,6 +125,65 @@ fn a_wipeout_hides_and_is_not_drawn_itself() {
 }
 
 #[test]
+fn an_inverted_wipeout_covers_what_lies_outside_its_corners() {
+    // The picture reaches from 20 to 40, and what is left open of it from 25 to 35.
+    let wipeout = "0 WIPEOUT 10 20 20 -5 11 20 21 0 12 0 22 20 13 1 23 1 71 1 91 2 14 -0.25 24 -0.25 14 0.25 24 0.25";
+    same(shown_mm(&format!("{LINE} {wipeout} 290 0")), 50.0);
+    same(shown_mm(&format!("{LINE} {wipeout} 290 1")), 50.0);
+    let near = "0 LINE 10 0 20 12 11 60 21 12";
+    same(shown_mm(&format!("{near} {wipeout} 290 0")), 60.0);
+    same(shown_mm(&format!("{near} {wipeout} 290 1")), 40.0);
+}
+
+/// A line, a solid and a polyline of two parts, with handles, and the table that tells their order.
+fn ordered(places: &str, in_block: bool) -> Artwork {
+    let line = LINE.replace("LINE", "LINE 5 A1");
+    let solid = SOLID.replace("SOLID", "SOLID 5 A2");
+    let poly =
+        "0 POLYLINE 5 A3 66 1 0 VERTEX 5 A4 10 0 20 7 0 VERTEX 5 A5 10 60 20 7 0 SEQEND 5 A6";
+    let entities = format!("{line} {solid} {poly}");
+    let table = format!("0 SORTENTSTABLE 5 B1 330 B0 100 AcDbSortentsTable 330 1F {places}");
+    let text = if in_block {
+        let block = format!("0 BLOCK 2 a {entities} 0 ENDBLK");
+        with_objects(&block, "0 INSERT 5 C1 2 a 10 0 20 0", &table)
+    } else {
+        with_objects("", &entities, &table)
+    };
+    let (artwork, warnings) = hidden_text(&text);
+    assert_eq!(warnings, [""; 0]);
+    artwork
+}
+
+#[test]
+fn entities_hide_each_other_in_the_order_that_the_file_tells() {
+    for in_block in [false, true] {
+        let length_mm = |places: &str| length_mm(&ordered(places, in_block));
+        // As they stand: over the line, under the polyline.
+        same(length_mm(""), 40.0 + 60.0 + EDGE_MM);
+        // To the back, by a handle that comes before all others.
+        same(length_mm("331 A2 5 1"), 60.0 + 60.0 + EDGE_MM);
+        // To the front; the parts of the polyline stay with it.
+        same(length_mm("331 A2 5 FF"), 40.0 + 40.0 + EDGE_MM);
+        same(length_mm("331 A2 5 A3 331 A3 5 A2"), 40.0 + 40.0 + EDGE_MM);
+        // Of what is not in the drawing nothing changes.
+        same(length_mm("331 DD 5 1"), 40.0 + 60.0 + EDGE_MM);
+    }
+}
+
+#[test]
+fn a_handle_that_is_none_is_refused() {
+    let table = "0 SORTENTSTABLE 5 B1 331 A2 5 xyz";
+    let text = with_objects("", LINE, table);
+    let hides = ReadOptions {
+        hides: true,
+        ..ReadOptions::default()
+    };
+    let error = super::super::read(text.as_bytes(), &hides).unwrap_err();
+    let told = "found \"xyz\" for group 5; expected a handle such as 1F";
+    assert!(error.to_string().contains(told), "{error}");
+}
+
+#[test]
 fn what_a_clipped_block_hides_lies_in_its_clip() {
     let blocks = format!("0 BLOCK 2 a {SOLID} 0 ENDBLK");
     let line = "0 LINE 10 100 20 5 11 160 21 5";

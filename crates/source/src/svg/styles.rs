@@ -1,0 +1,52 @@
+//! Styles: the library reads each declaration anew from where its text begins.
+
+use usvg::roxmltree::{Document, Node};
+
+use crate::error::SourceError;
+
+/// How long it takes to read the style of an element, in bytes that are looked at.
+pub(super) fn cost(node: Node<'_, '_>) -> u64 {
+    node.attribute("style").map_or(0, declared)
+}
+
+/// Refuses a sheet that would take for ever, alone or on all elements of the document.
+pub(super) fn check(doc: &Document<'_>) -> Result<(), SourceError> {
+    let mut rules = 0;
+    for sheet in doc.descendants().filter(is_sheet) {
+        let texts = sheet.children().filter_map(|it| it.text());
+        for text in texts {
+            rules += count(text, b"{,");
+            if declared(text) > MOST {
+                return Err(refused(doc, sheet, "a sheet of fewer or shorter rules"));
+            }
+        }
+        let elements = doc.descendants().filter(Node::is_element).count() as u64;
+        if rules.saturating_mul(elements) > MOST {
+            return Err(refused(doc, sheet, "fewer rules for so many elements"));
+        }
+    }
+    Ok(())
+}
+
+fn is_sheet(node: &Node<'_, '_>) -> bool {
+    node.is_element() && node.tag_name().name() == "style"
+}
+
+fn declared(text: &str) -> u64 {
+    count(text, b":{").saturating_mul(text.len() as u64)
+}
+
+fn count(text: &str, signs: &[u8]) -> u64 {
+    text.bytes().filter(|it| signs.contains(it)).count() as u64
+}
+
+fn refused(doc: &Document<'_>, sheet: Node<'_, '_>, expected: &str) -> SourceError {
+    SourceError::Found {
+        place: doc.text_pos_at(sheet.range().start).into(),
+        found: "styles (CSS) that take for ever to read".to_owned(),
+        expected: format!("{expected}; save the file as plain SVG"),
+    }
+}
+
+/// Takes about a second.
+pub(super) const MOST: u64 = 500_000_000;
