@@ -163,11 +163,12 @@ impl<'a> Sketch<'a> {
         rings: &[Vec<Point>],
         rule: FillRule,
     ) -> Result<(), SourceError> {
-        let corners = rings.iter().map(Vec::len).sum();
+        let corners: usize = rings.iter().map(Vec::len).sum();
         if !self.hides || corners == 0 {
             return Ok(());
         }
-        self.spend(corners)?;
+        // It is kept as it is, and as the polygons that are cut out.
+        self.spend(2 * corners)?;
         // A line that goes on would lie in part under the area and in part upon it.
         self.goes_on = false;
         self.stack.cover(&self.layers, rings, rule);
