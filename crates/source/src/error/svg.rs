@@ -68,7 +68,9 @@ pub enum SvgError {
         limit: u32,
     },
     /// More elements than a plotter draws in a lifetime, counting each reference as a copy.
-    #[error("the drawing has more than {limit} elements, counting copies; combine its paths, or draw it in parts")]
+    #[error(
+        "the drawing has more than {limit} elements, counting copies; combine its paths, or draw it in parts"
+    )]
     TooManyElements {
         /// How many are allowed.
         limit: u64,
