@@ -9,7 +9,7 @@ use crate::lookahead::ChainVector;
 use crate::seen::TickPositions;
 use crate::speeds::Speeds;
 use crate::tick_chain::{Breadth, TickChain};
-use crate::tick_fit::{OVER, TickFit};
+use crate::tick_fit::{TickFit, Weights};
 use crate::ticker::Ticker;
 use crate::vector::length;
 use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
@@ -156,12 +156,9 @@ impl Planner<'_> {
     /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
     /// are taken slower, and what that changes is planned again. A laser keeps its even speed.
     fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker) {
-        let draws = self.moves[begin..]
-            .iter()
-            .any(|it| it.kind == MoveKind::Draw);
-        let mut over = vec![OVER; self.chain.len()];
+        let mut over = vec![1.0; self.chain.len()];
         let mut attempt = self.attempt(begin, ticker, &over, Breadth::ONE);
-        if draws && !attempt.is_good() {
+        if self.draws(begin) && !attempt.is_good() {
             attempt = self.attempt(begin, ticker, &over, Breadth::FEW);
             if attempt.late_share() > MUCH_LATE_SHARE {
                 attempt = self.attempt(begin, ticker, &over, Breadth::MANY);
@@ -221,11 +218,22 @@ impl Planner<'_> {
         over: &'a [f64],
     ) -> TickChain<'a> {
         TickChain {
+            weights: if self.draws(begin) {
+                Weights::SOON
+            } else {
+                Weights::EVEN
+            },
             moves: &self.moves[begin..],
             chain: &self.chain,
             speeds,
             over,
         }
+    }
+
+    /// Whether a pen is on the paper in the chain that begins there.
+    fn draws(&self, begin: usize) -> bool {
+        let moves = &self.moves[begin..];
+        moves.iter().any(|it| it.kind == MoveKind::Draw)
     }
 
     /// What share of the acceleration seen at the corner behind each vector is allowed.
@@ -303,4 +311,4 @@ const MUCH_LATE_SHARE: f64 = 0.05;
 /// How often a chain is planned again for the ticks of a stock arm.
 const MOST_ROUNDS: u32 = 12;
 /// How much an end speed above the one wanted counts at the most.
-const MOST_OVER: f64 = 16.0 * OVER;
+const MOST_OVER: f64 = 16.0;

@@ -5,7 +5,7 @@ use crate::commands::write;
 use crate::lookahead::ChainVector;
 use crate::seen::{WINDOW_TICKS, at_ticks, second_difference, seen_mm};
 use crate::speeds::Speeds;
-use crate::tick_fit::{MOST_FITS, SAME_SHARE, TickFit};
+use crate::tick_fit::{MOST_FITS, SAME_SHARE, TickFit, Weights};
 use crate::ticker::Ticker;
 
 /// A chain, and what is wanted of it.
@@ -14,7 +14,8 @@ pub(super) struct TickChain<'a> {
     pub moves: &'a [PlannedVector],
     pub chain: &'a [ChainVector],
     pub speeds: &'a [Speeds],
-    /// How much an end speed above the one wanted counts, for each vector.
+    pub weights: Weights,
+    /// How many times as much an end speed above the one wanted counts, for each vector.
     pub over: &'a [f64],
 }
 
@@ -99,9 +100,12 @@ impl TickChain<'_> {
         for i in begin..self.moves.len() {
             let mut next: Vec<Way> = Vec::with_capacity(breadth.fits * breadth.ways);
             for way in &ways {
-                let fits = way
-                    .ticker
-                    .fits(&write(&self.moves[i]), self.speeds[i], self.over[i]);
+                let fits = way.ticker.fits(
+                    &write(&self.moves[i]),
+                    self.speeds[i],
+                    self.weights,
+                    self.over[i],
+                );
                 for fit in fits.into_iter().take(breadth.fits) {
                     next.push(way.step(
                         steps.len(),
@@ -235,7 +239,6 @@ mod tests {
 
     use super::*;
     use crate::chain::ChainSpeeds;
-    use crate::tick_fit::OVER;
     use crate::{Machine, MoveKind};
 
     fn vector([x_mm, y_mm]: [f32; 2]) -> PlannedVector {
@@ -283,9 +286,9 @@ mod tests {
             let moves: Vec<PlannedVector> = ways.into_iter().map(vector).collect();
             let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
-            let over = vec![OVER; moves.len()];
+            let over = vec![1.0; moves.len()];
             let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
-            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, over: &over }
+            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, weights: Weights::SOON, over: &over }
                 .fits(&ticker, Breadth::FEW);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
@@ -294,7 +297,7 @@ mod tests {
             }
             let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
-            TickChain { moves: &moves, chain: &chain, speeds: &speeds, over: &over }
+            TickChain { moves: &moves, chain: &chain, speeds: &speeds, weights: Weights::SOON, over: &over }
                 .repair(&ticker, &mut fits, &changed, Breadth::FEW);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;

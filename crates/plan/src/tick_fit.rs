@@ -30,8 +30,32 @@ pub(super) struct TickTarget {
     pub acceleration_mm_s2: f32,
     /// No packet may tell a larger speed, in mm/s.
     pub most_mm_s: f32,
-    /// How much an end speed above the one wanted counts.
+    pub weights: Weights,
+    /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
+}
+
+/// What counts how much where speeds are chosen, beside a step of speed that is too fast.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Weights {
+    /// A tick by which a vector is longer or shorter than it should be.
+    late: f64,
+    /// A step of speed by which it ends faster than it should.
+    over: f64,
+}
+
+impl Weights {
+    /// For what has to keep its speed, as a laser has.
+    pub(super) const EVEN: Self = Self {
+        late: 1.0,
+        over: 8.0,
+    };
+    /// For a pen: a tick too many is a fourth of what the link takes for a vector, and where a way turns too fast is told
+    /// by where its ticks lie.
+    pub(super) const SOON: Self = Self {
+        late: 20.0,
+        over: 3.0,
+    };
 }
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
@@ -126,7 +150,7 @@ impl TickTarget {
         } else {
             (down - 3).max(0)..=down + 2
         };
-        let fewest = (up - if self.over > OVER { 8 } else { 3 }).max(1);
+        let fewest = (up - if self.over > 1.0 { 8 } else { 3 }).max(1);
         for up in fewest..=up + 2 {
             for down in downs.clone() {
                 for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
@@ -165,8 +189,7 @@ impl TickTarget {
         fit.rank(fits);
     }
 
-    /// In steps of speed, squared: what is too fast counts more than what is too slow. A tick too many counts most: it is a
-    /// fourth of what the link takes for a vector, and a way that turns too fast is told by where its ticks lie.
+    /// In steps of speed, squared: what is too fast counts more than what is too slow.
     fn cost(&self, stored_mm_s: f32, cut: &Cut) -> f64 {
         let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
         let late = f64::from(cut.ticks()) - self.ticks;
@@ -176,8 +199,13 @@ impl TickTarget {
         let jump = steps(f64::from(first - stored_mm_s)).abs();
         let jump = (jump - 1.0).max(0.0);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
-        let weight = if over > 0.0 { self.over } else { UNDER };
-        LATE * late * late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
+        let weight = if over > 0.0 {
+            self.weights.over * self.over
+        } else {
+            UNDER
+        };
+        let late = self.weights.late * late * late;
+        late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
     }
 
     /// The fastest even speed with which the vector gets its full length, or as far up and down as the
@@ -225,9 +253,6 @@ impl TickTarget {
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
 const NEAR: f32 = 0.4;
-/// How much a tick counts by which a vector is longer or shorter than it should be.
-const LATE: f64 = 20.0;
-pub(super) const OVER: f64 = 3.0;
 const UNDER: f64 = 0.5;
 /// So many choices are told.
 pub(super) const MOST_FITS: usize = 6;
@@ -256,7 +281,8 @@ mod tests {
             rests,
             acceleration_mm_s2: 100.0,
             most_mm_s: single(max),
-            over: OVER,
+            weights: Weights::SOON,
+            over: 1.0,
         }
     }
 

@@ -6,7 +6,7 @@ use dobot_wire::{WriteMode, WriteVector};
 use crate::link::Credit;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::tick_fit::{OVER, TickFit, TickTarget};
+use crate::tick_fit::{TickFit, TickTarget, Weights};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -57,8 +57,18 @@ impl Ticker {
     }
 
     /// The speeds with which the next vector comes nearest to these, the best first.
-    pub(super) fn fits(&self, vector: &WriteVector, speeds: Speeds, over: f64) -> Vec<TickFit> {
-        let target = self.target(length(vector), speeds, factor(vector), over);
+    pub(super) fn fits(
+        &self,
+        vector: &WriteVector,
+        speeds: Speeds,
+        weights: Weights,
+        over: f64,
+    ) -> Vec<TickFit> {
+        let target = TickTarget {
+            weights,
+            over,
+            ..self.target(length(vector), speeds, factor(vector))
+        };
         target.fits(self.stored_mm_s)
     }
 
@@ -86,7 +96,7 @@ impl Ticker {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
-        let target = self.target(length_mm, speeds, factor(vector), OVER);
+        let target = self.target(length_mm, speeds, factor(vector));
         let fit = target.fits(stored_mm_s)[0];
         self.take(&speeds, &fit);
         self.stored_mm_s = stored_mm_s;
@@ -171,7 +181,7 @@ impl Ticker {
     }
 
     /// What the next vector should be, of this length.
-    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, over: f64) -> TickTarget {
+    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32) -> TickTarget {
         TickTarget {
             length_mm,
             speeds,
@@ -180,7 +190,8 @@ impl Ticker {
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
             most_mm_s: self.most_mm_s,
-            over,
+            weights: Weights::EVEN,
+            over: 1.0,
         }
     }
 
