@@ -153,7 +153,21 @@ fn moves(wanted: &Wanted, thin: &Thinned) -> Vec<FollowMove> {
         }
         from_s = wanted.at_s[at];
     }
+    wait_in_ticks(&mut moves);
     moves
+}
+
+/// The controller waits for no less than a tick: what is shorter is put off until there is enough.
+fn wait_in_ticks(moves: &mut [FollowMove]) {
+    let mut due_s = 0.0;
+    for it in moves {
+        due_s += it.pause_s;
+        it.pause_s = if due_s < NO_PAUSE_S {
+            0.0
+        } else {
+            std::mem::take(&mut due_s)
+        };
+    }
 }
 
 /// A straight way of joints, in as many pieces as it takes.
@@ -195,12 +209,11 @@ impl FollowMove {
         let speeds = Speeds::STOCK.scaled(percent, ACCELERATION_PERCENT);
         let planned = JointMove::new(from, to, &speeds).expect("its numbers are finite");
         let moves_s = planned.duration_s();
-        let early_s = within_s - moves_s;
         Self {
             to_deg,
             percent,
             moves_s,
-            pause_s: if early_s < NO_PAUSE_S { 0.0 } else { early_s },
+            pause_s: (within_s - moves_s).max(0.0),
         }
     }
 
