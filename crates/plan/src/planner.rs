@@ -310,5 +310,5 @@ const MOST_LATE_SHARE: f64 = 0.01;
 const MUCH_LATE_SHARE: f64 = 0.05;
 /// How often a chain is planned again for the ticks of a stock arm.
 const MOST_ROUNDS: u32 = 12;
-/// How much an end speed above the one wanted counts at the most.
+/// How many times as much an end speed above the one wanted counts at the most.
 const MOST_OVER: f64 = 16.0;

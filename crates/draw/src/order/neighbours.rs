@@ -52,9 +52,9 @@ fn nearest(tree: &BoxTree, at: &[Point], p: Point, not: [u32; 2]) -> [u32; NEARE
 
 /// Triangles between the nodes (Delaunay's): the shortest way between any two groups of nodes is a side of one.
 struct Net {
-    /// For each node the first of those at the same place, by their order among the places.
+    /// For each node the number of its place: several may lie at one.
     place: Vec<u32>,
-    /// For each place a node.
+    /// For each place the first node there.
     node: Vec<u32>,
     /// The sides of the triangles as pairs of places, each in both directions, in order.
     sides: Vec<(u32, u32)>,

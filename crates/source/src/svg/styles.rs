@@ -11,6 +11,7 @@ pub(super) fn cost(node: Node<'_, '_>) -> u64 {
 
 /// Refuses a sheet that would take for ever, alone or on all elements of the document.
 pub(super) fn check(doc: &Document<'_>) -> Result<(), SourceError> {
+    let elements = doc.descendants().filter(Node::is_element).count() as u64;
     let mut rules = 0;
     for sheet in doc.descendants().filter(is_sheet) {
         let texts = sheet.children().filter_map(|it| it.text());
@@ -20,7 +21,6 @@ pub(super) fn check(doc: &Document<'_>) -> Result<(), SourceError> {
                 return Err(refused(doc, sheet, "a sheet of fewer or shorter rules"));
             }
         }
-        let elements = doc.descendants().filter(Node::is_element).count() as u64;
         if rules.saturating_mul(elements) > MOST {
             return Err(refused(doc, sheet, "fewer rules for so many elements"));
         }

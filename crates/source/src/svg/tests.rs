@@ -386,6 +386,13 @@ fn styles_that_would_take_for_ever_are_refused() {
 }
 
 #[test]
+fn a_drawing_with_very_many_sheets_of_styles_is_read_at_once() {
+    let sheets = "<style/>".repeat(120_000);
+    let (strokes, _) = draw(&format!("{sheets}<path d='M0 0H9'/>"));
+    assert_eq!(strokes.len(), 1);
+}
+
+#[test]
 fn an_element_inside_itself_is_refused() {
     let message = error(&page(r##"<g id="a"><g><use href="#a"/></g></g>"##));
     assert!(
