@@ -93,6 +93,7 @@ struct Sight {
     covers: Vec<Cover>,
     /// The covers by place: the lower left and the upper right corner of each.
     boxes: SegmentIndex,
+    /// So many edges and covers may still be looked at.
     looks_left: usize,
     /// Of how many lines and areas it was not found out what shows; they are whole.
     unknown: usize,
@@ -134,12 +135,17 @@ impl Sight {
         let Some(over) = self.over(around, height) else {
             return Ok(vec![stroke]);
         };
-        let mut pieces = vec![stroke];
+        let mut pieces = vec![stroke.clone()];
         for cover in over {
             let cover = &self.covers[cover as usize];
             let mut seen = Vec::with_capacity(pieces.len());
             for piece in pieces {
-                seen.append(&mut cover.area.uncovered(piece, budget)?);
+                let Some(mut parts) = cover.area.uncovered(&piece, budget, &mut self.looks_left)?
+                else {
+                    self.unknown += 1;
+                    return Ok(vec![stroke]);
+                };
+                seen.append(&mut parts);
             }
             pieces = seen;
             if pieces.is_empty() {
@@ -158,10 +164,19 @@ impl Sight {
         let mut cutting = Vec::new();
         for cover in over {
             let cover = &self.covers[cover as usize];
-            if cover.has_edge_in(around) {
-                cutting.push(cover);
-            } else if cover.area.covers(corner) {
+            let has_edge = cover.has_edge_in(around);
+            let is_hidden = !has_edge && cover.area.covers(corner);
+            let corners = if has_edge { cover.area.corners() } else { 0 };
+            self.looks_left = self.looks_left.saturating_sub(LOOKS_FOR_CORNER * corners);
+            if !cover.area.charge(&mut self.looks_left) {
+                self.unknown += 1;
+                return area;
+            }
+            if is_hidden {
                 return Area::default();
+            }
+            if has_edge {
+                cutting.push(cover);
             }
         }
         if cutting.is_empty() {
@@ -189,7 +204,7 @@ impl Sight {
                 over.push(cover);
             }
         });
-        self.looks_left = self.looks_left.saturating_sub(looks);
+        self.looks_left = self.looks_left.saturating_sub(LOOKS_FOR_COVER * looks);
         let size = |&cover: &u32| self.covers[cover as usize].bounds.area();
         over.sort_unstable_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
         Some(over)
@@ -232,5 +247,9 @@ fn seen(area: &Area, covers: &[&Cover]) -> Option<Area> {
     Some(seen.into_area())
 }
 
-/// How often a cover may be looked at: some seconds.
-const MAX_LOOKS: usize = 30_000_000;
+/// How many edges may be looked at: a second or two.
+const MAX_LOOKS: usize = 75_000_000;
+/// What it costs to find a cover and to put it in its place, in looks at an edge.
+const LOOKS_FOR_COVER: usize = 10;
+/// What it costs to take a corner of a cover away from an area, in looks at an edge.
+const LOOKS_FOR_CORNER: usize = 20;

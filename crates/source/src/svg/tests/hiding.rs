@@ -100,6 +100,26 @@ fn the_hidden_part_of_an_area_is_not_hatched() {
     assert_eq!(sizes.collect::<Vec<f64>>(), [200.0, 400.0]);
 }
 
+#[test]
+fn where_too_many_shapes_lie_over_each_other_all_is_drawn_and_told() {
+    let shapes = 3000_u32;
+    let mut svg = String::new();
+    for i in 0..shapes {
+        let at = 10.0 + f64::from(i) * 1e-4;
+        write!(svg, r#"<rect x="{at}" y="{at}" width="20" height="20"/>"#).unwrap();
+    }
+    let (strokes, warnings) = hidden(&svg);
+    // The lowest ones are looked at first, and hardly any of their lines shows.
+    let whole = strokes.iter().filter(|it| it.closed).count();
+    assert!(whole > 2000, "{whole}");
+    assert!(
+        warnings[0]
+            .to_string()
+            .contains("drawn whole, too many shapes lie over it"),
+        "{warnings:?}"
+    );
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
