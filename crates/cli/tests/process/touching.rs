@@ -43,8 +43,13 @@ struct Person {
 impl Person {
     /// Where the tip comes to rest.
     fn sees(&self) -> [f64; 3] {
+        self.sees_for(5)
+    }
+
+    /// Where the tip stays for so many statuses.
+    fn sees_for(&self, statuses: u32) -> [f64; 3] {
         let (mut last, mut same) = (None, 0);
-        while same < 5 {
+        while same < statuses {
             let place = tip(&self.next());
             same = if last == Some(place) { same + 1 } else { 0 };
             last = Some(place);
@@ -120,7 +125,8 @@ impl Person {
         }
         self.presses([x, y, PAPER_MM + 1.0], 1.0);
         self.presses([x, y, PAPER_MM], 0.1);
-        self.sees();
+        // A touch is refused while the program takes the arm to move, and on a busy machine it hears of its rest later.
+        self.sees_for(200);
         self.terminal.types("\r");
     }
 
