@@ -13,6 +13,8 @@
 # - Everything up to `bench-check` builds with the profile `dev` only, whose property tests are
 #   optimised enough (Cargo.toml), so that nothing big is built twice. `no-std` is the exception: it
 #   links only with `panic = "abort"` and link-time optimisation, and it is small.
+# - `lint` also refuses what came into the standard library after a crate's `rust-version` (clippy's
+#   `incompatible_msrv`); for the syntax it would need a second toolchain: `cargo +1.88 check`.
 # - `test` is plain `cargo test`: other test runners have to be installed first.
 # - `examples` runs the very command in the first line of each example, so that none grows old.
 # - `bench-check` runs every benchmark once, unoptimised: does it still work? Numbers come from
@@ -32,8 +34,6 @@
 #   Python reads their states and stops one, and a class uses the board, in browsers in two of the networks.
 # - `ros2` fetches `cyclonedds` from PyPI, an implementation of DDS that is not ours, and lets a program in Python use a
 #   virtual arm through `dobot-ros2` and a station, on the loopback.
-# - `msrv` lets clippy look for what came into the standard library after a crate's `rust-version`, in all
-#   that is not a test; for the syntax it would need a second toolchain: `cargo +1.88 check`.
 # - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
 #   that: a file that is missing in a package is missing there. `cargo publish --dry-run --workspace` builds
 #   each crate anew with all that it depends on; it is for the day of a release.
@@ -53,8 +53,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 readonly CI_STEPS=(
   "fmt          is all code formatted?"
   "licences     does every dependency have a licence that we may ship?"
-  "lint         clippy over everything, warnings are errors"
-  "msrv         do the sources keep to the Rust version that each crate names?"
+  "lint         clippy over everything, warnings are errors; do the sources keep to the Rust version that each crate names?"
   "test         all tests, those in the documentation included"
   "doc          the documentation, warnings are errors; do the READMEs show its examples?"
   "package      does every crate build from its package?"
@@ -68,7 +67,7 @@ readonly CI_STEPS=(
   "python       does the Python package build, install, and do what its tests and types say?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
-  "fuzz         30 seconds of each fuzz target, as many at once as there are cores"
+  "fuzz         15 seconds of each fuzz target, as many at once as there are cores"
 )
 readonly OTHER_STEPS=(
   "bench          all benchmarks (not part of CI; see docs/performance.md)"
@@ -140,11 +139,6 @@ dependencies() {
 step_lint() {
   needs_component clippy clippy
   cargo clippy --locked --workspace --all-targets --all-features -- -D warnings
-}
-
-step_msrv() {
-  needs_component clippy clippy
-  cargo clippy --locked --workspace --all-features -- -A clippy::all -A clippy::pedantic -D clippy::incompatible_msrv
 }
 
 # What failed stands at the end once more, for it happened long before.
@@ -327,7 +321,9 @@ step_python() {
   cargo clippy --locked --manifest-path python/Cargo.toml -- -D warnings
   folder=$(mktemp -d)
   python3 -m venv "$folder/venv"
-  "$folder/venv/bin/pip" install --quiet ./python ipykernel matplotlib mypy nbmake numpy pandas pandas-stubs pyarrow pyright pyserial pytest types-pyserial
+  # Built for tests, in a third of the time: the wheel that people get is the one of release/wheel.sh.
+  "$folder/venv/bin/pip" install --quiet --config-settings=build-args="--profile dev" ./python
+  "$folder/venv/bin/pip" install --quiet ipykernel matplotlib mypy nbmake numpy pandas pandas-stubs pyarrow pyright pyserial pytest types-pyserial
   build_all
   program=$(realpath "$(built)/dobot")
   tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
@@ -384,7 +380,7 @@ step_fuzz() {
 fuzz_target() {
   local status=0
   mkdir -p "corpus/$1" "artifacts/$1"
-  "$PROGRAMS/$1" "corpus/$1" "-artifact_prefix=artifacts/$1/" "-max_total_time=${FUZZ_SECONDS:-30}" -seed=1 -timeout=10 \
+  "$PROGRAMS/$1" "corpus/$1" "-artifact_prefix=artifacts/$1/" "-max_total_time=${FUZZ_SECONDS:-15}" -seed=1 -timeout=10 \
     -max_len=1000 -print_final_stats=1 >"artifacts/$1/log" 2>&1 || status=$?
   printf '%s\n%s\n' "== $1" "$(tail -n 12 "artifacts/$1/log")"
   return "$status"
