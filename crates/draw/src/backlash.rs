@@ -36,6 +36,12 @@ pub(crate) fn taken_up(passes: Vec<Pass>, paper: &Paper, arm: &Calibration) -> V
     passes.into_iter().map(pass).collect()
 }
 
+/// How far from where the tool is to be the arm may be told to go, in mm.
+pub(crate) fn most_mm(arm: &Calibration) -> f64 {
+    let slack_deg: f64 = arm.backlash_deg.iter().sum();
+    slack_deg.to_radians() * FARTHEST_MM
+}
+
 /// Goes along all strokes, and knows which way each joint turned last.
 struct Walk<'a> {
     paper: &'a Paper,
@@ -148,6 +154,8 @@ fn even(from: Point, to: Point, joints: impl Fn(Point) -> Option<Joints>) -> Vec
     ends.windows(2).map(|pair| (pair[0], pair[1])).collect()
 }
 
+/// No tool is farther from a joint, in mm.
+const FARTHEST_MM: f64 = 350.0;
 /// So often a place is looked for: each round leaves a hundredth.
 const ROUNDS: usize = 4;
 /// What turns less than this does not turn.

@@ -14,7 +14,7 @@ use self::read::read;
 pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
 use self::vectors::simplified;
-use crate::backlash::taken_up;
+use crate::backlash::{most_mm, taken_up};
 use crate::calibrated::{told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
 use crate::cutting::inner_first;
@@ -299,8 +299,9 @@ fn lines(layer: &mut Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareE
     Ok(lines)
 }
 
-/// What of the strokes the arm reaches, the tool on the paper and lifted, wherever vectors go within the tolerance: a
-/// line that follows the border of the reach has corners beyond it.
+/// What of the strokes the arm reaches, the tool on the paper and lifted, wherever it is sent for them: within the
+/// tolerance, as a line that follows the border of the reach has corners beyond it, where a laser runs up and begins its
+/// cuts, and where slack joints are taken up.
 fn within_reach<E>(
     strokes: &[Stroke],
     tool: DrawingTool,
@@ -312,7 +313,12 @@ fn within_reach<E>(
         let reaches = |z_mm| reachable(Position::new(p.x, p.y, z_mm)).is_ok();
         reaches(z_mm) && reaches(z_mm + tool.lift_mm())
     };
-    let margin_mm = settings.tolerance_mm;
+    let slack_mm = settings.calibration.as_ref().map(|it| most_mm(&it.arm()));
+    let cutting_mm = settings.cutting.lead_in_mm + 0.5 * settings.cutting.kerf_mm.abs();
+    let margin_mm = settings.tolerance_mm
+        + tool.run_mm(&settings.machine)
+        + cutting_mm
+        + slack_mm.unwrap_or_default();
     clip_to_reach(strokes, |p| around(p, margin_mm).into_iter().all(&reaches))
 }
 

@@ -72,10 +72,8 @@ impl LaserPath {
             .take_while(|it| it.distance(on) < LEAST_BURN_MM);
         let near = near.count().min(on_to.len().saturating_sub(1));
         on_to.drain(..near);
-        let packet_mm = speed_mm_s * machine.link.period_s * RUN_SPARE;
-        let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
-        let gain_mm = gain_mm.max(packet_mm);
-        let run_out = off + out * packet_mm.max(LEAST_RUN_OUT_MM);
+        let gain_mm = gain_mm(speed_mm_s, machine);
+        let run_out = off + out * packet_mm(speed_mm_s, machine).max(LEAST_RUN_OUT_MM);
         Self {
             run_up: first - into * gain_mm,
             off_to,
@@ -84,6 +82,24 @@ impl LaserPath {
             brake: run_out + out * gain_mm,
         }
     }
+}
+
+/// How far beyond the end of a stroke a laser goes at the most, in mm.
+pub(super) fn run_mm(laser: &Laser, machine: &Machine) -> f64 {
+    let speed_mm_s = laser.burn_speed_mm_s;
+    let run_out_mm = packet_mm(speed_mm_s, machine).max(LEAST_RUN_OUT_MM);
+    SwitchLead::at_speed(laser, machine).off_mm + run_out_mm + gain_mm(speed_mm_s, machine)
+}
+
+/// What it takes to get to a speed, and at least as much as the link needs for a packet.
+fn gain_mm(speed_mm_s: f64, machine: &Machine) -> f64 {
+    let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
+    gain_mm.max(packet_mm(speed_mm_s, machine))
+}
+
+/// How far it goes while the link brings a packet.
+fn packet_mm(speed_mm_s: f64, machine: &Machine) -> f64 {
+    speed_mm_s * machine.link.period_s * RUN_SPARE
 }
 
 /// The corners of a stroke as a laser can burn them: two or more, none nearer to the next than half of its

@@ -1,7 +1,8 @@
 //! What draws: a pen or a laser.
 
-use crate::PlanError;
 use crate::error::{not_negative, positive};
+use crate::laser_path::run_mm;
+use crate::{Machine, PlanError};
 
 /// What draws.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +59,16 @@ impl DrawingTool {
         match self {
             Self::Pen(pen) => pen.travel_speed_mm_s,
             Self::Laser(laser) => laser.travel_speed_mm_s,
+        }
+    }
+
+    /// How far beyond the ends of a stroke it goes at the most, in mm: a laser gets to its speed before a stroke and loses
+    /// it behind.
+    #[must_use]
+    pub fn run_mm(&self, machine: &Machine) -> f64 {
+        match self {
+            Self::Pen(_) => 0.0,
+            Self::Laser(laser) => run_mm(laser, machine),
         }
     }
 

@@ -1,8 +1,10 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 use super::*;
+use crate::cutting::Cutting;
 use crate::place::Size;
-use dobot_geometry::deviation;
+use dobot_api::{Backlash, CalibrationFile};
+use dobot_geometry::{Vec2, deviation};
 use dobot_plan::{Laser, MoveKind};
 
 const EXAMPLES: [&str; 3] = [
@@ -177,6 +179,73 @@ fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within()
             Ok(prepared) => assert!(!prepared.warnings.is_empty()),
             Err(error) => assert_eq!(error, PrepareError::Plan(PlanError::NoStrokes)),
         }
+    }
+}
+
+#[test]
+fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
+    let slack = CalibrationFile {
+        backlash: Backlash {
+            base: 0.2,
+            rear: 0.3,
+            fore: 0.3,
+        },
+        ..CalibrationFile::default()
+    };
+    let laser = DrawingTool::Laser(Laser {
+        burn_speed_mm_s: 40.0,
+        ..Laser::default()
+    });
+    let cutting = Cutting {
+        kerf_mm: 0.4,
+        lead_in_mm: 5.0,
+        ..Cutting::default()
+    };
+    let cases = [
+        Settings {
+            tool: laser,
+            ..Settings::default()
+        },
+        Settings {
+            tool: laser,
+            cutting,
+            ..Settings::default()
+        },
+        Settings {
+            calibration: Some(slack),
+            ..Settings::default()
+        },
+    ];
+    // Spokes across the outer border of the reach, in turns outwards and inwards, and rings beside them.
+    let spoke = |i: i32| {
+        let way = Vec2::from_angle(f64::from(i) / 20.0);
+        let ends = if i % 2 == 0 {
+            [200.0, 350.0]
+        } else {
+            [350.0, 200.0]
+        };
+        ends.map(|it| (way * it).to_point()).to_vec()
+    };
+    let ring = |i: i32| {
+        let middle = (Vec2::from_angle(f64::from(i) / 20.0) * 320.0).to_point();
+        let corner = |it: i32| middle + Vec2::from_angle(f64::from(it)) * 12.0;
+        let mut ring: Vec<Point> = (0..6).map(corner).collect();
+        ring.push(ring[0]);
+        ring
+    };
+    let lines: Vec<Vec<Point>> = (-15..=15).flat_map(|i| [spoke(i), ring(i)]).collect();
+    let center = dobot_geometry::bounds(lines.iter().flatten().copied()).center();
+    // On the page, x is to the right and y down: those are -Y and -X of the arm.
+    let on_page = |line: &Vec<Point>| line.iter().map(|p| Point::new(-p.y, -p.x)).collect();
+    let page: Vec<Vec<Point>> = lines.iter().map(on_page).collect();
+    for mut settings in cases {
+        settings.clips = true;
+        settings.placement.center = Some(center);
+        let prepared = prepare(&Source::Lines(page.clone()), &settings, in_reach)
+            .unwrap_or_else(|error| panic!("{error} with {settings:?}"));
+        // Not much more than that is left out.
+        let drawn_mm: f64 = prepared.wanted().iter().map(Stroke::length_mm).sum();
+        assert!(drawn_mm > 31.0 * 100.0, "{drawn_mm} mm");
     }
 }
 
