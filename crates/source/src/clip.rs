@@ -75,6 +75,8 @@ impl Region {
 #[derive(Debug)]
 pub(crate) struct ClipArea {
     rings: Vec<Vec<Point>>,
+    /// How many corners they have.
+    corners: usize,
     /// Its edges by place, once they are wanted; few are looked at one by one.
     edges: OnceCell<SegmentIndex>,
     rule: FillRule,
@@ -88,6 +90,7 @@ impl ClipArea {
     pub(crate) fn new(outlines: &[Stroke], rule: FillRule, within: Vec<Rc<Region>>) -> Self {
         Self {
             rings: outlines.iter().map(|it| it.points.clone()).collect(),
+            corners: outlines.iter().map(|it| it.points.len()).sum(),
             edges: OnceCell::new(),
             rule,
             within,
@@ -109,6 +112,8 @@ impl ClipArea {
         looks_left: &mut usize,
     ) -> Result<Option<Vec<Stroke>>, OverBudget> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
+        // Its points were looked at just now.
+        *looks_left = looks_left.saturating_sub(stroke.points.len());
         let mut is_cut = false;
         self.each(&mut |area| is_cut |= area.has_edge_in(bounds));
         if stroke.points.len() == 1 || !is_cut {
@@ -141,8 +146,8 @@ impl ClipArea {
     }
 
     /// How many corners its outlines have.
-    pub(crate) fn corners(&self) -> usize {
-        self.rings.iter().map(Vec::len).sum()
+    pub(crate) const fn corners(&self) -> usize {
+        self.corners
     }
 
     /// The corners of its outlines lie in this rectangle.
@@ -208,7 +213,7 @@ impl ClipArea {
     /// Calls `visit` for each edge whose box touches `around`.
     fn edges_touching(&self, around: Rect, visit: &mut impl FnMut((Point, Point))) {
         let mut looks = 0;
-        if self.corners() <= FEW_CORNERS {
+        if self.corners <= FEW_CORNERS {
             for (a, b) in self.edges() {
                 looks += 1;
                 if Rect::from_points(a, b).overlaps(around) {
