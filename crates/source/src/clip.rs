@@ -113,10 +113,8 @@ impl ClipArea {
     ) -> Result<Option<Vec<Stroke>>, OverBudget> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
         // Its points were looked at just now.
-        *looks_left = looks_left.saturating_sub(stroke.points.len());
-        let mut is_cut = false;
-        self.each(&mut |area| is_cut |= area.has_edge_in(bounds));
-        if stroke.points.len() == 1 || !is_cut {
+        self.looks.set(self.looks.get() + stroke.points.len());
+        if stroke.points.len() == 1 || !self.may_cut(bounds) {
             let covered = self.covers(stroke.points[0]);
             let seen = (!covered).then(|| stroke.clone());
             let is_known = self.charge(looks_left);
@@ -155,10 +153,16 @@ impl ClipArea {
         bounds(self.rings.iter().flatten().copied())
     }
 
-    /// Whether an edge lies in these bounds.
-    pub(crate) fn has_edge_in(&self, bounds: Rect) -> bool {
+    fn has_edge_in(&self, bounds: Rect) -> bool {
         let mut found = false;
         self.edges_touching(bounds, &mut |_| found = true);
+        found
+    }
+
+    /// Whether an edge of its own, or of an area in which it is clipped, lies in these bounds.
+    pub(crate) fn may_cut(&self, bounds: Rect) -> bool {
+        let mut found = false;
+        self.each(&mut |area| found |= area.has_edge_in(bounds));
         found
     }
 
@@ -168,7 +172,7 @@ impl ClipArea {
     }
 
     /// Itself, and all areas in which it is clipped.
-    pub(crate) fn each(&self, visit: &mut dyn FnMut(&Self)) {
+    fn each(&self, visit: &mut dyn FnMut(&Self)) {
         visit(self);
         for region in &self.within {
             region.each_area(visit);

@@ -135,6 +135,7 @@ impl Sight {
         let Some(over) = self.over(around, height) else {
             return Ok(vec![stroke]);
         };
+        // The stroke itself is kept for where the looks do not reach.
         let mut pieces = vec![stroke.clone()];
         for cover in over {
             let cover = &self.covers[cover as usize];
@@ -164,7 +165,7 @@ impl Sight {
         let mut cutting = Vec::new();
         for cover in over {
             let cover = &self.covers[cover as usize];
-            let has_edge = cover.has_edge_in(around);
+            let has_edge = cover.area.may_cut(around);
             let is_hidden = !has_edge && cover.area.covers(corner);
             let corners = if has_edge { cover.area.corners() } else { 0 };
             self.looks_left = self.looks_left.saturating_sub(LOOKS_FOR_CORNER * corners);
@@ -221,13 +222,6 @@ struct Cover {
 }
 
 impl Cover {
-    fn has_edge_in(&self, bounds: Rect) -> bool {
-        let mut found = false;
-        self.area
-            .each(&mut |area| found |= area.has_edge_in(bounds));
-        found
-    }
-
     fn polygons(&self) -> Option<&Polygons> {
         self.polygons.get_or_init(|| self.area.polygons()).as_ref()
     }
