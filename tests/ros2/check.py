@@ -286,9 +286,8 @@ def a_station_that_is_killed_is_told_and_found_again(robot, station, bridge):
 
 def what_is_under_way_holds_when_the_program_is_ended(robot, station, bridge):
     # On a busy machine the bridge was seen to have control here: it gives it back by itself.
-    for _ in range(5000):
-        if station.ask("GET", "/api/v1/state")["lease"] is None:
-            break
+    drop(robot.diagnostics)
+    robot.diagnosed("control", says="free")
     # A station that was killed does not know whether the arm stands where it says.
     lease = station.ask("POST", "/api/v1/lease", {})["token"]
     station.ask("POST", "/api/v1/pose/confirm", lease=lease)
