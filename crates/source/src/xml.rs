@@ -137,10 +137,9 @@ impl<'a> Measure<'a> {
             let expected = format!("at most {MOST_ATTRIBUTES}; leave out what draws nothing");
             return Err(SourceError::found(self.text, self.element, found, expected));
         }
-        let name = self.text[at.saturating_sub(LONGEST_NAME)..at].trim_ascii_end();
-        let start = name.windows(XMLNS.len()).rposition(|it| it == XMLNS);
-        if let Some(start) = start {
-            self.prefixes.insert(&name[start..]);
+        let name = name_before(self.text, at);
+        if name.starts_with(XMLNS) {
+            self.prefixes.insert(name);
             self.count(at, NAMESPACE_PARTS)?;
         }
         if self.prefixes.len() > MOST_PREFIXES {
@@ -174,6 +173,13 @@ impl<'a> Measure<'a> {
         );
         Err(SourceError::found(self.text, at, found, expected))
     }
+}
+
+/// The name of the attribute whose sign `=` stands at an offset.
+fn name_before(text: &[u8], at: usize) -> &[u8] {
+    let name = text[at.saturating_sub(LONGEST_NAME)..at].trim_ascii_end();
+    let before = name.iter().rposition(|it| b" \n\t\r\"'".contains(it));
+    &name[before.map_or(0, |it| it + 1)..]
 }
 
 const XMLNS: &[u8] = b"xmlns:";
@@ -229,6 +235,19 @@ mod tests {
             ];
             refused(&text, &told);
         }
+    }
+
+    #[test]
+    fn the_name_of_an_attribute_stands_before_its_sign_whatever_stands_before_that() {
+        let name = |text: &str| {
+            let at = text.rfind('=').expect("a sign");
+            let name = name_before(text.as_bytes(), at);
+            String::from_utf8_lossy(name).into_owned()
+        };
+        for text in ["<a xmlns:b =", "<a c='d'xmlns:b=", "<a c=\"d\"\n\txmlns:b="] {
+            assert_eq!(name(text), "xmlns:b");
+        }
+        assert_eq!(name("="), "");
     }
 
     #[test]

@@ -140,13 +140,26 @@ fn is_sane(t: Transform) -> bool {
 }
 
 fn is_length(element: &str, name: &str) -> bool {
-    let shapes = [
-        "rect", "circle", "ellipse", "line", "svg", "use", "symbol", "image",
-    ];
-    let lengths = [
-        "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "x1", "y1", "x2", "y2",
-    ];
-    shapes.contains(&element) && lengths.contains(&name)
+    let has_lengths = matches!(
+        element,
+        "rect" | "circle" | "ellipse" | "line" | "svg" | "use" | "symbol" | "image"
+    );
+    let is_one = matches!(
+        name,
+        "x" | "y"
+            | "width"
+            | "height"
+            | "cx"
+            | "cy"
+            | "r"
+            | "rx"
+            | "ry"
+            | "x1"
+            | "y1"
+            | "x2"
+            | "y2"
+    );
+    has_lengths && is_one
 }
 
 /// Where the parser stopped, in bytes of the value. The parser counts characters from 1.
