@@ -63,6 +63,8 @@ fn draw(
     let (tree, groups) = parse(text, options, &tree_warnings)?;
     let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
+    // It takes as much memory as the page, which may need more of it now.
+    drop(tree);
     let cut = page.cut();
     let (artwork, mut warnings) = page.finish()?;
     tree_warnings.warn(&mut warnings);
@@ -177,7 +179,11 @@ fn parse(
     let Groups { names, text } = Groups::new(&doc, text);
     let tree = match text {
         Cow::Borrowed(_) => Tree::from_xmltree(&doc, &usvg_options),
-        Cow::Owned(text) => Tree::from_str(&text, &usvg_options),
+        Cow::Owned(text) => {
+            // It is read anew, and there is no room for two.
+            drop(doc);
+            Tree::from_str(&text, &usvg_options)
+        }
     };
     Ok((tree.map_err(|error| unreadable(&error))?, names))
 }
