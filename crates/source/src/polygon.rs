@@ -54,11 +54,17 @@ impl Polygons {
     }
 
     fn joined(self, other: &Self, how: OverlayRule) -> Option<Self> {
-        let both: Vec<Vec<Point>> = [&self, other].into_iter().flat_map(Self::rings).collect();
-        if is_entangled(&both) {
-            return None;
+        if self.corners() + other.corners() > FEW_CORNERS {
+            let both: Vec<Vec<Point>> = [&self, other].into_iter().flat_map(Self::rings).collect();
+            if is_entangled(&both) {
+                return None;
+            }
         }
         Some(Self(self.0.overlay_as::<i64>(&other.0, how, Rule::NonZero)))
+    }
+
+    fn corners(&self) -> usize {
+        self.0.iter().flatten().map(Vec::len).sum()
     }
 
     fn rings(&self) -> impl Iterator<Item = Vec<Point>> {
@@ -70,6 +76,9 @@ impl Polygons {
 
 /// Whether too many edges lie over each other: cutting would take too much time and memory.
 fn is_entangled(rings: &[Vec<Point>]) -> bool {
+    if rings.iter().map(Vec::len).sum::<usize>() <= FEW_CORNERS {
+        return false;
+    }
     let edges: Vec<(Point, Point)> = rings.iter().flat_map(|ring| edges(ring)).collect();
     let index = SegmentIndex::new(edges);
     let mut pairs = 0_usize;
@@ -90,6 +99,8 @@ pub(crate) fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
 
 /// Pairs of edges whose boxes touch: a tenth of a second.
 const MAX_PAIRS: usize = 10_000_000;
+/// The edges between so few corners are no more pairs than that, even if each touches all.
+const FEW_CORNERS: usize = 3_000;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -126,6 +137,11 @@ mod tests {
         let to_edge = |(a, b)| Line::new(a, b).nearest(p, 0.0).distance_sq.sqrt();
         let edges = area.rings.iter().flat_map(|ring| edges(ring));
         edges.map(to_edge).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn so_few_corners_cannot_be_entangled() {
+        const { assert!(FEW_CORNERS * FEW_CORNERS <= MAX_PAIRS) };
     }
 
     #[test]
