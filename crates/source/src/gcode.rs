@@ -51,7 +51,7 @@ fn run<'a>(
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
 ) -> Result<(), SourceError> {
     let mut machine = Machine::new(text, warnings);
-    block::blocks(text).try_for_each(|block| match machine.handle(&block?)? {
+    block::each(text, |block| match machine.handle(block)? {
         Some(it) => hand_on(&it),
         None => Ok(()),
     })

@@ -16,6 +16,7 @@ pub(super) struct Block {
     pub(super) is_setting: bool,
     /// It begins with `/`.
     pub(super) is_optional: bool,
+    /// What stands here counts where the letter has a value.
     values: [f64; 26],
     places: [u32; 26],
     /// The letters with a value, a bit for each.
@@ -23,6 +24,15 @@ pub(super) struct Block {
 }
 
 impl Block {
+    /// Becomes an empty line that begins there.
+    fn begin(&mut self, at: usize) {
+        self.at = at;
+        self.g.0.clear();
+        self.m.0.clear();
+        (self.is_setting, self.is_optional) = (false, false);
+        self.letters = 0;
+    }
+
     /// The value of a letter.
     pub(super) fn value(&self, letter: u8) -> Option<f64> {
         let i = usize::from(letter - b'A');
@@ -38,7 +48,8 @@ impl Block {
     }
 
     pub(super) fn has_any(&self, letters: &[u8]) -> bool {
-        letters.iter().any(|&it| self.value(it).is_some())
+        let bits = letters.iter().fold(0, |bits, it| bits | 1 << (it - b'A'));
+        self.letters & bits != 0
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -102,11 +113,21 @@ impl Codes {
     }
 }
 
-/// The lines that hold words.
-pub(super) fn blocks(text: &[u8]) -> impl Iterator<Item = Result<Block, SourceError>> {
+/// Hands on the lines that hold words, one by one: a file has millions of them, so that they share their place.
+pub(super) fn each(
+    text: &[u8],
+    mut hand_on: impl FnMut(&Block) -> Result<(), SourceError>,
+) -> Result<(), SourceError> {
     let at = beginning(text);
     let mut lines = BlockLexer { text, at };
-    std::iter::from_fn(move || lines.next_block())
+    let mut block = Block::default();
+    while lines.at < text.len() {
+        lines.line(&mut block)?;
+        if !block.is_empty() || block.is_setting {
+            hand_on(&block)?;
+        }
+    }
+    Ok(())
 }
 
 struct BlockLexer<'a> {
@@ -115,26 +136,9 @@ struct BlockLexer<'a> {
 }
 
 impl BlockLexer<'_> {
-    fn next_block(&mut self) -> Option<Result<Block, SourceError>> {
-        while self.at < self.text.len() {
-            match self.line() {
-                Ok(block) if block.is_empty() && !block.is_setting => {}
-                Ok(block) => return Some(Ok(block)),
-                Err(error) => {
-                    self.at = self.text.len();
-                    return Some(Err(error));
-                }
-            }
-        }
-        None
-    }
-
-    fn line(&mut self) -> Result<Block, SourceError> {
+    fn line(&mut self, block: &mut Block) -> Result<(), SourceError> {
         let begin = self.at;
-        let mut block = Block {
-            at: begin,
-            ..Block::default()
-        };
+        block.begin(begin);
         while let Some(byte) = self.peek() {
             match byte {
                 b'\n' | b'\r' => {
@@ -154,10 +158,10 @@ impl BlockLexer<'_> {
                     self.at += 1;
                 }
                 b'*' => self.checksum(begin)?,
-                _ => self.word(&mut block)?,
+                _ => self.word(block)?,
             }
         }
-        Ok(block)
+        Ok(())
     }
 
     fn peek(&self) -> Option<u8> {

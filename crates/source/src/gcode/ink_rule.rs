@@ -178,6 +178,10 @@ fn scale(most: f64) -> f64 {
 pub(super) fn told_full(text: &[u8]) -> Option<f64> {
     let mut percent = None;
     for line in text.split(|&byte| byte == b'\n') {
+        // A power tells something behind a comment only.
+        if percent.is_none() && !line.starts_with(b";") {
+            continue;
+        }
         let line = String::from_utf8_lossy(line);
         if line.starts_with(';') {
             let before = line

@@ -138,6 +138,13 @@ impl<'a, 'w> Machine<'a, 'w> {
         for &(at, code) in &block.m.0 {
             self.check_code(at, 'M', code, codes::m(code))?;
         }
+        if block.has_any(OTHER_AXES) {
+            self.warn_of_axes(block);
+        }
+        Ok(())
+    }
+
+    fn warn_of_axes(&mut self, block: &Block) {
         for &letter in OTHER_AXES {
             if block.value(letter).is_some() {
                 let what = format!("{} word", char::from(letter));
@@ -145,7 +152,6 @@ impl<'a, 'w> Machine<'a, 'w> {
                 self.warn(block.place(letter), &what, instead);
             }
         }
-        Ok(())
     }
 
     fn check_code(
