@@ -29,8 +29,8 @@ impl Region {
     /// The visible part as polygons; `None` where they are too entangled.
     pub(crate) fn polygons(&self) -> Option<&Polygons> {
         let all = || {
-            let mut areas = self.areas.iter().map(ClipArea::polygons);
-            areas.try_fold(Polygons::default(), |all, area| all.or(&area?))
+            let areas = self.areas.iter().map(ClipArea::polygons);
+            Polygons::union(areas.collect::<Option<Vec<_>>>()?)
         };
         self.polygons.get_or_init(all).as_ref()
     }
@@ -45,12 +45,24 @@ impl Region {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
         if stroke.points.len() == 1 || !self.has_edge_in(bounds) {
             let shows = self.shows(stroke.points[0]);
+            self.charge(budget)?;
             return Ok(if shows { vec![stroke] } else { Vec::new() });
         }
         let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
             self.each_area(&mut |area| area.cuts(a, b, cuts));
         };
-        parts(&stroke, cuts, |p| self.shows(p), |cuts| budget.spend(cuts))
+        let spend = |cuts| {
+            budget.spend(cuts)?;
+            self.charge(budget)
+        };
+        parts(&stroke, cuts, |p| self.shows(p), spend)
+    }
+
+    /// Takes what was looked at since the last time from the looks that are left.
+    pub(crate) fn charge(&self, budget: &mut Budget) -> Result<(), OverBudget> {
+        let mut looks = 0;
+        self.each_area(&mut |area| looks += LOOKS_FOR_ANY + area.looks.take());
+        budget.look(looks)
     }
 
     pub(crate) fn shows(&self, p: Point) -> bool {
@@ -109,7 +121,6 @@ impl ClipArea {
         &self,
         stroke: &Stroke,
         budget: &mut Budget,
-        looks_left: &mut usize,
     ) -> Result<Option<Vec<Stroke>>, OverBudget> {
         let bounds = bounds(stroke.points.iter().copied()).inflate(ON_EDGE_MM, ON_EDGE_MM);
         // Its points were looked at just now.
@@ -117,7 +128,7 @@ impl ClipArea {
         if stroke.points.len() == 1 || !self.may_cut(bounds) {
             let covered = self.covers(stroke.points[0]);
             let seen = (!covered).then(|| stroke.clone());
-            let is_known = self.charge(looks_left);
+            let is_known = self.charge(budget);
             return Ok(is_known.then(|| seen.into_iter().collect()));
         }
         let cuts = |a: Point, b: Point, cuts: &mut Vec<f64>| {
@@ -125,7 +136,7 @@ impl ClipArea {
         };
         let spend = |cuts| {
             budget.spend(cuts).map_err(Some)?;
-            self.charge(looks_left).then_some(()).ok_or(None)
+            self.charge(budget).then_some(()).ok_or(None)
         };
         match parts(stroke, cuts, |p| !self.covers(p), spend) {
             Ok(seen) => Ok(Some(seen)),
@@ -135,12 +146,10 @@ impl ClipArea {
     }
 
     /// Takes what was looked at since the last time from the looks that are left; `false` where they do not reach.
-    pub(crate) fn charge(&self, looks_left: &mut usize) -> bool {
+    pub(crate) fn charge(&self, budget: &mut Budget) -> bool {
         let mut looks = LOOKS_FOR_ANY;
         self.each(&mut |area| looks += area.looks.take());
-        let is_enough = looks <= *looks_left;
-        *looks_left = looks_left.saturating_sub(looks);
-        is_enough
+        budget.take_looks(looks)
     }
 
     /// How many corners its outlines have.

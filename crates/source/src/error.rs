@@ -92,6 +92,11 @@ pub enum SourceError {
         /// How many are allowed.
         limit: usize,
     },
+    /// Outlines that cut so often that it takes for ever.
+    #[error(
+        "cutting lines and areas at the outlines in which they show takes for ever; simplify clip paths and hatched areas, or draw it in parts"
+    )]
+    TooManyCuts,
     /// A point beyond any table.
     #[error(
         "{place}: leads to ({x_mm:.0}, {y_mm:.0}) mm; at most {limit_mm:.0} mm from the origin are allowed"

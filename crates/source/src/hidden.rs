@@ -68,7 +68,6 @@ impl Covers {
         Sight {
             boxes: SegmentIndex::new(self.0.iter().map(corners).collect()),
             covers: self.0,
-            looks_left: MAX_LOOKS,
             unknown: 0,
         }
     }
@@ -93,8 +92,6 @@ struct Sight {
     covers: Vec<Cover>,
     /// The covers by place: the lower left and the upper right corner of each.
     boxes: SegmentIndex,
-    /// So many edges and covers may still be looked at.
-    looks_left: usize,
     /// Of how many lines and areas it was not found out what shows; they are whole.
     unknown: usize,
 }
@@ -113,7 +110,7 @@ impl Sight {
         }
         let mut areas = Vec::with_capacity(layer.areas.len());
         for (area, &height) in layer.areas.into_iter().zip(&heights.areas) {
-            let area = self.area(area, height);
+            let area = self.area(area, height, budget);
             if !area.rings.is_empty() {
                 areas.push(area);
             }
@@ -132,7 +129,7 @@ impl Sight {
         budget: &mut Budget,
     ) -> Result<Vec<Stroke>, OverBudget> {
         let around = bounds(stroke.points.iter().copied());
-        let Some(over) = self.over(around, height) else {
+        let Some(over) = self.over(around, height, budget) else {
             return Ok(vec![stroke]);
         };
         // The stroke itself is kept for where the looks do not reach.
@@ -141,8 +138,7 @@ impl Sight {
             let cover = &self.covers[cover as usize];
             let mut seen = Vec::with_capacity(pieces.len());
             for piece in pieces {
-                let Some(mut parts) = cover.area.uncovered(&piece, budget, &mut self.looks_left)?
-                else {
+                let Some(mut parts) = cover.area.uncovered(&piece, budget)? else {
                     self.unknown += 1;
                     return Ok(vec![stroke]);
                 };
@@ -156,9 +152,9 @@ impl Sight {
         Ok(pieces)
     }
 
-    fn area(&mut self, area: Area, height: u32) -> Area {
+    fn area(&mut self, area: Area, height: u32, budget: &mut Budget) -> Area {
         let around = bounds(area.rings.iter().flatten().copied());
-        let Some(over) = self.over(around, height) else {
+        let Some(over) = self.over(around, height, budget) else {
             return area;
         };
         let corner = area.rings[0][0];
@@ -168,8 +164,8 @@ impl Sight {
             let has_edge = cover.area.may_cut(around);
             let is_hidden = !has_edge && cover.area.covers(corner);
             let corners = if has_edge { cover.area.corners() } else { 0 };
-            self.looks_left = self.looks_left.saturating_sub(LOOKS_FOR_CORNER * corners);
-            if !cover.area.charge(&mut self.looks_left) {
+            let is_known = budget.take_looks(LOOKS_FOR_CORNER * corners);
+            if !cover.area.charge(budget) || !is_known {
                 self.unknown += 1;
                 return area;
             }
@@ -192,8 +188,8 @@ impl Sight {
 
     /// The covers that may hide something of what lies there above so many, the largest first, which
     /// hide the most; none where there are too many.
-    fn over(&mut self, around: Rect, height: u32) -> Option<Vec<u32>> {
-        if self.looks_left == 0 {
+    fn over(&mut self, around: Rect, height: u32, budget: &mut Budget) -> Option<Vec<u32>> {
+        if !budget.has_looks() {
             self.unknown += 1;
             return None;
         }
@@ -205,7 +201,7 @@ impl Sight {
                 over.push(cover);
             }
         });
-        self.looks_left = self.looks_left.saturating_sub(LOOKS_FOR_COVER * looks);
+        budget.take_looks(LOOKS_FOR_COVER * looks);
         let size = |&cover: &u32| self.covers[cover as usize].bounds.area();
         over.sort_unstable_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
         Some(over)
@@ -241,8 +237,6 @@ fn seen(area: &Area, covers: &[&Cover]) -> Option<Area> {
     Some(seen.into_area())
 }
 
-/// How many edges may be looked at: a second or two.
-const MAX_LOOKS: usize = 75_000_000;
 /// What it costs to find a cover and to put it in its place, in looks at an edge.
 const LOOKS_FOR_COVER: usize = 10;
 /// What it costs to take a corner of a cover away from an area, in looks at an edge.

@@ -2,23 +2,48 @@
 
 use crate::error::{SourceError, SvgError};
 
-/// How many segments may still come: the guard against drawings that would fill the memory.
+/// How many segments may still come, and how often an edge may be looked at: the guard against drawings that would fill
+/// the memory or take for ever.
 #[derive(Debug)]
 pub(crate) struct Budget {
     limit: usize,
     left: usize,
+    looks_left: usize,
 }
 
 impl Budget {
     pub(crate) const fn new(limit: usize) -> Self {
-        Self { limit, left: limit }
+        Self {
+            limit,
+            left: limit,
+            looks_left: MAX_LOOKS,
+        }
     }
 
     pub(crate) fn spend(&mut self, segments: usize) -> Result<(), OverBudget> {
         let limit = self.limit;
         let left = self.left.checked_sub(segments);
-        self.left = left.ok_or(OverBudget { limit })?;
+        self.left = left.ok_or(OverBudget::Segments { limit })?;
         Ok(())
+    }
+
+    /// Takes looks at edges from those that are left; `false` where they do not reach, and none is left then.
+    pub(crate) fn take_looks(&mut self, looks: usize) -> bool {
+        let is_enough = looks <= self.looks_left;
+        self.looks_left = self.looks_left.saturating_sub(looks);
+        is_enough
+    }
+
+    /// The same, where what takes more is refused.
+    pub(crate) fn look(&mut self, looks: usize) -> Result<(), OverBudget> {
+        self.take_looks(looks)
+            .then_some(())
+            .ok_or(OverBudget::Looks)
+    }
+
+    /// Whether edges may still be looked at.
+    pub(crate) const fn has_looks(&self) -> bool {
+        self.looks_left > 0
     }
 
     /// How many segments may still come.
@@ -27,22 +52,33 @@ impl Budget {
     }
 }
 
-/// A drawing has more segments than its budget.
+/// What a drawing has more of than its budget.
 #[derive(Debug)]
-pub(crate) struct OverBudget {
-    limit: usize,
+pub(crate) enum OverBudget {
+    Segments {
+        limit: usize,
+    },
+    /// Looks at edges.
+    Looks,
 }
 
 impl From<OverBudget> for SvgError {
-    fn from(OverBudget { limit }: OverBudget) -> Self {
-        let limit = limit as u64;
-        Self::TooManySegments { limit }
+    fn from(over: OverBudget) -> Self {
+        match over {
+            OverBudget::Segments { limit } => Self::TooManySegments {
+                limit: limit as u64,
+            },
+            OverBudget::Looks => Self::TooManyCuts,
+        }
     }
 }
 
 impl From<OverBudget> for SourceError {
-    fn from(OverBudget { limit }: OverBudget) -> Self {
-        Self::TooManySegments { limit }
+    fn from(over: OverBudget) -> Self {
+        match over {
+            OverBudget::Segments { limit } => Self::TooManySegments { limit },
+            OverBudget::Looks => Self::TooManyCuts,
+        }
     }
 }
 
@@ -56,6 +92,8 @@ pub(crate) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
 
 /// No drawing has more line segments: the arm takes two days for it.
 pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
+/// How many edges may be looked at where lines and areas are cut: a second or two.
+const MAX_LOOKS: usize = 75_000_000;
 /// No drawing leads farther than that, in mm.
 pub(crate) const LIMIT_MM: f64 = 1_000_000.0;
 /// Larger numbers are a mistake, and would overflow further on.

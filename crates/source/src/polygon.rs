@@ -1,6 +1,6 @@
 //! Filled areas cut at the edges of what shows.
 
-use dobot_geometry::{Area, FillRule, Point, Rect, SegmentIndex};
+use dobot_geometry::{Area, FillRule, Point, Rect, SegmentIndex, bounds};
 use i_overlay::core::fill_rule::FillRule as Rule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::simplify::SimplifyShape;
@@ -29,8 +29,11 @@ impl Polygons {
         self.joined(other, OverlayRule::Intersect)
     }
 
-    pub(crate) fn or(self, other: &Self) -> Option<Self> {
-        self.joined(other, OverlayRule::Union)
+    /// What lies in any of them.
+    pub(crate) fn union(all: Vec<Self>) -> Option<Self> {
+        // The rings of each go around what they hold once, so that together they hold all of it.
+        let all = Self(all.into_iter().flat_map(|it| it.0).collect());
+        all.joined(&Self::default(), OverlayRule::Union)
     }
 
     /// What of it lies outside of all others.
@@ -63,7 +66,8 @@ impl Polygons {
         Some(Self(self.0.overlay_as::<i64>(&other.0, how, Rule::NonZero)))
     }
 
-    fn corners(&self) -> usize {
+    /// How many corners they have.
+    pub(crate) fn corners(&self) -> usize {
         self.0.iter().flatten().map(Vec::len).sum()
     }
 
@@ -80,15 +84,40 @@ fn is_entangled(rings: &[Vec<Point>]) -> bool {
         return false;
     }
     let edges: Vec<(Point, Point)> = rings.iter().flat_map(|ring| edges(ring)).collect();
+    if fragments(&edges) > MAX_FRAGMENTS {
+        return true;
+    }
     let index = SegmentIndex::new(edges);
-    let mut pairs = 0_usize;
-    for &(a, b) in index.segments() {
-        index.touching(Rect::from_points(a, b), &mut |_| pairs += 1);
-        if pairs > MAX_PAIRS {
+    let (mut pairs, mut crossings) = (0_usize, 0_usize);
+    for &edge in index.segments() {
+        index.touching(Rect::from_points(edge.0, edge.1), &mut |other| {
+            pairs += 1;
+            crossings += usize::from(is_crossed(edge, index.segment(other)));
+        });
+        if pairs > MAX_PAIRS || crossings > MAX_CROSSINGS {
             return true;
         }
     }
     false
+}
+
+/// Whether each edge has its ends on both sides of the other.
+fn is_crossed(one: (Point, Point), other: (Point, Point)) -> bool {
+    let parts = |(a, b): (Point, Point), (p, q): (Point, Point)| {
+        let way = b - a;
+        way.cross(p - a) * way.cross(q - a) < 0.0
+    };
+    parts(one, other) && parts(other, one)
+}
+
+/// Into how many pieces the library cuts the edges, about: at columns of equal width, of which there are up to twice as
+/// many as the root of their count.
+fn fragments(edges: &[(Point, Point)]) -> f64 {
+    let around = bounds(edges.iter().flat_map(|&(a, b)| [a, b]));
+    let across: f64 = edges.iter().map(|(a, b)| (b.x - a.x).abs()).sum();
+    #[expect(clippy::cast_precision_loss, reason = "a few millions")]
+    let columns = 2.0 * (edges.len() as f64).sqrt();
+    across / around.width() * columns
 }
 
 /// The edges of a closed ring.
@@ -99,8 +128,12 @@ pub(crate) fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
 
 /// Pairs of edges whose boxes touch: a tenth of a second.
 const MAX_PAIRS: usize = 10_000_000;
-/// The edges between so few corners are no more pairs than that, even if each touches all.
-const FEW_CORNERS: usize = 3_000;
+/// Edges that cross others, counted with each: twice as many as there are crossings, of which each takes 350 bytes.
+const MAX_CROSSINGS: usize = 600_000;
+/// Pieces of edges, of which each takes 72 bytes.
+const MAX_FRAGMENTS: f64 = 1_000_000.0;
+/// The edges between so few corners cross no more often, even if each crosses all.
+const FEW_CORNERS: usize = 750;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -141,7 +174,7 @@ mod tests {
 
     #[test]
     fn so_few_corners_cannot_be_entangled() {
-        const { assert!(FEW_CORNERS * FEW_CORNERS <= MAX_PAIRS) };
+        const { assert!(FEW_CORNERS * FEW_CORNERS <= MAX_CROSSINGS) };
     }
 
     #[test]
@@ -151,6 +184,37 @@ mod tests {
             (_, y) => Point::new(90.0, 80.0 - y),
         };
         assert!(Polygons::new(&[(0..8000).map(across).collect()], FillRule::NonZero).is_none());
+    }
+
+    /// Teeth beside each other, `turned` below each other.
+    fn comb(teeth: i32, turned: bool) -> Vec<Point> {
+        let corner = |i: i32| {
+            let (along, up) = (f64::from(i) * 100.0 / f64::from(2 * teeth), i % 2 == 1);
+            let across = if up { 100.0 } else { 0.0 };
+            if turned {
+                Point::new(across, along)
+            } else {
+                Point::new(along, across)
+            }
+        };
+        (0..2 * teeth).map(corner).collect()
+    }
+
+    #[test]
+    fn combs_that_cross_too_often_are_left_alone_and_smaller_ones_are_cut() {
+        let cut = |teeth| {
+            let [one, other] = [false, true]
+                .map(|turned| Polygons::new(&[comb(teeth, turned)], FillRule::NonZero).unwrap());
+            one.and(&other)
+        };
+        assert!(cut(30).is_some_and(|it| it.corners() > 3000));
+        assert!(cut(300).is_none());
+    }
+
+    #[test]
+    fn edges_that_would_be_cut_into_too_many_pieces_are_left_alone() {
+        assert!(Polygons::new(&[comb(20_000, true)], FillRule::NonZero).is_none());
+        assert!(Polygons::new(&[comb(20_000, false)], FillRule::NonZero).is_some());
     }
 
     proptest! {
@@ -165,7 +229,7 @@ mod tests {
             let areas = [one, other].map(|it| Area { rings: vec![ring(&it)], rule });
             let [a, b] = [&areas[0], &areas[1]].map(|it| Polygons::new(&it.rings, rule).unwrap());
             let both = a.clone().and(&b).unwrap().into_area();
-            let any = a.or(&b).unwrap().into_area();
+            let any = Polygons::union(vec![a, b]).unwrap().into_area();
             for p in ring(&points) {
                 if areas.iter().any(|it| distance(it, p) < 1e-4) {
                     continue;

@@ -88,6 +88,11 @@ pub enum SvgError {
         /// How many are allowed.
         limit: u64,
     },
+    /// Clip paths that cut so often that it takes for ever.
+    #[error(
+        "cutting lines and areas at the clip paths takes for ever; simplify the clip paths, or draw it in parts"
+    )]
+    TooManyCuts,
     /// The page has no area, or no size at all.
     #[error("width, height or viewBox of <svg> leave the page without an area")]
     NoPage,

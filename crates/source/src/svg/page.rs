@@ -13,7 +13,7 @@ use crate::artwork::Artwork;
 use crate::clip::{ClipArea, Region};
 use crate::error::SvgError;
 use crate::limits::LIMIT_MM;
-use crate::limits::{Budget, MAX_SEGMENTS};
+use crate::limits::{Budget, MAX_SEGMENTS, OverBudget};
 use crate::options::ReadOptions;
 use crate::polygon::Polygons;
 use crate::warning::Warning;
@@ -28,6 +28,8 @@ pub(crate) struct SvgPage {
     cut_lines: usize,
     /// How many segments may still come.
     pub(crate) budget: Budget,
+    /// How many corners of filled shapes and clip paths may still be taken into account, each time that one cuts the other.
+    corners_left: usize,
     pub(crate) layers: Layers,
     /// Filled shapes hide what lies under them.
     pub(crate) hides: bool,
@@ -44,6 +46,7 @@ impl SvgPage {
             cut_mm: 0.0,
             cut_lines: 0,
             budget: Budget::new(MAX_SEGMENTS),
+            corners_left: MAX_CLIPPED_CORNERS,
             layers: Layers::new(by),
             hides: options.hides,
             fills: options.fills,
@@ -213,12 +216,24 @@ impl SvgPage {
             rings,
             rule: fill.rule,
         };
-        let shown = shown(&whole, around, clips.iter().map(Rc::as_ref));
+        let shown = shown(
+            &whole,
+            around,
+            clips.iter().map(Rc::as_ref),
+            &mut self.budget,
+            &mut self.corners_left,
+        )?;
         let edge = self.edge.as_ref().filter(|it| !it.holds(around));
         let area = match (&shown, edge) {
             (_, None) | (None, _) => shown.clone(),
             (Some(it), Some(_)) if it.rings.is_empty() => shown.clone(),
-            (Some(whole), Some(edge)) => self::shown(whole, around, [&edge.region]),
+            (Some(whole), Some(edge)) => self::shown(
+                whole,
+                around,
+                [&edge.region],
+                &mut self.budget,
+                &mut self.corners_left,
+            )?,
         };
         match area {
             Some(area) if !area.rings.is_empty() => self.layers.area(area, fill.color),
@@ -254,22 +269,36 @@ impl PageEdge {
     }
 }
 
-/// The part of an area that shows; `None` where it is too entangled to tell.
+/// The part of an area that shows; `None` where it is too entangled, or where too few corners are left, to tell.
 fn shown<'r>(
     area: &Area,
     bounds: Rect,
     regions: impl IntoIterator<Item = &'r Region>,
-) -> Option<Area> {
-    let mut edges = regions
-        .into_iter()
-        .filter(|region| region.has_edge_in(bounds) || !region.shows(area.rings[0][0]))
-        .peekable();
-    if edges.peek().is_none() {
-        return Some(area.clone());
+    budget: &mut Budget,
+    corners_left: &mut usize,
+) -> Result<Option<Area>, OverBudget> {
+    let mut shown = None;
+    for region in regions {
+        let cuts = region.has_edge_in(bounds) || !region.shows(area.rings[0][0]);
+        region.charge(budget)?;
+        if cuts {
+            let before = shown.take();
+            let before = before.or_else(|| Polygons::new(&area.rings, area.rule));
+            let (Some(before), Some(region)) = (before, region.polygons()) else {
+                return Ok(None);
+            };
+            let left = corners_left.checked_sub(before.corners() + region.corners());
+            let after = left.and_then(|_| before.and(region));
+            let (Some(left), Some(after)) = (left, after) else {
+                return Ok(None);
+            };
+            *corners_left = left.saturating_sub(COST_OF_CORNER * after.corners());
+            shown = Some(after);
+        }
     }
-    let whole = Polygons::new(&area.rings, area.rule);
-    let shown = edges.try_fold(whole?, |shown, region| shown.and(region.polygons()?));
-    Some(shown?.into_area())
+    Ok(Some(
+        shown.map_or_else(|| area.clone(), Polygons::into_area),
+    ))
 }
 
 /// The edges of an area, each closed.
@@ -315,5 +344,43 @@ pub(crate) fn place(points: &mut [Point], transform: Affine) -> Result<Rect, Svg
     Ok(around)
 }
 
+/// It takes a second or two.
+const MAX_CLIPPED_CORNERS: usize = 1_200_000;
+/// As how many corners each counts that shows: most of them are where edges cross.
+const COST_OF_CORNER: usize = 4;
 /// How much beyond its edge a page goes, as a share of its smaller side.
 const PAGE_SLACK: f64 = 0.005;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fill_is_clipped_as_long_as_corners_are_left_for_it_and_what_shows_costs_more() {
+        let square = |at: f64| {
+            let corners = [
+                (at, at),
+                (at + 9.0, at),
+                (at + 9.0, at + 9.0),
+                (at, at + 9.0),
+            ];
+            corners.map(|(x, y)| Point::new(x, y)).to_vec()
+        };
+        let outline = Stroke::open(square(5.0));
+        let clip = ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
+        let region = Region::new(vec![clip]);
+        let area = Area {
+            rings: vec![square(0.0)],
+            rule: FillRule::NonZero,
+        };
+        let around = bounds(area.rings[0].iter().copied());
+        let cut = |left: &mut usize| {
+            let mut budget = Budget::new(100);
+            shown(&area, around, [&region], &mut budget, left).expect("looks are left")
+        };
+        let mut left = 8;
+        assert_eq!(cut(&mut left).expect("few corners").rings[0].len(), 4);
+        assert_eq!(left, 0);
+        assert_eq!(cut(&mut 7), None);
+    }
+}

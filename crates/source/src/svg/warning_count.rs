@@ -34,7 +34,7 @@ pub(crate) enum WarningKind {
     Pattern,
     /// A shape filled with white and without a line.
     Paper,
-    /// A fill that crosses itself too often to be clipped.
+    /// A fill that crosses itself too often, or has too many corners with its clip path, to be clipped.
     Entangled,
     /// What lies under so many shapes that it is not worked out what of it shows.
     Stacked,
@@ -59,7 +59,7 @@ impl WarningKind {
             Self::Paper => ("white shape", "left out, white is the paper"),
             Self::Entangled => (
                 "filled shape",
-                "not hatched, it crosses itself too often to be clipped",
+                "not hatched, it crosses itself too often to be clipped, or too many corners lie in clip paths",
             ),
             Self::Stacked => UNKNOWN,
             Self::FlowedText => (

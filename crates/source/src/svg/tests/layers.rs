@@ -323,7 +323,27 @@ fn a_clipped_fill_that_crosses_itself_without_end_is_drawn_but_not_hatched() {
     assert!(!layers[0].strokes.is_empty());
     assert_eq!(
         warnings[0].to_string(),
-        "1 filled shape: not hatched, it crosses itself too often to be clipped"
+        "1 filled shape: not hatched, it crosses itself too often to be clipped, or too many corners lie in clip paths"
+    );
+}
+
+#[test]
+fn a_clip_path_that_cuts_without_end_is_refused() {
+    let comb = |point: fn(i32) -> [i32; 2]| {
+        let points = (0..2000).map(point).map(|[x, y]| format!("{x} {y}"));
+        points.collect::<Vec<_>>().join(" ")
+    };
+    let upright = comb(|i| [i, 2000 * (i % 2)]);
+    let across = comb(|i| [2000 * (i % 2), i]);
+    let text = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="2000" height="2000">
+        <clipPath id="c"><polygon points="{upright}"/></clipPath>
+        <polyline points="{across}" fill="none" stroke="red" clip-path="url(#c)"/></svg>"#
+    );
+    let error = read(&text, &ReadOptions::default());
+    assert_eq!(
+        error.unwrap_err().to_string(),
+        "cutting lines and areas at the clip paths takes for ever; simplify the clip paths, or draw it in parts"
     );
 }
 
