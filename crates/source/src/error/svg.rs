@@ -75,6 +75,14 @@ pub enum SvgError {
         /// How many are allowed.
         limit: u64,
     },
+    /// More elements, and groups that they become, than there is room for.
+    #[error(
+        "the drawing has more than {limit} elements, counting copies, and twice those that have a transform, an opacity, a clip path, a mask or a filter; combine its paths, or draw it in parts"
+    )]
+    TooManyGroups {
+        /// How many are allowed.
+        limit: u64,
+    },
     /// Styles that take for ever to read.
     #[error(
         "the styles (CSS) of the elements take for ever to read, counting copies; save the file as plain SVG, without long style attributes"

@@ -25,6 +25,10 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError
         let limit = MAX_ELEMENTS;
         return Err(SvgError::TooManyElements { limit });
     }
+    if cost.elements.saturating_add(cost.groups) > MAX_WITH_GROUPS {
+        let limit = MAX_WITH_GROUPS;
+        return Err(SvgError::TooManyGroups { limit });
+    }
     if cost.styles > styles::MOST {
         return Err(SvgError::LongStyles);
     }
@@ -38,6 +42,8 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError
 #[derive(Clone, Copy, Default)]
 struct Cost {
     elements: u64,
+    /// How many of them become a group, in which what they draw is.
+    groups: u64,
     segments: u64,
     /// How long it takes to read their styles.
     styles: u64,
@@ -50,6 +56,9 @@ impl Cost {
         self.elements = self
             .elements
             .saturating_add(inner.elements.saturating_mul(times));
+        self.groups = self
+            .groups
+            .saturating_add(inner.groups.saturating_mul(times));
         self.segments = self
             .segments
             .saturating_add(inner.segments.saturating_mul(times));
@@ -96,6 +105,7 @@ impl<'a> Counter<'a> {
         self.known[number] = CostState::Soon;
         let mut cost = Cost {
             elements: 1,
+            groups: u64::from(has_own_group(node)),
             segments: self.segments[number],
             styles: styles::cost(node),
             height: 0,
@@ -129,6 +139,23 @@ impl<'a> Counter<'a> {
     }
 }
 
+/// Whether something of an element holds for all that it draws together.
+fn has_own_group(node: Node<'_, '_>) -> bool {
+    let makes_group = |name: &str, value: &str| match name {
+        "opacity" => value != "1",
+        "transform" | "clip-path" | "mask" | "filter" => value != "none",
+        _ => false,
+    };
+    node.attributes().any(|attribute| {
+        if attribute.name() != "style" {
+            return makes_group(attribute.name(), attribute.value());
+        }
+        let declarations = attribute.value().split(';');
+        let mut declared = declarations.filter_map(|it| it.split_once(':'));
+        declared.any(|(name, value)| makes_group(name.trim(), value.trim()))
+    })
+}
+
 /// The names that an element refers to, and whether each is of a marker.
 fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
     // A link leads somewhere without drawing what is there.
@@ -150,4 +177,6 @@ fn references<'a>(node: Node<'a, '_>) -> impl Iterator<Item = (&'a str, bool)> {
 /// Far above any drawing, far below what the stack holds.
 const MAX_DEPTH: u32 = 100;
 const MAX_ELEMENTS: u64 = 150_000;
+/// A group takes nearly as much memory as a shape.
+const MAX_WITH_GROUPS: u64 = 190_000;
 const MAX_COPIED_SEGMENTS: u64 = 4_000_000;

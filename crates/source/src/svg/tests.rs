@@ -372,6 +372,20 @@ fn copies_of_copies_of_copies_are_refused_before_they_are_made() {
 }
 
 #[test]
+fn shapes_that_become_groups_count_twice_and_those_of_full_opacity_do_not() {
+    let shapes =
+        |attribute: &str| page(&format!("<path {attribute} d=\"M0 0H1\"/>").repeat(96_000));
+    for attribute in ["transform=\"scale(2)\"", "style=\"fill:red; opacity: 0.5\""] {
+        let told = error(&shapes(attribute));
+        assert!(told.contains("more than 190000 elements"), "{told}");
+    }
+    for attribute in ["opacity=\"1\"", "style=\"fill-opacity:0.5\""] {
+        let told = error(&shapes(&format!("{attribute} fill=\"none\"")));
+        assert!(told.contains("nothing to draw"), "{told}");
+    }
+}
+
+#[test]
 fn styles_that_would_take_for_ever_are_refused() {
     let sheet = |rules: usize| format!("<style>{}</style><rect/>", "a{fill:red}".repeat(rules));
     let message = error(&page(&sheet(20_000)));
