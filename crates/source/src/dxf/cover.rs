@@ -9,10 +9,22 @@ use crate::error::SourceError;
 impl EntityRenderer<'_, '_> {
     /// A filled area hides what was drawn before it, unless something shows through.
     pub(super) fn cover(&mut self, it: &Entity<'_>, area: &Area) -> Result<(), SourceError> {
-        if is_opaque(it)? {
+        if self.is_opaque(it)? {
             self.sketch.cover(&area.rings, area.rule)?;
         }
         Ok(())
+    }
+
+    /// Whether nothing shows through, which the entity tells or else its layer; that of a whole block does not count.
+    fn is_opaque(&self, it: &Entity<'_>) -> Result<bool, SourceError> {
+        let own = it.flags(440)?;
+        let transparency = if own >> 24 == BY_LAYER {
+            self.layer_info().map_or(own, |it| it.transparency)
+        } else {
+            own
+        };
+        let is_told = transparency >> 24 == BY_VALUE;
+        Ok(!is_told || transparency & 0xff == OPAQUE)
     }
 
     /// An area that is nothing but paper over what was drawn before it.
@@ -57,19 +69,14 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
-/// Whether nothing shows through; that of a whole layer or block does not count.
-fn is_opaque(it: &Entity<'_>) -> Result<bool, SourceError> {
-    let transparency = it.flags(440)?;
-    let is_own = transparency >> 24 == BY_VALUE;
-    Ok(!is_own || transparency & 0xff == OPAQUE)
-}
-
 fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
     vec![a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)]
 }
 
 /// How a picture says that what lies inside its corners is cut away.
 const INSIDE: u32 = 1;
-/// How a transparency (440) says that its last byte is one.
+/// How a transparency (440) says that it is that of the layer.
+const BY_LAYER: u32 = 0;
+/// How it says that its last byte is one.
 const BY_VALUE: u32 = 2;
 const OPAQUE: u32 = 0xff;

@@ -29,6 +29,8 @@ pub(super) struct LayerInfo {
     /// Red, green and blue in one number.
     pub(super) true_color: Option<u32>,
     pub(super) is_frozen: bool,
+    /// How opaque what lies on it is, as group 440 of an entity tells it.
+    pub(super) transparency: u32,
 }
 
 impl LayerInfo {
@@ -107,6 +109,8 @@ struct SectionReader<'a> {
     section: &'a [u8],
     /// The name of the last variable of the header.
     variable: &'a [u8],
+    /// The program to which the last data of a layer belong.
+    application: &'a [u8],
     /// The entity in hand, its end not known.
     entity: Option<Span<'a>>,
     /// The handle of the object in hand.
@@ -132,6 +136,7 @@ impl<'a> SectionReader<'a> {
             },
             section: b"",
             variable: b"",
+            application: b"",
             entity: None,
             handle: None,
             block: None,
@@ -202,6 +207,7 @@ impl<'a> SectionReader<'a> {
             self.end_layer();
             if pair.value == b"LAYER" {
                 self.layer = Some(Default::default());
+                self.application = b"";
                 self.count += LAYER_OBJECTS;
             }
             return Ok(());
@@ -219,6 +225,10 @@ impl<'a> SectionReader<'a> {
             62 => info.color = Some(pair.number()? as i32),
             70 => info.is_frozen = pair.number()? as i32 & 1 != 0,
             420 => info.true_color = Some(pair.number()? as u32),
+            1001 => self.application = pair.value,
+            1071 if self.application == b"AcCmTransparency" => {
+                info.transparency = pair.number()? as u32;
+            }
             _ => {}
         }
         Ok(())

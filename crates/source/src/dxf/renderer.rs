@@ -182,6 +182,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         })
     }
 
+    /// What the file tells of the layer in use.
+    pub(super) fn layer_info(&self) -> Option<&LayerInfo> {
+        self.file.layers.get(self.layer.as_ref()?)
+    }
+
     /// A block, drawn once or in rows and columns.
     fn insert(
         &mut self,

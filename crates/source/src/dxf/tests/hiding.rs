@@ -92,6 +92,27 @@ fn what_is_seen_through_hides_nothing() {
 }
 
 #[test]
+fn what_lies_on_a_layer_that_is_seen_through_hides_nothing_unless_it_is_opaque_itself() {
+    let tables = |transparency: u32| {
+        format!(
+            "0 LAYER 2 glass 70 0 62 1 1001 ACAD 1071 33554559
+            1001 AcCmTransparency 1071 {transparency} 0 LAYER 2 ink 70 0 62 7"
+        )
+    };
+    let shown_mm = |transparency: u32, solid: &str| {
+        let entities = format!("{LINE} {solid}");
+        let (artwork, _) = hidden_text(&file(&tables(transparency), "", &entities));
+        length_mm(&artwork)
+    };
+    let on = |more: &str| SOLID.replace("SOLID", &format!("SOLID 8 {more}"));
+    same(shown_mm(0x0200_007f, &on("glass")), 60.0 + EDGE_MM);
+    same(shown_mm(0x0200_00ff, &on("glass")), 40.0 + EDGE_MM);
+    same(shown_mm(0x0200_007f, &on("ink")), 40.0 + EDGE_MM);
+    let opaque = on(&format!("glass 440 {}", 0x0200_00ff));
+    same(shown_mm(0x0200_007f, &opaque), 40.0 + EDGE_MM);
+}
+
+#[test]
 fn an_area_is_hatched_only_where_it_shows() {
     let big = "0 SOLID 10 0 20 0 11 60 21 0 12 0 22 10 13 60 23 10";
     let (artwork, _) = hidden_text(&file("", "", &format!("{big} {SOLID}")));
