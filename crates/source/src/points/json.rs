@@ -11,7 +11,8 @@ use std::marker::PhantomData;
 use dobot_geometry::Point;
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
+use serde_path_to_error::Track;
 
 use crate::artwork::{Artwork, Layer};
 use crate::error::SourceError;
@@ -29,34 +30,117 @@ pub(crate) fn read(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text.as_bytes(), options)?;
     let text = text.trim_start_matches('\u{FEFF}');
-    for JsonStroke(stroke) in parse(text)?.0 {
-        sketch.use_layer(Layer {
+    draw(text, &mut sketch)?;
+    sketch.finish(Y::Down, "no strokes in the file")
+}
+
+fn draw(text: &str, sketch: &mut Sketch<'_>) -> Result<(), SourceError> {
+    let mut reader = StrokeReader {
+        sketch,
+        refused: None,
+    };
+    let mut json = serde_json::Deserializer::from_str(text);
+    let mut track = Track::new();
+    let tracked = serde_path_to_error::Deserializer::new(&mut json, &mut track);
+    if let Err(error) = tracked.deserialize_any(&mut reader) {
+        let refusal = reader.refused.take();
+        return Err(refusal.unwrap_or_else(|| refused(text, &track.path().to_string(), &error)));
+    }
+    let end = json.end();
+    end.map_err(|error| refused(text, ".", &error))
+}
+
+/// Draws each stroke once it is read: all of them at once would fill the memory.
+struct StrokeReader<'s, 'a> {
+    sketch: &'s mut Sketch<'a>,
+    /// Why the last stroke cannot be drawn.
+    refused: Option<SourceError>,
+}
+
+impl StrokeReader<'_, '_> {
+    fn all<'de, A: SeqAccess<'de>>(&mut self, mut list: A) -> Result<(), A::Error> {
+        while let Some(JsonStroke(stroke)) = list.next_element()? {
+            self.draw(stroke).map_err(|error| {
+                self.refused = Some(error);
+                A::Error::custom("a stroke that cannot be drawn")
+            })?;
+        }
+        Ok(())
+    }
+
+    fn draw(&mut self, stroke: StrokeFields) -> Result<(), SourceError> {
+        self.sketch.use_layer(Layer {
             name: stroke
                 .layer
-                .map(String::from)
                 .or(stroke.color.as_ref().map(|it| it.name.clone()))
                 .unwrap_or_default(),
             color: stroke.color.map(|it| it.parts),
             ..Layer::default()
         })?;
-        let mut points: Vec<Point> = stroke.points.0.into_iter().map(|it| it.0).collect();
+        // As large as they are, for there may be a million of them; the list has room for more.
+        let list = stroke.points.0;
+        let mut points = Vec::with_capacity(list.len() + usize::from(stroke.closed));
+        points.extend(list.into_iter().map(|it| it.0));
         if stroke.closed && points.len() > 2 && points.first() != points.last() {
             points.extend(points.first().copied());
         }
-        sketch.stroke(points)?;
+        self.sketch.stroke(points)
     }
-    sketch.finish(Y::Down, "no strokes in the file")
 }
 
-fn parse(text: &str) -> Result<Strokes, SourceError> {
-    let mut deserializer = serde_json::Deserializer::from_str(text);
-    let strokes = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
-        let path = error.path().to_string();
-        refused(text, &path, error.inner())
-    })?;
-    let end = deserializer.end();
-    end.map_err(|error| refused(text, ".", &error))
-        .map(|()| strokes)
+impl<'de> Visitor<'de> for &mut StrokeReader<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(SHAPE)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<(), A::Error> {
+        self.all(list)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        let mut is_found = false;
+        while let Some(DocumentField::Strokes) = map.next_key()? {
+            if std::mem::replace(&mut is_found, true) {
+                return Err(A::Error::duplicate_field("strokes"));
+            }
+            map.next_value_seed(StrokeList(&mut *self))?;
+        }
+        is_found
+            .then_some(())
+            .ok_or_else(|| A::Error::missing_field("strokes"))
+    }
+}
+
+/// What an object that is a drawing may hold.
+#[derive(Deserialize)]
+#[serde(field_identifier, rename_all = "lowercase")]
+enum DocumentField {
+    Strokes,
+}
+
+/// The list of strokes in such an object.
+struct StrokeList<'r, 's, 'a>(&'r mut StrokeReader<'s, 'a>);
+
+impl<'de> DeserializeSeed<'de> for StrokeList<'_, '_, '_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_seq(self)
+    }
+}
+
+impl<'de> Visitor<'de> for StrokeList<'_, '_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a sequence")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<(), A::Error> {
+        self.0.all(list)
+    }
 }
 
 /// What the JSON reader says, in the words of the other readers.
@@ -106,42 +190,14 @@ fn offset(text: &str, error: &serde_json::Error) -> usize {
     before + error.column().saturating_sub(1)
 }
 
-/// Everything that the file holds.
-struct Strokes(Vec<JsonStroke>);
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Document {
-    strokes: Vec<JsonStroke>,
-}
-
-impl From<Document> for Strokes {
-    fn from(document: Document) -> Self {
-        Self(document.strokes)
-    }
-}
-
-impl From<Vec<JsonStroke>> for Strokes {
-    fn from(strokes: Vec<JsonStroke>) -> Self {
-        Self(strokes)
-    }
-}
-
-impl<'de> Deserialize<'de> for Strokes {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ListOr::<Self, Vec<JsonStroke>, Document>::new(SHAPE))
-    }
-}
-
 /// A line with what belongs to it.
 struct JsonStroke(StrokeFields);
 
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StrokeFields {
-    // Most strokes have neither, and there may be a million of them.
-    layer: Option<Box<str>>,
-    color: Option<Box<Color>>,
+    layer: Option<String>,
+    color: Option<Color>,
     #[serde(default)]
     closed: bool,
     points: Points,
@@ -175,14 +231,12 @@ struct Points(Vec<JsonPoint>);
 
 impl<'de> Deserialize<'de> for Points {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let mut points = Vec::deserialize(deserializer)?;
+        let points = Vec::deserialize(deserializer)?;
         if points.is_empty() {
             return Err(D::Error::custom(
                 "a stroke without points, expected at least one point",
             ));
         }
-        // There may be many of them, with room for more.
-        points.shrink_to_fit();
         Ok(Self(points))
     }
 }

@@ -7,6 +7,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artwork::Artwork;
+use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::warning::Warning;
 
@@ -176,6 +177,15 @@ fn bad_json_is_refused_with_its_place() {
         ),
         (r#"[[{"x":1}]]"#, "1:9: found missing field `y` in [0][0]"),
         (r#"{"lines":[]}"#, "1:8: found unknown field `lines`"),
+        ("{}", "1:2: found missing field `strokes`"),
+        (
+            r#"{"strokes":[],"strokes":[]}"#,
+            "1:23: found duplicate field `strokes`",
+        ),
+        (
+            r#"{"strokes":{}}"#,
+            "1:11: found map in strokes; expected a sequence",
+        ),
         ("{\"li\\nes\":[]}", r"1:9: found unknown field `li\nes`"),
         (
             "[[[1e300,0]]]",
@@ -208,6 +218,16 @@ fn bad_json_is_refused_with_its_place() {
         .unwrap_err()
         .to_string();
     assert!(error.starts_with("1:"), "{error}");
+}
+
+#[test]
+fn strokes_are_drawn_as_they_are_read_so_that_one_too_many_is_told_before_what_is_wrong_behind() {
+    let strokes: Vec<String> = (0..1001)
+        .map(|it| format!(r#"{{"layer":"{it}","points":[[0,0]]}}"#))
+        .collect();
+    let text = format!("[{},oops", strokes.join(","));
+    let error = read_json(&text, &ReadOptions::default()).unwrap_err();
+    assert_eq!(error, SourceError::TooManyLayers { limit: 1000 });
 }
 
 #[test]
