@@ -1,8 +1,8 @@
 //! The order of strokes: less way to go with the pen up.
 //!
 //! ```text
-//!   strokes -> nodes -> greedy tour -> search, kicks -> tour -> strokes
-//!              (nodes, near)            (tour)           (way)
+//!   strokes -> nodes -> greedy tour -> search, kicks -> parts moved, kicks -> tour -> strokes
+//!              (nodes, near)            (tour)         (row)                   (way)
 //! ```
 //!
 //! The ends of the strokes are the nodes of a round tour, in which the two ends of a stroke stay
@@ -12,16 +12,19 @@
 mod greedy;
 mod neighbours;
 mod nodes;
+mod row;
 mod search;
 mod stops;
 mod tour;
 mod travel;
+mod turns;
 
 use self::greedy::greedy;
 use self::nodes::Nodes;
 use self::search::LocalSearch;
 use self::stops::{Stop, cost, drawn, given, turn_loops};
 pub use self::travel::Travel;
+use self::turns::Turns;
 use dobot_geometry::{Point, Stroke};
 use dobot_random::Random;
 
@@ -71,16 +74,35 @@ fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -
         let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way));
         local_search.settle_all();
         let mean = cost(strokes, &way, start, search.travel) / lossy(way.len().max(1));
-        let kicks = kicks(search, way.len());
-        local_search.anneal(
-            kicks / rounds,
-            mean * patience(kicks, way.len()),
-            &mut random,
-        );
+        let most = kicks(search, way.len());
+        let kicks = most / rounds;
+        let warmth = mean * patience(most, way.len());
+        local_search.anneal(kicks - kicks / 2, warmth, &mut random);
+        let (tour, left) = moved(&nodes, local_search.tour(), kicks / 2, &mut random);
+        local_search.set(tour);
+        local_search.anneal(left, warmth / 4.0, &mut random);
         way = nodes.way(local_search.tour());
         turn(&mut way);
     }
     way
+}
+
+/// Moves parts of a tour, every stroke turned as suits, as long as that brings much. Returns the tour, and how many of
+/// the kicks are left.
+fn moved(nodes: &Nodes, tour: &[u32], kicks: u32, random: &mut Random) -> (Vec<u32>, u32) {
+    let mut turns = Turns::new(nodes, tour);
+    turns.settle_all();
+    let some = kicks.div_ceil(SHARES);
+    let mut left = kicks;
+    while left > 0 {
+        let before = turns.cost();
+        turns.kicks(some / turns.kicks_for_one(), random);
+        left = left.saturating_sub(some);
+        if turns.cost() > before * (1.0 - WORTHWHILE) {
+            break;
+        }
+    }
+    (turns.tour(), left)
 }
 
 /// In small drawings everything has been tried before the kicks are used up.
@@ -104,6 +126,9 @@ const ROUNDS: u32 = 2;
 const KICKS_FOR_EACH: u32 = 40;
 /// For a handful of strokes, which take no time.
 const LEAST_KICKS: u32 = 1000;
+/// Parts are moved with so many shares of the kicks, and no longer than each makes the way shorter by this much of it.
+const SHARES: u32 = 4;
+const WORTHWHILE: f64 = 0.001;
 
 #[cfg(test)]
 mod tests;

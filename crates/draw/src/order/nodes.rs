@@ -1,6 +1,7 @@
 //! The ends of the strokes as the nodes of a tour.
 
 use dobot_geometry::{BoxTree, Point, Stroke};
+use dobot_random::Random;
 
 use super::neighbours::{NEAR, near};
 use super::stops::Stop;
@@ -94,6 +95,16 @@ impl Nodes {
     #[inline]
     pub(super) fn near(&self, node: u32) -> &[Near] {
         self.near.get(node as usize).map_or(&[], |near| near)
+    }
+
+    /// A neighbour of a node, or the other end of that neighbour's stroke.
+    pub(super) fn neighbour(&self, node: u32, random: &mut Random) -> Option<u32> {
+        let near = self.near(node);
+        let count = u32::try_from(near.len()).expect("a handful");
+        let next = near.get(random.below(count.max(1)) as usize)?.node;
+        let mate = self.mate(next);
+        let is_other_end = mate != self.end() && random.below(2) == 0;
+        Some(if is_other_end { mate } else { next })
     }
 
     pub(super) fn point(&self, node: u32) -> Point {

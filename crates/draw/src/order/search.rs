@@ -41,6 +41,12 @@ impl<'a> LocalSearch<'a> {
         self.tour.keep();
     }
 
+    /// Goes on with another tour.
+    pub(super) fn set(&mut self, tour: Vec<u32>) {
+        self.tour.set(tour);
+        self.settle_all();
+    }
+
     /// Kicks the tour somewhere and settles it again, so many times. What is worse is taken back, but for a little at
     /// the beginning, less and less of it: so the search leaves a hollow in which it would stay. The best of all stays. `mean` is what a way
     /// between strokes costs, or less where there are few kicks.
@@ -123,7 +129,7 @@ impl<'a> LocalSearch<'a> {
         let mut places = [0; 4];
         for place in &mut places {
             for _ in 0..=random.below(MOST_STEPS_ASIDE) {
-                node = self.neighbour(node, random)?;
+                node = self.nodes.neighbour(node, random)?;
             }
             let before = self.tour.previous(node);
             let after = self.tour.next(node);
@@ -132,16 +138,6 @@ impl<'a> LocalSearch<'a> {
             *place = self.tour.place(if is_behind { before } else { node });
         }
         Some(places)
-    }
-
-    /// A neighbour of a node, or the other end of that neighbour's stroke.
-    fn neighbour(&self, node: u32, random: &mut Random) -> Option<u32> {
-        let near = self.nodes.near(node);
-        let count = u32::try_from(near.len()).expect("a handful");
-        let next = near.get(random.below(count.max(1)) as usize)?.node;
-        let mate = self.nodes.mate(next);
-        let is_other_end = mate != self.nodes.end() && random.below(2) == 0;
-        Some(if is_other_end { mate } else { next })
     }
 
     /// Places out of so many in a row.

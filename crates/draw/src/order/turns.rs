@@ -1,0 +1,358 @@
+//! Parts of the order change places, and every stroke is begun at the end that suits then.
+//!
+//! In a hatching the lines go to and fro. Where one line more comes before them, all have to be turned, which no
+//! exchange of a few edges does:
+//!
+//! ```text
+//!   ----.    .----             .----    ----.
+//!   .---'    '---.   becomes   '---.    .---'
+//!   '----    ----'             ----'    '----
+//! ```
+
+use dobot_random::Random;
+
+use super::nodes::{Near, Nodes};
+use super::row::{Part, Row};
+
+/// Moves parts of a row as long as it gets shorter.
+#[derive(Debug)]
+pub(super) struct Turns<'a> {
+    nodes: &'a Nodes,
+    row: Row<'a>,
+    /// Nodes of the strokes beside which something has changed.
+    queue: Vec<u32>,
+}
+
+impl<'a> Turns<'a> {
+    pub(super) fn new(nodes: &'a Nodes, tour: &[u32]) -> Self {
+        Self {
+            nodes,
+            row: Row::new(nodes, tour),
+            queue: Vec::new(),
+        }
+    }
+
+    /// Moves parts as long as that brings a gain.
+    pub(super) fn settle_all(&mut self) {
+        let places = (1..self.row.len()).rev();
+        self.queue.extend(places.map(|place| self.row.node(place)));
+        self.settle();
+    }
+
+    /// Puts a few parts in another order, settles that, and takes it back where it is not better; so many times.
+    pub(super) fn kicks(&mut self, kicks: u32, random: &mut Random) {
+        let mut best = self.row.clone();
+        for _ in 0..kicks {
+            let Some(places) = self.kick_places(random) else {
+                continue;
+            };
+            self.kick(places, random);
+            self.settle();
+            if self.row.cost() < best.cost() - EPSILON {
+                best.restore(&self.row);
+            } else {
+                self.row.restore(&best);
+            }
+        }
+    }
+
+    /// How many kicks of a few edges take as long as one here, about.
+    pub(super) fn kicks_for_one(&self) -> u32 {
+        4 + self.count() / 200
+    }
+
+    pub(super) const fn cost(&self) -> f64 {
+        self.row.cost()
+    }
+
+    pub(super) fn tour(&self) -> Vec<u32> {
+        self.row.tour()
+    }
+
+    fn count(&self) -> u32 {
+        u32::try_from(self.row.len()).expect("fewer than the nodes")
+    }
+
+    /// Puts the parts between four places in another order, each backwards or not.
+    fn kick(&mut self, [a, b, c, d]: [usize; 4], random: &mut Random) {
+        let mut parts = [(a, b), (b, c), (c, d)].map(|(from, to)| Part {
+            from,
+            to,
+            is_backward: random.below(2) == 0,
+        });
+        match random.below(3) {
+            0 => parts.swap(0, 2),
+            1 => parts.swap(0, 1),
+            _ => parts.rotate_left(1),
+        }
+        let [first, second, third] = parts;
+        self.put(&[
+            forward(0, a),
+            first,
+            second,
+            third,
+            forward(d, self.row.len()),
+        ]);
+    }
+
+    /// Places of long ways near each other.
+    fn kick_places(&self, random: &mut Random) -> Option<[usize; 4]> {
+        let any = |random: &mut Random| 1 + random.below(self.count() - 1) as usize;
+        if self.row.len() < 5 {
+            return None;
+        }
+        let mut first = any(random);
+        for _ in 0..MOST_LOOKED_AT {
+            if self.is_long(first) {
+                break;
+            }
+            first = any(random);
+        }
+        let mut places = [first; 4];
+        let mut node = self.row.node(first);
+        for place in &mut places[1..] {
+            for _ in 0..=random.below(MOST_STEPS_ASIDE) {
+                node = self.nodes.neighbour(node, random)?;
+            }
+            *place = self.long_way_from(self.row.place(node).max(1), random.below(2) == 0);
+        }
+        places.sort_unstable();
+        let distinct = places.windows(2).all(|pair| pair[0] < pair[1]);
+        distinct.then_some(places)
+    }
+
+    /// Goes from a place to the next long way, but not far.
+    fn long_way_from(&self, place: usize, ahead: bool) -> usize {
+        let mut found = place;
+        for _ in 0..MOST_STEPS_ALONG {
+            if found <= 1 || found + 1 >= self.row.len() || self.is_long(found) {
+                break;
+            }
+            found = if ahead { found + 1 } else { found - 1 };
+        }
+        found
+    }
+
+    fn settle(&mut self) {
+        while let Some(node) = self.queue.pop() {
+            while self.improve(node) || self.improve(self.nodes.mate(node)) {}
+        }
+    }
+
+    /// Moves a part so that the stroke of a node comes beside one that is nearer than what is beside it now.
+    fn improve(&mut self, node: u32) -> bool {
+        let here = self.row.place(node);
+        here > 0 && (self.reverse(node, here) || self.shift(node, here))
+    }
+
+    /// Passes the strokes between two that are near each other backwards.
+    fn reverse(&mut self, node: u32, here: usize) -> bool {
+        let longest = self.row.way(here).max(self.row.way(here + 1));
+        self.nearer(node, longest).any(|near| {
+            let there = self.row.place(near.node);
+            let (a, b) = (here.min(there), here.max(there));
+            [(a + 1, b + 1), (a, b)].into_iter().any(|(from, to)| {
+                from > 0
+                    && from + 1 < to
+                    && near.cost < self.row.way(from) + self.row.way(to)
+                    && self.change(&[
+                        forward(0, from),
+                        Part {
+                            from,
+                            to,
+                            is_backward: true,
+                        },
+                        forward(to, self.row.len()),
+                    ])
+            })
+        })
+    }
+
+    /// Moves strokes that begin or end with that of a node beside another one.
+    fn shift(&mut self, node: u32, here: usize) -> bool {
+        let behind = self.ends_behind(here).map(|to| (here, to));
+        let before = self.begins_before(here).map(|from| (from, here + 1));
+        let parts = behind.into_iter().chain(before);
+        parts
+            .filter(|&(from, to)| from > 0 && to > 0)
+            .any(|(from, to)| {
+                let outside = self.row.way(if from == here { from } else { to });
+                let mut nearer = self.nearer(node, outside).peekable();
+                if nearer.peek().is_none() {
+                    return false;
+                }
+                let left_out = self.row.way(from) + self.row.way(to) - self.row.least(from - 1, to);
+                nearer.any(|near| self.shift_beside((from, to), here, near, left_out - near.cost))
+            })
+    }
+
+    /// Moves a part so that its stroke `here` comes beside another one, if that can bring a gain: `saved` is what it
+    /// brings without the way that is left out there and the other new one.
+    fn shift_beside(&mut self, part: (usize, usize), here: usize, near: &Near, saved: f64) -> bool {
+        let (from, to) = part;
+        let far = if here == from { to - 1 } else { from };
+        let there = self.row.place(near.node);
+        [there, there + 1].into_iter().any(|at| {
+            let beside = if there == at { at.max(1) - 1 } else { at };
+            let saved = saved + self.row.way(at);
+            at > 0
+                && !(from..=to).contains(&at)
+                && saved > EPSILON
+                && saved - self.row.least(far, beside) > EPSILON
+                && self.move_to(part, at)
+        })
+    }
+
+    fn move_to(&mut self, (from, to): (usize, usize), at: usize) -> bool {
+        let count = self.row.len();
+        [false, true].into_iter().any(|is_backward| {
+            let moved = Part {
+                from,
+                to,
+                is_backward,
+            };
+            if at < from {
+                self.change(&[forward(0, at), moved, forward(at, from), forward(to, count)])
+            } else {
+                self.change(&[forward(0, from), forward(to, at), moved, forward(at, count)])
+            }
+        })
+    }
+
+    /// The neighbours of a node to which the way costs less.
+    fn nearer(&self, node: u32, cost: f64) -> impl Iterator<Item = &'a Near> + use<'a> {
+        let near = self.nodes.near(node).iter();
+        near.take_while(move |near| near.cost < cost)
+    }
+
+    /// Where parts may end that begin here: after few strokes, or where the way on is long. Nought stands for none.
+    fn ends_behind(&self, here: usize) -> [usize; MOST_PARTS] {
+        let is_end =
+            |&to: &usize| to - here <= SHORT || to == self.row.len() || self.is_longer(to, to - 1);
+        first_of((here + 1..=self.row.len()).take(LONGEST).filter(is_end))
+    }
+
+    /// Where parts may begin that end here.
+    fn begins_before(&self, here: usize) -> [usize; MOST_PARTS] {
+        let is_begin =
+            |&from: &usize| here - from < SHORT || from == 1 || self.is_longer(from, from + 1);
+        first_of((1..=here).rev().take(LONGEST).filter(is_begin))
+    }
+
+    fn is_long(&self, place: usize) -> bool {
+        place > 1 && self.is_longer(place, place - 1)
+    }
+
+    fn is_longer(&self, way: usize, beside: usize) -> bool {
+        self.row.way(way) > LONG * self.row.way(beside)
+    }
+
+    /// Takes another order, if it is better with its strokes turned as suits.
+    fn change(&mut self, parts: &[Part]) -> bool {
+        let better = self.row.cost_of(parts) < self.row.cost() - EPSILON;
+        if better {
+            self.put(parts);
+        }
+        better
+    }
+
+    fn put(&mut self, parts: &[Part]) {
+        for part in parts.iter().filter(|part| part.from < part.to) {
+            let ends = [part.from, part.to - 1];
+            self.queue.extend(ends.map(|place| self.row.node(place)));
+        }
+        self.row.put(parts);
+    }
+}
+
+const fn forward(from: usize, to: usize) -> Part {
+    Part {
+        from,
+        to,
+        is_backward: false,
+    }
+}
+
+/// The first few, and then noughts.
+fn first_of(places: impl Iterator<Item = usize>) -> [usize; MOST_PARTS] {
+    let mut found = [0; MOST_PARTS];
+    for (slot, place) in found.iter_mut().zip(places) {
+        *slot = place;
+    }
+    found
+}
+
+/// So many parts that begin or end with a stroke are tried.
+const MOST_PARTS: usize = 12;
+/// Parts of at most so many strokes may end anywhere.
+const SHORT: usize = 3;
+/// No part that changes its place has more strokes.
+const LONGEST: usize = 300;
+/// A way is long if it costs so many times what the one beside it does.
+const LONG: f64 = 1.6;
+/// A kick begins at a long way, if one is found among so many.
+const MOST_LOOKED_AT: u32 = 100;
+/// It goes on to where a walk on the paper comes by after at most so many steps each,
+const MOST_STEPS_ASIDE: u32 = 3;
+/// and from there to a long way, if there is one within so many strokes.
+const MOST_STEPS_ALONG: u32 = 30;
+/// What counts as a gain, in mm or s: more than rounding.
+const EPSILON: f64 = 1e-7;
+
+#[cfg(test)]
+mod tests {
+    use dobot_geometry::{Point, Stroke};
+
+    use super::super::stops::{cost, given};
+    use super::super::travel::Travel;
+    use super::*;
+
+    const START: Point = Point::new(0.0, 0.0);
+
+    /// What the strokes cost in the order given, and after moving parts of it.
+    fn before_and_after(strokes: &[Stroke]) -> (f64, f64) {
+        let way = given(strokes);
+        let nodes = Nodes::new(strokes, &way, START, Travel::Length);
+        let mut turns = Turns::new(&nodes, &nodes.tour(&way));
+        turns.settle_all();
+        turns.kicks(50, &mut Random::new(1));
+        let of = |way: &_| cost(strokes, way, START, Travel::Length);
+        (of(&way), of(&nodes.way(&turns.tour())))
+    }
+
+    fn line(from: (f64, f64), to: (f64, f64)) -> Stroke {
+        Stroke::open(vec![Point::from(from), Point::from(to)])
+    }
+
+    /// Lines in rows, drawn to and fro in the order given, the first from `begin` to `end`.
+    fn to_and_fro(rows: impl Iterator<Item = i32>, begin: f64, end: f64) -> Vec<Stroke> {
+        let ends = [(begin, end), (end, begin)].into_iter().cycle();
+        let lines = rows.map(f64::from).zip(ends);
+        let lines = lines.map(|(y, (from, to))| line((from, y), (to, y)));
+        lines.collect()
+    }
+
+    #[test]
+    fn a_whole_hatching_is_turned_where_it_is_begun_on_the_wrong_side() {
+        let lines = to_and_fro(0..40, 9.0, 0.0);
+        assert_eq!(before_and_after(&lines), (48.0, 39.0));
+    }
+
+    #[test]
+    fn lines_that_come_late_are_moved_in_and_those_behind_them_turned() {
+        let rows = (0..5).chain(8..20).chain(5..8);
+        let (before, after) = before_and_after(&to_and_fro(rows, 0.0, 9.0));
+        assert!(before > 30.0 && after == 19.0, "{before}, {after} mm");
+    }
+
+    #[test]
+    fn few_strokes_or_none_stay_as_good_as_they_are() {
+        for count in 0..4 {
+            let lines: Vec<Stroke> = (0..count)
+                .map(|i| line((f64::from(i), 0.0), (f64::from(i), 5.0)))
+                .collect();
+            let (before, after) = before_and_after(&lines);
+            assert!(after <= before, "{after}, {before} mm");
+        }
+    }
+}
