@@ -58,7 +58,7 @@ impl<'a> Turns<'a> {
 
     /// How many kicks of a few edges take as long as one here, about.
     pub(super) fn kicks_for_one(&self) -> u32 {
-        4 + self.count() / 200
+        2 + self.count() / 400
     }
 
     pub(super) const fn cost(&self) -> f64 {
