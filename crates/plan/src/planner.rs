@@ -9,7 +9,7 @@ use crate::lookahead::ChainVector;
 use crate::seen::TickPositions;
 use crate::speeds::Speeds;
 use crate::tick_chain::{Breadth, TickChain};
-use crate::tick_fit::{TickFit, Weights};
+use crate::tick_fit::{Aim, TickFit};
 use crate::ticker::Ticker;
 use crate::vector::length;
 use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
@@ -139,8 +139,9 @@ impl<'a> Planner<'a> {
         self.even_burning(begin);
         if let Some(mut ticker) = self.ticker.take() {
             let limits = self.chain.iter().map(|it| it.limit_mm_s);
-            ticker.limit(round_down(limits.fold(0.0, f64::max)));
-            self.plan_in_ticks(begin, &ticker);
+            ticker.limit(round_down(limits.clone().fold(0.0, f64::max)));
+            let limits_mm_s: Vec<f64> = limits.collect();
+            self.plan_in_ticks(begin, &ticker, &limits_mm_s);
         } else {
             let speeds = self.chain_speeds.plan(&mut self.chain);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
@@ -155,20 +156,20 @@ impl<'a> Planner<'a> {
 impl Planner<'_> {
     /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
     /// are taken slower, and what that changes is planned again. A laser keeps its even speed.
-    fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker) {
+    fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker, limits_mm_s: &[f64]) {
         let mut over = vec![1.0; self.chain.len()];
-        let mut attempt = self.attempt(begin, ticker, &over, Breadth::ONE);
+        let mut attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::ONE);
         if self.draws(begin) && !attempt.is_good() {
-            attempt = self.attempt(begin, ticker, &over, Breadth::FEW);
+            attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::FEW);
             if attempt.late_share() > MUCH_LATE_SHARE {
-                attempt = self.attempt(begin, ticker, &over, Breadth::MANY);
+                attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::MANY);
             }
             for _ in 0..MOST_ROUNDS {
                 if attempt.shares.iter().all(|it| *it >= 1.0) {
                     break;
                 }
                 self.take_slower(ticker, &attempt, &mut over);
-                self.repair(begin, ticker, &over, &mut attempt);
+                self.repair(begin, ticker, limits_mm_s, &over, &mut attempt);
             }
         }
         let mut ticker = ticker.clone();
@@ -181,11 +182,11 @@ impl Planner<'_> {
         &mut self,
         begin: usize,
         ticker: &Ticker,
+        limits_mm_s: &[f64],
         over: &[f64],
         breadth: Breadth,
     ) -> Attempt {
-        let mut chain_speeds = self.chain_speeds.clone();
-        let speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
+        let (chain_speeds, speeds) = self.wanted(begin, limits_mm_s);
         let fits = self.in_ticks(begin, &speeds, over).fits(ticker, breadth);
         Attempt {
             shares: self.shares(&fits),
@@ -195,10 +196,29 @@ impl Planner<'_> {
         }
     }
 
-    /// Plans again what has changed since an attempt.
-    fn repair(&mut self, begin: usize, ticker: &Ticker, over: &[f64], attempt: &mut Attempt) {
+    /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
+    /// link allows is told by the ticks.
+    fn wanted(&mut self, begin: usize, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
-        let speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
+        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
+        if self.draws(begin) {
+            for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
+                speeds.limit_mm_s = limit_mm_s;
+            }
+        }
+        (chain_speeds, speeds)
+    }
+
+    /// Plans again what has changed since an attempt.
+    fn repair(
+        &mut self,
+        begin: usize,
+        ticker: &Ticker,
+        limits_mm_s: &[f64],
+        over: &[f64],
+        attempt: &mut Attempt,
+    ) {
+        let (chain_speeds, speeds) = self.wanted(begin, limits_mm_s);
         let both = speeds.iter().zip(&attempt.speeds);
         let changed: Vec<bool> = both
             .zip(&attempt.shares)
@@ -218,10 +238,10 @@ impl Planner<'_> {
         over: &'a [f64],
     ) -> TickChain<'a> {
         TickChain {
-            weights: if self.draws(begin) {
-                Weights::SOON
+            aim: if self.draws(begin) {
+                Aim::Soon
             } else {
-                Weights::EVEN
+                Aim::AsWanted
             },
             moves: &self.moves[begin..],
             chain: &self.chain,

@@ -5,7 +5,7 @@ use crate::commands::write;
 use crate::lookahead::ChainVector;
 use crate::seen::{WINDOW_TICKS, at_ticks, second_difference, seen_mm};
 use crate::speeds::Speeds;
-use crate::tick_fit::{MOST_FITS, SAME_SHARE, TickFit, Weights};
+use crate::tick_fit::{Aim, MOST_FITS, SAME_SHARE, TickFit};
 use crate::ticker::Ticker;
 
 /// A chain, and what is wanted of it.
@@ -14,7 +14,7 @@ pub(super) struct TickChain<'a> {
     pub moves: &'a [PlannedVector],
     pub chain: &'a [ChainVector],
     pub speeds: &'a [Speeds],
-    pub weights: Weights,
+    pub aim: Aim,
     /// How many times as much an end speed above the one wanted counts, for each vector.
     pub over: &'a [f64],
 }
@@ -103,7 +103,7 @@ impl TickChain<'_> {
                 let fits = way.ticker.fits(
                     &write(&self.moves[i]),
                     self.speeds[i],
-                    self.weights,
+                    self.aim,
                     self.over[i],
                 );
                 for fit in fits.into_iter().take(breadth.fits) {
@@ -160,6 +160,8 @@ struct Way {
     /// What the arm carries over behind them.
     ticker: Ticker,
     cost: f64,
+    /// What it costs to be as fast as wanted again behind them.
+    behind: f64,
     /// Its last step.
     last: Option<usize>,
     /// Where the tool was at the last ticks, in mm from where the chain begins.
@@ -172,6 +174,7 @@ impl Way {
         Self {
             ticker: ticker.clone(),
             cost: 0.0,
+            behind: 0.0,
             last: None,
             places: [[0.0; 3]; SEEN_TICKS],
         }
@@ -183,6 +186,7 @@ impl Way {
         next.last = Some(step);
         next.ticker.take(speeds, fit);
         next.cost += fit.cost;
+        next.behind = fit.behind;
         let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
         for place in at_ticks(self.places[SEEN_TICKS - 1], direction, &fit.cut) {
             let [before, now] = [next.places[0], next.places[SEEN_TICKS / 2]];
@@ -205,7 +209,8 @@ struct Step {
 
 /// The cheapest ways that leave different speeds, the best first.
 fn the_best(mut ways: Vec<Way>, most: usize) -> Vec<Way> {
-    ways.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let cost = |way: &Way| way.cost + way.behind;
+    ways.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     let mut best: Vec<Way> = Vec::with_capacity(most);
     for way in ways {
         let step_mm_s = SAME_SHARE * way.ticker.step_mm_s();
@@ -224,7 +229,7 @@ fn the_best(mut ways: Vec<Way>, most: usize) -> Vec<Way> {
 
 /// From where the tool was a window ago to where it is, both ends included, without the last.
 const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
-/// How much it counts if the tool is seen to accelerate by all of what is allowed too much; in the square.
+/// How many ticks it is worth not to be seen to accelerate twice as much as allowed; in the square of what is too much.
 const BEYOND: f64 = 10_000.0;
 /// So many vectors before a change and behind it are run anew too.
 const MARGIN: usize = 4;
@@ -288,7 +293,7 @@ mod tests {
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let over = vec![1.0; moves.len()];
             let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
-            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, weights: Weights::SOON, over: &over }
+            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over }
                 .fits(&ticker, Breadth::FEW);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
@@ -297,7 +302,7 @@ mod tests {
             }
             let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
-            TickChain { moves: &moves, chain: &chain, speeds: &speeds, weights: Weights::SOON, over: &over }
+            TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over }
                 .repair(&ticker, &mut fits, &changed, Breadth::FEW);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;

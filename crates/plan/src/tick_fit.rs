@@ -30,32 +30,18 @@ pub(super) struct TickTarget {
     pub acceleration_mm_s2: f32,
     /// No packet may tell a larger speed, in mm/s.
     pub most_mm_s: f32,
-    pub weights: Weights,
+    pub aim: Aim,
     /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
 }
 
-/// What counts how much where speeds are chosen, beside a step of speed that is too fast.
+/// What matters where speeds are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Weights {
-    /// A tick by which a vector is longer or shorter than it should be.
-    late: f64,
-    /// A step of speed by which it ends faster than it should.
-    over: f64,
-}
-
-impl Weights {
-    /// For what has to keep its speed, as a laser has.
-    pub(super) const EVEN: Self = Self {
-        late: 1.0,
-        over: 8.0,
-    };
-    /// For a pen: a tick too many is a fourth of what the link takes for a vector, and where a way turns too fast is told
-    /// by where its ticks lie.
-    pub(super) const SOON: Self = Self {
-        late: 20.0,
-        over: 3.0,
-    };
+pub(super) enum Aim {
+    /// That vectors take the time and have the speeds wanted: for what has to keep its speed, as a laser has.
+    AsWanted,
+    /// That the way is over soon: for a pen. Whether a way turns too fast is told by where its ticks lie.
+    Soon,
 }
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
@@ -65,12 +51,15 @@ pub(super) struct TickFit {
     pub max_mm_s: f32,
     pub cut: Cut,
     pub cost: f64,
+    /// What it costs to be as fast as wanted again behind it.
+    pub behind: f64,
 }
 
 impl TickFit {
     /// Puts it among others, the best first, if it is one of the best and leaves another speed.
     fn rank(self, fits: &mut Vec<Self>) {
-        let place = fits.partition_point(|other| other.cost <= self.cost);
+        let cost = self.cost + self.behind;
+        let place = fits.partition_point(|other| other.cost + other.behind <= cost);
         if place == MOST_FITS || fits[..place].iter().any(|it| it.leaves_as_much(&self)) {
             return;
         }
@@ -98,7 +87,7 @@ impl TickFit {
     /// Whether the next vector would not tell them from each other.
     fn leaves_as_much(&self, other: &Self) -> bool {
         let apart_mm_s = (self.cut.end_mm_s - other.cut.end_mm_s).abs();
-        apart_mm_s < SAME_SHARE * self.cut.change_mm_s
+        self.ticks() == other.ticks() && apart_mm_s < SAME_SHARE * self.cut.change_mm_s
     }
 }
 
@@ -185,27 +174,45 @@ impl TickTarget {
             max_mm_s,
             cut,
             cost,
+            behind: self.behind(&cut),
         };
         fit.rank(fits);
     }
 
-    /// In steps of speed, squared: what is too fast counts more than what is too slow.
     fn cost(&self, stored_mm_s: f32, cut: &Cut) -> f64 {
         let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
-        let late = f64::from(cut.ticks()) - self.ticks;
         let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
+        let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
+        match self.aim {
+            Aim::AsWanted => self.unlike(stored_mm_s, cut, over) + 4.0 * above * above,
+            Aim::Soon => {
+                let over = (over - FREE_STEPS).max(0.0);
+                f64::from(cut.ticks()) + OVER * self.over * over * over + ABOVE * above * above
+            }
+        }
+    }
+
+    /// How far it is from what is wanted, in steps of speed, squared: what is too fast counts more than what is too
+    /// slow.
+    fn unlike(&self, stored_mm_s: f32, cut: &Cut, over: f64) -> f64 {
+        let late = f64::from(cut.ticks()) - self.ticks;
         let brakes = cut.counts[0] == 0 && cut.counts[1] == 0;
         let first = cut.first_mm_s - if brakes { cut.change_mm_s } else { 0.0 };
-        let jump = steps(f64::from(first - stored_mm_s)).abs();
+        let jump = f64::from((first - stored_mm_s) / cut.change_mm_s).abs();
         let jump = (jump - 1.0).max(0.0);
-        let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
-        let weight = if over > 0.0 {
-            self.weights.over * self.over
-        } else {
-            UNDER
-        };
-        let late = self.weights.late * late * late;
-        late + weight * over * over + 2.0 * jump * jump + 4.0 * above * above
+        let weight = if over > 0.0 { 8.0 * self.over } else { 0.5 };
+        late * late + weight * over * over + 2.0 * jump * jump
+    }
+
+    /// How many ticks are lost until the arm is as fast as wanted again, if it may use all of the acceleration for that:
+    /// with the speed v wanted, `(v - end)2 / (2 a v)`.
+    fn behind(&self, cut: &Cut) -> f64 {
+        if self.aim == Aim::AsWanted || self.rests {
+            return 0.0;
+        }
+        let wanted_mm_s = self.speeds.end_mm_s;
+        let missing_mm_s = (wanted_mm_s - f64::from(cut.end_mm_s)).max(0.0);
+        missing_mm_s * missing_mm_s / (2.0 * f64::from(cut.change_mm_s) * wanted_mm_s.max(1.0))
     }
 
     /// The fastest even speed with which the vector gets its full length, or as far up and down as the
@@ -233,6 +240,7 @@ impl TickTarget {
             max_mm_s,
             cut: self.cut(stored_mm_s, 0.0, max_mm_s),
             cost: f64::INFINITY,
+            behind: 0.0,
         }
     }
 
@@ -253,9 +261,14 @@ impl TickTarget {
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
 const NEAR: f32 = 0.4;
-const UNDER: f64 = 0.5;
+/// By so many steps of speed a vector may end faster than wanted: whether that is too fast is seen at its ticks.
+const FREE_STEPS: f64 = 1.0;
+/// How many ticks it is worth not to be faster by one more; in its square.
+const OVER: f64 = 0.3;
+/// The same for a top speed above what is allowed.
+const ABOVE: f64 = 2.0;
 /// So many choices are told.
-pub(super) const MOST_FITS: usize = 6;
+pub(super) const MOST_FITS: usize = 30;
 /// Speeds with so little of a tick's change between them are the same.
 pub(super) const SAME_SHARE: f32 = 0.25;
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
@@ -281,7 +294,7 @@ mod tests {
             rests,
             acceleration_mm_s2: 100.0,
             most_mm_s: single(max),
-            weights: Weights::SOON,
+            aim: Aim::Soon,
             over: 1.0,
         }
     }

@@ -6,7 +6,7 @@ use dobot_wire::{WriteMode, WriteVector};
 use crate::link::Credit;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::tick_fit::{TickFit, TickTarget, Weights};
+use crate::tick_fit::{Aim, TickFit, TickTarget};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -61,13 +61,12 @@ impl Ticker {
         &self,
         vector: &WriteVector,
         speeds: Speeds,
-        weights: Weights,
+        aim: Aim,
         over: f64,
     ) -> Vec<TickFit> {
         let target = TickTarget {
-            weights,
             over,
-            ..self.target(length(vector), speeds, factor(vector))
+            ..self.target(length(vector), speeds, factor(vector), aim)
         };
         target.fits(self.stored_mm_s)
     }
@@ -96,7 +95,7 @@ impl Ticker {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
-        let target = self.target(length_mm, speeds, factor(vector));
+        let target = self.target(length_mm, speeds, factor(vector), Aim::AsWanted);
         let fit = target.fits(stored_mm_s)[0];
         self.take(&speeds, &fit);
         self.stored_mm_s = stored_mm_s;
@@ -181,16 +180,20 @@ impl Ticker {
     }
 
     /// What the next vector should be, of this length.
-    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32) -> TickTarget {
+    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, aim: Aim) -> TickTarget {
+        let early = match aim {
+            Aim::AsWanted => self.early,
+            Aim::Soon => 0.0,
+        };
         TickTarget {
             length_mm,
             speeds,
-            ticks: speeds.duration_s / f64::from(TICK_S) + self.early,
+            ticks: speeds.duration_s / f64::from(TICK_S) + early,
             least_ticks: least_ticks(self.credit),
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
             most_mm_s: self.most_mm_s,
-            weights: Weights::EVEN,
+            aim,
             over: 1.0,
         }
     }
