@@ -54,16 +54,29 @@ impl ChainSpeeds {
         chain: &'a mut [ChainVector],
     ) -> impl Iterator<Item = Speeds> + 'a {
         self.begin_mm_s = begin_mm_s;
-        self.lower_to_link(chain);
+        self.plan_motion(chain);
+        if let Some(waits) = self.first_that_waits() {
+            self.lower_to_link(chain, waits.saturating_sub(REACH));
+        }
         self.plan_with_link(chain);
         (0..chain.len()).map(|i| self.speeds(chain, i))
     }
 
-    /// Evens the limits out: a short vector between long ones may be fast, because others come
+    /// The first vector that would be over before the next is there: until then those in hand are enough.
+    fn first_that_waits(&self) -> Option<usize> {
+        let mut credit = self.credit;
+        self.wanted_s.iter().position(|&wanted_s| {
+            let waits = wanted_s < credit.least_s();
+            credit.take(wanted_s);
+            waits
+        })
+    }
+
+    /// Evens the limits out from a vector on: a short vector between long ones may be fast, because others come
     /// meanwhile.
-    fn lower_to_link(&self, chain: &mut [ChainVector]) {
+    fn lower_to_link(&self, chain: &mut [ChainVector], from: usize) {
         let lengths: Vec<f64> = chain.iter().map(|run| run.length_mm).collect();
-        for (i, run) in chain.iter_mut().enumerate() {
+        for (i, run) in chain.iter_mut().enumerate().skip(from) {
             let near = &lengths[i.saturating_sub(REACH)..lengths.len().min(i + REACH + 1)];
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
             let packets_s = near.len() as f64 * self.period_s;

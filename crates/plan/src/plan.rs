@@ -225,6 +225,19 @@ mod tests {
     }
 
     #[test]
+    fn a_short_stroke_is_drawn_as_fast_as_the_vectors_that_wait_in_the_arm_allow() {
+        // A circle of 1 mm in eight vectors: they came while the pen was lowered, but for those beyond the queue.
+        let at = |i: i32| Vec2::from_angle(std::f64::consts::FRAC_PI_4 * f64::from(i % 8));
+        let points = (0..=8).map(|i| Point::new(200.0, 0.0) + at(i));
+        let circle = Stroke::open(points.collect());
+        let plan = plan(&[circle], LinkRate::default());
+        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
+        let drawn_s: f64 = draws.map(|it| f64::from(it.duration_s)).sum();
+        // At 100 mm/s2 the circle itself takes 0.63 s and some.
+        assert!((0.08 * 6.0..0.08 * 10.0).contains(&drawn_s), "{drawn_s} s");
+    }
+
+    #[test]
     fn rounding_to_single_precision_does_not_add_up() {
         let points: Vec<(f64, f64)> = (0..50_000)
             .map(|i| (200.0 + f64::from(i) / 997.0, 0.0))
