@@ -1,0 +1,135 @@
+//! How far the tool is at each moment of the fastest motion along a path.
+
+use crate::Pace;
+use crate::lookahead::ChainVector;
+use crate::speeds::Speeds;
+
+/// The fastest motion along a path of vectors, from rest to rest, if no link and no ticks limit it and no corner is
+/// eased.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    vectors: Vec<MovingVector>,
+    acceleration_mm_s2: f64,
+    duration_s: f64,
+}
+
+/// One vector in motion.
+#[derive(Clone, Copy, Debug)]
+struct MovingVector {
+    /// When it begins.
+    begin_s: f64,
+    /// Where it begins, along the path.
+    begin_mm: f64,
+    length_mm: f64,
+    speeds: Speeds,
+    /// How many times as long as with these speeds it takes, since its corners are rounded.
+    slower: f64,
+}
+
+impl Motion {
+    /// The motion along vectors with these increments in mm, none of them all 0, at a pace. Each takes `least_s` at the least.
+    #[must_use]
+    pub fn along(pace: &Pace, least_s: f64, increments: impl Iterator<Item = [f64; 3]>) -> Self {
+        let cornering = pace.cornering;
+        let chain: Vec<ChainVector> = increments
+            .map(|it| ChainVector::of(it, pace.speed_mm_s))
+            .collect();
+        let mut junctions = Vec::with_capacity(chain.len() + 1);
+        cornering.speeds(0.0, &chain, &mut junctions);
+        let (mut begin_s, mut begin_mm) = (0.0, 0.0);
+        let vectors = junctions.windows(2).zip(&chain).map(|(ends, run)| {
+            let [start, end] = [0, 1].map(|i| ends[i].speed_mm_s());
+            let speeds = Speeds::of(
+                run.length_mm,
+                [start, end, run.limit_mm_s],
+                run.limit_mm_s,
+                cornering.acceleration_mm_s2,
+            );
+            let took_s = cornering.duration_s(&ends[0], run, &ends[1]).max(least_s);
+            let vector = MovingVector {
+                begin_s,
+                begin_mm,
+                length_mm: run.length_mm,
+                speeds,
+                slower: took_s / speeds.duration_s,
+            };
+            begin_s += took_s;
+            begin_mm += run.length_mm;
+            vector
+        });
+        Self {
+            vectors: vectors.collect(),
+            acceleration_mm_s2: cornering.acceleration_mm_s2,
+            duration_s: begin_s,
+        }
+    }
+
+    /// How long all of it takes, in s.
+    #[must_use]
+    pub const fn duration_s(&self) -> f64 {
+        self.duration_s
+    }
+
+    /// How far along the path the tool is after a time, in mm.
+    #[must_use]
+    pub fn gone_mm(&self, t_s: f64) -> f64 {
+        let after = self.vectors.partition_point(|it| it.begin_s <= t_s);
+        after.checked_sub(1).map_or(0.0, |i| {
+            let vector = &self.vectors[i];
+            let since_s = ((t_s - vector.begin_s) / vector.slower).min(vector.speeds.duration_s);
+            let (length_mm, a) = (vector.length_mm, self.acceleration_mm_s2);
+            let gone_mm = vector.speeds.distance_mm(length_mm, a, since_s);
+            vector.begin_mm + gone_mm.min(length_mm)
+        })
+    }
+
+    /// When the tool is so far along the path, in s: to within a microsecond.
+    #[must_use]
+    pub fn reached_s(&self, gone_mm: f64) -> f64 {
+        let after = self.vectors.partition_point(|it| it.begin_mm <= gone_mm);
+        let (mut early_s, mut late_s) = (
+            after
+                .checked_sub(1)
+                .map_or(0.0, |i| self.vectors[i].begin_s),
+            self.vectors
+                .get(after)
+                .map_or(self.duration_s, |it| it.begin_s),
+        );
+        while late_s - early_s > 1e-6 {
+            let middle_s = 0.5 * (early_s + late_s);
+            if self.gone_mm(middle_s) < gone_mm {
+                early_s = middle_s;
+            } else {
+                late_s = middle_s;
+            }
+        }
+        late_s
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{DrawingTool, Machine};
+
+    #[test]
+    fn a_line_is_run_as_its_acceleration_and_its_speed_tell() {
+        // 40 mm at 40 mm/s and 100 mm/s2, in two vectors: 0.4 s up and 0.4 s down over 8 mm each, 0.6 s between.
+        let pace = Pace::of(&Machine::default(), &DrawingTool::default());
+        let motion = Motion::along(&pace, 0.0, [[30.0, 0.0, 0.0], [10.0, 0.0, 0.0]].into_iter());
+        assert!((motion.duration_s() - 1.4).abs() < 1e-9);
+        let moments = [
+            (0.0, 0.0),
+            (0.2, 2.0),
+            (0.4, 8.0),
+            (0.9, 28.0),
+            (1.2, 38.0),
+            (1.4, 40.0),
+        ];
+        for (t_s, gone_mm) in moments {
+            assert!((motion.gone_mm(t_s) - gone_mm).abs() < 1e-9, "{t_s}");
+            assert!((motion.reached_s(gone_mm) - t_s).abs() < 1e-5, "{gone_mm}");
+        }
+        assert!((motion.gone_mm(9.0) - 40.0).abs() < 1e-9);
+    }
+}
