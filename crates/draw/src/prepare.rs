@@ -13,7 +13,7 @@ use thiserror::Error;
 use self::read::read;
 pub use self::settings::Settings;
 pub(crate) use self::settings::TRIES;
-use self::vectors::simplified;
+use self::vectors::{Trials, simplified};
 use crate::backlash::{most_mm, taken_up};
 use crate::calibrated::{told_passes, told_strokes};
 use crate::clip::{Clipped, clip_to_reach};
@@ -140,8 +140,11 @@ fn plan_passes<E: fmt::Display>(
         Some(from) => from.rest_of(passes)?,
         None => passes,
     };
-    let simple: Result<Vec<Pass>, PrepareError> =
-        passes.iter().map(|it| simplified(it, settings)).collect();
+    let mut trials = Trials::new();
+    let simple = passes
+        .iter()
+        .map(|it| simplified(it, settings, &mut trials));
+    let simple: Result<Vec<Pass>, PrepareError> = simple.collect();
     let simple = match &settings.calibration {
         Some(known) => taken_up(simple?, &settings.paper, &known.arm()),
         None => simple?,

@@ -56,14 +56,29 @@ pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Stroke {
     joined(stroke, points)
 }
 
-/// The paths that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best.
-pub(crate) fn fast_ways_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Vec<Stroke> {
+/// A stroke that may be the fastest.
+#[derive(Clone, Debug)]
+pub(crate) struct Way {
+    pub stroke: Stroke,
+    /// How long it takes, as far as is known without a plan, in s.
+    pub about_s: f64,
+}
+
+/// The ways that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best.
+pub(crate) fn fast_ways_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Vec<Way> {
     let radius_mm = tolerance_mm - SLACK_MM;
     match fast_ways(corridor(stroke, radius_mm), pace) {
-        Some(ways) if radius_mm > MIN_VECTOR_MM => {
-            ways.iter().map(|it| joined(stroke, places(it))).collect()
-        }
-        _ => vec![joined(stroke, simplified(stroke, radius_mm))],
+        Some(ways) if radius_mm > MIN_VECTOR_MM => ways
+            .into_iter()
+            .map(|it| Way {
+                stroke: joined(stroke, places(&it.path)),
+                about_s: it.about_s,
+            })
+            .collect(),
+        _ => vec![Way {
+            stroke: joined(stroke, simplified(stroke, radius_mm)),
+            about_s: 0.0,
+        }],
     }
 }
 
@@ -237,10 +252,11 @@ mod tests {
             let stroke = wander(seed);
             // The plan decides between the ways, as it does for a drawing.
             let fastest_s = |tolerance_mm| {
-                let mut ways = fast_ways_at(&stroke, tolerance_mm, pace);
-                ways.extend([0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm)));
-                let times_s = ways.iter().map(|way| planned_s(way, pace));
-                times_s.fold(f64::INFINITY, f64::min)
+                let ways = fast_ways_at(&stroke, tolerance_mm, pace).into_iter();
+                let fewest = [0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm));
+                let ways = ways.map(|it| it.stroke).chain(fewest);
+                ways.map(|way| planned_s(&way, pace))
+                    .fold(f64::INFINITY, f64::min)
             };
             let times_s = [0.03, 0.06, 0.12, 0.24, 0.48].map(fastest_s);
             let slower = times_s.windows(2).map(|pair| pair[1] / pair[0]);
@@ -353,7 +369,7 @@ mod tests {
             speed_mm_s in 1.0..200.0_f64,
         ) {
             let stroke = walk(&steps, closed);
-            for simple in fast_ways_at(&stroke, tolerance, &pace(100.0, speed_mm_s)) {
+            for Way { stroke: simple, .. } in fast_ways_at(&stroke, tolerance, &pace(100.0, speed_mm_s)) {
                 if simple.points.len() > 1 {
                     prop_assert!(closed || simple.points[0] == stroke.points[0]);
                     prop_assert!(closed || simple.last() == stroke.last());

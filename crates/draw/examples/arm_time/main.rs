@@ -1,7 +1,7 @@
 //! `cargo run -p dobot-draw --example arm_time`
 //!
 //! Plans curves of many kinds and prints as a table, for speeds, accelerations and arms, how long the
-//! pen draws, the bounds of that, and how far it is from the curve. Arguments, each optional: tolerance
+//! pen draws, the bounds of that, how far it is from the curve, and how much it accelerates. Arguments, each optional: tolerance
 //! in mm, name of the curves. The ratio is to the larger bound of each stroke.
 
 use std::error::Error;
@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use dobot_draw::{Settings, prepare_passes, simplify};
 use dobot_geometry::{PathDistance, Stroke, deviation, steps};
-use dobot_plan::{ChainVector, DrawingTool, Machine, MoveKind, Pass, Plan};
+use dobot_plan::{ChainVector, DrawingTool, Machine, MoveKind, Pass, Plan, acceleration};
 
 mod curves;
 
@@ -25,9 +25,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     println!(
-        "| curves | mm/s² | mm/s | optimum | link | arm | ours | ratio | vectors | mean off | most off | planned in |"
+        "| curves | mm/s² | mm/s | optimum | link | arm | ours | ratio | vectors | mean off | most off | acceleration | planned in |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     let all = curves::all();
     for curves in all
         .iter()
@@ -88,9 +88,10 @@ impl Case {
         let drawn_s: f64 = draws.clone().map(|it| f64::from(it.duration_s)).sum();
         let (mean_mm, largest_mm) = off(&curves.given, &plan);
         Ok(format!(
-            "{drawn_s:.1} s | {:.3} | {} | {mean_mm:.4} mm | {largest_mm:.4} mm | {:.0} ms |",
+            "{drawn_s:.1} s | {:.3} | {} | {mean_mm:.4} mm | {largest_mm:.4} mm | {:.3} | {:.0} ms |",
             drawn_s / bound_s,
             draws.count(),
+            acceleration(&plan, SEEN_S) / self.acceleration_mm_s2,
             1e3 * took_s
         ))
     }
@@ -154,5 +155,7 @@ const CASES: [(f64, f64); 5] = [
     (200.0, 100.0),
     (200.0, 200.0),
 ];
+/// How far apart the looks are by which the acceleration is measured, in s: as statuses are.
+const SEEN_S: f64 = 0.08;
 /// The rest is for reading curves.
 const FEWEST_SHARE: f64 = 0.9;

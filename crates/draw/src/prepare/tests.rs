@@ -5,7 +5,7 @@ use crate::cutting::Cutting;
 use crate::place::Size;
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Vec2, deviation};
-use dobot_plan::{Laser, MoveKind};
+use dobot_plan::{Laser, Machine, MoveKind, Pace};
 
 const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/drawings/harbour.svg"),
@@ -38,6 +38,63 @@ fn the_examples_are_planned_within_tolerance_and_reach() {
         let worst = deviation(&prepared.wanted(), &planned);
         assert!(worst.largest_mm() <= 0.045 + 1e-5, "{worst:?}");
         assert_eq!(prepared.warnings, []);
+    }
+}
+
+/// A circle of 30 mm that is no polygon to see.
+fn round() -> Stroke {
+    let at = |i: u32| Vec2::from_angle(std::f64::consts::TAU * f64::from(i % 5000) / 5000.0);
+    let points = (0..=5000).map(|i| Point::new(220.0, 0.0) + at(i) * 30.0);
+    Stroke {
+        points: points.collect(),
+        closed: true,
+    }
+}
+
+/// 100 mm/s2, and no limit of the joints.
+fn at_80_mm_s(has_ticks: bool) -> Settings {
+    Settings {
+        tool: DrawingTool::default().at_speed(80.0),
+        machine: Machine {
+            acceleration_mm_s2: 100.0,
+            joint_speed_deg_s: 10_000.0,
+            has_ticks,
+            ..Machine::default()
+        },
+        ..Settings::default()
+    }
+}
+
+#[test]
+fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
+    // At v2 = a r the circle takes 2 pi sqrt(r / a); from rest and to rest the acceleration turns from along the
+    // circle to across it, which takes pi / 4 of that radian twice: the speed grows as the sine of twice the angle.
+    let optimum_s = {
+        let settings = at_80_mm_s(false);
+        let pace = Pace::of(&settings.machine, &settings.tool);
+        let circle = round();
+        let ways = circle.segments().map(|(a, b)| [b.x - a.x, b.y - a.y, 0.0]);
+        pace.durations_s(ways).iter().sum::<f64>()
+    };
+    let at_full_speed_s = std::f64::consts::TAU * (30.0_f64 / 100.0).sqrt();
+    assert!(
+        (at_full_speed_s..at_full_speed_s + 0.6).contains(&optimum_s),
+        "{optimum_s}"
+    );
+    for (has_ticks, most) in [(false, 1.02), (true, 1.05)] {
+        let settings = at_80_mm_s(has_ticks);
+        let pass = Pass::new(settings.tool, vec![round()]);
+        let plan = prepare_passes(vec![pass], &settings, anywhere)
+            .unwrap()
+            .plan;
+        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
+        let drawn_s: f64 = draws.map(|it| f64::from(it.duration_s)).sum();
+        assert!(
+            drawn_s <= most * optimum_s,
+            "{drawn_s} instead of {optimum_s} s"
+        );
+        let seen = dobot_plan::acceleration(&plan, 0.08);
+        assert!(seen <= 103.0, "{seen} mm/s2");
     }
 }
 

@@ -10,13 +10,12 @@
 //!                   `--.____.--'          the arm limits the long one
 //! ```
 
-use dobot_geometry::Point;
 use dobot_plan::Pace;
 
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 use super::search::fewest;
-use super::timed::timed;
+use super::timed::Course;
 
 /// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
 /// without vectors that are too short.
@@ -24,29 +23,46 @@ pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Cor
     Some(Found::new(&mut corridor, pace)?.best.path)
 }
 
-/// The same, and on a curve another path, chosen vector by vector: only a plan tells which is faster.
-pub(super) fn fast_ways(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Vec<Corner>>> {
+/// The same, and on a curve other paths, whose vectors take whole ticks: only a plan tells which is the fastest.
+pub(super) fn fast_ways(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<FastWay>> {
     let most_mm = corridor.radii.first().copied()?;
     let mut found = Found::new(&mut corridor, pace)?;
-    let mut ways = vec![found.best.path.clone()];
+    let mut timed = Vec::new();
     if found.is_curved {
         corridor.radii.fill(most_mm / FINE);
         if let Some(fine) = Attempt::new(&corridor, pace) {
-            fine.note_slowness(corridor.points, &mut found.slowness);
+            found.smoothest = found.smoothest.or_smoother(fine);
         }
         corridor.radii.fill(most_mm);
-        ways.extend(timed(&corridor, &found.fewest, &found.slowness, pace));
+        let as_the_arm = Course::along(&found.smoothest.path, 0.0, pace);
+        let as_the_link = Course::along(&found.best.path, pace.link.period_s, pace);
+        let courses = [(as_the_arm, &SLOWER_ARM[..]), (as_the_link, &SLOWER_LINK)];
+        for (course, slower) in courses {
+            let ways = slower.iter().map(|it| course.timed(&corridor, *it, pace));
+            timed.extend(ways.flatten());
+        }
     }
+    let mut ways = vec![FastWay {
+        about_s: found.best.time_s,
+        path: found.best.path,
+    }];
+    ways.extend(timed);
     Some(ways)
+}
+
+/// A path that may be the fastest.
+#[derive(Clone, Debug)]
+pub(super) struct FastWay {
+    pub(super) path: Vec<Corner>,
+    /// How long it takes, as far as is known without a plan, in s.
+    pub(super) about_s: f64,
 }
 
 /// What the search within ever narrower corridors finds.
 struct Found {
     best: Attempt,
-    /// The path with the fewest vectors.
-    fewest: Vec<Corner>,
-    /// How long the fastest of all paths takes from each point to the next, in s for each mm.
-    slowness: Vec<f64>,
+    /// The one that the arm would be the fastest on without a link.
+    smoothest: Attempt,
     /// Whether more vectors could be faster than the fewest.
     is_curved: bool,
 }
@@ -59,12 +75,11 @@ impl Found {
         let mut here = Attempt::new(corridor, pace)?;
         let mut found = Self {
             best: here.clone(),
-            fewest: here.path.clone(),
-            slowness: vec![f64::INFINITY; corridor.points.len()],
+            smoothest: here.clone(),
             is_curved: false,
         };
         while here.time_s <= found.best.time_s * WORTH_MORE {
-            here.note_slowness(corridor.points, &mut found.slowness);
+            found.smoothest = found.smoothest.or_smoother(here.clone());
             let curved = here.is_curved(corridor, most_mm / NARROWEST);
             found.best = found.best.or(here);
             if !curved {
@@ -130,15 +145,13 @@ impl Attempt {
         })
     }
 
-    /// Notes how long it takes for each mm, in s, from each point to the next, where that is less than known.
-    fn note_slowness(&self, points: &[Point], slowness: &mut [f64]) {
-        for (pair, took_s) in self.path.windows(2).zip(&self.durations_s) {
-            let range = pair[0].passed..pair[1].passed;
-            let ways_mm = range.clone().map(|i| points[i].distance(points[i + 1]));
-            let for_mm = took_s / ways_mm.sum::<f64>().max(pair[0].at.distance(pair[1].at));
-            for known in &mut slowness[range] {
-                *known = known.min(for_mm);
-            }
+    /// The one that the arm alone takes less time for; this one if they are about as fast.
+    fn or_smoother(self, other: Self) -> Self {
+        let arm_s = |it: &Self| it.durations_s.iter().sum::<f64>();
+        if arm_s(&other) * SAME < arm_s(&self) {
+            other
+        } else {
+            self
         }
     }
 
@@ -208,6 +221,10 @@ const SAME: f64 = 1.005;
 const WORTH_MORE: f64 = 1.05;
 /// How many times narrower than the tolerance a corridor may become.
 const NARROWEST: f64 = 16.0;
+/// How many times slower than the fastest motion a path may be run, so that its corners are less sharp.
+const SLOWER_ARM: [f64; 3] = [1.02, 1.04, 1.06];
+/// The same where each vector takes as long as its packet.
+const SLOWER_LINK: [f64; 2] = [1.0, 1.03];
 /// How many times narrower than the tolerance the corridor is whose path tells how fast the arm could be.
 const FINE: f64 = 8.0;
 /// How much the width follows the time: with the square a chord would take just as long as wanted.

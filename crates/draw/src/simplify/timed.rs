@@ -1,40 +1,67 @@
-//! The path that takes the least time, as far as one vector after the other can tell.
+//! The path whose vectors take whole ticks of the fastest motion.
 //!
-//! Places for corners lie along the stroke, a few for each vector of the path with the fewest, on the stroke and to both
-//! sides of it. From each place to those that one vector reaches goes a way that takes a time: that of the
-//! fastest motion along the stroke, or more where the corner at its begin is too sharp for that, or where the
-//! link brings no more vectors. The ways that together take the least time are the path.
+//! Where the tool is at each tick of that motion there are places for corners, on the stroke and to both sides of it.
+//! From each place to those that one vector reaches goes a way. It takes as many ticks as the motion from the one to
+//! the other, and no fewer than the link needs for the next. What is seen of the corner at its begin may be too much;
+//! that counts as time. The ways that together take the least time are the path.
 //!
 //! ```text
-//!     o   o   o   o   o       each o is a place; the vector goes on from *, whose own vector came from
-//!   ..o...o...*---o--.o..     farther left: so the corner at * is known, and the time up to it
-//!     o   o   o   o   o
+//!     o   o     o      o      o     each o is a place; the tool comes by at a tick. The vector goes on from *,
+//!   ..o...o.....*------o-..   o     the place of a tick: so it takes whole ticks at the speed of the motion, and no
+//!     o   o     o      o      o     time is lost when a stock arm cuts it into them
 //! ```
 
+use dobot_arm::TICK_S;
 use dobot_geometry::{Point, Vec2};
-use dobot_plan::{ChainVector, Pace};
+use dobot_plan::{Motion, Pace};
 
 use super::corridor::{Corner, Corridor};
+use super::paced::FastWay;
 use super::visibility::Visibility;
 
-/// The corners of the path that takes the least time in a corridor; `None` if no vectors lead to its end.
-/// `fewest` is the path with the fewest vectors, and `slowness` says how long the fastest motion takes, in s
-/// for each mm, from each point to the next.
-pub(super) fn timed(
-    corridor: &Corridor<'_>,
-    fewest: &[Corner],
-    slowness: &[f64],
-    pace: &Pace,
-) -> Option<Vec<Corner>> {
-    let places = places(corridor, fewest, slowness);
-    let mut labels = vec![Label::UNREACHED; places.len()];
-    labels[0].time_s = 0.0;
-    for here in 0..places.len() - 1 {
-        if labels[here].time_s.is_finite() {
-            go_on(corridor, &places, &mut labels, here, pace);
+/// The fastest motion along a path: what other paths are measured by.
+#[derive(Debug)]
+pub(super) struct Course<'a> {
+    path: &'a [Corner],
+    motion: Motion,
+}
+
+impl<'a> Course<'a> {
+    /// The motion along a path whose vectors take `least_s` each at the least.
+    pub(super) fn along(path: &'a [Corner], least_s: f64, pace: &Pace) -> Self {
+        let increments = path.windows(2).map(|pair| {
+            let way = pair[1].at - pair[0].at;
+            [way.x, way.y, 0.0]
+        });
+        Self {
+            motion: Motion::along(pace, least_s, increments),
+            path,
         }
     }
-    path(&places, &labels)
+
+    /// The path in a corridor that takes the least time if all of it takes that many times as long as here; `None` if no
+    /// vectors lead to its end.
+    pub(super) fn timed(
+        &self,
+        corridor: &Corridor<'_>,
+        slower: f64,
+        pace: &Pace,
+    ) -> Option<FastWay> {
+        let places = Places::of(self, corridor, slower).all;
+        let rates = Rates::of(pace);
+        let mut labels = vec![Label::UNREACHED; places.len()];
+        labels[0].time_s = 0.0;
+        for here in 0..places.len() - 1 {
+            if labels[here].time_s.is_finite() {
+                go_on(corridor, &places, &mut labels, here, &rates);
+            }
+        }
+        let last = labels[labels.len() - 1];
+        last.time_s.is_finite().then(|| FastWay {
+            path: path(&places, &labels),
+            about_s: last.time_s,
+        })
+    }
 }
 
 /// A place where a corner may be.
@@ -45,10 +72,120 @@ struct Place {
     passed: usize,
     /// Which step along the stroke it belongs to.
     step: usize,
-    /// When the fastest motion comes by, in s.
+    /// When the motion comes by, in s.
     time_s: f64,
-    /// How fast it is there, in mm/s.
-    speed_mm_s: f64,
+    /// How far along its path the motion is then, and how far it goes in the window before and in that after, in mm.
+    gone_mm: f64,
+    before_mm: f64,
+    after_mm: f64,
+}
+
+/// The places for corners, in their order; first the begin, last the end.
+struct Places<'a> {
+    course: &'a Course<'a>,
+    corridor: &'a Corridor<'a>,
+    slower: f64,
+    step: usize,
+    all: Vec<Place>,
+}
+
+impl<'a> Places<'a> {
+    fn of(course: &'a Course<'a>, corridor: &'a Corridor<'a>, slower: f64) -> Self {
+        let mut places = Self {
+            course,
+            corridor,
+            slower,
+            step: 0,
+            all: Vec::new(),
+        };
+        let (path, last) = (course.path, corridor.points.len() - 1);
+        places.add([path[0].at], 0, 0.0, 0.0);
+        let (mut tick, mut begin_mm) = (1.0, 0.0);
+        for pair in path.windows(2) {
+            let way = pair[1].at - pair[0].at;
+            let (length_mm, unit) = (way.length(), way * (1.0 / way.length()));
+            let mut passed = pair[0].passed;
+            loop {
+                let time_s = tick * TICK_S;
+                let gone_mm = course.motion.gone_mm(time_s / slower);
+                let ends = time_s >= slower * course.motion.duration_s()
+                    || gone_mm >= begin_mm + length_mm;
+                let until_mm = if ends {
+                    f64::INFINITY
+                } else {
+                    gone_mm - begin_mm
+                };
+                while passed < pair[1].passed {
+                    let along_mm = (corridor.points[passed + 1] - pair[0].at).dot(unit);
+                    if along_mm > until_mm {
+                        break;
+                    }
+                    passed += 1;
+                    places.add_sharp(passed, begin_mm + along_mm.clamp(0.0, length_mm));
+                }
+                if ends {
+                    break;
+                }
+                let on_path = pair[0].at + unit * until_mm;
+                places.add(
+                    beside(corridor, on_path, unit, passed),
+                    passed,
+                    time_s,
+                    gone_mm,
+                );
+                tick += 1.0;
+            }
+            begin_mm += length_mm;
+        }
+        places.add(
+            [path[path.len() - 1].at],
+            last,
+            slower * course.motion.duration_s(),
+            begin_mm,
+        );
+        places
+    }
+
+    /// Adds the places at a point where the stroke turns sharply, whenever the motion comes by.
+    fn add_sharp(&mut self, i: usize, gone_mm: f64) {
+        let points = self.corridor.points;
+        if i + 1 < points.len() && is_sharp(points[i - 1], points[i], points[i + 1]) {
+            let [left, right] = self.corridor.beside(i);
+            let time_s = self.slower * self.course.motion.reached_s(gone_mm);
+            self.add([points[i], left, right], i, time_s, gone_mm);
+        }
+    }
+
+    fn add<const N: usize>(&mut self, at: [Point; N], passed: usize, time_s: f64, gone_mm: f64) {
+        let gone = |t_s: f64| self.course.motion.gone_mm(t_s / self.slower);
+        let place = Place {
+            at: at[0],
+            passed,
+            step: self.step,
+            time_s,
+            gone_mm,
+            before_mm: gone_mm - gone(time_s - WINDOW_S),
+            after_mm: gone(time_s + WINDOW_S) - gone_mm,
+        };
+        self.all.extend(at.map(|at| Place { at, ..place }));
+        self.step += 1;
+    }
+}
+
+fn is_sharp(before: Point, here: Point, after: Point) -> bool {
+    let (came, goes) = (here - before, after - here);
+    came.dot(goes) < SHARP_COS * came.length() * goes.length()
+}
+
+/// The place on the stroke that is nearest to one on the path, and four beside it. The last point passed is given.
+fn beside(corridor: &Corridor<'_>, on_path: Point, unit: Vec2, passed: usize) -> [Point; 5] {
+    let next = (passed + 1).min(corridor.points.len() - 1);
+    let [from, to] = [passed, next].map(|i| corridor.points[i]);
+    let way = to - from;
+    let share = (on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
+    let at = from + way * share.clamp(0.0, 1.0);
+    let radius_mm = corridor.radii[passed].min(corridor.radii[next]);
+    [0.0, SIDE, -SIDE, 0.5, -0.5].map(|side| at + unit.turn_90() * (side * radius_mm))
 }
 
 /// How a place is reached in the least time.
@@ -57,64 +194,63 @@ struct Label {
     time_s: f64,
     /// The place before.
     before: usize,
-    /// The vector that leads here.
-    way: Vec2,
-    /// How long it takes, in s.
-    took_s: f64,
-    /// By how much it turned from the one before, in radians, to the left.
-    turn: f64,
+    /// How the tool moves within the window before it is here.
+    came: Vec2,
 }
 
 impl Label {
     const UNREACHED: Self = Self {
         time_s: f64::INFINITY,
         before: 0,
-        way: Vec2::ZERO,
-        took_s: 0.0,
-        turn: 0.0,
+        came: Vec2::ZERO,
     };
 
     /// How the next place is reached from this one.
-    fn next(&self, from: &Place, to: &Place, before: usize, pace: &Pace) -> Self {
-        let way = to.at - from.at;
-        let turn = self.way.cross(way).atan2(self.way.dot(way));
-        let arm_s = to.time_s - from.time_s + self.corner_s(way, turn, from, to, pace);
-        let took_s = arm_s.max(SLOWER_LINK * pace.link.period_s);
+    fn next(&self, [from, to]: [&Place; 2], here: usize, rates: &Rates) -> Self {
+        let took_s = rates.took_s(from, to);
+        let (way, along_mm) = (to.at - from.at, to.gone_mm - from.gone_mm);
+        let speed = ((to.time_s - from.time_s) / took_s).min(1.0);
+        let part = |mm: f64| {
+            if mm < along_mm {
+                way * (mm / along_mm * speed)
+            } else {
+                way * speed
+            }
+        };
+        let seen = (part(from.after_mm) - self.came).length() / rates.seen_mm;
+        let beyond = (seen - SEEN_SHARE).max(0.0);
         Self {
-            time_s: self.time_s + took_s,
-            took_s,
-            before,
-            way,
-            turn,
+            time_s: self.time_s + took_s + TOO_SHARP_S * beyond * beyond,
+            before: here,
+            came: part(to.before_mm),
+        }
+    }
+}
+
+/// What limits how soon the next corner may come.
+struct Rates {
+    /// How many ticks the link needs for a vector, in s.
+    least_s: f64,
+    /// How much of a turn may be seen within the window, in mm.
+    seen_mm: f64,
+}
+
+impl Rates {
+    fn of(pace: &Pace) -> Self {
+        Self {
+            least_s: whole_ticks_s(pace.link.period_s),
+            seen_mm: pace.cornering.acceleration_mm_s2 * WINDOW_S * WINDOW_S,
         }
     }
 
-    /// How much longer it takes because of the corner before a vector, in s.
-    fn corner_s(&self, way: Vec2, turn: f64, from: &Place, to: &Place, pace: &Pace) -> f64 {
-        if self.way == Vec2::ZERO {
-            return 0.0;
-        }
-        let speed_mm_s = from.speed_mm_s;
-        let [before, after] =
-            [self.way, way].map(|it| ChainVector::of([it.x, it.y, 0.0], pace.speed_mm_s));
-        let junction_mm_s = pace.cornering.junction(&before, &after).speed_mm_s();
-        // Other corners within the window are seen together with this one.
-        let (a, window_s) = (pace.cornering.acceleration_mm_s2, pace.cornering.window_s);
-        let next_s = to.time_s - from.time_s;
-        let beside = |took_s: f64| (1.0 - took_s / window_s).max(0.0);
-        let seen = (turn + self.turn * beside(self.took_s) + turn * beside(next_s)).abs();
-        let along = ((to.speed_mm_s - speed_mm_s) / next_s / a).clamp(-MOST_ALONG, MOST_ALONG);
-        let seen_mm_s = a * (1.0 - along * along).sqrt() * window_s / seen;
-        let corner_mm_s = junction_mm_s.min(seen_mm_s);
-        let missing_mm_s = speed_mm_s - corner_mm_s;
-        if missing_mm_s <= 0.0 {
-            return 0.0;
-        }
-        // Braking and speeding up again, or as slow all the way from the middle of one vector to that of the next.
-        let dip_s = missing_mm_s * missing_mm_s / (pace.cornering.acceleration_mm_s2 * speed_mm_s);
-        let slow_mm = 0.5 * (before.length_mm + after.length_mm);
-        dip_s.min(slow_mm / corner_mm_s - slow_mm / speed_mm_s)
+    /// How long a vector takes, wherever it comes from, in s.
+    fn took_s(&self, from: &Place, to: &Place) -> f64 {
+        whole_ticks_s(to.time_s - from.time_s).max(self.least_s)
     }
+}
+
+fn whole_ticks_s(duration_s: f64) -> f64 {
+    (duration_s / TICK_S - SPARE_TICKS).ceil() * TICK_S
 }
 
 /// Notes all places that one vector from here reaches sooner than was known.
@@ -123,7 +259,7 @@ fn go_on(
     places: &[Place],
     labels: &mut [Label],
     here: usize,
-    pace: &Pace,
+    rates: &Rates,
 ) {
     let from = places[here];
     let corner = Corner {
@@ -144,9 +280,9 @@ fn go_on(
                 return;
             }
         }
-        let soonest_s = labels[here].time_s + at_least_s(&from, to, pace);
+        let soonest_s = labels[here].time_s + rates.took_s(&from, to);
         if soonest_s < labels[there].time_s && visibility.reaches(to.at, to.passed) {
-            let next = labels[here].next(&from, to, here, pace);
+            let next = labels[here].next([&from, to], here, rates);
             if next.time_s < labels[there].time_s {
                 labels[there] = next;
             }
@@ -154,91 +290,8 @@ fn go_on(
     }
 }
 
-/// How long a vector takes wherever it comes from, in s.
-fn at_least_s(from: &Place, to: &Place, pace: &Pace) -> f64 {
-    (to.time_s - from.time_s).max(SLOWER_LINK * pace.link.period_s)
-}
-
-/// The places for corners, in their order; first the begin, last the end.
-fn places(corridor: &Corridor<'_>, fewest: &[Corner], slowness: &[f64]) -> Vec<Place> {
-    let points = corridor.points;
-    let mut places = vec![Place {
-        at: fewest[0].at,
-        passed: 0,
-        step: 0,
-        time_s: 0.0,
-        speed_mm_s: 0.0,
-    }];
-    let (mut time_s, mut step) = (0.0, 0);
-    for pair in fewest.windows(2) {
-        let range = pair[0].passed..pair[1].passed;
-        let length_mm: f64 = range
-            .clone()
-            .map(|i| points[i].distance(points[i + 1]))
-            .sum();
-        let apart_mm = length_mm / f64::from(STEPS);
-        let mut next_mm = apart_mm * 0.5;
-        for i in range {
-            let (a, b) = (points[i], points[i + 1]);
-            let long_mm = a.distance(b);
-            if i > 0 && long_mm > 0.0 && is_sharp(points[i - 1], a, b) {
-                step += 1;
-                places.extend(beside(corridor, a, i, 0.0).map(|at| Place {
-                    at,
-                    passed: i,
-                    step,
-                    time_s,
-                    speed_mm_s: 1.0 / slowness[i],
-                }));
-            }
-            while next_mm < long_mm {
-                step += 1;
-                let at = a.lerp(b, next_mm / long_mm);
-                let passing = Place {
-                    at,
-                    passed: i,
-                    step,
-                    time_s: time_s + next_mm * slowness[i],
-                    speed_mm_s: 1.0 / slowness[i],
-                };
-                places.extend(beside(corridor, at, i, next_mm).map(|at| Place { at, ..passing }));
-                next_mm += apart_mm;
-            }
-            next_mm -= long_mm;
-            time_s += long_mm * slowness[i];
-        }
-    }
-    places.push(Place {
-        at: fewest[fewest.len() - 1].at,
-        passed: points.len() - 1,
-        step: step + 1,
-        time_s,
-        speed_mm_s: 0.0,
-    });
-    places
-}
-
-fn is_sharp(before: Point, here: Point, after: Point) -> bool {
-    let (came, goes) = (here - before, after - here);
-    came.dot(goes) < SHARP_COS * came.length() * goes.length()
-}
-
-/// A place on the stroke behind point `i`, and two beside it.
-fn beside(corridor: &Corridor<'_>, at: Point, i: usize, behind_mm: f64) -> [Point; 3] {
-    let [left, right] = corridor.beside(i);
-    if behind_mm == 0.0 {
-        return [at, left, right];
-    }
-    let way = corridor.points[i + 1] - corridor.points[i];
-    let off = way.turn_90() * (SIDE * corridor.radii[i].min(corridor.radii[i + 1]) / way.length());
-    [at, at + off, at - off]
-}
-
-fn path(places: &[Place], labels: &[Label]) -> Option<Vec<Corner>> {
+fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
     let mut at = places.len() - 1;
-    if labels[at].time_s.is_infinite() {
-        return None;
-    }
     let corner = |at: usize| Corner {
         at: places[at].at,
         passed: places[at].passed,
@@ -250,19 +303,20 @@ fn path(places: &[Place], labels: &[Label]) -> Option<Vec<Corner>> {
         path.push(corner(at));
     }
     path.reverse();
-    Some(path)
+    path
 }
 
-/// So many steps along the stroke for each vector of the fewest.
-const STEPS: u32 = 6;
-/// A vector goes over at most so many.
-const MOST_STEPS: usize = 16;
+/// Over which time the acceleration is seen, in s: that between two statuses.
+const WINDOW_S: f64 = 4.0 * TICK_S;
+/// A vector goes over at most so many steps.
+const MOST_STEPS: usize = 24;
 /// How far beside the stroke places lie, as a share of the tolerance.
 const SIDE: f64 = 0.99;
 /// The cosine of a turn of a stroke from which on the point itself is a place.
 const SHARP_COS: f64 = 0.94;
-/// Vectors that take hardly longer than their packets would slow their neighbours down: the link counts as that many times
-/// slower than it is.
-const SLOWER_LINK: f64 = 1.2;
-/// Of the acceleration this share at most counts as used along the way.
-const MOST_ALONG: f64 = 0.95;
+/// By so much of a tick a vector may be too long for its ticks.
+const SPARE_TICKS: f64 = 0.1;
+/// The share of the acceleration that may be seen at a corner.
+const SEEN_SHARE: f64 = 0.97;
+/// How much time it counts for to be seen to accelerate twice as much, in s; in the square of what is too much.
+const TOO_SHARP_S: f64 = 50.0 * TICK_S;
