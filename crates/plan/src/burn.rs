@@ -3,6 +3,7 @@
 use dobot_geometry::{Point, Stroke};
 use dobot_motion::Cut;
 
+use crate::aim::Aim;
 use crate::commands::write;
 use crate::laser_path::{LaserPath, SwitchLead, burn_speed_mm_s, burnable};
 use crate::planner::Planner;
@@ -102,7 +103,10 @@ impl Planner<'_> {
         let limit_mm_s = self.chain[first].limit_mm_s;
         let mut chain = self.chain.clone();
         let mut chain_speeds = self.chain_speeds.clone();
-        let speeds = chain_speeds.plan(&mut chain).skip(first).take(burned);
+        let speeds = chain_speeds
+            .plan(&mut chain, Aim::Evenly)
+            .skip(first)
+            .take(burned);
         let slowest_mm_s = speeds
             .map(|it| it.start_mm_s.min(it.end_mm_s).min(it.max_mm_s))
             .fold(limit_mm_s, f64::min);

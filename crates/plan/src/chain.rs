@@ -2,6 +2,7 @@
 //! link is overdriven.
 
 use crate::Machine;
+use crate::aim::Aim;
 use crate::link::Credit;
 use crate::lookahead::{ChainVector, Cornering, Junction};
 use crate::seen::SeenMotion;
@@ -42,8 +43,9 @@ impl ChainSpeeds {
     pub(super) fn plan<'a>(
         &'a mut self,
         chain: &'a mut [ChainVector],
+        aim: Aim,
     ) -> impl Iterator<Item = Speeds> + 'a {
-        self.plan_from(0.0, chain)
+        self.plan_from(0.0, chain, aim)
     }
 
     /// The speeds of the chain's vectors, if it begins with this speed. Where braking takes longer
@@ -52,11 +54,17 @@ impl ChainSpeeds {
         &'a mut self,
         begin_mm_s: f64,
         chain: &'a mut [ChainVector],
+        aim: Aim,
     ) -> impl Iterator<Item = Speeds> + 'a {
         self.begin_mm_s = begin_mm_s;
-        self.plan_motion(chain);
-        if let Some(waits) = self.first_that_waits() {
-            self.lower_to_link(chain, waits.saturating_sub(REACH));
+        match aim {
+            Aim::Evenly => self.lower_to_link(chain, 0),
+            Aim::Soon => {
+                self.plan_motion(chain);
+                if let Some(waits) = self.first_that_waits() {
+                    self.lower_to_link(chain, waits.saturating_sub(REACH));
+                }
+            }
         }
         self.plan_with_link(chain);
         (0..chain.len()).map(|i| self.speeds(chain, i))

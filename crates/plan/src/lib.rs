@@ -17,6 +17,7 @@
 //! ```
 
 mod acceleration;
+mod aim;
 mod burn;
 mod chain;
 mod commands;

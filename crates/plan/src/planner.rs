@@ -2,6 +2,7 @@
 
 use dobot_geometry::{Point, Stroke};
 
+use crate::aim::Aim;
 use crate::chain::{ChainSpeeds, LEAST_SHARE};
 use crate::joints::JointSpeeds;
 use crate::landing::Landing;
@@ -9,7 +10,7 @@ use crate::lookahead::ChainVector;
 use crate::seen::TickPositions;
 use crate::speeds::Speeds;
 use crate::tick_chain::{Breadth, TickChain};
-use crate::tick_fit::{Aim, TickFit};
+use crate::tick_fit::TickFit;
 use crate::ticker::Ticker;
 use crate::vector::length;
 use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
@@ -136,6 +137,7 @@ impl<'a> Planner<'a> {
     /// The chain ends: its speeds can be planned.
     pub(super) fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
+        let aim = self.aim(begin);
         self.even_burning(begin);
         if let Some(mut ticker) = self.ticker.take() {
             let limits = self.chain.iter().map(|it| it.limit_mm_s);
@@ -143,7 +145,7 @@ impl<'a> Planner<'a> {
             let limits_mm_s: Vec<f64> = limits.collect();
             self.plan_in_ticks(begin, &ticker, &limits_mm_s);
         } else {
-            let speeds = self.chain_speeds.plan(&mut self.chain);
+            let speeds = self.chain_speeds.plan(&mut self.chain, aim);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
@@ -159,7 +161,7 @@ impl Planner<'_> {
     fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker, limits_mm_s: &[f64]) {
         let mut over = vec![1.0; self.chain.len()];
         let mut attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::ONE);
-        if self.draws(begin) && !attempt.is_good() {
+        if self.aim(begin) == Aim::Soon && !attempt.is_good() {
             attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::FEW);
             if attempt.late_share() > MUCH_LATE_SHARE {
                 attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::MANY);
@@ -199,9 +201,10 @@ impl Planner<'_> {
     /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
     /// link allows is told by the ticks.
     fn wanted(&mut self, begin: usize, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
+        let aim = self.aim(begin);
         let mut chain_speeds = self.chain_speeds.clone();
-        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain).collect();
-        if self.draws(begin) {
+        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, aim).collect();
+        if aim == Aim::Soon {
             for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
                 speeds.limit_mm_s = limit_mm_s;
             }
@@ -238,11 +241,7 @@ impl Planner<'_> {
         over: &'a [f64],
     ) -> TickChain<'a> {
         TickChain {
-            aim: if self.draws(begin) {
-                Aim::Soon
-            } else {
-                Aim::AsWanted
-            },
+            aim: self.aim(begin),
             moves: &self.moves[begin..],
             chain: &self.chain,
             speeds,
@@ -250,10 +249,14 @@ impl Planner<'_> {
         }
     }
 
-    /// Whether a pen is on the paper in the chain that begins there.
-    fn draws(&self, begin: usize) -> bool {
-        let moves = &self.moves[begin..];
-        moves.iter().any(|it| it.kind == MoveKind::Draw)
+    /// What matters in the chain that begins there: for a pen on the paper that it is over soon.
+    fn aim(&self, begin: usize) -> Aim {
+        let mut moves = self.moves[begin..].iter();
+        if moves.any(|it| it.kind == MoveKind::Draw) {
+            Aim::Soon
+        } else {
+            Aim::Evenly
+        }
     }
 
     /// What share of the acceleration seen at the corner behind each vector is allowed.

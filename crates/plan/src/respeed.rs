@@ -4,6 +4,7 @@ use dobot_arm::Position;
 use dobot_wire::WriteVector;
 
 use crate::Machine;
+use crate::aim::Aim;
 use crate::chain::ChainSpeeds;
 use crate::joints::JointSpeeds;
 use crate::lookahead::ChainVector;
@@ -135,7 +136,7 @@ impl Respeeding<'_> {
             here = [0, 1, 2].map(|i| here[i] + way[i]);
         }
         let mut chain_speeds = ChainSpeeds::new(self.machine);
-        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs);
+        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs, Aim::Evenly);
         speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
     }
 

@@ -1,11 +1,12 @@
 //! How a stock arm is to run a chain of vectors: a search among the ways that its ticks allow.
 
 use crate::PlannedVector;
+use crate::aim::Aim;
 use crate::commands::write;
 use crate::lookahead::ChainVector;
 use crate::seen::{WINDOW_TICKS, at_ticks, second_difference, seen_mm};
 use crate::speeds::Speeds;
-use crate::tick_fit::{Aim, MOST_FITS, SAME_SHARE, TickFit};
+use crate::tick_fit::{MOST_FITS, SAME_SHARE, TickFit};
 use crate::ticker::Ticker;
 
 /// A chain, and what is wanted of it.
@@ -292,7 +293,7 @@ mod tests {
             let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let over = vec![1.0; moves.len()];
-            let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
+            let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
             let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over }
                 .fits(&ticker, Breadth::FEW);
             check(&ticker, &moves, &before, &fits)?;
@@ -300,7 +301,7 @@ mod tests {
                 let at = at % chain.len();
                 chain[at].corner_mm_s = before[at].end_mm_s * share;
             }
-            let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain).collect();
+            let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
             TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over }
                 .repair(&ticker, &mut fits, &changed, Breadth::FEW);

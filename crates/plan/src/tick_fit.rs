@@ -3,6 +3,7 @@
 use dobot_motion::Cut;
 use dobot_wire::single;
 
+use crate::aim::Aim;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
 
@@ -33,15 +34,6 @@ pub(super) struct TickTarget {
     pub aim: Aim,
     /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
-}
-
-/// What matters where speeds are chosen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Aim {
-    /// That vectors take the time and have the speeds wanted: for what has to keep its speed, as a laser has.
-    AsWanted,
-    /// That the way is over soon: for a pen. Whether a way turns too fast is told by where its ticks lie.
-    Soon,
 }
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
@@ -184,7 +176,7 @@ impl TickTarget {
         let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
         match self.aim {
-            Aim::AsWanted => self.unlike(stored_mm_s, cut, over) + 4.0 * above * above,
+            Aim::Evenly => self.unlike(stored_mm_s, cut, over) + 4.0 * above * above,
             Aim::Soon => {
                 let over = (over - FREE_STEPS).max(0.0);
                 f64::from(cut.ticks()) + OVER * self.over * over * over + ABOVE * above * above
@@ -207,7 +199,7 @@ impl TickTarget {
     /// How many ticks are lost until the arm is as fast as wanted again, if it may use all of the acceleration for that:
     /// with the speed v wanted, `(v - end)2 / (2 a v)`.
     fn behind(&self, cut: &Cut) -> f64 {
-        if self.aim == Aim::AsWanted || self.rests {
+        if self.aim == Aim::Evenly || self.rests {
             return 0.0;
         }
         let wanted_mm_s = self.speeds.end_mm_s;

@@ -3,10 +3,11 @@
 use dobot_motion::Cut;
 use dobot_wire::{WriteMode, WriteVector};
 
+use crate::aim::Aim;
 use crate::link::Credit;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::tick_fit::{Aim, TickFit, TickTarget};
+use crate::tick_fit::{TickFit, TickTarget};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -95,7 +96,7 @@ impl Ticker {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
-        let target = self.target(length_mm, speeds, factor(vector), Aim::AsWanted);
+        let target = self.target(length_mm, speeds, factor(vector), Aim::Evenly);
         let fit = target.fits(stored_mm_s)[0];
         self.take(&speeds, &fit);
         self.stored_mm_s = stored_mm_s;
@@ -182,7 +183,7 @@ impl Ticker {
     /// What the next vector should be, of this length.
     fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, aim: Aim) -> TickTarget {
         let early = match aim {
-            Aim::AsWanted => self.early,
+            Aim::Evenly => self.early,
             Aim::Soon => 0.0,
         };
         TickTarget {

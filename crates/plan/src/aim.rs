@@ -1,0 +1,10 @@
+//! What matters where speeds are chosen.
+
+/// What matters where speeds are chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Aim {
+    /// That the way is run evenly, with the times and the speeds wanted: for what has to keep its speed, as a laser has.
+    Evenly,
+    /// That the way is over soon: for a pen. Whether it turns too fast in ticks is told by where they lie.
+    Soon,
+}
