@@ -65,9 +65,15 @@ pub(crate) struct Way {
 }
 
 /// The ways that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best.
-pub(crate) fn fast_ways_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Vec<Way> {
+/// `most` is how many of each kind are looked for.
+pub(crate) fn fast_ways_at(
+    stroke: &Stroke,
+    tolerance_mm: f64,
+    pace: &Pace,
+    most: usize,
+) -> Vec<Way> {
     let radius_mm = tolerance_mm - SLACK_MM;
-    match fast_ways(corridor(stroke, radius_mm), pace) {
+    match fast_ways(corridor(stroke, radius_mm), pace, most) {
         Some(ways) if radius_mm > MIN_VECTOR_MM => ways
             .into_iter()
             .map(|it| Way {
@@ -252,7 +258,7 @@ mod tests {
             let stroke = wander(seed);
             // The plan decides between the ways, as it does for a drawing.
             let fastest_s = |tolerance_mm| {
-                let ways = fast_ways_at(&stroke, tolerance_mm, pace).into_iter();
+                let ways = fast_ways_at(&stroke, tolerance_mm, pace, usize::MAX).into_iter();
                 let fewest = [0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm));
                 let ways = ways.map(|it| it.stroke).chain(fewest);
                 ways.map(|way| planned_s(&way, pace))
@@ -369,7 +375,7 @@ mod tests {
             speed_mm_s in 1.0..200.0_f64,
         ) {
             let stroke = walk(&steps, closed);
-            for Way { stroke: simple, .. } in fast_ways_at(&stroke, tolerance, &pace(100.0, speed_mm_s)) {
+            for Way { stroke: simple, .. } in fast_ways_at(&stroke, tolerance, &pace(100.0, speed_mm_s), usize::MAX) {
                 if simple.points.len() > 1 {
                     prop_assert!(closed || simple.points[0] == stroke.points[0]);
                     prop_assert!(closed || simple.last() == stroke.last());

@@ -5,7 +5,7 @@ use dobot_plan::{DrawingTool, Pace, Pass, Plan, acceleration};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
-use crate::simplify::{Way, fast_ways_at, simplify};
+use crate::simplify::{fast_ways_at, simplify};
 
 /// How much of a drawing may still be planned to find the fastest vectors.
 #[derive(Debug)]
@@ -20,10 +20,9 @@ impl Trials {
         Self { left: MOST_TRIED }
     }
 
-    /// Whether there is enough left to plan all of these.
-    fn take(&mut self, ways: &[Way], has_ticks: bool) -> bool {
-        let vectors: usize = ways.iter().map(|it| it.stroke.points.len()).sum();
-        let count = vectors * if has_ticks { TICKS_COUNT } else { 1 };
+    /// Whether there is enough left to plan a stroke in all ways, the fewest vectors of which are given.
+    fn take(&mut self, fewest: &Stroke, has_ticks: bool) -> bool {
+        let count = fewest.points.len() * WAYS * if has_ticks { TICKS_COUNT } else { 1 };
         let enough = count <= self.left;
         self.left = self.left.saturating_sub(count);
         enough
@@ -69,8 +68,9 @@ fn faster(
 ) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let pace = Pace::of(&settings.machine, &tool);
-    let ways = fast_ways_at(stroke, tolerance_mm, &pace);
-    if !trials.take(&ways, settings.machine.has_ticks) {
+    let tries = trials.take(&fewest, settings.machine.has_ticks);
+    let ways = fast_ways_at(stroke, tolerance_mm, &pace, if tries { WAYS } else { 1 });
+    if !tries {
         let soonest = ways
             .into_iter()
             .min_by(|a, b| a.about_s.total_cmp(&b.about_s));
@@ -112,6 +112,8 @@ fn planned_s(stroke: &Stroke, tool: DrawingTool, settings: &Settings) -> f64 {
 
 /// Fewer vectors, which are farther from the curve, are taken if so much faster.
 const WORTH_FEWER: f64 = 0.998;
+/// In so many ways at the most a stroke is planned.
+const WAYS: usize = 8;
 /// So many vectors of a drawing are planned to choose among them: a second or two of a processor.
 const MOST_TRIED: usize = 150_000;
 /// How many times as long as without ticks it takes to plan with them.

@@ -24,7 +24,12 @@ pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Cor
 }
 
 /// The same, and on a curve other paths, whose vectors take whole ticks: only a plan tells which is the fastest.
-pub(super) fn fast_ways(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<FastWay>> {
+/// `most` is how many of each kind are looked for.
+pub(super) fn fast_ways(
+    mut corridor: Corridor<'_>,
+    pace: &Pace,
+    most: usize,
+) -> Option<Vec<FastWay>> {
     let most_mm = corridor.radii.first().copied()?;
     let mut found = Found::new(&mut corridor, pace)?;
     let mut timed = Vec::new();
@@ -38,7 +43,8 @@ pub(super) fn fast_ways(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<F
         let as_the_link = Course::along(&found.best.path, pace.link.period_s, pace);
         let courses = [(as_the_arm, &SLOWER_ARM[..]), (as_the_link, &SLOWER_LINK)];
         for (course, slower) in courses {
-            let ways = slower.iter().map(|it| course.timed(&corridor, *it, pace));
+            let slower = slower.iter().take(most);
+            let ways = slower.map(|it| course.timed(&corridor, *it, pace));
             timed.extend(ways.flatten());
         }
     }
