@@ -105,11 +105,14 @@ fn moved(nodes: &Nodes, tour: &[u32], kicks: u32, random: &mut Random) -> (Vec<u
     (turns.tour(), left)
 }
 
-/// In small drawings everything has been tried before the kicks are used up.
+/// In small drawings everything has been tried before the kicks are used up. In large ones a kick costs more and gains less, so
+/// there are the fewer the more strokes there are.
 fn kicks(search: &Search, strokes: usize) -> u32 {
     let strokes = u32::try_from(strokes).unwrap_or(u32::MAX);
     let most = strokes.saturating_mul(KICKS_FOR_EACH);
-    search.kicks.min(most.saturating_add(LEAST_KICKS))
+    let kicks = search.kicks.min(most.saturating_add(LEAST_KICKS));
+    let fewer = u64::from(kicks) * u64::from(MANY_STROKES) / u64::from(strokes.max(MANY_STROKES));
+    u32::try_from(fewer).unwrap_or(kicks)
 }
 
 /// How much worse an order may be meanwhile, as a share of what is best where there are kicks enough for each stroke.
@@ -124,6 +127,8 @@ const fn lossy(count: usize) -> f64 {
 
 const ROUNDS: u32 = 2;
 const KICKS_FOR_EACH: u32 = 40;
+/// From so many strokes on there are fewer kicks.
+const MANY_STROKES: u32 = 10_000;
 /// For a handful of strokes, which take no time.
 const LEAST_KICKS: u32 = 1000;
 /// Parts are moved with so many shares of the kicks, and no longer than each makes the way shorter by this much of it.

@@ -23,7 +23,7 @@ pub struct PathOptions {
     /// Draw in the order of the file
     #[arg(long)]
     pub keep_order: bool,
-    /// How long to look for the shortest way with the pen up: so many tries
+    /// How long to look for the shortest way with the pen up: so many tries, fewer from 10,000 strokes on
     #[arg(
         long,
         value_name = "N",
