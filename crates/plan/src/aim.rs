@@ -1,5 +1,7 @@
 //! What matters where speeds are chosen.
 
+use crate::DrawingTool;
+
 /// What matters where speeds are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Aim {
@@ -7,4 +9,14 @@ pub(super) enum Aim {
     Evenly,
     /// That the way is over soon: for a pen. Whether it turns too fast in ticks is told by where they lie.
     Soon,
+}
+
+impl Aim {
+    pub(super) const fn of(tool: &DrawingTool) -> Self {
+        if tool.burns() {
+            Self::Evenly
+        } else {
+            Self::Soon
+        }
+    }
 }

@@ -25,6 +25,8 @@ pub(super) struct Planner<'a> {
     /// Where the vectors so far lead, rounding included.
     pub(super) here: [f64; 3],
     landing: Landing,
+    /// What matters: of a pen that it is over soon.
+    aim: Aim,
     joints: JointSpeeds,
     pub(super) moves: Vec<PlannedVector>,
     /// Which stroke and pass the next vectors belong to.
@@ -48,6 +50,7 @@ impl<'a> Planner<'a> {
             ticker: Ticker::of(machine, 0.0),
             here: start,
             landing: Landing::new(machine, tool),
+            aim: Aim::of(tool),
             joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
             moves: Vec::new(),
             stroke: 0,
@@ -58,6 +61,7 @@ impl<'a> Planner<'a> {
 
     pub(super) fn pass(&mut self, number: u32, pass: &Pass) {
         self.pass = number;
+        self.aim = Aim::of(&pass.tool);
         let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
         match &pass.tool {
             DrawingTool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
@@ -137,7 +141,6 @@ impl<'a> Planner<'a> {
     /// The chain ends: its speeds can be planned.
     pub(super) fn rest(&mut self) {
         let begin = self.moves.len() - self.chain.len();
-        let aim = self.aim(begin);
         self.even_burning(begin);
         if let Some(mut ticker) = self.ticker.take() {
             let limits = self.chain.iter().map(|it| it.limit_mm_s);
@@ -145,7 +148,7 @@ impl<'a> Planner<'a> {
             let limits_mm_s: Vec<f64> = limits.collect();
             self.plan_in_ticks(begin, &ticker, &limits_mm_s);
         } else {
-            let speeds = self.chain_speeds.plan(&mut self.chain, aim);
+            let speeds = self.chain_speeds.plan(&mut self.chain, self.aim);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
@@ -161,7 +164,7 @@ impl Planner<'_> {
     fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker, limits_mm_s: &[f64]) {
         let mut over = vec![1.0; self.chain.len()];
         let mut attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::ONE);
-        if self.aim(begin) == Aim::Soon && !attempt.is_good() {
+        if self.aim == Aim::Soon && !attempt.is_good() {
             attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::FEW);
             if attempt.late_share() > MUCH_LATE_SHARE {
                 attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::MANY);
@@ -188,7 +191,7 @@ impl Planner<'_> {
         over: &[f64],
         breadth: Breadth,
     ) -> Attempt {
-        let (chain_speeds, speeds) = self.wanted(begin, limits_mm_s);
+        let (chain_speeds, speeds) = self.wanted(limits_mm_s);
         let fits = self.in_ticks(begin, &speeds, over).fits(ticker, breadth);
         Attempt {
             shares: self.shares(&fits),
@@ -200,11 +203,10 @@ impl Planner<'_> {
 
     /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
     /// link allows is told by the ticks.
-    fn wanted(&mut self, begin: usize, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
-        let aim = self.aim(begin);
+    fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
-        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, aim).collect();
-        if aim == Aim::Soon {
+        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.aim).collect();
+        if self.aim == Aim::Soon {
             for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
                 speeds.limit_mm_s = limit_mm_s;
             }
@@ -221,7 +223,7 @@ impl Planner<'_> {
         over: &[f64],
         attempt: &mut Attempt,
     ) {
-        let (chain_speeds, speeds) = self.wanted(begin, limits_mm_s);
+        let (chain_speeds, speeds) = self.wanted(limits_mm_s);
         let both = speeds.iter().zip(&attempt.speeds);
         let changed: Vec<bool> = both
             .zip(&attempt.shares)
@@ -241,21 +243,11 @@ impl Planner<'_> {
         over: &'a [f64],
     ) -> TickChain<'a> {
         TickChain {
-            aim: self.aim(begin),
+            aim: self.aim,
             moves: &self.moves[begin..],
             chain: &self.chain,
             speeds,
             over,
-        }
-    }
-
-    /// What matters in the chain that begins there: for a pen on the paper that it is over soon.
-    fn aim(&self, begin: usize) -> Aim {
-        let mut moves = self.moves[begin..].iter();
-        if moves.any(|it| it.kind == MoveKind::Draw) {
-            Aim::Soon
-        } else {
-            Aim::Evenly
         }
     }
 
