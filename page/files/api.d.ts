@@ -4444,7 +4444,7 @@ export interface components {
             keep_order: boolean;
             /**
              * Format: uint32
-             * @description How long to look for the shortest way with the pen up: so many tries
+             * @description How long to look for the shortest way with the pen up: so many tries, fewer from 10,000 strokes on
              * @default 80000
              */
             tries: number;
