@@ -216,7 +216,7 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
   await page.click("#told-close");
   await page.click("#arm-open");
   await page.click(`${tile("zoe-b")} .name`);
-  assert.match(await page.textContent("#details"), /Given by\s*desk-1/);
+  await page.waitForFunction(() => /Given by\s*desk-1/.test(document.querySelector("#details").textContent));
   await page.click("#details-end-arm");
   await page.click("#sure-yes");
   await page.waitForSelector(tile("zoe-b"), { state: "detached" });
