@@ -91,7 +91,7 @@ impl Case {
             "{drawn_s:.1} s | {:.3} | {} | {mean_mm:.4} mm | {largest_mm:.4} mm | {:.3} | {:.0} ms |",
             drawn_s / bound_s,
             draws.count(),
-            acceleration(&plan, SEEN_S) / self.acceleration_mm_s2,
+            acceleration(&plan, settings.machine.cornering().window_s) / self.acceleration_mm_s2,
             1e3 * took_s
         ))
     }
@@ -155,7 +155,5 @@ const CASES: [(f64, f64); 5] = [
     (200.0, 100.0),
     (200.0, 200.0),
 ];
-/// How far apart the looks are by which the acceleration is measured, in s: as statuses are.
-const SEEN_S: f64 = 0.08;
 /// The rest is for reading curves.
 const FEWEST_SHARE: f64 = 0.9;

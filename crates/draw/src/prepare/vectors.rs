@@ -100,9 +100,10 @@ fn faster(
 fn planned_s(stroke: &Stroke, tool: DrawingTool, settings: &Settings) -> f64 {
     let pass = Pass::new(tool, vec![stroke.clone()]);
     let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+    let cornering = settings.machine.cornering();
     plan.map_or(f64::INFINITY, |plan| {
         let sharp = if settings.machine.has_ticks {
-            acceleration(&plan, SEEN_S) / (SHARP * settings.machine.acceleration_mm_s2)
+            acceleration(&plan, cornering.window_s) / (SHARP * cornering.acceleration_mm_s2)
         } else {
             1.0
         };
@@ -118,8 +119,6 @@ const WAYS: usize = 8;
 const MOST_TRIED: usize = 150_000;
 /// How many times as long as without ticks it takes to plan with them.
 const TICKS_COUNT: usize = 4;
-/// How far apart the looks are by which an acceleration is measured, in s: as statuses are.
-const SEEN_S: f64 = 0.08;
 /// So many times the acceleration may be seen in ticks.
 const SHARP: f64 = 1.02;
 

@@ -24,6 +24,8 @@ use super::visibility::Visibility;
 pub(super) struct Course<'a> {
     path: &'a [Corner],
     motion: Motion,
+    /// Over which time the acceleration is seen, in s.
+    window_s: f64,
 }
 
 impl<'a> Course<'a> {
@@ -35,6 +37,7 @@ impl<'a> Course<'a> {
         });
         Self {
             motion: Motion::along(pace, least_s, increments),
+            window_s: pace.cornering.window_s,
             path,
         }
     }
@@ -158,14 +161,15 @@ impl<'a> Places<'a> {
 
     fn add<const N: usize>(&mut self, at: [Point; N], passed: usize, time_s: f64, gone_mm: f64) {
         let gone = |t_s: f64| self.course.motion.gone_mm(t_s / self.slower);
+        let window_s = self.course.window_s;
         let place = Place {
             at: at[0],
             passed,
             step: self.step,
             time_s,
             gone_mm,
-            before_mm: gone_mm - gone(time_s - WINDOW_S),
-            after_mm: gone(time_s + WINDOW_S) - gone_mm,
+            before_mm: gone_mm - gone(time_s - window_s),
+            after_mm: gone(time_s + window_s) - gone_mm,
         };
         self.all.extend(at.map(|at| Place { at, ..place }));
         self.step += 1;
@@ -237,9 +241,10 @@ struct Rates {
 
 impl Rates {
     fn of(pace: &Pace) -> Self {
+        let (a, window_s) = (pace.cornering.acceleration_mm_s2, pace.cornering.window_s);
         Self {
             least_s: whole_ticks_s(pace.link.period_s),
-            seen_mm: pace.cornering.acceleration_mm_s2 * WINDOW_S * WINDOW_S,
+            seen_mm: a * window_s * window_s,
         }
     }
 
@@ -310,8 +315,6 @@ fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
     path
 }
 
-/// Over which time the acceleration is seen, in s: that between two statuses.
-const WINDOW_S: f64 = 4.0 * TICK_S;
 /// A vector goes over at most so many steps.
 const MOST_STEPS: usize = 24;
 /// How far beside the stroke places lie, as a share of the tolerance.
