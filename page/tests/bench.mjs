@@ -144,6 +144,17 @@ export async function takeControl(page) {
   await page.waitForFunction(() => !document.querySelector("[data-axis=x_plus]").disabled);
 }
 
+/**
+ * Types a place for the arm to go to, as a person does: one field after the other. With the first one the others get where
+ * the arm is, in the next picture; what was typed before that would be put behind it.
+ */
+export async function typeTarget(page, place) {
+  for (const [name, value] of Object.entries(place)) {
+    await page.fill(`#target-${name}`, String(value));
+    await page.waitForFunction(() => [...document.querySelectorAll("#target .fields input")].filter((it) => it !== document.activeElement).every((it) => it.value !== ""));
+  }
+}
+
 /** A number of the pose. */
 export async function pose(page, name) {
   return Number(await page.textContent(`[data-pose=${name}]`));

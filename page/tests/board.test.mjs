@@ -224,6 +224,7 @@ test("who has control is told with for how long, and who asks for it", async () 
   await page.waitForSelector(".tile");
   assert.equal(await text(page, ".tile[data-member=desk-1] .who"), "Anna · 2 ask for it");
   await page.click(".tile[data-member=desk-1] .name");
+  await page.waitForSelector("#details .facts div");
   const facts = await page.$$eval("#details .facts div", (all) => all.map((it) => [it.querySelector("dt").textContent, it.querySelector("dd").textContent]));
   assert.deepEqual(facts.slice(0, 2), [["Control", "Anna, for 1 min 35 s"], ["Asks for control", "Ben, Chen"]]);
 });

@@ -1,7 +1,7 @@
 // A person touches paper that is not level, and what is drawn then follows it: judged on the packets.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { open, passed, rest, takeControl } from "./bench.mjs";
+import { open, passed, rest, takeControl, typeTarget } from "./bench.mjs";
 
 /** The paper of this test: it rises by 1 mm in 20 ahead, and falls by 1 in 40 to the left. */
 const height = ([x, y]) => -30 + (x - 200) / 20 - y / 40;
@@ -23,11 +23,7 @@ const says = (id, part) => page.waitForFunction(([id, part]) => document.getElem
 /** Goes to a place by the fields, as a person does. */
 async function stand(place) {
   await page.click("#tab-move");
-  await page.fill("#target-x_mm", place[0].toFixed(2));
-  // The other fields then hold where the arm is.
-  await page.waitForFunction(() => document.querySelector("#target-z_mm").value !== "");
-  await page.fill("#target-y_mm", place[1].toFixed(2));
-  await page.fill("#target-z_mm", height(place).toFixed(2));
+  await typeTarget(page, { x_mm: place[0].toFixed(2), y_mm: place[1].toFixed(2), z_mm: height(place).toFixed(2) });
   await passed(page, 0.3);
   await page.waitForSelector("#target-go:enabled");
   await page.click("#target-go");

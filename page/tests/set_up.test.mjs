@@ -1,7 +1,7 @@
 // What a person sets up on the page, judged on what the station then does.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { answered, open, takeControl } from "./bench.mjs";
+import { answered, open, takeControl, typeTarget } from "./bench.mjs";
 
 let real, virtual;
 
@@ -18,14 +18,11 @@ afterEach(() => assert.deepEqual([...real.errors, ...virtual.errors], []));
 
 const says = (page, id, part) => page.waitForFunction(([id, part]) => document.getElementById(id)?.textContent.includes(part), [id, part])
   .catch(async (error) => assert.fail(`${error.message} ${id} says: ${await page.textContent(`#${id}`)}`));
-const type = async (page, place) => {
-  for (const [name, value] of Object.entries(place)) await page.fill(`#target-${name}`, String(value));
-};
 const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
 
 test("a keep-out that is put in force refuses a target that was free, and is gone when it is removed", async () => {
   const { page, told } = real;
-  await type(page, THERE);
+  await typeTarget(page, THERE);
   await says(page, "target-told", "The whole way is free");
   await page.click("#tab-set_up");
   await page.click("[data-new-zone=box]");
@@ -42,7 +39,7 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   assert.deepEqual(policy.keep_out.zone_1, { box: { x_mm: [200, 260], y_mm: [80, 140], z_mm: [-103, 60] } });
   await page.click("#tab-move");
   const from = told.packets.length;
-  await type(page, { z_mm: 1 });
+  await typeTarget(page, { z_mm: 1 });
   await says(page, "target-told", "keep_out.zone_1");
   assert.equal(await page.isDisabled("#target-go"), true);
   assert.deepEqual(told.targets(from), []);
@@ -51,7 +48,7 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   await page.click("#policy-keep");
   await answered(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
   await page.click("#tab-move");
-  await type(page, THERE);
+  await typeTarget(page, THERE);
   await says(page, "target-told", "The whole way is free");
   await page.click("#target-clear");
 });

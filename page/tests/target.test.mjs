@@ -1,7 +1,7 @@
 // Going to a place: typed, or dragged on the stage, judged on what the arm was told.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { open, pose, rest, takeControl } from "./bench.mjs";
+import { open, pose, rest, takeControl, typeTarget } from "./bench.mjs";
 import { onScreen } from "./stage_bench.mjs";
 
 let bench, page, told, from;
@@ -18,17 +18,12 @@ beforeEach(async () => {
 });
 afterEach(() => assert.deepEqual(bench.errors, []));
 
-/** Types a place, as a person does. */
-async function type(place) {
-  for (const [name, value] of Object.entries(place)) await page.fill(`#target-${name}`, String(value));
-}
-
 const says = (part) => page.waitForFunction((part) => document.querySelector("#target-told").textContent.includes(part), part);
 const at = (name, value) => page.waitForFunction(([name, value]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - value) < 0.15, [name, value]);
 const field = async (name) => Number(await page.inputValue(`#target-${name}`));
 
 test("a place that is typed is checked, and only Go brings the arm there", async () => {
-  await type({ x_mm: 210, y_mm: -60, z_mm: 20 });
+  await typeTarget(page, { x_mm: 210, y_mm: -60, z_mm: 20 });
   await says("The whole way is free");
   assert.deepEqual(told.targets(from), []);
   await page.click("#target-go");
@@ -38,7 +33,7 @@ test("a place that is typed is checked, and only Go brings the arm there", async
 });
 
 test("a place beyond reach is refused with what is allowed, and the nearest place is one click away", async () => {
-  await type({ x_mm: 600, y_mm: 0, z_mm: 20 });
+  await typeTarget(page, { x_mm: 600, y_mm: 0, z_mm: 20 });
   await says("too far");
   assert.equal(await page.isDisabled("#target-go"), true);
   await page.click("#target-nearest");
@@ -49,7 +44,7 @@ test("a place beyond reach is refused with what is allowed, and the nearest plac
 });
 
 test("a field without a number asks for one, and nothing is sent", async () => {
-  await type({ x_mm: 200 });
+  await typeTarget(page, { x_mm: 200 });
   await says("The whole way is free");
   await page.fill("#target-x_mm", "");
   await says("Each field takes a number");
@@ -79,7 +74,7 @@ test("the tip that is dragged on the stage says where to go, and Go brings the a
 });
 
 test("Escape stops an arm that was told to go somewhere", async () => {
-  await type({ x_mm: 200, y_mm: 90, z_mm: 20 });
+  await typeTarget(page, { x_mm: 200, y_mm: 90, z_mm: 20 });
   await says("The whole way is free");
   await page.click("#target-go");
   await page.keyboard.press("Escape");
