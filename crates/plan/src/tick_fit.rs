@@ -178,8 +178,13 @@ impl TickTarget {
         match self.aim {
             Aim::Evenly => self.unlike(stored_mm_s, cut, over) + 4.0 * above * above,
             Aim::Soon => {
-                let over = (over - FREE_STEPS).max(0.0);
-                f64::from(cut.ticks()) + OVER * self.over * over * over + ABOVE * above * above
+                let (free, weight) = if self.rests {
+                    (FREE_AT_REST_STEPS, OVER_AT_REST)
+                } else {
+                    (FREE_STEPS, self.over)
+                };
+                let over = (over - free).max(0.0);
+                f64::from(cut.ticks()) + OVER * weight * over * over + ABOVE * above * above
             }
         }
     }
@@ -255,6 +260,11 @@ const SPARE: f32 = 1e-5;
 const NEAR: f32 = 0.4;
 /// By so many steps of speed a vector may end faster than wanted: whether that is too fast is seen at its ticks.
 const FREE_STEPS: f64 = 1.0;
+/// The same before a rest: what is kept is stopped at once and goes into the next vector, in another direction, at once. Braking
+/// to a rest and going on across it is seen as all of the acceleration with a third of a step.
+const FREE_AT_REST_STEPS: f64 = 0.35;
+/// How many times as much what is too fast counts before a rest.
+const OVER_AT_REST: f64 = 8.0;
 /// How many ticks it is worth not to be faster by one more; in its square.
 const OVER: f64 = 0.3;
 /// The same for a top speed above what is allowed.
