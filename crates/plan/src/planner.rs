@@ -143,10 +143,14 @@ impl<'a> Planner<'a> {
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
         if let Some(mut ticker) = self.ticker.take() {
-            let limits = self.chain.iter().map(|it| it.limit_mm_s);
-            ticker.limit(round_down(limits.clone().fold(0.0, f64::max)));
-            let limits_mm_s: Vec<f64> = limits.collect();
-            self.plan_in_ticks(begin, &ticker, &limits_mm_s);
+            let limits_mm_s: Vec<f64> = self.chain.iter().map(|it| it.limit_mm_s).collect();
+            ticker.limit(round_down(limits_mm_s.iter().copied().fold(0.0, f64::max)));
+            self.plan_in_ticks(InTicks {
+                begin,
+                ticker,
+                over: vec![1.0; limits_mm_s.len()],
+                limits_mm_s,
+            });
         } else {
             let speeds = self.chain_speeds.plan(&mut self.chain, self.aim);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
@@ -161,38 +165,32 @@ impl<'a> Planner<'a> {
 impl Planner<'_> {
     /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
     /// are taken slower, and what that changes is planned again. A laser keeps its even speed.
-    fn plan_in_ticks(&mut self, begin: usize, ticker: &Ticker, limits_mm_s: &[f64]) {
-        let mut over = vec![1.0; self.chain.len()];
-        let mut attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::ONE);
+    fn plan_in_ticks(&mut self, mut it: InTicks) {
+        let mut attempt = self.attempt(&it, Breadth::ONE);
         if self.aim == Aim::Soon && !attempt.is_good() {
-            attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::FEW);
-            if attempt.late_share() > MUCH_LATE_SHARE {
-                attempt = self.attempt(begin, ticker, limits_mm_s, &over, Breadth::MANY);
-            }
-            for _ in 0..MOST_ROUNDS {
+            attempt = self.attempt(&it, Breadth::MANY);
+            for round in 0..MOST_ROUNDS {
                 if attempt.shares.iter().all(|it| *it >= 1.0) {
                     break;
                 }
-                self.take_slower(ticker, &attempt, &mut over);
-                self.repair(begin, ticker, limits_mm_s, &over, &mut attempt);
+                self.take_slower(&mut it, &attempt);
+                let breadth = if round < EASY_ROUNDS {
+                    Breadth::FEW
+                } else {
+                    Breadth::MOST
+                };
+                self.repair(&it, &mut attempt, breadth);
             }
         }
-        let mut ticker = ticker.clone();
-        ticker.set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
-        self.ticker = Some(ticker);
+        it.ticker
+            .set(&mut self.moves[it.begin..], &attempt.speeds, &attempt.fits);
+        self.ticker = Some(it.ticker);
         self.chain_speeds = attempt.chain_speeds;
     }
 
-    fn attempt(
-        &mut self,
-        begin: usize,
-        ticker: &Ticker,
-        limits_mm_s: &[f64],
-        over: &[f64],
-        breadth: Breadth,
-    ) -> Attempt {
-        let (chain_speeds, speeds) = self.wanted(limits_mm_s);
-        let fits = self.in_ticks(begin, &speeds, over).fits(ticker, breadth);
+    fn attempt(&mut self, it: &InTicks, breadth: Breadth) -> Attempt {
+        let (chain_speeds, speeds) = self.wanted(it);
+        let fits = self.in_ticks(it, &speeds).fits(&it.ticker, breadth);
         Attempt {
             shares: self.shares(&fits),
             chain_speeds,
@@ -203,11 +201,11 @@ impl Planner<'_> {
 
     /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
     /// link allows is told by the ticks.
-    fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
+    fn wanted(&mut self, it: &InTicks) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
         let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.aim).collect();
         if self.aim == Aim::Soon {
-            for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
+            for (speeds, &limit_mm_s) in speeds.iter_mut().zip(&it.limits_mm_s) {
                 speeds.limit_mm_s = limit_mm_s;
             }
         }
@@ -215,39 +213,27 @@ impl Planner<'_> {
     }
 
     /// Plans again what has changed since an attempt.
-    fn repair(
-        &mut self,
-        begin: usize,
-        ticker: &Ticker,
-        limits_mm_s: &[f64],
-        over: &[f64],
-        attempt: &mut Attempt,
-    ) {
-        let (chain_speeds, speeds) = self.wanted(limits_mm_s);
+    fn repair(&mut self, it: &InTicks, attempt: &mut Attempt, breadth: Breadth) {
+        let (chain_speeds, speeds) = self.wanted(it);
         let both = speeds.iter().zip(&attempt.speeds);
         let changed: Vec<bool> = both
             .zip(&attempt.shares)
             .map(|((now, before), share)| now != before || *share < 1.0)
             .collect();
-        let chain = self.in_ticks(begin, &speeds, over);
-        chain.repair(ticker, &mut attempt.fits, &changed, Breadth::FEW);
+        let chain = self.in_ticks(it, &speeds);
+        chain.repair(&it.ticker, &mut attempt.fits, &changed, breadth);
         attempt.shares = self.shares(&attempt.fits);
         attempt.chain_speeds = chain_speeds;
         attempt.speeds = speeds;
     }
 
-    fn in_ticks<'a>(
-        &'a self,
-        begin: usize,
-        speeds: &'a [Speeds],
-        over: &'a [f64],
-    ) -> TickChain<'a> {
+    fn in_ticks<'a>(&'a self, it: &'a InTicks, speeds: &'a [Speeds]) -> TickChain<'a> {
         TickChain {
             aim: self.aim,
-            moves: &self.moves[begin..],
+            moves: &self.moves[it.begin..],
             chain: &self.chain,
             speeds,
-            over,
+            over: &it.over,
         }
     }
 
@@ -262,16 +248,28 @@ impl Planner<'_> {
 
     /// Corners that are too fast, round after round more so; those that are hardly faster than one
     /// tick becomes a stop in the end.
-    fn take_slower(&mut self, ticker: &Ticker, attempt: &Attempt, over: &mut [f64]) {
-        let step_mm_s = f64::from(ticker.step_mm_s());
+    fn take_slower(&mut self, it: &mut InTicks, attempt: &Attempt) {
+        let step_mm_s = f64::from(it.ticker.step_mm_s());
         let shares = attempt.shares.iter().enumerate();
         for (i, share) in shares.filter(|it| *it.1 < 1.0) {
-            over[i] = (2.0 * over[i]).min(MOST_OVER);
+            it.over[i] = (2.0 * it.over[i]).min(MOST_OVER);
             let slower_mm_s = attempt.speeds[i].end_mm_s * share;
-            let stops = over[i] == MOST_OVER && slower_mm_s < step_mm_s;
+            let stops = it.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
             self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
         }
     }
+}
+
+/// The chain that ends, for an arm with ticks.
+struct InTicks {
+    /// Its first vector.
+    begin: usize,
+    /// What the arm carries over to it.
+    ticker: Ticker,
+    /// How fast each vector may be, whatever the link allows.
+    limits_mm_s: Vec<f64>,
+    /// How many times as much an end speed above the one wanted counts, for each vector.
+    over: Vec<f64>,
 }
 
 /// A chain as it comes out in ticks.
@@ -321,9 +319,9 @@ pub(super) fn round_down(value: f64) -> f32 {
 pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
 /// What takes no longer than this beyond what is wanted is not worth a search.
 const MOST_LATE_SHARE: f64 = 0.01;
-/// What takes longer than this is worth a long search.
-const MUCH_LATE_SHARE: f64 = 0.05;
 /// How often a chain is planned again for the ticks of a stock arm.
-const MOST_ROUNDS: u32 = 12;
+const MOST_ROUNDS: u32 = 24;
+/// In so many of these rounds the search need not be broad.
+const EASY_ROUNDS: u32 = 3;
 /// How many times as much an end speed above the one wanted counts at the most.
 const MOST_OVER: f64 = 16.0;

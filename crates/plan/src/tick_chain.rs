@@ -1,5 +1,8 @@
 //! How a stock arm is to run a chain of vectors: a search among the ways that its ticks allow.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
 use crate::PlannedVector;
 use crate::aim::Aim;
 use crate::commands::write;
@@ -37,6 +40,10 @@ impl Breadth {
     };
     pub(super) const MANY: Self = Self {
         ways: 8,
+        fits: MOST_FITS,
+    };
+    pub(super) const MOST: Self = Self {
+        ways: 20,
         fits: MOST_FITS,
     };
 }
@@ -99,28 +106,21 @@ impl TickChain<'_> {
         let mut steps: Vec<Step> = Vec::new();
         let mut ways = vec![first];
         for i in begin..self.moves.len() {
-            let mut next: Vec<Way> = Vec::with_capacity(breadth.fits * breadth.ways);
-            for way in &ways {
-                let fits = way.ticker.fits(
-                    &write(&self.moves[i]),
-                    self.speeds[i],
-                    self.aim,
-                    self.over[i],
-                );
-                for fit in fits.into_iter().take(breadth.fits) {
-                    next.push(way.step(
-                        steps.len(),
-                        &self.speeds[i],
-                        &fit,
-                        self.chain[i].direction,
-                    ));
-                    steps.push(Step {
-                        fit,
-                        before: way.last,
-                    });
-                }
+            let packet = write(&self.moves[i]);
+            let mut choices = BinaryHeap::new();
+            for (before, way) in ways.iter().enumerate() {
+                let fits = way
+                    .ticker
+                    .fits(&packet, self.speeds[i], self.aim, self.over[i]);
+                let fits = fits.into_iter().take(breadth.fits);
+                choices.extend(fits.map(|fit| Choice {
+                    cost: way.cost + fit.cost + fit.behind,
+                    before,
+                    fit,
+                    way: None,
+                }));
             }
-            ways = the_best(next, breadth.ways);
+            ways = self.the_best(i, &ways, choices, breadth.ways, &mut steps);
             if let Some(chosen) = ends(i, &ways) {
                 ways.swap(0, chosen);
                 break;
@@ -134,6 +134,48 @@ impl TickChain<'_> {
         }
         fits.reverse();
         fits
+    }
+
+    /// The cheapest ways over a vector that leave different speeds, the best first. What is seen of them is looked at only
+    /// where they may be among these.
+    fn the_best(
+        &self,
+        i: usize,
+        ways: &[Way],
+        mut choices: BinaryHeap<Choice>,
+        most: usize,
+        steps: &mut Vec<Step>,
+    ) -> Vec<Way> {
+        let mut best: Vec<Way> = Vec::with_capacity(most);
+        while best.len() < most
+            && let Some(choice) = choices.pop()
+        {
+            let (before, fit) = (&ways[choice.before], choice.fit);
+            let same_mm_s = SAME_SHARE * before.ticker.step_mm_s();
+            let is_new =
+                |other: &Way| (other.ticker.stored_mm_s() - fit.cut.end_mm_s).abs() >= same_mm_s;
+            if !best.iter().all(is_new) {
+                continue;
+            }
+            if let Some(way) = choice.way {
+                steps.push(Step {
+                    fit,
+                    before: before.last,
+                });
+                best.push(Way {
+                    last: Some(steps.len() - 1),
+                    ..*way
+                });
+            } else {
+                let way = before.step(&self.speeds[i], &fit, self.chain[i].direction);
+                choices.push(Choice {
+                    cost: way.cost + way.behind,
+                    way: Some(Box::new(way)),
+                    ..choice
+                });
+            }
+        }
+        best
     }
 
     /// Where the tool is at the last ticks before a vector, in mm from where the first of them leads from.
@@ -181,10 +223,9 @@ impl Way {
         }
     }
 
-    /// The way with one more vector, that becomes step number `step`.
-    fn step(&self, step: usize, speeds: &Speeds, fit: &TickFit, direction: [f64; 3]) -> Self {
+    /// The way with one more vector.
+    fn step(&self, speeds: &Speeds, fit: &TickFit, direction: [f64; 3]) -> Self {
         let mut next = self.clone();
-        next.last = Some(step);
         next.ticker.take(speeds, fit);
         next.cost += fit.cost;
         next.behind = fit.behind;
@@ -208,24 +249,37 @@ struct Step {
     before: Option<usize>,
 }
 
-/// The cheapest ways that leave different speeds, the best first.
-fn the_best(mut ways: Vec<Way>, most: usize) -> Vec<Way> {
-    let cost = |way: &Way| way.cost + way.behind;
-    ways.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
-    let mut best: Vec<Way> = Vec::with_capacity(most);
-    for way in ways {
-        let step_mm_s = SAME_SHARE * way.ticker.step_mm_s();
-        let is_new = |other: &Way| {
-            (other.ticker.stored_mm_s() - way.ticker.stored_mm_s()).abs() >= step_mm_s
-        };
-        if best.iter().all(is_new) {
-            best.push(way);
-            if best.len() == most {
-                break;
-            }
-        }
+/// How a way may go on.
+#[derive(Debug)]
+struct Choice {
+    /// What it costs at the least, or if its way is known just that.
+    cost: f64,
+    /// The way that it goes on from.
+    before: usize,
+    fit: TickFit,
+    /// The way as it is then, where it was looked at.
+    way: Option<Box<Way>>,
+}
+
+impl Ord for Choice {
+    /// The cheaper one is the greater one.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.cost.total_cmp(&self.cost)
     }
-    best
+}
+
+impl PartialOrd for Choice {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Eq for Choice {}
+
+impl PartialEq for Choice {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
 }
 
 /// From where the tool was a window ago to where it is, both ends included, without the last.
