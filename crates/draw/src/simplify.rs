@@ -5,6 +5,7 @@ mod corridor;
 mod paced;
 mod search;
 mod snap;
+mod spliced;
 mod timed;
 mod visibility;
 
@@ -16,6 +17,7 @@ use dobot_geometry::{Point, Stroke};
 use dobot_plan::Pace;
 use paced::{fast_ways, fastest};
 use search::fewest;
+use spliced::spliced;
 
 /// Draws a stroke with as few vectors as it finds that pass its points in order, each within
 /// `tolerance_mm`, and so stay within the tolerance of the stroke everywhere. The ends of an open
@@ -60,32 +62,67 @@ pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Stroke {
 #[derive(Clone, Debug)]
 pub(crate) struct Way {
     pub stroke: Stroke,
+    /// Its corners, where it was found in a corridor.
+    path: Vec<Corner>,
     /// How long it takes, as far as is known without a plan, in s.
     pub about_s: f64,
 }
 
+impl Way {
+    fn of(stroke: &Stroke, path: Vec<Corner>, about_s: f64) -> Self {
+        Self {
+            stroke: joined(stroke, places(&path)),
+            path,
+            about_s,
+        }
+    }
+}
+
 /// The ways that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best.
-/// `most` is how many of each kind are looked for.
-pub(crate) fn fast_ways_at(
-    stroke: &Stroke,
-    tolerance_mm: f64,
-    pace: &Pace,
-    most: usize,
-) -> Vec<Way> {
+/// Without `all` one of each kind is looked for.
+pub(crate) fn fast_ways_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace, all: bool) -> Vec<Way> {
     let radius_mm = tolerance_mm - SLACK_MM;
-    match fast_ways(corridor(stroke, radius_mm), pace, most) {
+    match fast_ways(corridor(stroke, radius_mm), pace, all) {
         Some(ways) if radius_mm > MIN_VECTOR_MM => ways
             .into_iter()
-            .map(|it| Way {
-                stroke: joined(stroke, places(&it.path)),
-                about_s: it.about_s,
-            })
+            .map(|it| Way::of(stroke, it.path, it.about_s))
             .collect(),
         _ => vec![Way {
             stroke: joined(stroke, simplified(stroke, radius_mm)),
+            path: Vec::new(),
             about_s: 0.0,
         }],
     }
+}
+
+/// A way that was planned.
+#[derive(Clone, Debug)]
+pub(crate) struct PlannedWay {
+    pub way: Way,
+    /// How long each of its vectors takes, in s.
+    pub durations_s: Vec<f64>,
+}
+
+/// The way that is put together from the best parts of these, where it costs `change_s` to go on along another one; `None` if
+/// one of them is the best everywhere.
+pub(crate) fn spliced_at(
+    stroke: &Stroke,
+    tolerance_mm: f64,
+    pace: &Pace,
+    ways: &[PlannedWay],
+    change_s: f64,
+) -> Option<Way> {
+    let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
+    let ends = |path: &[Corner]| Some([path.first()?.at, path.last()?.at]);
+    let wanted = ends(&ways.first()?.way.path)?;
+    let fit = ways.iter().filter(|it| {
+        let path = &it.way.path;
+        ends(path) == Some(wanted) && path.len() == it.durations_s.len() + 1
+    });
+    let paths = fit.map(|it| (&it.way.path[..], &it.durations_s[..]));
+    let path = spliced(&corridor, paths, change_s, pace)?;
+    let about_s = f64::INFINITY;
+    Some(Way::of(stroke, path, about_s))
 }
 
 fn corridor(stroke: &Stroke, radius_mm: f64) -> Corridor<'_> {
@@ -258,7 +295,7 @@ mod tests {
             let stroke = wander(seed);
             // The plan decides between the ways, as it does for a drawing.
             let fastest_s = |tolerance_mm| {
-                let ways = fast_ways_at(&stroke, tolerance_mm, pace, usize::MAX).into_iter();
+                let ways = fast_ways_at(&stroke, tolerance_mm, pace, true).into_iter();
                 let fewest = [0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm));
                 let ways = ways.map(|it| it.stroke).chain(fewest);
                 ways.map(|way| planned_s(&way, pace))
@@ -279,6 +316,40 @@ mod tests {
         let [few, many] =
             [simplify(&wanted, 0.05), drawn].map(|it| planned_s(&it, &pace(100.0, 20.0)));
         assert!(many <= 1.005 * few, "{many} instead of {few} s");
+    }
+
+    #[test]
+    fn the_best_parts_of_two_ways_become_one() {
+        let at = |i: u32| Point::new(0.0, 0.0) + Vec2::from_angle(f64::from(i) / 500.0) * 30.0;
+        let arc = Stroke::open((0..1500).map(at).collect());
+        let pace = pace(100.0, 40.0);
+        // The first of them is fast at the begin, the second one at the end.
+        let mut ways = fast_ways_at(&arc, 0.05, &pace, true).into_iter();
+        let two = [ways.next(), ways.next()].map(|it| it.expect("a way"));
+        let count = |way: &Way| way.stroke.points.len() - 1;
+        let (first, second) = (count(&two[0]), count(&two[1]));
+        let planned = |way: &Way, count: usize, is_fast: &dyn Fn(usize) -> bool| PlannedWay {
+            durations_s: (0..count)
+                .map(|i| if is_fast(i) { 0.2 } else { 0.4 })
+                .collect(),
+            way: way.clone(),
+        };
+        let ways = [
+            planned(&two[0], first, &|i| 2 * i < first),
+            planned(&two[1], second, &|i| 2 * i > second),
+        ];
+        let both = spliced_at(&arc, 0.05, &pace, &ways, 0.1).expect("a new way");
+        let points = both.stroke.points;
+        let third = points.len() / 3;
+        let are_of = |points: &[Point], way: &Way| {
+            let mut points = points.iter();
+            points.all(|it| way.stroke.points.contains(it))
+        };
+        assert!(are_of(&points[..third], &two[0]));
+        assert!(are_of(&points[points.len() - third..], &two[1]));
+        assert!(worst_mm(&arc, &Stroke::open(points)) <= 0.05);
+        // Where a change costs more than it saves there is none.
+        assert!(spliced_at(&arc, 0.05, &pace, &ways, 100.0).is_none());
     }
 
     #[test]
@@ -375,7 +446,15 @@ mod tests {
             speed_mm_s in 1.0..200.0_f64,
         ) {
             let stroke = walk(&steps, closed);
-            for Way { stroke: simple, .. } in fast_ways_at(&stroke, tolerance, &pace(100.0, speed_mm_s), usize::MAX) {
+            let pace = pace(100.0, speed_mm_s);
+            let ways = fast_ways_at(&stroke, tolerance, &pace, true);
+            // As if each way were the fastest one somewhere else.
+            let planned: Vec<PlannedWay> = ways.iter().enumerate().map(|(n, way)| PlannedWay {
+                durations_s: (1..way.stroke.points.len()).map(|i| if (i + n) % 3 == 0 { 0.1 } else { 1.0 }).collect(),
+                way: way.clone(),
+            }).collect();
+            let spliced = spliced_at(&stroke, tolerance, &pace, &planned, 0.0);
+            for Way { stroke: simple, .. } in ways.into_iter().chain(spliced) {
                 if simple.points.len() > 1 {
                     prop_assert!(closed || simple.points[0] == stroke.points[0]);
                     prop_assert!(closed || simple.last() == stroke.last());
@@ -383,6 +462,7 @@ mod tests {
                     prop_assert!(worst <= tolerance, "{worst} > {tolerance}");
                 }
                 prop_assert_eq!(simple.closed, closed && simple.points.len() > 1);
+                prop_assert!(!simple.closed || Some(&simple.points[0]) == simple.points.last());
                 for (a, b) in simple.segments() {
                     prop_assert!(a.distance(b) >= MIN_VECTOR_MM);
                 }

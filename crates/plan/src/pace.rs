@@ -35,6 +35,12 @@ impl Pace {
         }
     }
 
+    /// Whether the arm cuts each vector into whole ticks.
+    #[must_use]
+    pub fn has_ticks(&self) -> bool {
+        self.lost_s > 0.0
+    }
+
     /// How long the arm takes for each vector between these increments in mm, from rest to rest, in s:
     /// the link left out, and no corner eased.
     #[must_use]

@@ -1,11 +1,12 @@
 //! The vectors of a pass.
 
+use dobot_arm::TICK_S;
 use dobot_geometry::Stroke;
-use dobot_plan::{DrawingTool, Pace, Pass, Plan, acceleration};
+use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, acceleration};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
-use crate::simplify::{fast_ways_at, simplify};
+use crate::simplify::{PlannedWay, Way, fast_ways_at, simplify, spliced_at};
 
 /// How much of a drawing may still be planned to find the fastest vectors.
 #[derive(Debug)]
@@ -20,10 +21,11 @@ impl Trials {
         Self { left: MOST_TRIED }
     }
 
-    /// Whether there is enough left to plan a stroke in all ways, the fewest vectors of which are given.
+    /// Whether a stroke is to be planned in all ways, the fewest vectors of which are given: as long as anything is left, if it is
+    /// not that long itself.
     fn take(&mut self, fewest: &Stroke, has_ticks: bool) -> bool {
         let count = fewest.points.len() * WAYS * if has_ticks { TICKS_COUNT } else { 1 };
-        let enough = count <= self.left;
+        let enough = self.left > 0 && count <= MOST_OF_ONE;
         self.left = self.left.saturating_sub(count);
         enough
     }
@@ -58,7 +60,7 @@ pub(super) fn simplified(
 }
 
 /// A stroke of a pen with the vectors that the plan takes the least time for: those of its pace, those that take whole
-/// ticks, the fewest, or the fewest within half of the tolerance. In a long drawing the last strokes are only estimated.
+/// ticks, the fewest, the fewest within half of the tolerance, or the best parts of these. In a long drawing the last strokes are only estimated.
 fn faster(
     stroke: &Stroke,
     fewest: Stroke,
@@ -69,56 +71,88 @@ fn faster(
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let pace = Pace::of(&settings.machine, &tool);
     let tries = trials.take(&fewest, settings.machine.has_ticks);
-    let ways = fast_ways_at(stroke, tolerance_mm, &pace, if tries { WAYS } else { 1 });
+    let ways = fast_ways_at(stroke, tolerance_mm, &pace, tries);
     if !tries {
         let soonest = ways
             .into_iter()
             .min_by(|a, b| a.about_s.total_cmp(&b.about_s));
         return soonest.map_or(fewest, |it| it.stroke);
     }
-    let mut ways: Vec<Stroke> = ways.into_iter().map(|it| it.stroke).collect();
-    ways.push(simplify(stroke, 0.5 * tolerance_mm));
-    if ways[0] != fewest {
-        ways.push(fewest.clone());
-    }
-    ways.dedup();
-    if ways.len() == 1 {
+    if ways.iter().all(|it| it.stroke == fewest) {
         return fewest;
     }
-    let mut best = (f64::INFINITY, fewest);
+    let mut tried = Tried {
+        tool,
+        settings,
+        planned: Vec::new(),
+        best: (f64::INFINITY, 0),
+    };
     for way in ways {
-        let time_s = planned_s(&way, tool, settings);
-        if time_s < best.0 * WORTH_FEWER {
-            best = (time_s, way);
+        tried.plan(way);
+    }
+    for change_s in CHANGES_S {
+        if let Some(way) = spliced_at(stroke, tolerance_mm, &pace, &tried.planned, change_s) {
+            tried.plan(way);
         }
     }
-    best.1
+    let best = tried.planned.into_iter().nth(tried.best.1);
+    best.map_or(fewest, |it| it.way.stroke)
 }
 
-/// How long the plan for a stroke takes, in s; infinite where there is none. What comes out too sharp in the ticks of a stock
-/// arm counts as that much slower.
-fn planned_s(stroke: &Stroke, tool: DrawingTool, settings: &Settings) -> f64 {
-    let pass = Pass::new(tool, vec![stroke.clone()]);
-    let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
-    let cornering = settings.machine.cornering();
-    plan.map_or(f64::INFINITY, |plan| {
-        let sharp = if settings.machine.has_ticks {
-            acceleration(&plan, cornering.window_s) / (SHARP * cornering.acceleration_mm_s2)
-        } else {
-            1.0
+/// The ways of a stroke that were planned.
+struct Tried<'a> {
+    tool: DrawingTool,
+    settings: &'a Settings,
+    planned: Vec<PlannedWay>,
+    /// How long the fastest takes, in s, and which it is.
+    best: (f64, usize),
+}
+
+impl Tried<'_> {
+    /// Plans one more way, if it is none of those before.
+    fn plan(&mut self, way: Way) {
+        if self.planned.iter().any(|it| it.way.stroke == way.stroke) {
+            return;
+        }
+        let pass = Pass::new(self.tool, vec![way.stroke.clone()]);
+        let Ok(plan) = Plan::new(&[pass], &self.settings.paper, &self.settings.machine) else {
+            return;
         };
-        plan.duration_s() * sharp.max(1.0)
-    })
+        let time_s = plan.duration_s() * self.sharpness(&plan);
+        if time_s < self.best.0 * WORTH_FEWER {
+            self.best = (time_s, self.planned.len());
+        }
+        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
+        self.planned.push(PlannedWay {
+            durations_s: draws.map(|it| f64::from(it.duration_s)).collect(),
+            way,
+        });
+    }
+
+    /// As how many times slower a plan counts, since its motion comes out too sharp in the ticks of a stock arm.
+    fn sharpness(&self, plan: &Plan) -> f64 {
+        let cornering = self.settings.machine.cornering();
+        if !self.settings.machine.has_ticks {
+            return 1.0;
+        }
+        let seen_mm_s2 = acceleration(plan, cornering.window_s);
+        (seen_mm_s2 / (SHARP * cornering.acceleration_mm_s2)).max(1.0)
+    }
 }
 
 /// Fewer vectors, which are farther from the curve, are taken if so much faster.
 const WORTH_FEWER: f64 = 0.998;
 /// In so many ways at the most a stroke is planned.
-const WAYS: usize = 8;
+const WAYS: usize = 12;
+/// What it costs to go on along another way, in s: each time the parts are looked for again, those that were found before among
+/// them.
+const CHANGES_S: [f64; 3] = [0.5 * TICK_S, 2.0 * TICK_S, 4.0 * TICK_S];
 /// So many vectors of a drawing are planned to choose among them: a second or two of a processor.
-const MOST_TRIED: usize = 150_000;
+const MOST_TRIED: usize = 120_000;
+/// The same of one stroke.
+const MOST_OF_ONE: usize = 300_000;
 /// How many times as long as without ticks it takes to plan with them.
-const TICKS_COUNT: usize = 4;
+const TICKS_COUNT: usize = 9;
 /// So many times the acceleration may be seen in ticks.
 const SHARP: f64 = 1.02;
 
@@ -134,18 +168,23 @@ mod tests {
         let mut settings = Settings::default();
         settings.machine.has_ticks = true;
         let fewest = simplify(&arc, 0.045);
+        let planned_s = |way: Stroke| {
+            let pass = Pass::new(settings.tool, vec![way]);
+            let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+            plan.expect("a plan").duration_s()
+        };
         let chosen = |left: usize| {
             let mut trials = Trials { left };
             let way = faster(&arc, fewest.clone(), settings.tool, &settings, &mut trials);
             let off = deviation(std::slice::from_ref(&arc), std::slice::from_ref(&way));
             assert!(off.largest_mm() <= 0.0451, "{off:?}");
-            (planned_s(&way, settings.tool, &settings), trials.left)
+            (planned_s(way), trials.left)
         };
         let ((tried_s, left), (estimated_s, none)) = (chosen(100_000), chosen(0));
         assert!(left < 100_000 && none == 0);
-        let few_s = planned_s(&fewest, settings.tool, &settings);
+        let few_s = planned_s(fewest.clone());
         assert!(
-            tried_s <= few_s && tried_s <= estimated_s,
+            WORTH_FEWER * tried_s <= few_s.min(estimated_s),
             "{tried_s}, {few_s}, {estimated_s} s"
         );
         assert!(

@@ -23,12 +23,12 @@ pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Cor
     Some(Found::new(&mut corridor, pace)?.best.path)
 }
 
-/// The same, and on a curve other paths, whose vectors take whole ticks: only a plan tells which is the fastest.
-/// `most` is how many of each kind are looked for.
+/// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, and the one with the
+/// fewest within half of the tolerance. Only a plan tells which is the fastest. Without `all` one of each kind is looked for.
 pub(super) fn fast_ways(
     mut corridor: Corridor<'_>,
     pace: &Pace,
-    most: usize,
+    all: bool,
 ) -> Option<Vec<FastWay>> {
     let most_mm = corridor.radii.first().copied()?;
     let mut found = Found::new(&mut corridor, pace)?;
@@ -38,21 +38,11 @@ pub(super) fn fast_ways(
         if let Some(fine) = Attempt::new(&corridor, pace) {
             found.smoothest = found.smoothest.or_smoother(fine);
         }
-        corridor.radii.fill(most_mm);
-        let as_the_arm = Course::along(&found.smoothest.path, 0.0, pace);
-        let as_the_link = Course::along(&found.best.path, pace.link.period_s, pace);
-        let courses = [(as_the_arm, &SLOWER_ARM[..]), (as_the_link, &SLOWER_LINK)];
-        for (course, slower) in courses {
-            let slower = slower.iter().take(most);
-            let ways = slower.map(|it| course.timed(&corridor, *it, pace));
-            timed.extend(ways.flatten());
-        }
+        timed = found.timed(&mut corridor, most_mm, pace, all);
     }
-    let mut ways = vec![FastWay {
-        about_s: found.best.time_s,
-        path: found.best.path,
-    }];
+    let mut ways = vec![FastWay::from(found.best)];
     ways.extend(timed);
+    ways.extend(found.plain.into_iter().map(FastWay::from));
     Some(ways)
 }
 
@@ -64,11 +54,22 @@ pub(super) struct FastWay {
     pub(super) about_s: f64,
 }
 
+impl From<Attempt> for FastWay {
+    fn from(it: Attempt) -> Self {
+        Self {
+            about_s: it.time_s,
+            path: it.path,
+        }
+    }
+}
+
 /// What the search within ever narrower corridors finds.
 struct Found {
     best: Attempt,
     /// The one that the arm would be the fastest on without a link.
     smoothest: Attempt,
+    /// The fewest vectors within the tolerance, and where more could be faster within half of it.
+    plain: Vec<Attempt>,
     /// Whether more vectors could be faster than the fewest.
     is_curved: bool,
 }
@@ -82,11 +83,15 @@ impl Found {
         let mut found = Self {
             best: here.clone(),
             smoothest: here.clone(),
+            plain: Vec::new(),
             is_curved: false,
         };
         while here.time_s <= found.best.time_s * WORTH_MORE {
             found.smoothest = found.smoothest.or_smoother(here.clone());
             let curved = here.is_curved(corridor, most_mm / NARROWEST);
+            if found.plain.len() < 2 {
+                found.plain.push(here.clone());
+            }
             found.best = found.best.or(here);
             if !curved {
                 break;
@@ -101,6 +106,36 @@ impl Found {
             here = Attempt::new(corridor, pace)?;
         }
         Some(found)
+    }
+
+    /// Paths whose vectors take whole ticks: at speeds as the arm's fastest motion has them, or the link's, or somewhat lower
+    /// ones, and within half of the tolerance.
+    fn timed(
+        &self,
+        corridor: &mut Corridor<'_>,
+        most_mm: f64,
+        pace: &Pace,
+        all: bool,
+    ) -> Vec<FastWay> {
+        let [as_the_arm, as_the_link] = if pace.has_ticks() {
+            [&GENTLER_IN_TICKS[..], &GENTLER_LINK_IN_TICKS]
+        } else {
+            [&GENTLER[..], &GENTLER_LINK]
+        };
+        let arm = |gentler| Course::along(&self.smoothest.path, 0.0, gentler, pace);
+        let link = |gentler| Course::along(&self.best.path, pace.link.period_s, gentler, pace);
+        corridor.radii.fill(most_mm);
+        let timed = |course: Course<'_>| course.timed(corridor, pace);
+        if !all {
+            let both = [arm(as_the_arm[0]), link(as_the_link[0])];
+            return both.into_iter().filter_map(timed).collect();
+        }
+        let arms = as_the_arm.iter().map(|it| arm(*it));
+        let links = as_the_link.iter().map(|it| link(*it));
+        let mut ways: Vec<FastWay> = arms.chain(links).filter_map(timed).collect();
+        corridor.radii.fill(0.5 * most_mm);
+        ways.extend(arm(as_the_arm[0]).timed(corridor, pace));
+        ways
     }
 }
 
@@ -227,10 +262,13 @@ const SAME: f64 = 1.005;
 const WORTH_MORE: f64 = 1.05;
 /// How many times narrower than the tolerance a corridor may become.
 const NARROWEST: f64 = 16.0;
-/// How many times slower than the fastest motion a path may be run, so that its corners are less sharp.
-const SLOWER_ARM: [f64; 3] = [1.02, 1.04, 1.06];
+/// How many times lower than with the fastest motion the speeds in curves are, so that corners are less sharp, and in ticks so
+/// that what is lost to a tick somewhere can be caught up; the first one is the best alone.
+const GENTLER: [f64; 1] = [1.005];
+const GENTLER_IN_TICKS: [f64; 4] = [1.035, 1.005, 1.02, 1.05];
 /// The same where each vector takes as long as its packet.
-const SLOWER_LINK: [f64; 2] = [1.0, 1.03];
+const GENTLER_LINK: [f64; 1] = [1.0];
+const GENTLER_LINK_IN_TICKS: [f64; 1] = [1.05];
 /// How many times narrower than the tolerance the corridor is whose path tells how fast the arm could be.
 const FINE: f64 = 8.0;
 /// How much the width follows the time: with the square a chord would take just as long as wanted.

@@ -29,28 +29,25 @@ pub(super) struct Course<'a> {
 }
 
 impl<'a> Course<'a> {
-    /// The motion along a path whose vectors take `least_s` each at the least.
-    pub(super) fn along(path: &'a [Corner], least_s: f64, pace: &Pace) -> Self {
+    /// The motion along a path whose vectors take `least_s` each at the least. Speeds in curves are so many times lower than the pace
+    /// allows; the largest speed is not.
+    pub(super) fn along(path: &'a [Corner], least_s: f64, gentler: f64, pace: &Pace) -> Self {
+        let mut gentle = *pace;
+        gentle.cornering.acceleration_mm_s2 /= gentler * gentler;
         let increments = path.windows(2).map(|pair| {
             let way = pair[1].at - pair[0].at;
             [way.x, way.y, 0.0]
         });
         Self {
-            motion: Motion::along(pace, least_s, increments),
+            motion: Motion::along(&gentle, least_s, increments),
             window_s: pace.cornering.window_s,
             path,
         }
     }
 
-    /// The path in a corridor that takes the least time if all of it takes that many times as long as here; `None` if no
-    /// vectors lead to its end.
-    pub(super) fn timed(
-        &self,
-        corridor: &Corridor<'_>,
-        slower: f64,
-        pace: &Pace,
-    ) -> Option<FastWay> {
-        let places = Places::of(self, corridor, slower).all;
+    /// The path in a corridor that takes the least time with speeds as here; `None` if no vectors lead to its end.
+    pub(super) fn timed(&self, corridor: &Corridor<'_>, pace: &Pace) -> Option<FastWay> {
+        let places = Places::of(self, corridor).all;
         let rates = Rates::of(pace);
         let mut labels = vec![Label::UNREACHED; places.len()];
         labels[0].time_s = 0.0;
@@ -87,17 +84,15 @@ struct Place {
 struct Places<'a> {
     course: &'a Course<'a>,
     corridor: &'a Corridor<'a>,
-    slower: f64,
     step: usize,
     all: Vec<Place>,
 }
 
 impl<'a> Places<'a> {
-    fn of(course: &'a Course<'a>, corridor: &'a Corridor<'a>, slower: f64) -> Self {
+    fn of(course: &'a Course<'a>, corridor: &'a Corridor<'a>) -> Self {
         let mut places = Self {
             course,
             corridor,
-            slower,
             step: 0,
             all: Vec::new(),
         };
@@ -110,9 +105,8 @@ impl<'a> Places<'a> {
             let mut passed = pair[0].passed;
             loop {
                 let time_s = tick * TICK_S;
-                let gone_mm = course.motion.gone_mm(time_s / slower);
-                let ends = time_s >= slower * course.motion.duration_s()
-                    || gone_mm >= begin_mm + length_mm;
+                let gone_mm = course.motion.gone_mm(time_s);
+                let ends = time_s >= course.motion.duration_s() || gone_mm >= begin_mm + length_mm;
                 let until_mm = if ends {
                     f64::INFINITY
                 } else {
@@ -143,7 +137,7 @@ impl<'a> Places<'a> {
         places.add(
             [path[path.len() - 1].at],
             last,
-            slower * course.motion.duration_s(),
+            course.motion.duration_s(),
             begin_mm,
         );
         places
@@ -154,13 +148,13 @@ impl<'a> Places<'a> {
         let points = self.corridor.points;
         if i + 1 < points.len() && is_sharp(points[i - 1], points[i], points[i + 1]) {
             let [left, right] = self.corridor.beside(i);
-            let time_s = self.slower * self.course.motion.reached_s(gone_mm);
+            let time_s = self.course.motion.reached_s(gone_mm);
             self.add([points[i], left, right], i, time_s, gone_mm);
         }
     }
 
     fn add<const N: usize>(&mut self, at: [Point; N], passed: usize, time_s: f64, gone_mm: f64) {
-        let gone = |t_s: f64| self.course.motion.gone_mm(t_s / self.slower);
+        let gone = |t_s: f64| self.course.motion.gone_mm(t_s);
         let window_s = self.course.window_s;
         let place = Place {
             at: at[0],

@@ -1,0 +1,279 @@
+//! A path that is put together from the best parts of others.
+//!
+//! Of several paths in one corridor each is the fastest somewhere, and none of them everywhere. How long each of their
+//! vectors takes is known from plans. So the path goes along one of them until it is worth to go on along another.
+//!
+//! ```text
+//!     *----.____                  ___.*     One vector leads from a corner of the one path to a corner of the other:
+//!               *---.___  ___.---'          it passes the stroke as they do, is not seen to turn too fast, and takes
+//!     o--------o.________o_________.o       as long as theirs in the mean.
+//! ```
+
+use std::iter::successors;
+
+use dobot_arm::TICK_S;
+use dobot_geometry::Point;
+use dobot_plan::Pace;
+
+use super::corridor::{Corner, Corridor};
+use super::visibility::Visibility;
+
+/// The path that takes the least time if each change costs so much time, in s; `None` if it is one of those given. Beside each
+/// of these stands how long its vectors take, in s; all have the same ends.
+pub(super) fn spliced<'a>(
+    corridor: &Corridor<'_>,
+    planned: impl Iterator<Item = (&'a [Corner], &'a [f64])>,
+    change_s: f64,
+    pace: &Pace,
+) -> Option<Vec<Corner>> {
+    let lengths = Lengths::of(corridor);
+    let paths = Paths {
+        all: planned
+            .map(|(path, durations_s)| PlannedPath::new(&lengths, path, durations_s))
+            .collect(),
+        corridor,
+        pace,
+        change_s,
+    };
+    let nodes = paths.nodes();
+    let labels = paths.labels(&nodes);
+    let last = (0..nodes.len())
+        .filter(|it| paths.next_corner(nodes[*it]).is_none())
+        .min_by(|a, b| labels[*a].time_s.total_cmp(&labels[*b].time_s))?;
+    let before = |at: &usize| labels[*at].before;
+    let mut found: Vec<Node> = successors(Some(last), before).map(|it| nodes[it]).collect();
+    found.reverse();
+    let changes = found.windows(2).any(|pair| pair[0].path != pair[1].path);
+    changes.then(|| found.iter().map(|it| paths.corner(*it)).collect())
+}
+
+/// A path, and when a plan is at its corners.
+#[derive(Debug)]
+struct PlannedPath<'a> {
+    corners: &'a [Corner],
+    /// When the tool is at each corner, in s.
+    times_s: Vec<f64>,
+    /// How far along the stroke each corner is, in mm.
+    gone_mm: Vec<f64>,
+}
+
+impl<'a> PlannedPath<'a> {
+    fn new(lengths: &Lengths<'_>, corners: &'a [Corner], durations_s: &[f64]) -> Self {
+        let (mut times_s, mut gone_mm) = (vec![0.0], Vec::with_capacity(corners.len()));
+        times_s.extend(durations_s.iter().scan(0.0, |time_s, it| {
+            *time_s += it;
+            Some(*time_s)
+        }));
+        // A corner of a stroke that turns back may lie before the one before.
+        gone_mm.extend(corners.iter().scan(0.0_f64, |gone_mm, corner| {
+            *gone_mm = gone_mm.max(lengths.gone_mm(corner));
+            Some(*gone_mm)
+        }));
+        Self {
+            corners,
+            times_s,
+            gone_mm,
+        }
+    }
+
+    /// Where the tool is at a time.
+    fn at(&self, t_s: f64) -> Point {
+        let after = self.times_s.partition_point(|it| *it <= t_s);
+        let after = after.clamp(1, self.corners.len() - 1);
+        let [from_s, to_s] = [after - 1, after].map(|i| self.times_s[i]);
+        let share = ((t_s - from_s) / (to_s - from_s)).clamp(0.0, 1.0);
+        self.corners[after - 1]
+            .at
+            .lerp(self.corners[after].at, share)
+    }
+
+    /// When the tool is so far along the stroke, in s.
+    fn time_s(&self, gone_mm: f64) -> f64 {
+        let after = self.gone_mm.partition_point(|it| *it <= gone_mm);
+        let after = after.clamp(1, self.corners.len() - 1);
+        let [from_mm, to_mm] = [after - 1, after].map(|i| self.gone_mm[i]);
+        let share = (gone_mm - from_mm) / (to_mm - from_mm).max(f64::MIN_POSITIVE);
+        let [from_s, to_s] = [after - 1, after].map(|i| self.times_s[i]);
+        from_s + share.clamp(0.0, 1.0) * (to_s - from_s)
+    }
+
+    /// How fast the tool is around a time, in mm/s.
+    fn speed_mm_s(&self, t_s: f64) -> f64 {
+        self.at(t_s - AROUND_S).distance(self.at(t_s + AROUND_S)) / (2.0 * AROUND_S)
+    }
+}
+
+/// How far along a stroke its points are, in mm.
+struct Lengths<'a> {
+    points: &'a [Point],
+    gone_mm: Vec<f64>,
+}
+
+impl<'a> Lengths<'a> {
+    fn of(corridor: &Corridor<'a>) -> Self {
+        let points = corridor.points;
+        let lengths = points.windows(2).map(|pair| pair[0].distance(pair[1]));
+        let mut gone_mm = vec![0.0];
+        gone_mm.extend(lengths.scan(0.0, |gone_mm, it| {
+            *gone_mm += it;
+            Some(*gone_mm)
+        }));
+        Self { points, gone_mm }
+    }
+
+    /// How far along the stroke a corner is.
+    fn gone_mm(&self, corner: &Corner) -> f64 {
+        let i = corner.passed;
+        let Some(next) = self.points.get(i + 1) else {
+            return self.gone_mm[i];
+        };
+        let way = *next - self.points[i];
+        let share = (corner.at - self.points[i]).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
+        self.gone_mm[i] + share.clamp(0.0, 1.0) * way.length()
+    }
+}
+
+/// A corner of one of the paths.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    path: usize,
+    corner: usize,
+    gone_mm: f64,
+}
+
+/// How a node is reached in the least time.
+#[derive(Clone, Copy, Debug)]
+struct Label {
+    time_s: f64,
+    before: Option<usize>,
+}
+
+/// Paths with one begin and one end.
+struct Paths<'a> {
+    corridor: &'a Corridor<'a>,
+    all: Vec<PlannedPath<'a>>,
+    pace: &'a Pace,
+    /// What it costs to change the path, in s.
+    change_s: f64,
+}
+
+impl Paths<'_> {
+    /// All corners, in the order in which they lie along the stroke.
+    fn nodes(&self) -> Vec<Node> {
+        let mut nodes: Vec<Node> = Vec::new();
+        for (path, it) in self.all.iter().enumerate() {
+            nodes.extend(it.gone_mm.iter().enumerate().map(|(corner, gone_mm)| Node {
+                path,
+                corner,
+                gone_mm: *gone_mm,
+            }));
+        }
+        // Stable: the corners of a path stay in their order.
+        nodes.sort_by(|a, b| a.gone_mm.total_cmp(&b.gone_mm));
+        nodes
+    }
+
+    /// How each node is reached.
+    fn labels(&self, nodes: &[Node]) -> Vec<Label> {
+        // Where the corners of each path are in the order.
+        let mut places: Vec<Vec<usize>> = vec![Vec::new(); self.all.len()];
+        for (place, node) in nodes.iter().enumerate() {
+            places[node.path].push(place);
+        }
+        let begin = |node: &Node| Label {
+            time_s: if node.corner == 0 { 0.0 } else { f64::INFINITY },
+            before: None,
+        };
+        let mut labels: Vec<Label> = nodes.iter().map(begin).collect();
+        for (here, node) in nodes.iter().enumerate() {
+            let time_s = labels[here].time_s;
+            let mut note = |there: usize, took_s: f64| {
+                if time_s + took_s < labels[there].time_s {
+                    labels[there] = Label {
+                        time_s: time_s + took_s,
+                        before: Some(here),
+                    };
+                }
+            };
+            if let Some(next) = self.next_corner(*node) {
+                let times_s = &self.all[node.path].times_s;
+                note(
+                    places[node.path][next],
+                    times_s[next] - times_s[node.corner],
+                );
+                self.change(nodes, here, note);
+            }
+        }
+        labels
+    }
+
+    fn corner(&self, node: Node) -> Corner {
+        self.all[node.path].corners[node.corner]
+    }
+
+    /// The next corner of the same path.
+    fn next_corner(&self, node: Node) -> Option<usize> {
+        let next = node.corner + 1;
+        (next < self.all[node.path].corners.len()).then_some(next)
+    }
+
+    /// Notes the corners of other paths that one vector leads to from here, and how long that takes.
+    fn change(&self, nodes: &[Node], here: usize, mut note: impl FnMut(usize, f64)) {
+        let (node, from) = (nodes[here], self.corner(nodes[here]));
+        let own_mm = &self.all[node.path].gone_mm;
+        let until_mm = own_mm[(node.corner + AHEAD).min(own_mm.len() - 1)];
+        let mut visibility = Visibility::from(self.corridor, from, 0.0);
+        let next = nodes.iter().enumerate().skip(here + 1);
+        for (there, next) in next.take_while(|(_, it)| it.gone_mm <= until_mm) {
+            let to = self.corner(*next);
+            // Where the stroke turns back the places need not have the order of the points.
+            if next.path == node.path || to.passed < visibility.passed {
+                continue;
+            }
+            while visibility.passed < to.passed {
+                if !visibility.pass(visibility.passed + 1) {
+                    return;
+                }
+            }
+            if visibility.reaches(to.at, to.passed) {
+                note(there, self.took_s(node, *next));
+            }
+        }
+    }
+
+    /// How long the vector from one path to another takes, and what it costs to change.
+    fn took_s(&self, from: Node, to: Node) -> f64 {
+        let [own, other] = [from, to].map(|it| &self.all[it.path]);
+        let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
+        let beside_s = other.time_s(from.gone_mm);
+        let took_s = 0.5 * (end_s - beside_s + own.time_s(to.gone_mm) - begin_s);
+        let took_s = took_s.max(self.pace.link.period_s);
+        let a = self.pace.cornering.acceleration_mm_s2;
+        let (has, wanted) = (own.speed_mm_s(begin_s), other.speed_mm_s(beside_s));
+        let unlike_s = (has - wanted).powi(2) / (2.0 * a * has.max(wanted).max(1.0));
+        let [from_at, to_at] = [from, to].map(|it| self.corner(it).at);
+        let at = |t_s: f64| {
+            if t_s <= 0.0 {
+                own.at(begin_s + t_s)
+            } else if t_s >= took_s {
+                other.at(end_s + t_s - took_s)
+            } else {
+                from_at.lerp(to_at, t_s / took_s)
+            }
+        };
+        let window_s = self.pace.cornering.window_s;
+        let too_sharp_s = |t_s: f64| {
+            let [before, now, after] = [t_s - window_s, t_s, t_s + window_s].map(at);
+            let seen = ((after - now) - (now - before)).length() / (a * window_s * window_s);
+            TOO_SHARP_S * (seen - 1.0).max(0.0).powi(2)
+        };
+        took_s + self.change_s + unlike_s + too_sharp_s(0.0).max(too_sharp_s(took_s))
+    }
+}
+
+/// A vector to another path leads past fewer than so many corners of its own.
+const AHEAD: usize = 2;
+/// Over which time a speed is looked at to both sides, in s.
+const AROUND_S: f64 = 0.03;
+/// How much time it counts for to be seen to accelerate twice as much, in s; in the square of what is too much.
+const TOO_SHARP_S: f64 = 50.0 * TICK_S;
