@@ -148,7 +148,7 @@ const WAYS: usize = 12;
 /// them.
 const CHANGES_S: [f64; 3] = [0.5 * TICK_S, 2.0 * TICK_S, 4.0 * TICK_S];
 /// So many vectors of a drawing are planned to choose among them: a second or two of a processor.
-const MOST_TRIED: usize = 120_000;
+const MOST_TRIED: usize = 150_000;
 /// The same of one stroke.
 const MOST_OF_ONE: usize = 300_000;
 /// How many times as long as without ticks it takes to plan with them.
