@@ -264,10 +264,10 @@ const WORTH_MORE: f64 = 1.05;
 const NARROWEST: f64 = 16.0;
 /// How many times lower than with the fastest motion the speeds in curves are, so that corners are less sharp, and in ticks so
 /// that what is lost to a tick somewhere can be caught up; the first one is the best alone.
-const GENTLER: [f64; 1] = [1.005];
+const GENTLER: [f64; 3] = [1.005, 1.02, 1.05];
 const GENTLER_IN_TICKS: [f64; 4] = [1.035, 1.005, 1.02, 1.05];
 /// The same where each vector takes as long as its packet.
-const GENTLER_LINK: [f64; 1] = [1.0];
+const GENTLER_LINK: [f64; 2] = [1.0, 1.05];
 const GENTLER_LINK_IN_TICKS: [f64; 1] = [1.05];
 /// How many times narrower than the tolerance the corridor is whose path tells how fast the arm could be.
 const FINE: f64 = 8.0;
