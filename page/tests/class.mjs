@@ -204,6 +204,8 @@ test("with the router back they find each other, the doubt ends by itself, and n
   await says("#stop-told", "3 of 3 stopped.");
   // Only those that the board has heard to be stopped are asked about: each tells of itself every second.
   await says("#reset", "Let 3 move again…");
+  // An arm that is not seen at rest is not let go.
+  for (const page of [board, student]) await state(page, ({ stop }) => stop?.at_rest === true);
   await board.click("#reset");
   await board.click("#sure-yes");
   await says("#told", "3 of 3 may move again.");
