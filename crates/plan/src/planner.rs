@@ -164,11 +164,12 @@ impl<'a> Planner<'a> {
 /// A chain in ticks.
 impl Planner<'_> {
     /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
-    /// are taken slower, and what that changes is planned again. A laser keeps its even speed.
+    /// are taken slower, and what that changes is planned again; what is the least too much is taken. A laser keeps its even speed.
     fn plan_in_ticks(&mut self, mut it: InTicks) {
         let mut attempt = self.attempt(&it, Breadth::ONE);
         if self.aim == Aim::Soon && !attempt.is_good() {
             attempt = self.attempt(&it, Breadth::MANY);
+            let mut best = attempt.clone();
             for round in 0..MOST_ROUNDS {
                 if attempt.shares.iter().all(|it| *it >= 1.0) {
                     break;
@@ -180,7 +181,11 @@ impl Planner<'_> {
                     Breadth::MOST
                 };
                 self.repair(&it, &mut attempt, breadth);
+                if attempt.sharpness() < best.sharpness() {
+                    best = attempt.clone();
+                }
             }
+            attempt = best;
         }
         it.ticker
             .set(&mut self.moves[it.begin..], &attempt.speeds, &attempt.fits);
@@ -273,6 +278,7 @@ struct InTicks {
 }
 
 /// A chain as it comes out in ticks.
+#[derive(Clone)]
 struct Attempt {
     chain_speeds: ChainSpeeds,
     /// What was wanted of each vector.
@@ -287,6 +293,11 @@ impl Attempt {
     /// Whether no search could make it much better.
     fn is_good(&self) -> bool {
         self.late_share() < MOST_LATE_SHARE && self.shares.iter().all(|it| *it >= 1.0)
+    }
+
+    /// How much more acceleration is seen than allowed, in the square and at all corners together.
+    fn sharpness(&self) -> f64 {
+        self.shares.iter().map(|it| (1.0 / it - 1.0).powi(2)).sum()
     }
 
     /// How much longer all of it takes than wanted, as a share of that.

@@ -83,7 +83,8 @@ impl TickChain<'_> {
                 ways.iter().position(|way| {
                     let same = way.ticker.cut_with(&write(&self.moves[i + 1]), next) == next.cut;
                     let rest = fits[i + 1..].iter().zip(&credits[i + 1..]);
-                    same && way.cost <= most_cost && way.ticker.keeps_up(rest.take(MOST_AHEAD))
+                    same && self.seen_behind(i, way, fits).cost <= most_cost
+                        && way.ticker.keeps_up(rest.take(MOST_AHEAD))
                 })
             };
             let anew = self.follow(begin, way, breadth, goes_on);
@@ -178,6 +179,20 @@ impl TickChain<'_> {
         best
     }
 
+    /// A way over a vector when the arm goes on behind it as it did, with what is seen as long as that depends on the way.
+    fn seen_behind(&self, i: usize, way: &Way, fits: &[TickFit]) -> Way {
+        let mut way = way.clone();
+        let mut ticks = 0;
+        for (run, fit) in self.chain[i + 1..].iter().zip(&fits[i + 1..]) {
+            if ticks >= SEEN_TICKS {
+                break;
+            }
+            way.see(run.direction, fit);
+            ticks += fit.ticks() as usize;
+        }
+        way
+    }
+
     /// Where the tool is at the last ticks before a vector, in mm from where the first of them leads from.
     fn places_before(&self, begin: usize, fits: &[TickFit]) -> [[f64; 3]; SEEN_TICKS] {
         let mut from = begin;
@@ -229,15 +244,20 @@ impl Way {
         next.ticker.take(speeds, fit);
         next.cost += fit.cost;
         next.behind = fit.behind;
+        next.see(direction, fit);
+        next
+    }
+
+    /// What is seen while a vector is run like that, as a cost.
+    fn see(&mut self, direction: [f64; 3], fit: &TickFit) {
         let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
         for place in at_ticks(self.places[SEEN_TICKS - 1], direction, &fit.cut) {
-            let [before, now] = [next.places[0], next.places[SEEN_TICKS / 2]];
+            let [before, now] = [self.places[0], self.places[SEEN_TICKS / 2]];
             let beyond = second_difference(before, now, place) / allowed_mm - 1.0;
-            next.cost += beyond.max(0.0).powi(2) * BEYOND;
-            next.places.rotate_left(1);
-            next.places[SEEN_TICKS - 1] = place;
+            self.cost += beyond.max(0.0).powi(2) * BEYOND;
+            self.places.rotate_left(1);
+            self.places[SEEN_TICKS - 1] = place;
         }
-        next
     }
 }
 
