@@ -463,6 +463,16 @@ mod tests {
         }
 
         #[test]
+        fn a_stock_arm_is_not_seen_to_jump_to_another_speed(strokes in strokes()) {
+            let passes = [Pass::new(DrawingTool::default(), strokes)];
+            let machine = Machine { has_ticks: true, ..Machine::default() };
+            let plan = Plan::new(&passes, &Paper::default(), &machine).unwrap();
+            let seen = crate::acceleration(&plan, 0.08) / machine.acceleration_mm_s2;
+            // At a dot it turns back, with what is less than a step or two of speed.
+            prop_assert!(seen <= 1.4, "{seen}");
+        }
+
+        #[test]
         fn every_stroke_is_drawn_where_it_was_wanted(strokes in strokes()) {
             let plan = plan(&strokes, NO_LINK);
             let wanted: Vec<Stroke> = strokes.into_iter().filter(|s| s.length_mm() > 1.0).collect();
