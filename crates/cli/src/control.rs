@@ -182,8 +182,6 @@ pub(crate) async fn rest_soon(station: &mut StationClient) -> Result<(), Failure
     Ok(())
 }
 
-const PATIENCE: Duration = Duration::from_secs(5);
-
 /// Does what takes long, and hears meanwhile what the station tells: it drops whoever reads too slowly, or does not answer
 /// for some seconds. For rules in virtual time no time passes.
 pub(crate) async fn heard_meanwhile<T: Send>(
@@ -208,3 +206,5 @@ pub(crate) async fn heard_meanwhile<T: Send>(
         })
     })
 }
+
+const PATIENCE: Duration = Duration::from_secs(5);
