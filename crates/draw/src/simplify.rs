@@ -15,7 +15,7 @@ mod oracle;
 use corridor::{Corner, Corridor};
 use dobot_geometry::{Point, Stroke};
 use dobot_plan::Pace;
-use paced::{fast_ways, fastest};
+use paced::{FastWay, fast_ways, fastest};
 use search::fewest;
 use spliced::spliced;
 
@@ -69,11 +69,11 @@ pub(crate) struct Way {
 }
 
 impl Way {
-    fn of(stroke: &Stroke, path: Vec<Corner>, about_s: f64) -> Self {
+    fn of(stroke: &Stroke, way: FastWay) -> Self {
         Self {
-            stroke: joined(stroke, places(&path)),
-            path,
-            about_s,
+            stroke: joined(stroke, places(&way.path)),
+            path: way.path,
+            about_s: way.about_s,
         }
     }
 }
@@ -83,10 +83,9 @@ impl Way {
 pub(crate) fn fast_ways_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace, all: bool) -> Vec<Way> {
     let radius_mm = tolerance_mm - SLACK_MM;
     match fast_ways(corridor(stroke, radius_mm), pace, all) {
-        Some(ways) if radius_mm > MIN_VECTOR_MM => ways
-            .into_iter()
-            .map(|it| Way::of(stroke, it.path, it.about_s))
-            .collect(),
+        Some(ways) if radius_mm > MIN_VECTOR_MM => {
+            ways.into_iter().map(|it| Way::of(stroke, it)).collect()
+        }
         _ => vec![Way {
             stroke: joined(stroke, simplified(stroke, radius_mm)),
             path: Vec::new(),
@@ -120,9 +119,8 @@ pub(crate) fn spliced_at(
         ends(path) == Some(wanted) && path.len() == it.durations_s.len() + 1
     });
     let paths = fit.map(|it| (&it.way.path[..], &it.durations_s[..]));
-    let path = spliced(&corridor, paths, change_s, pace)?;
-    let about_s = f64::INFINITY;
-    Some(Way::of(stroke, path, about_s))
+    let way = spliced(&corridor, paths, change_s, pace)?;
+    Some(Way::of(stroke, way))
 }
 
 fn corridor(stroke: &Stroke, radius_mm: f64) -> Corridor<'_> {

@@ -83,7 +83,7 @@ impl TickChain<'_> {
                 ways.iter().position(|way| {
                     let same = way.ticker.cut_with(&write(&self.moves[i + 1]), next) == next.cut;
                     let rest = fits[i + 1..].iter().zip(&credits[i + 1..]);
-                    same && self.seen_behind(i, way, fits).cost <= most_cost
+                    same && self.cost_behind(i, way, fits) <= most_cost
                         && way.ticker.keeps_up(rest.take(MOST_AHEAD))
                 })
             };
@@ -179,8 +179,8 @@ impl TickChain<'_> {
         best
     }
 
-    /// A way over a vector when the arm goes on behind it as it did, with what is seen as long as that depends on the way.
-    fn seen_behind(&self, i: usize, way: &Way, fits: &[TickFit]) -> Way {
+    /// The cost of a way over a vector behind which the arm goes on as it did, with what is seen as long as that depends on the way.
+    fn cost_behind(&self, i: usize, way: &Way, fits: &[TickFit]) -> f64 {
         let mut way = way.clone();
         let mut ticks = 0;
         for (run, fit) in self.chain[i + 1..].iter().zip(&fits[i + 1..]) {
@@ -190,7 +190,7 @@ impl TickChain<'_> {
             way.see(run.direction, fit);
             ticks += fit.ticks() as usize;
         }
-        way
+        way.cost
     }
 
     /// Where the tool is at the last ticks before a vector, in mm from where the first of them leads from.

@@ -11,11 +11,12 @@
 
 use std::iter::successors;
 
-use dobot_arm::TICK_S;
 use dobot_geometry::Point;
 use dobot_plan::Pace;
 
 use super::corridor::{Corner, Corridor};
+use super::paced::FastWay;
+use super::timed::{TOO_SHARP_S, seen_mm};
 use super::visibility::Visibility;
 
 /// The path that takes the least time if each change costs so much time, in s; `None` if it is one of those given. Beside each
@@ -25,7 +26,7 @@ pub(super) fn spliced<'a>(
     planned: impl Iterator<Item = (&'a [Corner], &'a [f64])>,
     change_s: f64,
     pace: &Pace,
-) -> Option<Vec<Corner>> {
+) -> Option<FastWay> {
     let lengths = Lengths::of(corridor);
     let paths = Paths {
         all: planned
@@ -44,7 +45,10 @@ pub(super) fn spliced<'a>(
     let mut found: Vec<Node> = successors(Some(last), before).map(|it| nodes[it]).collect();
     found.reverse();
     let changes = found.windows(2).any(|pair| pair[0].path != pair[1].path);
-    changes.then(|| found.iter().map(|it| paths.corner(*it)).collect())
+    changes.then(|| FastWay {
+        path: found.iter().map(|it| paths.corner(*it)).collect(),
+        about_s: labels[last].time_s,
+    })
 }
 
 /// A path, and when a plan is at its corners.
@@ -264,7 +268,7 @@ impl Paths<'_> {
         let window_s = self.pace.cornering.window_s;
         let too_sharp_s = |t_s: f64| {
             let [before, now, after] = [t_s - window_s, t_s, t_s + window_s].map(at);
-            let seen = ((after - now) - (now - before)).length() / (a * window_s * window_s);
+            let seen = ((after - now) - (now - before)).length() / seen_mm(self.pace);
             TOO_SHARP_S * (seen - 1.0).max(0.0).powi(2)
         };
         took_s + self.change_s + unlike_s + too_sharp_s(0.0).max(too_sharp_s(took_s))
@@ -275,5 +279,3 @@ impl Paths<'_> {
 const AHEAD: usize = 2;
 /// Over which time a speed is looked at to both sides, in s.
 const AROUND_S: f64 = 0.03;
-/// How much time it counts for to be seen to accelerate twice as much, in s; in the square of what is too much.
-const TOO_SHARP_S: f64 = 50.0 * TICK_S;

@@ -235,10 +235,9 @@ struct Rates {
 
 impl Rates {
     fn of(pace: &Pace) -> Self {
-        let (a, window_s) = (pace.cornering.acceleration_mm_s2, pace.cornering.window_s);
         Self {
             least_s: whole_ticks_s(pace.link.period_s),
-            seen_mm: a * window_s * window_s,
+            seen_mm: seen_mm(pace),
         }
     }
 
@@ -246,6 +245,12 @@ impl Rates {
     fn took_s(&self, from: &Place, to: &Place) -> f64 {
         whole_ticks_s(to.time_s - from.time_s).max(self.least_s)
     }
+}
+
+/// How much of a turn may be seen within the window, in mm.
+pub(super) fn seen_mm(pace: &Pace) -> f64 {
+    let (a, window_s) = (pace.cornering.acceleration_mm_s2, pace.cornering.window_s);
+    a * window_s * window_s
 }
 
 fn whole_ticks_s(duration_s: f64) -> f64 {
@@ -320,4 +325,4 @@ const SPARE_TICKS: f64 = 0.1;
 /// The share of the acceleration that may be seen at a corner.
 const SEEN_SHARE: f64 = 0.97;
 /// How much time it counts for to be seen to accelerate twice as much, in s; in the square of what is too much.
-const TOO_SHARP_S: f64 = 50.0 * TICK_S;
+pub(super) const TOO_SHARP_S: f64 = 50.0 * TICK_S;
