@@ -18,6 +18,8 @@ pub(crate) struct Plan {
     pub(crate) aim: Option<Position>,
     /// How long its motion takes: nothing for a jog, which goes on; long where nobody can tell.
     pub(crate) motion: Duration,
+    /// The same at the most.
+    pub(crate) longest_motion: Duration,
     /// How long the arm waits behind it.
     pub(crate) pause: Duration,
 }
@@ -37,13 +39,14 @@ impl Plan {
             Ok(trajectory) => trajectory.end().map(|it| it.pose.position),
             Err(_) => model.aim(command),
         };
-        let motion = match &trajectory {
-            Ok(trajectory) => trajectory.motion_s().map_or(Duration::ZERO, seconds),
+        let lasts = |of: fn(&Trajectory) -> Option<f64>| match &trajectory {
+            Ok(trajectory) => of(trajectory).map_or(Duration::ZERO, seconds),
             Err(_) => UNFORESEEN,
         };
         Box::new(Self {
+            motion: lasts(Trajectory::lasts_s),
+            longest_motion: lasts(Trajectory::lasts_at_most_s),
             trajectory,
-            motion,
             after,
             aim,
             pause: seconds(model.pause_s(command)),

@@ -487,8 +487,12 @@ impl Session {
     fn would_hide_a_reset(&self) -> bool {
         // A status period, and as much for what is late.
         let not_yet_deaf = 2 * self.meter.period();
+        let silent = self
+            .belief
+            .under_way()
+            .leaves_within(QUEUE_STALLS_AT - 1, self.now);
         self.may_be_full()
-            && self.belief.under_way().ahead(self.now) + not_yet_deaf >= DEAF
+            && silent + not_yet_deaf >= DEAF
             && (self.belief.comes_to_zero() || self.belief.would_come_to_zero())
     }
 

@@ -40,14 +40,14 @@ pub(crate) struct Sent {
 }
 
 impl Sent {
-    /// How long it takes, if nothing is rounded.
+    /// How long it should take.
     fn duration(&self) -> Duration {
         self.plan.motion + self.plan.pause
     }
 
     /// When it must be over, if all before it is by then.
     fn bound_after(&self, before: Duration) -> Duration {
-        let duration = self.duration();
+        let duration = self.plan.longest_motion + self.plan.pause;
         before.max(self.at + LATEST) + self.waits + duration + duration / ROUNDING_SHARE + ROUNDING
     }
 }
@@ -200,6 +200,15 @@ impl UnderWay {
         })
     }
 
+    /// Within what time no more than so many of them are left, at the most: so long an arm is silent whose
+    /// queue that fills (note N20). By when each should end does not tell that: what takes longer than it
+    /// should puts nothing off.
+    pub(crate) fn leaves_within(&self, left: usize, now: Duration) -> Duration {
+        let over = self.all.len().checked_sub(left + 1);
+        let last = over.and_then(|it| self.all.get(it));
+        last.map_or(Duration::ZERO, |it| it.bound.saturating_sub(now))
+    }
+
     /// How long they take at the most on an arm that somebody else has made slow, before it has room
     /// for another: a full queue keeps an arm silent for just that long (note N20).
     pub(crate) fn longest_silence(&self) -> Duration {
@@ -207,7 +216,7 @@ impl UnderWay {
             let parts = self.all.iter().map(part);
             parts.fold(Duration::ZERO, Duration::saturating_add)
         };
-        sum(|it| it.plan.motion)
+        sum(|it| it.plan.longest_motion)
             .saturating_mul(SLOWER)
             .saturating_add(sum(|it| it.plan.pause))
             .saturating_add(sum(|it| it.waits))

@@ -116,7 +116,7 @@ proptest! {
             if trajectory.check().is_err() {
                 continue;
             }
-            let expected_s = trajectory.motion_s().expect("it ends");
+            let expected_s = trajectory.lasts_s().expect("it ends");
             let took_s = lab.obey(&command, personality).as_secs_f64();
             let late_s = took_s - expected_s;
             prop_assert!(
@@ -129,6 +129,33 @@ proptest! {
             prop_assert!(off_mm < 0.05, "{command:?} ended {off_mm} mm off at {found:?}");
         }
     }
+}
+
+/// A stock arm that begins slowly, and for which it counts no tick that accelerates, goes on as slowly:
+/// ten times longer than any drawing of the motion says (note N48).
+#[test]
+fn a_vector_that_creeps_takes_as_long_as_the_model_says() {
+    let personality = Personality::Firmware11;
+    let mut longer_s = 0.0_f64;
+    for tenths in 100..400_u16 {
+        let speed_mm_s = f32::from(tenths) / 10.0;
+        let mut lab = TestArm::power_up(personality);
+        let status = lab.wait(Duration::from_millis(100)).expect("it was told");
+        let mut model = Model::new(personality.dialect(), &status);
+        for [y_mm, z_mm] in [[0.0, 8.0], [2.1, 0.0], [0.0, -8.0], [-2.1, 0.0]] {
+            let command = Command::from(WriteVector::by(0.0, y_mm, z_mm, speed_mm_s));
+            let trajectory = model.trajectory(&command).expect("it is in reach");
+            let expected_s = trajectory.lasts_s().expect("it ends");
+            let took_s = lab.obey(&command, personality).as_secs_f64();
+            assert!(
+                (-0.05..=LATE_S).contains(&(took_s - expected_s)),
+                "{command:?} took {took_s} s; {expected_s} s were expected"
+            );
+            longer_s = longer_s.max(expected_s - trajectory.motion_s().expect("it ends"));
+            model = model.after(&command, &trajectory);
+        }
+    }
+    assert!(longer_s > 0.3, "none of them crept: {longer_s}");
 }
 
 /// The model refuses a vector of laser mode without the laser that the twin cuts short, and no

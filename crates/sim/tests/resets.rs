@@ -13,7 +13,7 @@ use dobot_arm::{Joints, TICK};
 use dobot_client::{Connection, Event, Session};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_sim::{Fault, InProcess, Script, SerialLine, VirtualArm, simulate_watched};
-use dobot_wire::{Command, Decoder, Dialect, Frame, MovingMode, Status};
+use dobot_wire::{Command, Decoder, Dialect, Frame, MovingMode, Status, WriteVector};
 use proptest::prelude::*;
 
 /// A packet on the line (note N26).
@@ -225,6 +225,31 @@ proptest! {
         program in program(),
     ) {
         let until = Duration::from_secs(20);
+        let (_, connection, _) = run(personality(stock), &[], &program, ahead(full), until);
+        prop_assert!(
+            connection.session().is_trusted(),
+            "{:?}", connection.session().distrust_reason()
+        );
+    }
+
+    #[test]
+    fn dashes_along_the_middle_cost_no_trust_however_long_the_pen_takes_up_and_down(
+        stock in any::<bool>(),
+        full in any::<bool>(),
+        dashes in prop::collection::vec((3.0..12.0_f32, 0.2..4.0_f32, 15.0..60.0_f32), 5..60),
+    ) {
+        let by = |x, z, speed| {
+            let max_speed_mm_s = speed;
+            Command::from(WriteVector { start_speed_mm_s: 1.0, ..WriteVector::by(x, 0.0, z, max_speed_mm_s) })
+        };
+        let dash = |(n, (lift, along, speed)): (usize, (f32, f32, f32))| {
+            let along = if n % 2 == 0 { along } else { -along };
+            [by(along, 0.0, speed), by(0.0, lift, speed), by(along, 0.0, speed), by(0.0, -lift, speed)]
+        };
+        let begin = Command::from(move_to(MovingMode::MovL, 230.0, 0.0, 0.0));
+        let program: Vec<Command> =
+            std::iter::once(begin).chain(dashes.into_iter().enumerate().flat_map(dash)).collect();
+        let until = Duration::from_secs(200);
         let (_, connection, _) = run(personality(stock), &[], &program, ahead(full), until);
         prop_assert!(
             connection.session().is_trusted(),

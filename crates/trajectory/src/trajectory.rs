@@ -1,6 +1,6 @@
 //! Where a command leads.
 
-use dobot_arm::{Position, Tool, Unreachable};
+use dobot_arm::{Position, TICK_S, Tool, Unreachable};
 
 use crate::error::{LONGEST_S, MOST_COUNTED_S};
 use crate::left_speed::LeftSpeed;
@@ -23,6 +23,17 @@ pub struct Trajectory {
     pub(crate) knows_end: bool,
     /// What a vector leaves for the next one.
     pub(crate) left: Option<LeftSpeed>,
+    /// The ticks of a vector, where an arm counts such.
+    pub(crate) ticks: Option<Ticks>,
+}
+
+/// How many ticks a stock arm counts of a vector (note N48).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ticks {
+    /// With what the vector before is believed to have left.
+    pub(crate) believed: i16,
+    /// The most, with all that it may have left.
+    pub(crate) most: i16,
 }
 
 impl Trajectory {
@@ -38,6 +49,7 @@ impl Trajectory {
             is_exact: model.knows_place,
             knows_end: model.knows_place,
             left: None,
+            ticks: None,
         }
     }
 
@@ -60,13 +72,32 @@ impl Trajectory {
     /// otherwise.
     #[must_use]
     pub fn duration_s(&self) -> Option<f64> {
-        self.motion_s().map(|it| it + self.pause_s)
+        self.lasts_s().map(|it| it + self.pause_s)
     }
 
-    /// How long the motion takes, in seconds; `None` for a jog.
+    /// How long the motion takes if no tick is counted, in seconds; `None` for a jog.
     #[must_use]
     pub const fn motion_s(&self) -> Option<f64> {
         self.motion.duration_s()
+    }
+
+    /// How long the arm is at the motion, in seconds; `None` for a jog. A stock arm counts a vector in
+    /// whole ticks, which take longer where it begins and goes on slowly: a vector for which it counts
+    /// no tick that accelerates keeps the speed that the one before left (note N48).
+    #[must_use]
+    pub fn lasts_s(&self) -> Option<f64> {
+        self.in_ticks(|it| it.believed)
+    }
+
+    /// The same at the most, where nobody knows what the vector before left, in seconds.
+    #[must_use]
+    pub fn lasts_at_most_s(&self) -> Option<f64> {
+        self.in_ticks(|it| it.most)
+    }
+
+    fn in_ticks(&self, ticks: fn(Ticks) -> i16) -> Option<f64> {
+        let counted = self.ticks.map(|it| f64::from(ticks(it)) * TICK_S);
+        counted.or(self.motion_s())
     }
 
     /// How long the arm waits behind the motion, in seconds.

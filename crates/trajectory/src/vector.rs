@@ -8,6 +8,7 @@ use crate::error::MOST_COUNTED_S;
 use crate::left_speed::{CREEPS_MM_S, LeftSpeed};
 use crate::motion::Motion;
 use crate::place::position;
+use crate::trajectory::Ticks;
 use crate::{ArmPlace, Model, Trajectory, TrajectoryError};
 
 /// Plans a vector from where the arm is.
@@ -50,7 +51,8 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
             stock_end(&trajectory, model)
         },
         burns: model.laser_during(vector),
-        left: cut.map(|it| it.left()),
+        left: cut.as_ref().map(Cuts::left),
+        ticks: cut.as_ref().map(Cuts::ticks),
         ..trajectory
     })
 }
@@ -131,6 +133,15 @@ impl Cuts {
             return Err(TrajectoryError::LeavesBackwards { left_mm_s, back_mm });
         }
         Ok(())
+    }
+
+    fn ticks(&self) -> Ticks {
+        let believed = self.believed.ticks();
+        let perhaps = self.perhaps.iter().flatten().map(Cut::ticks);
+        Ticks {
+            believed,
+            most: perhaps.fold(believed, i16::max),
+        }
     }
 
     fn left(&self) -> LeftSpeed {

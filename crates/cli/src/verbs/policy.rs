@@ -102,7 +102,7 @@ fn judge(test: &Test) -> Result<String, Failure> {
     let model = Model::standing(test.dialect, from);
     match policy.check(&model, &command(test).into()) {
         Ok(trajectory) => {
-            let motion_s = trajectory.motion_s().unwrap_or_default();
+            let motion_s = trajectory.lasts_s().unwrap_or_default();
             Ok(format!(
                 "allowed: {} in {motion_s:.2} s",
                 told(&test.target)
