@@ -3,15 +3,16 @@
 mod address;
 mod fetch;
 mod find;
+mod inbox;
 #[cfg(feature = "options")]
 mod options;
 mod stream;
 mod trust;
 
-use std::collections::VecDeque;
 use std::fmt;
 use std::time::Duration;
 
+use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt, StreamExt};
 use tokio::time::timeout;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
@@ -20,6 +21,7 @@ use tokio_tungstenite::tungstenite::http::HeaderValue;
 use tokio_tungstenite::tungstenite::{self, Message};
 use tokio_tungstenite::{WebSocketStream, client_async};
 
+use self::inbox::Inbox;
 use self::stream::{Bytes, open, soon};
 use crate::{FromClient, Hello, Notice, Problem, Reply, Request, State, ToClient};
 
@@ -33,7 +35,8 @@ pub use self::trust::TrustError;
 
 /// A client of a station, over its WebSocket.
 ///
-/// What it holds (control of the arm, a jog button) ends when it is dropped.
+/// A task hears the station all the time, so that whoever plans, or waits for a person, is not dropped meanwhile.
+/// What a client holds (control of the arm, a jog button) ends when it is dropped.
 ///
 /// ```no_run
 /// use dobot_api::{Remote, Request, StationAddress};
@@ -46,12 +49,14 @@ pub use self::trust::TrustError;
 /// # }
 /// ```
 pub struct Remote {
-    socket: WebSocketStream<Box<dyn Bytes>>,
+    outgoing: SplitSink<Socket, Message>,
+    inbox: Inbox,
     hello: Hello,
     next_id: u64,
-    /// What came while an answer was waited for, the oldest first; of states only the last one.
-    heard: VecDeque<StationEvent>,
 }
+
+type Socket = WebSocketStream<Box<dyn Bytes>>;
+type Incoming = SplitStream<Socket>;
 
 /// What a station tells without being asked.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,15 +130,16 @@ impl Remote {
     async fn shake_hands(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
         let handshake = handshake(address, name)?;
         let stream = open(address).await?;
-        let (mut socket, _) = client_async(handshake, stream)
+        let (socket, _) = client_async(handshake, stream)
             .await
             .map_err(|it| no_handshake(address, it))?;
-        match receive(&mut socket).await {
+        let (outgoing, mut incoming) = socket.split();
+        match receive(&mut incoming).await {
             Ok(ToClient::Hello { hello }) => Ok(Self {
-                socket,
+                outgoing,
+                inbox: Inbox::listening_to(incoming),
                 hello,
                 next_id: 1,
-                heard: VecDeque::new(),
             }),
             Ok(ToClient::Problem { problem, .. }) => Err(ConnectError::Refused(problem.into())),
             Ok(_) => Err(ConnectError::no_station(address, "it does not say hello")),
@@ -165,20 +171,7 @@ impl Remote {
     ///
     /// [`RemoteError`] where the connection is lost.
     pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
-        if let Some(heard) = self.heard.pop_front() {
-            return Ok(heard);
-        }
-        loop {
-            match receive(&mut self.socket).await? {
-                ToClient::State { state } => return Ok(StationEvent::State(state)),
-                ToClient::Notice { notice } => {
-                    return Ok(StationEvent::Notice(notice.into_owned()));
-                }
-                ToClient::Problem { id: None, problem } => return Err(refused(problem)),
-                // The answer to a question that somebody gave up.
-                ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
-            }
-        }
+        self.inbox.next().await
     }
 
     async fn ask(&mut self, request: Request) -> Result<Reply, RemoteError> {
@@ -186,29 +179,11 @@ impl Remote {
         self.next_id += 1;
         let text = serde_json::to_string(&FromClient { id, request })
             .map_err(|it| RemoteError::Garbled(it.to_string()))?;
-        self.socket
-            .send(Message::text(text))
-            .await
-            .map_err(broken)?;
-        loop {
-            match receive(&mut self.socket).await? {
-                ToClient::Reply { id: of, reply } if of == id => return Ok(reply),
-                ToClient::Problem { id: of, problem } if of.is_none_or(|of| of == id) => {
-                    return Err(refused(problem));
-                }
-                ToClient::State { state } => self.keep(StationEvent::State(state)),
-                ToClient::Notice { notice } => self.keep(StationEvent::Notice(notice.into_owned())),
-                ToClient::Reply { .. } | ToClient::Problem { .. } | ToClient::Hello { .. } => {}
-            }
+        self.inbox.expect(id);
+        if let Err(error) = self.outgoing.send(Message::text(text)).await {
+            return Err(self.inbox.ended().unwrap_or_else(|| broken(error)));
         }
-    }
-
-    fn keep(&mut self, heard: StationEvent) {
-        if matches!(heard, StationEvent::State(_)) {
-            self.heard
-                .retain(|it| !matches!(it, StationEvent::State(_)));
-        }
-        self.heard.push_back(heard);
+        self.inbox.answer().await
     }
 }
 
@@ -216,17 +191,14 @@ impl fmt::Debug for Remote {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Remote")
             .field("hello", &self.hello)
-            .field("heard", &self.heard)
             .finish_non_exhaustive()
     }
 }
 
 /// What comes next on the socket.
-async fn receive(
-    socket: &mut WebSocketStream<Box<dyn Bytes>>,
-) -> Result<ToClient<'static>, RemoteError> {
+async fn receive(incoming: &mut Incoming) -> Result<ToClient<'static>, RemoteError> {
     loop {
-        match socket.next().await {
+        match incoming.next().await {
             Some(Ok(Message::Text(text))) => {
                 return serde_json::from_str(&text)
                     .map_err(|it| RemoteError::Garbled(it.to_string()));

@@ -16,6 +16,8 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio_rustls::TlsAcceptor;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::handshake::server;
+use tokio_tungstenite::tungstenite::protocol::CloseFrame;
+use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::{WebSocketStream, accept_hdr_async};
 
 /// A station that says what a test wants.
@@ -125,6 +127,62 @@ async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost
         StationEvent::State(state) => assert_eq!(state.at_s, 2.0),
         other @ StationEvent::Notice(_) => panic!("{other:?}"),
     }
+}
+
+#[tokio::test]
+async fn a_client_that_waits_for_a_person_answers_that_it_is_there_and_then_hears_the_last_state() {
+    let (mut remote, mut fake) = pair().await;
+    fake.say(state(1.0)).await;
+    fake.say(notice(1, &json!({"type": "link_up"}), "here"))
+        .await;
+    fake.say(state(2.0)).await;
+    fake.0.send(Message::Ping("there?".into())).await.unwrap();
+    // Nobody has asked the client for anything yet.
+    let answer = fake.0.next().await.unwrap().unwrap();
+    assert_eq!(answer, Message::Pong("there?".into()));
+    let told = [remote.next().await.unwrap(), remote.next().await.unwrap()];
+    let [StationEvent::Notice(notice), StationEvent::State(state)] = told else {
+        panic!("{told:?}");
+    };
+    assert_eq!((notice.text.as_str(), state.at_s), ("here", 2.0));
+}
+
+#[tokio::test]
+async fn whoever_comes_back_to_a_station_that_has_gone_is_told_why_it_went() {
+    let (mut remote, mut fake) = pair().await;
+    fake.say(notice(1, &json!({"type": "link_up"}), "here"))
+        .await;
+    let close = CloseFrame {
+        code: CloseCode::Away,
+        reason: "the station is shutting down".into(),
+    };
+    fake.0.close(Some(close)).await.unwrap();
+    let refused = remote.request(Request::TakeLease).await.unwrap_err();
+    let told = refused.to_string();
+    assert!(told.ends_with(": the station is shutting down"), "{told}");
+    let heard = remote.next().await.unwrap();
+    assert!(matches!(heard, StationEvent::Notice(_)), "{heard:?}");
+    let over = remote.next().await.unwrap_err();
+    assert!(matches!(over, RemoteError::Closed(None)), "{over:?}");
+}
+
+#[tokio::test]
+async fn an_answer_that_comes_too_late_is_not_taken_for_another_one() {
+    let (mut remote, mut fake) = pair().await;
+    let given_up = tokio::select! {
+        biased;
+        asked = fake.hear() => asked,
+        reply = remote.request(Request::TakeLease) => panic!("{reply:?}"),
+    };
+    let answer = |asked: &Value, reply: Value| json!({"id": asked["id"], "reply": reply});
+    let serve = async {
+        let asked = fake.hear().await;
+        fake.say(answer(&given_up, json!({"type": "lease", "lease": null})))
+            .await;
+        fake.say(answer(&asked, json!({"type": "done"}))).await;
+    };
+    let (reply, ()) = tokio::join!(remote.request(Request::PauseJob), serve);
+    assert_eq!(reply.unwrap(), Reply::Done);
 }
 
 #[tokio::test]

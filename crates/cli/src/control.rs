@@ -3,14 +3,12 @@
 use std::io::IsTerminal;
 use std::time::Duration;
 
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 use dobot_api::{ArmView, RemoteError, Reply, Request, State};
 use dobot_rules::{PlannedFor, Rules, StationClient};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Status};
 use tokio::io::{AsyncBufReadExt, BufReader};
-use tokio::runtime::Handle;
-use tokio::sync::oneshot;
 use tokio::time::timeout;
 
 use crate::connect::To;
@@ -180,31 +178,6 @@ pub(crate) async fn rest_soon(station: &mut StationClient) -> Result<(), Failure
     let until = station.now() + PATIENCE;
     while arm(station).await?.0.moving && station.now() < until {}
     Ok(())
-}
-
-/// Does what takes long, and hears meanwhile what the station tells: it drops whoever reads too slowly, or does not answer
-/// for some seconds. For rules in virtual time no time passes.
-pub(crate) async fn heard_meanwhile<T: Send>(
-    station: &mut StationClient,
-    work: impl FnOnce() -> T + Send,
-) -> Result<T, Failure> {
-    if station.virtual_arm().is_some() {
-        return Ok(work());
-    }
-    tokio::task::block_in_place(|| {
-        let (done, mut is_done) = oneshot::channel();
-        std::thread::scope(|scope| {
-            scope.spawn(move || done.send(work()));
-            Handle::current().block_on(async {
-                loop {
-                    tokio::select! {
-                        done = &mut is_done => return done.context("the work ended without a result").map_err(Failure::from),
-                        heard = station.next() => drop(heard?),
-                    }
-                }
-            })
-        })
-    })
 }
 
 const PATIENCE: Duration = Duration::from_secs(5);

@@ -22,7 +22,6 @@ use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_rules::{PlannedFor, StationClient};
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
-use tokio::runtime::Handle;
 
 pub(crate) use self::args::Args;
 use self::args::export_format;
@@ -34,7 +33,7 @@ pub(crate) use self::input::materials;
 use self::output_files::{check_writable, write};
 use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
-use crate::control::{self, check_pose, heard_meanwhile};
+use crate::control::{self, check_pose};
 use crate::failure::Failure;
 use crate::output;
 
@@ -74,8 +73,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
             let arm = control::planned_for(station, &args.to.policy()?).await?;
             asked = asked.clone().calibrated(calibration(&args, &arm)?);
             let status = arm.status.unwrap_or(Status::AT_ZERO);
-            let plan = || Drawing::new(&args, &asked, arm.dialect, status.z_mm.into());
-            drawing = heard_meanwhile(station, plan).await??;
+            drawing = Drawing::new(&args, &asked, arm.dialect, status.z_mm.into())?;
             drawing.from = Some(status);
         }
         let plan = &drawing.prepared.plan;
@@ -190,11 +188,7 @@ impl<'a> Drawing<'a> {
         // What a virtual arm in this process does is not estimated, it is seen. Where another policy
         // holds than here, the estimate may be refused: then there is none.
         let rehearsed = match self.dialect.filter(|_| !is_virtual && !self.is_long()) {
-            Some(_) => {
-                let runtime = Handle::current();
-                let rehearse = || runtime.block_on(self.rehearse());
-                heard_meanwhile(station, rehearse).await?.ok()
-            }
+            Some(_) => self.rehearse().await.ok(),
             None => None,
         };
         let (estimated, estimate) =

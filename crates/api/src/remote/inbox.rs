@@ -1,0 +1,151 @@
+//! What a station tells, heard by a task of its own until somebody takes it.
+//!
+//! Whoever plans, rehearses or waits for a person's answer is heard of all the same: the task answers the station's
+//! pings and reads on, or the station would drop this client after some seconds.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use tokio::sync::Notify;
+use tokio::task::JoinHandle;
+
+use super::{Incoming, RemoteError, StationEvent, receive, refused};
+use crate::{Reply, ToClient};
+
+/// Ends its task when it is dropped.
+pub(super) struct Inbox {
+    shared: Arc<Shared>,
+    task: JoinHandle<()>,
+}
+
+#[derive(Default)]
+struct Shared {
+    told: Mutex<Told>,
+    /// Something was told.
+    news: Notify,
+}
+
+/// What was told and not taken.
+#[derive(Default)]
+struct Told {
+    /// The oldest first; of states only the last one.
+    heard: VecDeque<Result<StationEvent, RemoteError>>,
+    /// The question whose answer is waited for.
+    asked: Option<u64>,
+    answer: Option<Result<Reply, RemoteError>>,
+    /// Nothing more comes.
+    ended: bool,
+    /// Why, until somebody was told.
+    why: Option<RemoteError>,
+}
+
+impl Inbox {
+    pub(super) fn listening_to(mut incoming: Incoming) -> Self {
+        let shared = Arc::<Shared>::default();
+        let telling = shared.clone();
+        let task = tokio::spawn(async move {
+            let mut more = true;
+            while more {
+                let message = receive(&mut incoming).await;
+                more = telling.told().note(message);
+                telling.news.notify_one();
+            }
+        });
+        Self { shared, task }
+    }
+
+    /// From now on the answer to this question is kept, and no other.
+    pub(super) fn expect(&mut self, question: u64) {
+        let mut told = self.shared.told();
+        told.asked = Some(question);
+        told.answer = None;
+    }
+
+    /// The answer to the question that was expected last.
+    pub(super) async fn answer(&mut self) -> Result<Reply, RemoteError> {
+        self.take(|told| told.answer.take()).await
+    }
+
+    /// What was told next without being asked. A question that somebody gave up is forgotten.
+    pub(super) async fn next(&mut self) -> Result<StationEvent, RemoteError> {
+        self.shared.told().asked = None;
+        self.take(|told| told.heard.pop_front()).await
+    }
+
+    /// Why nothing more comes, if that is so.
+    pub(super) fn ended(&mut self) -> Option<RemoteError> {
+        let mut told = self.shared.told();
+        told.ended.then(|| told.why())
+    }
+
+    async fn take<T>(
+        &mut self,
+        take: impl Fn(&mut Told) -> Option<Result<T, RemoteError>>,
+    ) -> Result<T, RemoteError> {
+        loop {
+            {
+                let mut told = self.shared.told();
+                if let Some(taken) = take(&mut told) {
+                    return taken;
+                }
+                if told.ended {
+                    return Err(told.why());
+                }
+            }
+            self.shared.news.notified().await;
+        }
+    }
+}
+
+impl Drop for Inbox {
+    fn drop(&mut self) {
+        self.task.abort();
+    }
+}
+
+impl Shared {
+    fn told(&self) -> MutexGuard<'_, Told> {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Told {
+    /// Takes note of a message, or of what came instead; says whether another one may come.
+    fn note(&mut self, message: Result<ToClient<'_>, RemoteError>) -> bool {
+        match message {
+            Ok(ToClient::State { state }) => {
+                let is_state = |it: &Result<_, _>| matches!(it, Ok(StationEvent::State(_)));
+                self.heard.retain(|it| !is_state(it));
+                self.heard.push_back(Ok(StationEvent::State(state)));
+            }
+            Ok(ToClient::Notice { notice }) => {
+                let notice = StationEvent::Notice(notice.into_owned());
+                self.heard.push_back(Ok(notice));
+            }
+            Ok(ToClient::Reply { id, reply }) => self.note_answer(Some(id), Ok(reply)),
+            Ok(ToClient::Problem { id, problem }) => self.note_answer(id, Err(refused(problem))),
+            Ok(ToClient::Hello { .. }) => {}
+            Err(why @ (RemoteError::Closed(_) | RemoteError::Broken(_))) => {
+                self.ended = true;
+                self.why = Some(why);
+            }
+            Err(error) => self.note_answer(None, Err(error)),
+        }
+        !self.ended
+    }
+
+    fn why(&mut self) -> RemoteError {
+        self.why.take().unwrap_or(RemoteError::Closed(None))
+    }
+
+    /// What answers no question in particular answers that which is asked, and else is told as it is. The answer
+    /// to a question that somebody gave up is nobody's.
+    fn note_answer(&mut self, id: Option<u64>, answer: Result<Reply, RemoteError>) {
+        if self.asked.is_some() && (id.is_none() || id == self.asked) {
+            self.asked = None;
+            self.answer = Some(answer);
+        } else if let (None, Err(error)) = (id, answer) {
+            self.heard.push_back(Err(error));
+        }
+    }
+}
