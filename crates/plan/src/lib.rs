@@ -26,6 +26,7 @@ mod joints;
 mod landing;
 mod laser_path;
 mod link;
+mod lone;
 mod lookahead;
 mod machine;
 mod motion;

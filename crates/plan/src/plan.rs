@@ -67,7 +67,7 @@ impl Plan {
                 moves: before..planner.moves.len(),
             });
         }
-        plan.moves = planner.moves;
+        plan.moves = planner.finish();
         Ok(plan)
     }
 
@@ -468,8 +468,8 @@ mod tests {
             let machine = Machine { has_ticks: true, ..Machine::default() };
             let plan = Plan::new(&passes, &Paper::default(), &machine).unwrap();
             let seen = crate::acceleration(&plan, 0.08) / machine.acceleration_mm_s2;
-            // At a dot it turns back, with what is less than a step or two of speed.
-            prop_assert!(seen <= 1.4, "{seen}");
+            // 1.01 in all but two of a thousand drawings.
+            prop_assert!(seen <= 1.05, "{seen}");
         }
 
         #[test]

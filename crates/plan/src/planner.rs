@@ -6,10 +6,11 @@ use crate::aim::Aim;
 use crate::chain::{ChainSpeeds, LEAST_SHARE};
 use crate::joints::JointSpeeds;
 use crate::landing::Landing;
+use crate::lone::LoneVectors;
 use crate::lookahead::ChainVector;
 use crate::seen::TickPositions;
 use crate::speeds::Speeds;
-use crate::tick_chain::{Breadth, TickChain};
+use crate::tick_chain::{Breadth, LastPlaces, TickChain};
 use crate::tick_fit::TickFit;
 use crate::ticker::Ticker;
 use crate::vector::length;
@@ -22,6 +23,9 @@ pub(super) struct Planner<'a> {
     pub(super) chain_speeds: ChainSpeeds,
     /// Where the arm has ticks.
     pub(super) ticker: Option<Ticker>,
+    /// Where the tool was at the last ticks.
+    pub(super) last_places: LastPlaces,
+    pub(super) lone: LoneVectors,
     /// Where the vectors so far lead, rounding included.
     pub(super) here: [f64; 3],
     landing: Landing,
@@ -48,6 +52,8 @@ impl<'a> Planner<'a> {
             machine,
             chain_speeds: ChainSpeeds::new(machine),
             ticker: Ticker::of(machine, 0.0),
+            last_places: LastPlaces::default(),
+            lone: LoneVectors::default(),
             here: start,
             landing: Landing::new(machine, tool),
             aim: Aim::of(tool),
@@ -60,6 +66,7 @@ impl<'a> Planner<'a> {
     }
 
     pub(super) fn pass(&mut self, number: u32, pass: &Pass) {
+        self.plan_lone(0);
         self.pass = number;
         self.aim = Aim::of(&pass.tool);
         let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
@@ -140,29 +147,49 @@ impl<'a> Planner<'a> {
 
     /// The chain ends: its speeds can be planned.
     pub(super) fn rest(&mut self) {
+        if self.chain.is_empty() {
+            return;
+        }
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
-        if let Some(mut ticker) = self.ticker.take() {
-            let limits_mm_s: Vec<f64> = self.chain.iter().map(|it| it.limit_mm_s).collect();
-            ticker.limit(round_down(limits_mm_s.iter().copied().fold(0.0, f64::max)));
-            self.plan_in_ticks(InTicks {
-                begin,
-                ticker,
-                over: vec![1.0; limits_mm_s.len()],
-                limits_mm_s,
-            });
-        } else {
+        if self.ticker.is_none() {
             let speeds = self.chain_speeds.plan(&mut self.chain, self.aim);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
+        } else if self.aim == Aim::Soon && self.chain.len() == 1 {
+            self.note_lone();
+        } else {
+            self.rest_in_ticks(begin);
         }
         self.chain.clear();
+    }
+
+    /// All has been told.
+    pub(super) fn finish(mut self) -> Vec<PlannedVector> {
+        self.plan_lone(0);
+        self.moves
     }
 }
 
 /// A chain in ticks.
 impl Planner<'_> {
+    fn rest_in_ticks(&mut self, begin: usize) {
+        self.plan_lone(0);
+        let Some(ticker) = self.ticker.take() else {
+            return;
+        };
+        let limits_mm_s: Vec<f64> = self.chain.iter().map(|it| it.limit_mm_s).collect();
+        let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
+        self.plan_in_ticks(InTicks {
+            begin,
+            ticker,
+            over: vec![1.0; limits_mm_s.len()],
+            most_mm_s: vec![most_mm_s; limits_mm_s.len()],
+            limits_mm_s,
+        });
+    }
+
     /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
     /// are taken slower, and what that changes is planned again; what is the least too much is taken. A laser keeps its even speed.
     fn plan_in_ticks(&mut self, mut it: InTicks) {
@@ -189,12 +216,13 @@ impl Planner<'_> {
         }
         it.ticker
             .set(&mut self.moves[it.begin..], &attempt.speeds, &attempt.fits);
+        self.last_places = self.last_places.behind(&self.chain, &attempt.fits);
         self.ticker = Some(it.ticker);
         self.chain_speeds = attempt.chain_speeds;
     }
 
     fn attempt(&mut self, it: &InTicks, breadth: Breadth) -> Attempt {
-        let (chain_speeds, speeds) = self.wanted(it);
+        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
         let fits = self.in_ticks(it, &speeds).fits(&it.ticker, breadth);
         Attempt {
             shares: self.shares(&fits),
@@ -206,11 +234,11 @@ impl Planner<'_> {
 
     /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
     /// link allows is told by the ticks.
-    fn wanted(&mut self, it: &InTicks) -> (ChainSpeeds, Vec<Speeds>) {
+    pub(super) fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
         let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.aim).collect();
         if self.aim == Aim::Soon {
-            for (speeds, &limit_mm_s) in speeds.iter_mut().zip(&it.limits_mm_s) {
+            for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
                 speeds.limit_mm_s = limit_mm_s;
             }
         }
@@ -219,7 +247,7 @@ impl Planner<'_> {
 
     /// Plans again what has changed since an attempt.
     fn repair(&mut self, it: &InTicks, attempt: &mut Attempt, breadth: Breadth) {
-        let (chain_speeds, speeds) = self.wanted(it);
+        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
         let both = speeds.iter().zip(&attempt.speeds);
         let changed: Vec<bool> = both
             .zip(&attempt.shares)
@@ -239,6 +267,11 @@ impl Planner<'_> {
             chain: &self.chain,
             speeds,
             over: &it.over,
+            most_mm_s: &it.most_mm_s,
+            before: match self.aim {
+                Aim::Soon => self.last_places,
+                Aim::Evenly => LastPlaces::default(),
+            },
         }
     }
 
@@ -275,6 +308,8 @@ struct InTicks {
     limits_mm_s: Vec<f64>,
     /// How many times as much an end speed above the one wanted counts, for each vector.
     over: Vec<f64>,
+    /// No packet may tell a larger speed, for each vector.
+    most_mm_s: Vec<f32>,
 }
 
 /// A chain as it comes out in ticks.

@@ -92,13 +92,11 @@ impl Respeeding<'_> {
         } else {
             slower(chain, self.share)
         };
-        if let Some(ticker) = &mut self.ticker {
-            let most = targets.iter().map(|it| it[1]).fold(0.0, f64::max);
-            ticker.limit(round_down(most).max(self.speed_mm_s));
-        }
+        let most = targets.iter().map(|it| it[1]).fold(0.0, f64::max);
+        let most_mm_s = round_down(most).max(self.speed_mm_s);
         let pairs = chain.iter().zip(targets);
         pairs
-            .map(|(vector, targets)| self.vector(vector, targets))
+            .map(|(vector, targets)| self.vector(vector, targets, most_mm_s))
             .collect()
     }
 
@@ -112,11 +110,12 @@ impl Respeeding<'_> {
         is_near && ticker.runs_true(chain)
     }
 
-    fn vector(&mut self, vector: &WriteVector, targets: [f64; 2]) -> WriteVector {
+    fn vector(&mut self, vector: &WriteVector, targets: [f64; 2], most_mm_s: f32) -> WriteVector {
         let acceleration_mm_s2 = self.machine.acceleration_mm_s2;
         let mut next = from_speed(vector, self.speed_mm_s.into(), targets, acceleration_mm_s2);
         if let Some(ticker) = &mut self.ticker {
-            ticker.respeed(&mut next, vector.end_speed_mm_s == 0.0, acceleration_mm_s2);
+            let rests = vector.end_speed_mm_s == 0.0;
+            ticker.respeed(&mut next, rests, acceleration_mm_s2, most_mm_s);
         }
         self.follow(&next);
         next

@@ -9,7 +9,7 @@ use crate::commands::write;
 use crate::lookahead::ChainVector;
 use crate::seen::{WINDOW_TICKS, at_ticks, second_difference, seen_mm};
 use crate::speeds::Speeds;
-use crate::tick_fit::{MOST_FITS, SAME_SHARE, TickFit};
+use crate::tick_fit::{MOST_FITS, TickFit, TickWish};
 use crate::ticker::Ticker;
 
 /// A chain, and what is wanted of it.
@@ -21,6 +21,45 @@ pub(super) struct TickChain<'a> {
     pub aim: Aim,
     /// How many times as much an end speed above the one wanted counts, for each vector.
     pub over: &'a [f64],
+    /// No packet may tell a larger speed, in mm/s, for each vector.
+    pub most_mm_s: &'a [f32],
+    /// Where the tool was before it.
+    pub before: LastPlaces,
+}
+
+/// Where the tool was at the last ticks, in mm from anywhere.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct LastPlaces {
+    /// In a ring.
+    places: [[f64; 3]; SEEN_TICKS],
+    /// Where the oldest one is.
+    oldest: usize,
+}
+
+impl LastPlaces {
+    /// The same behind these vectors.
+    pub(super) fn behind(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
+        for (run, fit) in chain.iter().zip(fits) {
+            for place in at_ticks(self.last(), run.direction, &fit.cut) {
+                self.push(place);
+            }
+        }
+        self
+    }
+
+    fn push(&mut self, place: [f64; 3]) {
+        self.places[self.oldest] = place;
+        self.oldest = (self.oldest + 1) % SEEN_TICKS;
+    }
+
+    fn last(&self) -> [f64; 3] {
+        self.places[(self.oldest + SEEN_TICKS - 1) % SEEN_TICKS]
+    }
+
+    /// The oldest one, and that of a window later.
+    fn before_and_now(&self) -> [[f64; 3]; 2] {
+        [0, SEEN_TICKS / 2].map(|it| self.places[(self.oldest + it) % SEEN_TICKS])
+    }
 }
 
 /// How far a search looks.
@@ -30,21 +69,36 @@ pub(super) struct Breadth {
     ways: usize,
     /// Each is continued so often, at most [`MOST_FITS`] times.
     fits: usize,
+    /// Ways whose speeds have so little of a tick's change between them are the same.
+    same_share: f32,
 }
 
 impl Breadth {
-    pub(super) const ONE: Self = Self { ways: 1, fits: 1 };
+    pub(super) const ONE: Self = Self {
+        ways: 1,
+        fits: 1,
+        same_share: 0.25,
+    };
     pub(super) const FEW: Self = Self {
         ways: 3,
         fits: MOST_FITS,
+        same_share: 0.25,
     };
     pub(super) const MANY: Self = Self {
         ways: 8,
         fits: MOST_FITS,
+        same_share: 0.25,
     };
     pub(super) const MOST: Self = Self {
         ways: 20,
         fits: MOST_FITS,
+        same_share: 0.25,
+    };
+    /// For vectors between two rests, of which the arm keeps less than a tick's change.
+    pub(super) const LONE: Self = Self {
+        ways: 12,
+        fits: MOST_FITS,
+        same_share: 0.05,
     };
 }
 
@@ -54,7 +108,7 @@ impl TickChain<'_> {
     /// What is best for one vector may leave a speed from which the next cannot be run in the
     /// ticks that it should take, or turns the tool too fast. So several choices are followed.
     pub(super) fn fits(&self, ticker: &Ticker, breadth: Breadth) -> Vec<TickFit> {
-        self.follow(0, Way::new(ticker), breadth, |_, _| None)
+        self.follow(0, Way::new(ticker, self.before), breadth, |_, _| None)
     }
 
     /// Runs the changed vectors anew, and those after them until the arm goes on as it did and the link keeps up: what
@@ -74,8 +128,7 @@ impl TickChain<'_> {
             for (speeds, fit) in self.speeds[at..begin].iter().zip(&fits[at..begin]) {
                 here.take(speeds, fit);
             }
-            let mut way = Way::new(&here);
-            way.places = self.places_before(begin, fits);
+            let way = Way::new(&here, self.places_before(begin, fits));
             let goes_on = |i: usize, ways: &[Way]| {
                 let ends = (i + 1..changed.len().min(i + 1 + MARGIN)).all(|it| !changed[it]);
                 let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
@@ -108,11 +161,15 @@ impl TickChain<'_> {
         let mut ways = vec![first];
         for i in begin..self.moves.len() {
             let packet = write(&self.moves[i]);
+            let wish = TickWish {
+                aim: self.aim,
+                over: self.over[i],
+                most_mm_s: self.most_mm_s[i],
+                same_share: breadth.same_share,
+            };
             let mut choices = BinaryHeap::new();
             for (before, way) in ways.iter().enumerate() {
-                let fits = way
-                    .ticker
-                    .fits(&packet, self.speeds[i], self.aim, self.over[i]);
+                let fits = way.ticker.fits(&packet, self.speeds[i], wish);
                 let fits = fits.into_iter().take(breadth.fits);
                 choices.extend(fits.map(|fit| Choice {
                     cost: way.cost + fit.cost + fit.behind,
@@ -121,7 +178,7 @@ impl TickChain<'_> {
                     way: None,
                 }));
             }
-            ways = self.the_best(i, &ways, choices, breadth.ways, &mut steps);
+            ways = self.the_best(i, &ways, choices, breadth, &mut steps);
             if let Some(chosen) = ends(i, &ways) {
                 ways.swap(0, chosen);
                 break;
@@ -144,15 +201,15 @@ impl TickChain<'_> {
         i: usize,
         ways: &[Way],
         mut choices: BinaryHeap<Choice>,
-        most: usize,
+        breadth: Breadth,
         steps: &mut Vec<Step>,
     ) -> Vec<Way> {
-        let mut best: Vec<Way> = Vec::with_capacity(most);
-        while best.len() < most
+        let mut best: Vec<Way> = Vec::with_capacity(breadth.ways);
+        while best.len() < breadth.ways
             && let Some(choice) = choices.pop()
         {
             let (before, fit) = (&ways[choice.before], choice.fit);
-            let same_mm_s = SAME_SHARE * before.ticker.step_mm_s();
+            let same_mm_s = breadth.same_share * before.ticker.step_mm_s();
             let is_new =
                 |other: &Way| (other.ticker.stored_mm_s() - fit.cut.end_mm_s).abs() >= same_mm_s;
             if !best.iter().all(is_new) {
@@ -193,22 +250,20 @@ impl TickChain<'_> {
         way.cost
     }
 
-    /// Where the tool is at the last ticks before a vector, in mm from where the first of them leads from.
-    fn places_before(&self, begin: usize, fits: &[TickFit]) -> [[f64; 3]; SEEN_TICKS] {
+    /// Where the tool is at the last ticks before a vector.
+    fn places_before(&self, begin: usize, fits: &[TickFit]) -> LastPlaces {
         let mut from = begin;
         let mut ticks = 0;
         while from > 0 && ticks < SEEN_TICKS {
             from -= 1;
             ticks += fits[from].ticks() as usize;
         }
-        let mut places = [[0.0; 3]; SEEN_TICKS];
-        for (run, fit) in self.chain[from..begin].iter().zip(&fits[from..begin]) {
-            for place in at_ticks(places[SEEN_TICKS - 1], run.direction, &fit.cut) {
-                places.rotate_left(1);
-                places[SEEN_TICKS - 1] = place;
-            }
-        }
-        places
+        let before = if ticks < SEEN_TICKS {
+            self.before
+        } else {
+            LastPlaces::default()
+        };
+        before.behind(&self.chain[from..begin], &fits[from..begin])
     }
 }
 
@@ -222,19 +277,18 @@ struct Way {
     behind: f64,
     /// Its last step.
     last: Option<usize>,
-    /// Where the tool was at the last ticks, in mm from where the chain begins.
-    places: [[f64; 3]; SEEN_TICKS],
+    places: LastPlaces,
 }
 
 impl Way {
-    /// Before the first vector: the tool stands.
-    fn new(ticker: &Ticker) -> Self {
+    /// Before the first vector.
+    fn new(ticker: &Ticker, places: LastPlaces) -> Self {
         Self {
             ticker: ticker.clone(),
             cost: 0.0,
             behind: 0.0,
             last: None,
-            places: [[0.0; 3]; SEEN_TICKS],
+            places,
         }
     }
 
@@ -248,15 +302,22 @@ impl Way {
         next
     }
 
-    /// What is seen while a vector is run like that, as a cost.
+    /// What is seen while a vector is run like that, as a cost. Behind its first ticks only the vector itself is seen, which
+    /// accelerates no more than it may.
     fn see(&mut self, direction: [f64; 3], fit: &TickFit) {
         let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
-        for place in at_ticks(self.places[SEEN_TICKS - 1], direction, &fit.cut) {
-            let [before, now] = [self.places[0], self.places[SEEN_TICKS / 2]];
-            let beyond = second_difference(before, now, place) / allowed_mm - 1.0;
-            self.cost += beyond.max(0.0).powi(2) * BEYOND;
-            self.places.rotate_left(1);
-            self.places[SEEN_TICKS - 1] = place;
+        let mut ticks = at_ticks(self.places.last(), direction, &fit.cut);
+        for place in ticks.by_ref().take(SEEN_TICKS) {
+            let [before, now] = self.places.before_and_now();
+            let seen_mm = second_difference(before, now, place);
+            if seen_mm > allowed_mm {
+                self.cost += (seen_mm / allowed_mm - 1.0).powi(2) * BEYOND;
+            }
+            self.places.push(place);
+        }
+        let unseen = (fit.ticks() as usize).saturating_sub(2 * SEEN_TICKS);
+        for place in ticks.skip(unseen) {
+            self.places.push(place);
         }
     }
 }
@@ -305,7 +366,7 @@ impl PartialEq for Choice {
 /// From where the tool was a window ago to where it is, both ends included, without the last.
 const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
 /// How many ticks it is worth not to be seen to accelerate twice as much as allowed; in the square of what is too much.
-const BEYOND: f64 = 10_000.0;
+const BEYOND: f64 = 30_000.0;
 /// So many vectors before a change and behind it are run anew too.
 const MARGIN: usize = 4;
 /// How much worse than the best a way may be that goes on as the arm did.
@@ -361,14 +422,13 @@ mod tests {
             slower in proptest::collection::vec((0..60_usize, 0.1..0.9_f64), 1..6),
         ) {
             let machine = Machine { has_ticks: true, ..Machine::default() };
-            let mut ticker = Ticker::new(&machine, 0.0);
-            ticker.limit(40.0);
+            let ticker = Ticker::new(&machine, 0.0);
             let moves: Vec<PlannedVector> = ways.into_iter().map(vector).collect();
             let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
-            let over = vec![1.0; moves.len()];
+            let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
             let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
-            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over }
+            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .fits(&ticker, Breadth::FEW);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
@@ -377,7 +437,7 @@ mod tests {
             }
             let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
-            TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over }
+            TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .repair(&ticker, &mut fits, &changed, Breadth::FEW);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;

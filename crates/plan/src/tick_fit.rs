@@ -29,11 +29,19 @@ pub(super) struct TickTarget {
     /// The arm is to rest behind it.
     pub rests: bool,
     pub acceleration_mm_s2: f32,
-    /// No packet may tell a larger speed, in mm/s.
-    pub most_mm_s: f32,
+    pub wish: TickWish,
+}
+
+/// What is wanted of the ticks of a vector, whatever its length and its speeds are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TickWish {
     pub aim: Aim,
     /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
+    /// No packet may tell a larger speed, in mm/s.
+    pub most_mm_s: f32,
+    /// End speeds with so little of a tick's change between them are the same.
+    pub same_share: f32,
 }
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
@@ -49,16 +57,20 @@ pub(super) struct TickFit {
 
 impl TickFit {
     /// Puts it among others, the best first, if it is one of the best and leaves another speed.
-    fn rank(self, fits: &mut Vec<Self>) {
+    fn rank(self, fits: &mut Vec<Self>, same_share: f32) {
         let cost = self.cost + self.behind;
         let place = fits.partition_point(|other| other.cost + other.behind <= cost);
-        if place == MOST_FITS || fits[..place].iter().any(|it| it.leaves_as_much(&self)) {
+        if place == MOST_FITS
+            || fits[..place]
+                .iter()
+                .any(|it| it.leaves_as_much(&self, same_share))
+        {
             return;
         }
         fits.insert(place, self);
         let mut i = place + 1;
         while i < fits.len() {
-            if i == MOST_FITS || fits[i].leaves_as_much(&self) {
+            if i == MOST_FITS || fits[i].leaves_as_much(&self, same_share) {
                 fits.remove(i);
             } else {
                 i += 1;
@@ -77,9 +89,9 @@ impl TickFit {
     }
 
     /// Whether the next vector would not tell them from each other.
-    fn leaves_as_much(&self, other: &Self) -> bool {
+    fn leaves_as_much(&self, other: &Self, same_share: f32) -> bool {
         let apart_mm_s = (self.cut.end_mm_s - other.cut.end_mm_s).abs();
-        self.ticks() == other.ticks() && apart_mm_s < SAME_SHARE * self.cut.change_mm_s
+        self.ticks() == other.ticks() && apart_mm_s < same_share * self.cut.change_mm_s
     }
 }
 
@@ -131,10 +143,15 @@ impl TickTarget {
         } else {
             (down - 3).max(0)..=down + 2
         };
-        let fewest = (up - if self.over > 1.0 { 8 } else { 3 }).max(1);
+        let slower = match (self.rests, self.wish.over > 1.0) {
+            (true, _) => 4,
+            (false, true) => 8,
+            (false, false) => 3,
+        };
+        let fewest = (up - slower).max(1);
         for up in fewest..=up + 2 {
             for down in downs.clone() {
-                for near in if self.rests { &NEARS[..] } else { &NEARS[2..3] } {
+                for near in if self.rests { &NEARS[..] } else { &NEARS[1..] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
                     let end = max - (f32::from(down) - NEAR) * change;
                     self.consider(stored_mm_s, end, max, fits);
@@ -144,7 +161,7 @@ impl TickTarget {
     }
 
     fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, fits: &mut Vec<TickFit>) {
-        let max_mm_s = max_mm_s.min(self.most_mm_s);
+        let max_mm_s = max_mm_s.min(self.wish.most_mm_s);
         let end_mm_s = if self.rests {
             0.0
         } else {
@@ -168,23 +185,22 @@ impl TickTarget {
             cost,
             behind: self.behind(&cut),
         };
-        fit.rank(fits);
+        fit.rank(fits, self.wish.same_share);
     }
 
     fn cost(&self, stored_mm_s: f32, cut: &Cut) -> f64 {
         let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
         let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
         let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
-        match self.aim {
+        match self.wish.aim {
             Aim::Evenly => self.unlike(stored_mm_s, cut, over) + 4.0 * above * above,
             Aim::Soon => {
-                let (free, weight) = if self.rests {
-                    (FREE_AT_REST_STEPS, OVER_AT_REST)
+                let kept = if self.rests {
+                    OVER_AT_REST * (over - FREE_AT_REST_STEPS).max(0.0).powi(3)
                 } else {
-                    (FREE_STEPS, self.over)
+                    OVER * (over - FREE_STEPS).max(0.0).powi(2)
                 };
-                let over = (over - free).max(0.0);
-                f64::from(cut.ticks()) + OVER * weight * over * over + ABOVE * above * above
+                f64::from(cut.ticks()) + self.wish.over * kept + ABOVE * above * above
             }
         }
     }
@@ -197,14 +213,18 @@ impl TickTarget {
         let first = cut.first_mm_s - if brakes { cut.change_mm_s } else { 0.0 };
         let jump = f64::from((first - stored_mm_s) / cut.change_mm_s).abs();
         let jump = (jump - 1.0).max(0.0);
-        let weight = if over > 0.0 { 8.0 * self.over } else { 0.5 };
+        let weight = if over > 0.0 {
+            8.0 * self.wish.over
+        } else {
+            0.5
+        };
         late * late + weight * over * over + 2.0 * jump * jump
     }
 
     /// How many ticks are lost until the arm is as fast as wanted again, if it may use all of the acceleration for that:
     /// with the speed v wanted, `(v - end)2 / (2 a v)`.
     fn behind(&self, cut: &Cut) -> f64 {
-        if self.aim == Aim::Evenly || self.rests {
+        if self.wish.aim == Aim::Evenly || self.rests {
             return 0.0;
         }
         let wanted_mm_s = self.speeds.end_mm_s;
@@ -231,7 +251,7 @@ impl TickTarget {
         }
         // With less than half a step it would keep for ever what it has.
         let max_mm_s = single(self.speeds.limit_mm_s).max(1.5 * change);
-        let max_mm_s = max_mm_s.min(self.most_mm_s);
+        let max_mm_s = max_mm_s.min(self.wish.most_mm_s);
         TickFit {
             end_mm_s: 0.0,
             max_mm_s,
@@ -260,20 +280,20 @@ const SPARE: f32 = 1e-5;
 const NEAR: f32 = 0.4;
 /// By so many steps of speed a vector may end faster than wanted: whether that is too fast is seen at its ticks.
 const FREE_STEPS: f64 = 1.0;
-/// The same before a rest: what is kept is stopped at once and goes into the next vector, in another direction, at once. Braking
-/// to a rest and going on across it is seen as all of the acceleration with a third of a step.
-const FREE_AT_REST_STEPS: f64 = 0.35;
-/// How many times as much what is too fast counts before a rest.
-const OVER_AT_REST: f64 = 8.0;
 /// How many ticks it is worth not to be faster by one more; in its square.
 const OVER: f64 = 0.3;
+/// The same before a rest, where what is kept goes into the next vector at once, in another direction, and what that
+/// corrects adds to it.
+const FREE_AT_REST_STEPS: f64 = 0.3;
+/// How many ticks it is worth not to keep one more step of speed there; in its cube, for what the next vector corrects is
+/// anything up to half a step.
+const OVER_AT_REST: f64 = 26.0;
 /// The same for a top speed above what is allowed.
 const ABOVE: f64 = 2.0;
 /// So many choices are told.
 pub(super) const MOST_FITS: usize = 30;
-/// Speeds with so little of a tick's change between them are the same.
-pub(super) const SAME_SHARE: f32 = 0.25;
-const NEARS: [f32; 4] = [-0.4, 0.0, 0.4, 0.2];
+/// The same where the end speed is 0, which has two counts of ticks that slow down.
+const NEARS: [f32; 2] = [-0.4, 0.4];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;
 /// Nor does it leave less to the next one: behind a laser that would creep (note N48).
@@ -295,9 +315,12 @@ mod tests {
             least_ticks: 1,
             rests,
             acceleration_mm_s2: 100.0,
-            most_mm_s: single(max),
-            aim: Aim::Soon,
-            over: 1.0,
+            wish: TickWish {
+                aim: Aim::Soon,
+                over: 1.0,
+                most_mm_s: single(max),
+                same_share: 0.25,
+            },
         }
     }
 
@@ -314,7 +337,8 @@ mod tests {
             // As the ticker limits it: less could not be begun from rest.
             let most_mm_s = single(max.max(3.0));
             let wanted = target(length_mm, [stored.into(), end, max], rests);
-            let fit = TickTarget { most_mm_s, ..wanted }.fits(stored)[0];
+            let wish = TickWish { most_mm_s, ..wanted.wish };
+            let fit = TickTarget { wish, ..wanted }.fits(stored)[0];
             prop_assert!(fit.cut.is_true(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
             prop_assert!(fit.max_mm_s > 0.0 && fit.max_mm_s <= most_mm_s, "{fit:?}");

@@ -7,7 +7,7 @@ use crate::aim::Aim;
 use crate::link::Credit;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::tick_fit::{TickFit, TickTarget};
+use crate::tick_fit::{TickFit, TickTarget, TickWish};
 use crate::{Machine, PlannedVector};
 
 /// What the arm carries over from vector to vector.
@@ -16,8 +16,6 @@ pub(super) struct Ticker {
     acceleration_mm_s2: f32,
     /// The end speed that the arm has stored, in mm/s.
     stored_mm_s: f32,
-    /// The largest speed that the next packets may tell, in mm/s.
-    most_mm_s: f32,
     /// How many ticks the vectors so far were too short, in ticks.
     early: f64,
     credit: Credit,
@@ -29,7 +27,6 @@ impl Ticker {
         Self {
             acceleration_mm_s2: machine.acceleration_mm_s2 as f32,
             stored_mm_s,
-            most_mm_s: f32::MAX,
             early: 0.0,
             credit: Credit::new(machine.link),
         }
@@ -38,12 +35,6 @@ impl Ticker {
     /// The ticks of a machine that has some.
     pub(super) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
         machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
-    }
-
-    /// No packet of the next chain may tell a larger speed, in mm/s. Speeds are whole ticks: the arm
-    /// would not begin to accelerate to less than one and a half.
-    pub(super) fn limit(&mut self, most_mm_s: f32) {
-        self.most_mm_s = most_mm_s.max(1.5 * self.step_mm_s());
     }
 
     /// Gives the vectors of a chain these speeds: they are run behind those before.
@@ -62,13 +53,9 @@ impl Ticker {
         &self,
         vector: &WriteVector,
         speeds: Speeds,
-        aim: Aim,
-        over: f64,
+        wish: TickWish,
     ) -> Vec<TickFit> {
-        let target = TickTarget {
-            over,
-            ..self.target(length(vector), speeds, factor(vector), aim)
-        };
+        let target = self.target(length(vector), speeds, factor(vector), wish);
         target.fits(self.stored_mm_s)
     }
 
@@ -85,7 +72,13 @@ impl Ticker {
     }
 
     /// Gives a vector of a job the speeds with which a stock arm comes nearest to its own, whose speeds are those of a plan without ticks.
-    pub(super) fn respeed(&mut self, vector: &mut WriteVector, rests: bool, acceleration: f64) {
+    pub(super) fn respeed(
+        &mut self,
+        vector: &mut WriteVector,
+        rests: bool,
+        acceleration: f64,
+        most_mm_s: f32,
+    ) {
         let [start, end, max] = [
             vector.start_speed_mm_s,
             vector.end_speed_mm_s,
@@ -96,7 +89,13 @@ impl Ticker {
         let end = if rests { 0.0 } else { end };
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
-        let target = self.target(length_mm, speeds, factor(vector), Aim::Evenly);
+        let wish = TickWish {
+            aim: Aim::Evenly,
+            over: 1.0,
+            most_mm_s,
+            same_share: 0.0,
+        };
+        let target = self.target(length_mm, speeds, factor(vector), wish);
         let fit = target.fits(stored_mm_s)[0];
         self.take(&speeds, &fit);
         self.stored_mm_s = stored_mm_s;
@@ -180,9 +179,10 @@ impl Ticker {
         )
     }
 
-    /// What the next vector should be, of this length.
-    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, aim: Aim) -> TickTarget {
-        let early = match aim {
+    /// What the next vector should be, of this length. Speeds are whole ticks: the arm would not begin to
+    /// accelerate to less than one and a half.
+    fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, wish: TickWish) -> TickTarget {
+        let early = match wish.aim {
             Aim::Evenly => self.early,
             Aim::Soon => 0.0,
         };
@@ -193,9 +193,10 @@ impl Ticker {
             least_ticks: least_ticks(self.credit),
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
-            most_mm_s: self.most_mm_s,
-            aim,
-            over: 1.0,
+            wish: TickWish {
+                most_mm_s: wish.most_mm_s.max(1.5 * self.step_mm_s()),
+                ..wish
+            },
         }
     }
 

@@ -1,0 +1,80 @@
+//! Vectors from rest to rest: from one stroke to the next, and all of a dot.
+//!
+//! A stock arm keeps less than a tick's change of speed at a rest, and begins the next vector with it (note N48). What a lone
+//! vector keeps is no choice of its own: so those in a row are planned together.
+//!
+//! ```text
+//!   stroke |  Lift . Travel . Lower |  stroke        . a rest between two lone vectors
+//!          '------------------------'
+//!               planned together
+//! ```
+
+use crate::aim::Aim;
+use crate::lookahead::ChainVector;
+use crate::planner::{Planner, round_down};
+use crate::speeds::Speeds;
+use crate::tick_chain::{Breadth, TickChain};
+
+/// Those that are not planned yet.
+#[derive(Debug, Default)]
+pub(super) struct LoneVectors {
+    chain: Vec<ChainVector>,
+    /// How each should be run if there were no ticks.
+    speeds: Vec<Speeds>,
+    /// No packet may tell a larger speed.
+    most_mm_s: Vec<f32>,
+}
+
+impl Planner<'_> {
+    /// The chain is a lone vector.
+    pub(super) fn note_lone(&mut self) {
+        let limits_mm_s = [self.chain[0].limit_mm_s];
+        let (chain_speeds, speeds) = self.wanted(&limits_mm_s);
+        self.chain_speeds = chain_speeds;
+        self.lone.chain.push(self.chain[0]);
+        self.lone.speeds.extend(speeds);
+        self.lone.most_mm_s.push(round_down(limits_mm_s[0]));
+        if self.lone.chain.len() >= MOST_LONE {
+            self.chain.clear();
+            self.plan_lone(LONE_BEFORE_LAST);
+        }
+    }
+
+    /// Plans the lone vectors so far, which are the last ones before the chain: all but so many of them, whose plans may
+    /// change with what follows.
+    pub(super) fn plan_lone(&mut self, but: usize) {
+        let Some(mut ticker) = self.ticker.take() else {
+            return;
+        };
+        let end = self.moves.len() - self.chain.len();
+        let begin = end - self.lone.chain.len();
+        // What is kept between them is seen; what follows the last one is not known.
+        let mut over = vec![0.0; self.lone.chain.len()];
+        if let Some(last) = over.last_mut() {
+            *last = 1.0;
+        }
+        let fits = TickChain {
+            moves: &self.moves[begin..end],
+            chain: &self.lone.chain,
+            speeds: &self.lone.speeds,
+            aim: Aim::Soon,
+            over: &over,
+            most_mm_s: &self.lone.most_mm_s,
+            before: self.last_places,
+        }
+        .fits(&ticker, Breadth::LONE);
+        let planned = fits.len().saturating_sub(but);
+        let (fits, moves) = (&fits[..planned], &mut self.moves[begin..]);
+        ticker.set(moves, &self.lone.speeds, fits);
+        self.last_places = self.last_places.behind(&self.lone.chain, fits);
+        self.lone.chain.drain(..planned);
+        self.lone.speeds.drain(..planned);
+        self.lone.most_mm_s.drain(..planned);
+        self.ticker = Some(ticker);
+    }
+}
+
+/// So many lone vectors are planned together at the most.
+const MOST_LONE: usize = 60;
+/// So many of these are planned again with those that follow.
+const LONE_BEFORE_LAST: usize = 12;
