@@ -96,7 +96,7 @@ impl Breadth {
     };
     /// For vectors between two rests, of which the arm keeps less than a tick's change.
     pub(super) const LONE: Self = Self {
-        ways: 12,
+        ways: 8,
         fits: MOST_FITS,
         same_share: 0.05,
     };

@@ -119,6 +119,9 @@ impl TickTarget {
         let about = count(single(wanted));
         for ticks in (about - 1).max(1).max(self.least_ticks)..=(about + 2).max(self.least_ticks) {
             let even_mm_s = 50.0 * self.length_mm / f32::from(ticks);
+            if even_mm_s > stored_mm_s + change {
+                continue;
+            }
             let drop = 2.0 * (even_mm_s - single(self.speeds.end_mm_s)) / change;
             let about = count(drop.clamp(0.0, f32::from(ticks)));
             for down in (about - 2).max(0)..=(about + 2).min(ticks) {

@@ -24,7 +24,12 @@ impl Trials {
     /// Whether a stroke is to be planned in all ways, the fewest vectors of which are given: as long as anything is left, if it is
     /// not that long itself.
     fn take(&mut self, fewest: &Stroke, has_ticks: bool) -> bool {
-        let count = fewest.points.len() * WAYS * if has_ticks { TICKS_COUNT } else { 1 };
+        let count = (EACH + fewest.points.len()) * WAYS;
+        let count = if has_ticks {
+            TICKS_COUNT * count
+        } else {
+            count
+        };
         let enough = self.left > 0 && count <= MOST_OF_ONE;
         self.left = self.left.saturating_sub(count);
         enough
@@ -118,15 +123,13 @@ impl Tried<'_> {
         let Ok(plan) = Plan::new(&[pass], &self.settings.paper, &self.settings.machine) else {
             return;
         };
-        let time_s = plan.duration_s() * self.sharpness(&plan);
+        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
+        let durations_s: Vec<f64> = draws.map(|it| it.duration_s.into()).collect();
+        let time_s = durations_s.iter().sum::<f64>() * self.sharpness(&plan);
         if time_s < self.best.0 * WORTH_FEWER {
             self.best = (time_s, self.planned.len());
         }
-        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
-        self.planned.push(PlannedWay {
-            durations_s: draws.map(|it| f64::from(it.duration_s)).collect(),
-            way,
-        });
+        self.planned.push(PlannedWay { way, durations_s });
     }
 
     /// As how many times slower a plan counts, since its motion comes out too sharp in the ticks of a stock arm.
@@ -149,7 +152,9 @@ const WAYS: usize = 12;
 const CHANGES_S: [f64; 3] = [0.5 * TICK_S, 2.0 * TICK_S, 4.0 * TICK_S];
 /// So many vectors of a drawing are planned to choose among them: a second or two of a processor.
 const MOST_TRIED: usize = 150_000;
-/// The same of one stroke.
+/// To plan a stroke takes as long as so many vectors more.
+const EACH: usize = 8;
+/// So many of one stroke.
 const MOST_OF_ONE: usize = 300_000;
 /// How many times as long as without ticks it takes to plan with them.
 const TICKS_COUNT: usize = 9;
