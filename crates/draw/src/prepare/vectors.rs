@@ -159,7 +159,7 @@ const MOST_OF_ONE: usize = 300_000;
 /// How many times as long as without ticks it takes to plan with them.
 const TICKS_COUNT: usize = 9;
 /// So many times the acceleration may be seen in ticks.
-const SHARP: f64 = 1.02;
+const SHARP: f64 = 1.01;
 
 #[cfg(test)]
 mod tests {
