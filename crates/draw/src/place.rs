@@ -4,7 +4,7 @@ use std::fmt;
 
 use dobot_arm::Position;
 use dobot_geometry::{Point, Rect, Vec2, bounds, direction, steps};
-use dobot_plan::{Paper, Plan};
+use dobot_plan::{MoveKind, Paper, Plan};
 use dobot_source::{Artwork, Layer};
 use thiserror::Error;
 
@@ -317,6 +317,20 @@ pub enum PlaceError {
         /// Which limit of the arm says so.
         reason: String,
     },
+    /// A way between two strokes that leads where the arm does not get; each stroke may be within reach.
+    #[error(
+        "the straight way from one stroke to the next leads through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw what lies on either side of it one after the other"
+    )]
+    WayOutOfReach {
+        /// Forward, in the base frame.
+        x_mm: f64,
+        /// To the left.
+        y_mm: f64,
+        /// Up.
+        z_mm: f64,
+        /// Which limit of the arm says so.
+        reason: String,
+    },
 }
 
 /// Checks every place of a plan, at most 2 mm apart, with the pen down and with the pen up: a
@@ -324,7 +338,8 @@ pub enum PlaceError {
 ///
 /// # Errors
 ///
-/// [`PlaceError::OutOfReach`] with the first place that `reachable` refuses, and its reason.
+/// [`PlaceError::OutOfReach`] or [`PlaceError::WayOutOfReach`] with the first place that `reachable` refuses, and its
+/// reason.
 pub fn check_reach<E: fmt::Display>(
     plan: &Plan,
     paper: &Paper,
@@ -332,23 +347,39 @@ pub fn check_reach<E: fmt::Display>(
 ) -> Result<(), PlaceError> {
     let mut here = Point::new(plan.start[0], plan.start[1]);
     let lift_mm = plan.lift_mm();
-    for [x, y, _] in plan.positions() {
+    for (vector, [x, y, _]) in plan.moves.iter().zip(plan.positions()) {
         let there = Point::new(x, y);
         for p in steps(here, there, STEP_MM) {
             let down_mm = paper.z_at(p);
             for z_mm in [down_mm, down_mm + lift_mm] {
                 let place = Position::new(p.x, p.y, z_mm);
-                reachable(place).map_err(|reason| PlaceError::OutOfReach {
-                    x_mm: p.x,
-                    y_mm: p.y,
-                    z_mm,
-                    reason: reason.to_string(),
+                reachable(place).map_err(|reason| {
+                    let is_way = vector.kind == MoveKind::Travel && p != there;
+                    out_of_reach(is_way, place, reason.to_string())
                 })?;
             }
         }
         here = there;
     }
     Ok(())
+}
+
+fn out_of_reach(is_way: bool, place: Position, reason: String) -> PlaceError {
+    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
+    if is_way {
+        return PlaceError::WayOutOfReach {
+            x_mm,
+            y_mm,
+            z_mm,
+            reason,
+        };
+    }
+    PlaceError::OutOfReach {
+        x_mm,
+        y_mm,
+        z_mm,
+        reason,
+    }
 }
 
 const STEP_MM: f64 = 2.0;

@@ -148,6 +148,32 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
     check_reach(&plan, &paper, |_| Ok::<(), String>(())).unwrap();
 }
 
+#[test]
+fn a_way_through_the_hole_around_the_base_is_told_from_a_line_through_it() {
+    let dots = [
+        line(&[(0.0, 150.0), (1.0, 150.0)]),
+        line(&[(0.0, -150.0), (1.0, -150.0)]),
+    ];
+    let pass = Pass::new(DrawingTool::default(), dots.to_vec());
+    let paper = Paper::default();
+    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+    let reachable = |p: Position| {
+        let near = p.reach().0 < 129.0;
+        if near { Err("too near") } else { Ok(()) }
+    };
+    let told = check_reach(&plan, &paper, reachable)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        told.starts_with("the straight way from one stroke to the next leads through x "),
+        "{told}"
+    );
+    assert!(
+        told.contains("mm: too near; place the drawing farther"),
+        "{told}"
+    );
+}
+
 /// A page with ink in one corner.
 fn page(width_mm: f64, height_mm: f64) -> Artwork {
     let layer = Layer {
