@@ -164,7 +164,7 @@ impl Remote {
         answered.unwrap_or(Err(RemoteError::Silent))
     }
 
-    /// What the station tells next; of states only the last one is kept for those who are late.
+    /// What the station tells next; of states only the last one is kept for those who are more than a second late.
     /// Nothing is lost when it is cancelled.
     ///
     /// # Errors

@@ -129,22 +129,63 @@ async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost
     }
 }
 
+/// Until the client has heard all that was said, though nobody has asked it for anything.
+async fn is_heard(fake: &mut Fake) {
+    fake.0.send(Message::Ping("there?".into())).await.unwrap();
+    let answer = fake.0.next().await.unwrap().unwrap();
+    assert_eq!(answer, Message::Pong("there?".into()));
+}
+
+async fn told_at_s(remote: &mut Remote) -> f64 {
+    match remote.next().await.unwrap() {
+        StationEvent::State(state) => state.at_s,
+        other @ StationEvent::Notice(_) => panic!("{other:?}"),
+    }
+}
+
 #[tokio::test]
 async fn a_client_that_waits_for_a_person_answers_that_it_is_there_and_then_hears_the_last_state() {
     let (mut remote, mut fake) = pair().await;
-    fake.say(state(1.0)).await;
     fake.say(notice(1, &json!({"type": "link_up"}), "here"))
         .await;
-    fake.say(state(2.0)).await;
-    fake.0.send(Message::Ping("there?".into())).await.unwrap();
-    // Nobody has asked the client for anything yet.
-    let answer = fake.0.next().await.unwrap().unwrap();
-    assert_eq!(answer, Message::Pong("there?".into()));
-    let told = [remote.next().await.unwrap(), remote.next().await.unwrap()];
-    let [StationEvent::Notice(notice), StationEvent::State(state)] = told else {
-        panic!("{told:?}");
+    for second in 1..=17 {
+        fake.say(state(second.into())).await;
+    }
+    is_heard(&mut fake).await;
+    match remote.next().await.unwrap() {
+        StationEvent::Notice(notice) => assert_eq!(notice.text, "here"),
+        other @ StationEvent::State(_) => panic!("{other:?}"),
+    }
+    assert_eq!(told_at_s(&mut remote).await, 17.0);
+}
+
+#[tokio::test]
+async fn states_that_come_in_a_burst_are_all_told() {
+    let (mut remote, mut fake) = pair().await;
+    for second in 1..=16 {
+        fake.say(state(second.into())).await;
+    }
+    is_heard(&mut fake).await;
+    for second in 1..=16 {
+        assert_eq!(told_at_s(&mut remote).await, f64::from(second));
+    }
+}
+
+#[tokio::test]
+async fn whoever_asks_hears_no_state_from_before_the_last_one() {
+    let (mut remote, mut fake) = pair().await;
+    for second in 1..=9 {
+        fake.say(state(second.into())).await;
+    }
+    is_heard(&mut fake).await;
+    let serve = async {
+        let asked = fake.hear().await;
+        fake.say(json!({"id": asked["id"], "reply": {"type": "done"}}))
+            .await;
     };
-    assert_eq!((notice.text.as_str(), state.at_s), ("here", 2.0));
+    let (reply, ()) = tokio::join!(remote.request(Request::PauseJob), serve);
+    assert_eq!(reply.unwrap(), Reply::Done);
+    assert_eq!(told_at_s(&mut remote).await, 9.0);
 }
 
 #[tokio::test]

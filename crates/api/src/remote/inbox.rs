@@ -28,7 +28,7 @@ struct Shared {
 /// What was told and not taken.
 #[derive(Default)]
 struct Told {
-    /// The oldest first; of states only the last one.
+    /// The oldest first.
     heard: VecDeque<Result<StationEvent, RemoteError>>,
     /// The question whose answer is waited for.
     asked: Option<u64>,
@@ -59,6 +59,7 @@ impl Inbox {
         let mut told = self.shared.told();
         told.asked = Some(question);
         told.answer = None;
+        told.keep_last_state();
     }
 
     /// The answer to the question that was expected last.
@@ -114,9 +115,11 @@ impl Told {
     fn note(&mut self, message: Result<ToClient<'_>, RemoteError>) -> bool {
         match message {
             Ok(ToClient::State { state }) => {
-                let is_state = |it: &Result<_, _>| matches!(it, Ok(StationEvent::State(_)));
-                self.heard.retain(|it| !is_state(it));
                 self.heard.push_back(Ok(StationEvent::State(state)));
+                let states = self.heard.iter().filter(|it| is_state(it)).count();
+                if self.asked.is_some() || states > MOST_STATES {
+                    self.keep_last_state();
+                }
             }
             Ok(ToClient::Notice { notice }) => {
                 let notice = StationEvent::Notice(notice.into_owned());
@@ -134,6 +137,12 @@ impl Told {
         !self.ended
     }
 
+    fn keep_last_state(&mut self) {
+        let last = self.heard.iter().rposition(is_state);
+        let mut at = 0..;
+        self.heard.retain(|it| at.next() == last || !is_state(it));
+    }
+
     fn why(&mut self) -> RemoteError {
         self.why.take().unwrap_or(RemoteError::Closed(None))
     }
@@ -149,3 +158,10 @@ impl Told {
         }
     }
 }
+
+const fn is_state(heard: &Result<StationEvent, RemoteError>) -> bool {
+    matches!(heard, Ok(StationEvent::State(_)))
+}
+
+/// So many states may come in a burst, a second's: who is later than that is told the last one.
+const MOST_STATES: usize = 16;
