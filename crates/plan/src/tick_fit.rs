@@ -106,10 +106,24 @@ impl TickTarget {
         let mut fits = Vec::with_capacity(MOST_FITS + 1);
         self.try_slower(stored_mm_s, &mut fits);
         self.try_faster(stored_mm_s, &mut fits);
+        if self.rests && fits.first().is_none_or(|it| self.creeps(it)) {
+            // At a rest the next vector may come late.
+            let soon = Self {
+                least_ticks: 1,
+                ..*self
+            };
+            soon.try_slower(stored_mm_s, &mut fits);
+            soon.try_faster(stored_mm_s, &mut fits);
+        }
         if fits.is_empty() {
             fits.push(self.crawl(stored_mm_s));
         }
         fits
+    }
+
+    /// Whether it takes ever so long, since no counts of ticks take just as long as the link needs.
+    fn creeps(&self, fit: &TickFit) -> bool {
+        f64::from(fit.cut.ticks()) > 2.0 * self.ticks.max(self.least_ticks.into())
     }
 
     /// No tick accelerates: the begin speed is free, up to the one that is stored and one step.
@@ -154,7 +168,7 @@ impl TickTarget {
         let fewest = (up - slower).max(1);
         for up in fewest..=up + 2 {
             for down in downs.clone() {
-                for near in if self.rests { &NEARS[..] } else { &NEARS[1..] } {
+                for near in if self.rests { &NEARS[..] } else { &NEARS[3..] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
                     let end = max - (f32::from(down) - NEAR) * change;
                     self.consider(stored_mm_s, end, max, fits);
@@ -296,7 +310,7 @@ const ABOVE: f64 = 2.0;
 /// So many choices are told.
 pub(super) const MOST_FITS: usize = 30;
 /// The same where the end speed is 0, which has two counts of ticks that slow down.
-const NEARS: [f32; 2] = [-0.4, 0.4];
+const NEARS: [f32; 4] = [-0.4, 0.0, 0.2, 0.4];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;
 /// Nor does it leave less to the next one: behind a laser that would creep (note N48).
@@ -349,6 +363,25 @@ mod tests {
             let slowest_mm_s = wanted.speeds.max_mm_s.min(0.2);
             let most_s = f64::from(length_mm) / slowest_mm_s + 2.0;
             prop_assert!(f64::from(fit.cut.ticks()) * 0.02 <= most_s, "{fit:?}");
+        }
+
+        #[test]
+        fn a_vector_to_a_rest_does_not_creep_however_long_the_link_takes(
+            length_mm in 0.012..10.0_f32,
+            stored in (-9.0..0.0_f32).prop_map(|it| 10.0_f32.powf(it)),
+            max in 0.2..80.0_f64,
+            least_ticks in 1..6_i16,
+            evenly: bool,
+        ) {
+            let max = max.max(stored.into());
+            let wanted = target(length_mm, [stored.into(), 0.0, max], true);
+            let aim = if evenly { Aim::Evenly } else { Aim::Soon };
+            let wish = TickWish { most_mm_s: single(max.max(3.0)), aim, ..wanted.wish };
+            let fit = TickTarget { wish, least_ticks, ..wanted }.fits(stored)[0];
+            prop_assert!(fit.cut.is_true(), "{fit:?}");
+            // Twice as long as wanted, and some ticks.
+            let most_s = 2.0 * f64::from(length_mm) / max.min(0.2) + 2.0;
+            prop_assert!(fit.duration_s() <= most_s, "{fit:?}");
         }
     }
 }
