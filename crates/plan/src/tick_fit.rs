@@ -377,7 +377,7 @@ mod tests {
             let wanted = target(length_mm, [stored.into(), 0.0, max], true);
             let aim = if evenly { Aim::Evenly } else { Aim::Soon };
             let wish = TickWish { most_mm_s: single(max.max(3.0)), aim, ..wanted.wish };
-            let fit = TickTarget { wish, least_ticks, ..wanted }.fits(stored)[0];
+            let fit = TickTarget { least_ticks, wish, ..wanted }.fits(stored)[0];
             prop_assert!(fit.cut.is_true(), "{fit:?}");
             // Twice as long as wanted, and some ticks.
             let most_s = 2.0 * f64::from(length_mm) / max.min(0.2) + 2.0;
