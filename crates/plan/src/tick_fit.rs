@@ -130,6 +130,9 @@ impl TickTarget {
     fn try_slower(&self, stored_mm_s: f32, fits: &mut Vec<TickFit>) {
         let change = self.acceleration_mm_s2 * TICK_S;
         let wanted = self.ticks.max(f64::from(self.least_ticks));
+        if wanted > MOST_TICKS {
+            return;
+        }
         let about = count(single(wanted));
         for ticks in (about - 1).max(1).max(self.least_ticks)..=(about + 2).max(self.least_ticks) {
             let even_mm_s = 50.0 * self.length_mm / f32::from(ticks);
@@ -189,8 +192,11 @@ impl TickTarget {
         }
         let cut = self.cut(stored_mm_s, end_mm_s, max_mm_s);
         let creeps = !self.rests && cut.end_mm_s < LEAST_LEFT_MM_S;
-        // The processor counts in sixteen bits, and takes what is more for something else (note N51).
-        let is_endless = 50.0 * self.length_mm >= f32::from(i16::MAX) * cut.top_mm_s;
+        // The processor counts in sixteen bits, and takes what is more for something else (note N51): what it corrects then
+        // is no speed to count with.
+        let even_mm_s = cut.top_mm_s - cut.correction_mm_s;
+        let is_endless =
+            cut.counts[1] > 0 && 50.0 * self.length_mm >= f32::from(i16::MAX) * even_mm_s;
         if !cut.is_true() || cut.ticks() < self.least_ticks || creeps || is_endless {
             return;
         }
@@ -307,6 +313,8 @@ const FREE_AT_REST_STEPS: f64 = 0.3;
 const OVER_AT_REST: f64 = 26.0;
 /// The same for a top speed above what is allowed.
 const ABOVE: f64 = 2.0;
+/// A stock arm counts to no more (note N51).
+const MOST_TICKS: f64 = 32_000.0;
 /// So many choices are told.
 pub(super) const MOST_FITS: usize = 30;
 /// The same where the end speed is 0, which has two counts of ticks that slow down.
