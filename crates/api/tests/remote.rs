@@ -119,14 +119,8 @@ async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost
     };
     let (reply, ()) = tokio::join!(remote.request(Request::TakeLease), serve);
     assert_eq!(reply.unwrap(), Reply::Lease { lease: None });
-    match remote.next().await.unwrap() {
-        StationEvent::Notice(notice) => assert_eq!(notice.text, "here"),
-        other @ StationEvent::State(_) => panic!("{other:?}"),
-    }
-    match remote.next().await.unwrap() {
-        StationEvent::State(state) => assert_eq!(state.at_s, 2.0),
-        other @ StationEvent::Notice(_) => panic!("{other:?}"),
-    }
+    assert_eq!(told_text(&mut remote).await, "here");
+    assert_eq!(told_at_s(&mut remote).await, 2.0);
 }
 
 /// Until the client has heard all that was said, though nobody has asked it for anything.
@@ -134,6 +128,13 @@ async fn is_heard(fake: &mut Fake) {
     fake.0.send(Message::Ping("there?".into())).await.unwrap();
     let answer = fake.0.next().await.unwrap().unwrap();
     assert_eq!(answer, Message::Pong("there?".into()));
+}
+
+async fn told_text(remote: &mut Remote) -> String {
+    match remote.next().await.unwrap() {
+        StationEvent::Notice(notice) => notice.text,
+        other @ StationEvent::State(_) => panic!("{other:?}"),
+    }
 }
 
 async fn told_at_s(remote: &mut Remote) -> f64 {
@@ -152,10 +153,7 @@ async fn a_client_that_waits_for_a_person_answers_that_it_is_there_and_then_hear
         fake.say(state(second.into())).await;
     }
     is_heard(&mut fake).await;
-    match remote.next().await.unwrap() {
-        StationEvent::Notice(notice) => assert_eq!(notice.text, "here"),
-        other @ StationEvent::State(_) => panic!("{other:?}"),
-    }
+    assert_eq!(told_text(&mut remote).await, "here");
     assert_eq!(told_at_s(&mut remote).await, 17.0);
 }
 

@@ -317,7 +317,7 @@ const ABOVE: f64 = 2.0;
 const MOST_TICKS: f64 = 32_000.0;
 /// So many choices are told.
 pub(super) const MOST_FITS: usize = 30;
-/// The same where the end speed is 0, which has two counts of ticks that slow down.
+/// Where in a step the largest speed lies before a rest: it decides how many ticks slow down to 0.
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.2, 0.4];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;
