@@ -171,7 +171,7 @@ impl TickTarget {
         let fewest = (up - slower).max(1);
         for up in fewest..=up + 2 {
             for down in downs.clone() {
-                for near in if self.rests { &NEARS[..] } else { &NEARS[3..] } {
+                for near in if self.rests { &NEARS[..] } else { &[NEAR] } {
                     let max = stored_mm_s + (f32::from(up) - near) * change;
                     let end = max - (f32::from(down) - NEAR) * change;
                     self.consider(stored_mm_s, end, max, fits);
