@@ -1,7 +1,7 @@
 //! Once around a drawing before it is made: does it lie where it should?
 
 use dobot_geometry::{Point, Rect, Stroke, bounds};
-use dobot_plan::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError};
+use dobot_plan::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError, around_axis};
 
 /// What is gone around.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,6 +34,7 @@ pub fn frame(
         FrameShape::Rectangle => rectangle(bounds(points)),
         FrameShape::Hull => hull(points),
     };
+    let outline = around_arm(&outline, machine.nearest_mm);
     let highest_mm = passes
         .iter()
         .map(|it| it.tool.lift_mm())
@@ -55,6 +56,16 @@ pub fn frame(
         machine,
     )?;
     Ok(without_ink(plan, tool))
+}
+
+/// The outline with the ways between its corners around the place where the arm stands.
+fn around_arm(outline: &Stroke, nearest_mm: f64) -> Stroke {
+    let legs = outline.segments();
+    let points = legs.flat_map(|(a, b)| [vec![a], around_axis(a, b, nearest_mm)].concat());
+    Stroke {
+        points: points.chain(outline.last()).collect(),
+        ..*outline
+    }
 }
 
 /// The plan without lowering and lifting: all of it is travel, with the tool it is made for.

@@ -319,7 +319,7 @@ pub enum PlaceError {
     },
     /// A way between two strokes that leads where the arm does not get; each stroke may be within reach.
     #[error(
-        "the straight way from one stroke to the next leads through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw what lies on either side of it one after the other"
+        "the way from one stroke to the next leads through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw what lies on either side of it one after the other"
     )]
     WayOutOfReach {
         /// Forward, in the base frame.

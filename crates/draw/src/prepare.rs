@@ -25,7 +25,7 @@ use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
-use dobot_plan::{DrawingTool, MoveKind, Pass, Plan, PlanError};
+use dobot_plan::{DrawingTool, Machine, MoveKind, Pass, Plan, PlanError};
 use dobot_source::{Layer, Source, SourceError, Warning};
 
 /// A drawing, ready to be sent.
@@ -101,7 +101,7 @@ pub fn prepare_together<E: fmt::Display>(
     settings.check()?;
     settings.give_up.check()?;
     let mut settings = settings.clone();
-    settings.placement.reach = reach_mm(&settings, &reachable);
+    settings.placement.reach = reach_mm(&settings, settings.tool.lift_mm(), &reachable);
     let settings = &settings;
     let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
     settings.give_up.check()?;
@@ -149,7 +149,13 @@ fn plan_passes<E: fmt::Display>(
         Some(known) => taken_up(simple?, &settings.paper, &known.arm()),
         None => simple?,
     };
-    let plan = Plan::new(&simple, &settings.paper, &settings.machine)?;
+    let lifts_mm = simple.iter().map(|it| it.tool.lift_mm());
+    let reach_mm = reach_mm(settings, lifts_mm.fold(0.0, f64::max), &reachable);
+    let machine = Machine {
+        nearest_mm: reach_mm.map_or(0.0, |it| it[0]),
+        ..settings.machine
+    };
+    let plan = Plan::new(&simple, &settings.paper, &machine)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
         passes,
@@ -268,15 +274,16 @@ fn on_sheet(
     }
 }
 
-/// How near and how far from its axis the arm reaches the paper, with its tool down and lifted: whole
+/// How near and how far from its axis the arm reaches the paper, with its tool down and lifted so high: whole
 /// millimetres without a gap around the middle of the area.
 fn reach_mm<E>(
     settings: &Settings,
+    lift_mm: f64,
     reachable: &impl Fn(Position) -> Result<(), E>,
 ) -> Option<[f64; 2]> {
     let reaches = |x: f64| {
         let z_mm = settings.paper.z_at(Point::new(x, 0.0));
-        let heights_mm = [z_mm, z_mm + settings.tool.lift_mm()];
+        let heights_mm = [z_mm, z_mm + lift_mm];
         heights_mm
             .into_iter()
             .all(|z| reachable(Position::new(x, 0.0, z)).is_ok())

@@ -61,8 +61,7 @@ impl Planner<'_> {
             ..
         } = *laser;
         let path = LaserPath::of(points, speed, lead, self.machine);
-        self.go(MoveKind::Travel, path.run_up, 0.0, travel);
-        self.rest();
+        self.travel(path.run_up, 0.0, travel);
         for p in path.off_to {
             self.go(MoveKind::RunUp, p, 0.0, speed);
         }

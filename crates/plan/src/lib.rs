@@ -18,6 +18,7 @@
 
 mod acceleration;
 mod aim;
+mod around;
 mod burn;
 mod chain;
 mod commands;
@@ -48,6 +49,7 @@ mod tool;
 mod vector;
 
 pub use acceleration::acceleration;
+pub use around::around_axis;
 pub use error::PlanError;
 pub use lookahead::{ChainVector, Cornering, Junction};
 pub use machine::{LinkRate, Machine};

@@ -16,6 +16,9 @@ pub struct Machine {
     /// takes them many degrees, near the axis of the base or with the arm stretched, the tool is
     /// planned slower.
     pub joint_speed_deg_s: f64,
+    /// How near to its axis the arm gets, in mm: ways between strokes lead around what is nearer, and never behind the
+    /// arm. 0 where they may all be straight.
+    pub nearest_mm: f64,
     /// How far an imagined arc may cut a corner, in mm; best twice the tolerance of the drawing: where
     /// vectors stand for a curve their corners lie outside of it by up to the tolerance, and the
     /// arc then lies inside of it by no more. See [`Cornering`](crate::Cornering).
@@ -90,6 +93,7 @@ impl Machine {
     pub(super) fn check(&self) -> Result<(), PlanError> {
         positive("acceleration", self.acceleration_mm_s2, "mm/s2")?;
         positive("joint speed", self.joint_speed_deg_s, "deg/s")?;
+        not_negative("nearest distance", self.nearest_mm, "mm")?;
         positive("corner deviation", self.corner_deviation_mm, "mm")?;
         self.link.check()
     }
@@ -107,6 +111,7 @@ impl Default for Machine {
         Self {
             acceleration_mm_s2: 100.0,
             joint_speed_deg_s: 100.0,
+            nearest_mm: 0.0,
             corner_deviation_mm: 0.1,
             link: LinkRate::default(),
             has_ticks: false,

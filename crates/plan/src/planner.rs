@@ -3,6 +3,7 @@
 use dobot_geometry::{Point, Stroke};
 
 use crate::aim::Aim;
+use crate::around::around_axis;
 use crate::chain::{ChainSpeeds, LEAST_SHARE};
 use crate::joints::JointSpeeds;
 use crate::landing::Landing;
@@ -88,8 +89,7 @@ impl<'a> Planner<'a> {
     /// ```
     fn draw(&mut self, stroke: &Stroke, pen: &Pen) {
         let (first, last) = (stroke.points[0], stroke.points[stroke.points.len() - 1]);
-        self.go(MoveKind::Travel, first, pen.lift_mm, pen.travel_speed_mm_s);
-        self.rest();
+        self.travel(first, pen.lift_mm, pen.travel_speed_mm_s);
         if pen.touch_mm > 0.0 && pen.touch_mm < pen.lift_mm {
             self.go(MoveKind::Lower, first, pen.touch_mm, pen.lift_speed_mm_s);
             let slow_mm_s = pen.touch_speed_mm_s.min(pen.lift_speed_mm_s);
@@ -105,6 +105,16 @@ impl<'a> Planner<'a> {
         self.go(MoveKind::Lift, last, pen.lift_mm, pen.lift_speed_mm_s);
         self.rest();
         self.stroke += 1;
+    }
+
+    /// A way from rest to rest, around the place where the arm stands.
+    pub(super) fn travel(&mut self, to: Point, above_mm: f64, limit_mm_s: f64) {
+        let here = Point::new(self.here[0], self.here[1]);
+        for corner in around_axis(here, to, self.machine.nearest_mm) {
+            self.go(MoveKind::Travel, corner, above_mm, limit_mm_s);
+        }
+        self.go(MoveKind::Travel, to, above_mm, limit_mm_s);
+        self.rest();
     }
 
     /// A vector to a place so high above the paper.

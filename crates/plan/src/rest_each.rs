@@ -63,6 +63,7 @@ mod tests {
         has_ticks: true,
         acceleration_mm_s2: 100.0,
         joint_speed_deg_s: 100.0,
+        nearest_mm: 0.0,
         corner_deviation_mm: 0.1,
         link: crate::LinkRate { period_s: 0.08 },
     };

@@ -174,8 +174,13 @@ impl<'a> Drawing<'a> {
 
     /// Goes around it, and asks whether that is the place.
     async fn frame(&self, station: &mut StationClient) -> Result<(), Failure> {
-        let Settings { paper, machine, .. } = &self.settings;
-        let plan = frame(&self.prepared.passes, paper, machine, FrameShape::Rectangle)?;
+        let Prepared { passes, plan, .. } = &self.prepared;
+        let plan = frame(
+            passes,
+            &self.settings.paper,
+            plan.machine(),
+            FrameShape::Rectangle,
+        )?;
         let title = format!("frame of {}", self.title);
         let armed_for = self.args.arm_laser;
         let executed = execute(station, &plan, &title, armed_for).await;

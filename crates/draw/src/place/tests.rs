@@ -165,7 +165,7 @@ fn a_way_through_the_hole_around_the_base_is_told_from_a_line_through_it() {
         .unwrap_err()
         .to_string();
     assert!(
-        told.starts_with("the straight way from one stroke to the next leads through x "),
+        told.starts_with("the way from one stroke to the next leads through x "),
         "{told}"
     );
     assert!(

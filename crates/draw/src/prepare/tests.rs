@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::cutting::Cutting;
+use crate::frame::{FrameShape, frame};
 use crate::place::Size;
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Vec2, deviation};
@@ -304,6 +305,59 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
         let drawn_mm: f64 = prepared.wanted().iter().map(Stroke::length_mm).sum();
         assert!(drawn_mm > 31.0 * 100.0, "{drawn_mm} mm");
     }
+}
+
+/// Spokes all around the arm, from -120 to 120 degrees, drawn from the left to the right and back.
+fn spokes_around_the_arm() -> Vec<Stroke> {
+    let spoke = |it: i32| {
+        let way = Vec2::from_angle(f64::from(it).to_radians());
+        Stroke::open([150.0, 300.0].map(|mm| (way * mm).to_point()).to_vec())
+    };
+    let angles = (0..12).flat_map(|it| [-120 + 20 * it, 120 - 20 * it]);
+    angles.map(spoke).collect()
+}
+
+#[test]
+fn ways_between_strokes_lead_around_the_arm_and_never_behind_it() {
+    let laser = DrawingTool::Laser(Laser::default());
+    for tool in [DrawingTool::default(), laser] {
+        for has_ticks in [false, true] {
+            let mut settings = Settings {
+                tool,
+                ..Settings::default()
+            };
+            settings.machine.has_ticks = has_ticks;
+            let pass = Pass::new(tool, spokes_around_the_arm());
+            // The base turns to either side by 135 degrees.
+            let reachable = |p: Position| {
+                let turned_deg = p.y.0.atan2(p.x.0).to_degrees();
+                if turned_deg.abs() > 135.0 {
+                    return Err(format!("the base is at {turned_deg} degrees"));
+                }
+                in_reach(p)
+            };
+            let plan = prepare_passes(vec![pass], &settings, reachable)
+                .unwrap()
+                .plan;
+            assert_eq!(plan.summary().strokes, 24);
+            // From each of them the arm goes around to the other side, and no longer way than that.
+            let around_mm = plan.summary().travelled_mm;
+            assert!(
+                (23.0 * 300.0..23.0 * 600.0).contains(&around_mm),
+                "{around_mm} mm"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_frame_of_what_lies_around_the_arm_leads_around_it_too() {
+    let settings = Settings::default();
+    let pass = Pass::new(settings.tool, spokes_around_the_arm());
+    let prepared = prepare_passes(vec![pass], &settings, in_reach).unwrap();
+    let machine = prepared.plan.machine();
+    let plan = frame(&prepared.passes, &settings.paper, machine, FrameShape::Hull).unwrap();
+    check_reach(&plan, &settings.paper, in_reach).unwrap();
 }
 
 #[test]

@@ -404,7 +404,7 @@ impl Work {
         let around = frame(
             passes,
             &settings.paper,
-            &settings.machine,
+            plan.machine(),
             FrameShape::Rectangle,
         );
         let frame = around.map(|it| drawing_job(&it, &format!("frame of {}", self.title)));

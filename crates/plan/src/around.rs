@@ -1,0 +1,116 @@
+//! Ways around the place where the arm stands.
+
+use std::f64::consts::PI;
+
+use dobot_geometry::{Point, Vec2};
+
+/// The corners of a way that stays at least `nearest_mm` away from the axis of the arm, or as far as its ends are, and
+/// leads past the arm in front of it, never behind. There are none where the straight way does that.
+///
+/// ```text
+///              .--------.
+///   from ----'    __      '---- to       an arc around the axis, and the lines that touch it;
+///                /  \                    the arc is a polygon around it
+///                \__/
+/// ```
+pub fn around_axis(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
+    let (from, to) = (from.to_vec2(), to.to_vec2());
+    let radius_mm = nearest_mm.min(from.hypot()).min(to.hypot());
+    if radius_mm <= 0.0 {
+        return Vec::new();
+    }
+    // Angles are from -pi to pi, so that the way between them leads past x > 0.
+    let touches = |it: Vec2| (radius_mm / it.hypot()).min(1.0).acos();
+    let turn = to.atan2() - from.atan2();
+    let arc = turn.abs() - touches(from) - touches(to);
+    if arc <= 0.0 {
+        return Vec::new();
+    }
+    let side = turn.signum();
+    let first = from.atan2() + side * touches(from);
+    #[expect(clippy::cast_possible_truncation, reason = "at most a few dozen")]
+    #[expect(clippy::cast_sign_loss, reason = "an arc is above 0")]
+    let count = (arc / MOST_STEP).ceil() as u32;
+    let step = arc / f64::from(count);
+    let corner_mm = radius_mm / (0.5 * step).cos();
+    let corner = |i: u32| first + side * step * (f64::from(i) + 0.5);
+    (0..count)
+        .map(|i| (Vec2::from_angle(corner(i)) * corner_mm).to_point())
+        .collect()
+}
+
+/// The polygon is at most 3.5 % farther from the axis than the arc.
+const MOST_STEP: f64 = PI / 6.0;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// How near the legs of a way come to the axis, and whether one of them leads behind it.
+    fn nearest_mm(way: &[Point]) -> (f64, bool) {
+        let legs = way.windows(2).map(|it| {
+            let (a, leg) = (it[0].to_vec2(), it[1] - it[0]);
+            let along = (-a.dot(leg) / leg.hypot2().max(1e-12)).clamp(0.0, 1.0);
+            let behind = a.y * (a.y + leg.y) < 0.0 && {
+                let share = a.y / (a.y - (a.y + leg.y));
+                a.x + share * leg.x < 0.0
+            };
+            ((a + leg * along).hypot(), behind)
+        });
+        legs.fold((f64::INFINITY, false), |all, leg| {
+            (all.0.min(leg.0), all.1 || leg.1)
+        })
+    }
+
+    fn whole(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
+        let between = around_axis(from, to, nearest_mm);
+        [vec![from], between, vec![to]].concat()
+    }
+
+    #[test]
+    fn a_way_that_is_free_stays_straight() {
+        let [a, b] = [Point::new(200.0, -100.0), Point::new(200.0, 100.0)];
+        assert!(around_axis(a, b, 150.0).is_empty());
+        assert_eq!(around_axis(a, a, 150.0), []);
+    }
+
+    #[test]
+    fn from_one_side_of_the_arm_to_the_other_it_leads_past_the_front() {
+        let [a, b] = [Point::new(0.0, -220.0), Point::new(0.0, 220.0)];
+        let way = whole(a, b, 150.0);
+        assert!(
+            way[1..way.len() - 1].iter().all(|it| it.x > 100.0),
+            "{way:?}"
+        );
+        // Two lines that touch the circle, and the arc between them.
+        let length_mm: f64 = way.windows(2).map(|it| it[0].distance(it[1])).sum();
+        let touching_mm = (220.0_f64.powi(2) - 150.0_f64.powi(2)).sqrt();
+        let arc = PI - 2.0 * (150.0_f64 / 220.0).acos();
+        let shortest_mm = 2.0 * touching_mm + 150.0 * arc;
+        let ratio = length_mm / shortest_mm;
+        assert!(
+            (1.0..1.02).contains(&ratio),
+            "{length_mm} mm, {shortest_mm} mm"
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn no_way_leads_nearer_to_the_axis_than_its_ends_or_behind_it(
+            from in (100.0..320.0, -2.3..2.3),
+            to in (100.0..320.0, -2.3..2.3),
+            least_mm in 0.0..200.0,
+        ) {
+            let [a, b] = [from, to].map(|(mm, angle)| (Vec2::from_angle(angle) * mm).to_point());
+            let way = whole(a, b, least_mm);
+            let (found_mm, behind) = nearest_mm(&way);
+            let allowed_mm = f64::min(least_mm, f64::min(from.0, to.0));
+            prop_assert!(found_mm >= allowed_mm - 1e-9, "{found_mm} mm: {way:?}");
+            prop_assert!(!behind || least_mm == 0.0, "{way:?}");
+            let farthest_mm = f64::max(f64::max(from.0, to.0), allowed_mm * 1.036);
+            prop_assert!(way.iter().all(|it| it.to_vec2().hypot() <= farthest_mm + 1e-9), "{way:?}");
+        }
+    }
+}
