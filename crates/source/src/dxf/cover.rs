@@ -3,28 +3,32 @@
 use dobot_geometry::{Affine, Area, FillRule, Point};
 
 use super::entity::Entity;
+use super::file::LayerInfo;
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 
 impl EntityRenderer<'_, '_> {
     /// A filled area hides what was drawn before it, unless something shows through.
     pub(super) fn cover(&mut self, it: &Entity<'_>, area: &Area) -> Result<(), SourceError> {
-        if self.is_opaque(it)? {
+        if self.is_opaque(it, self.layer_info())? {
             self.sketch.cover(&area.rings, area.rule)?;
         }
         Ok(())
     }
 
-    /// Whether nothing shows through, which the entity tells or else its layer; that of a whole block does not count.
-    fn is_opaque(&self, it: &Entity<'_>) -> Result<bool, SourceError> {
+    /// Whether nothing shows through, which the entity tells, or its layer, or the INSERT of the block that it is in.
+    pub(super) fn is_opaque(
+        &self,
+        it: &Entity<'_>,
+        layer: Option<&LayerInfo>,
+    ) -> Result<bool, SourceError> {
         let own = it.flags(440)?;
-        let transparency = if own >> 24 == BY_LAYER {
-            self.layer_info().map_or(own, |it| it.transparency)
-        } else {
-            own
-        };
-        let is_told = transparency >> 24 == BY_VALUE;
-        Ok(!is_told || transparency & 0xff == OPAQUE)
+        let shows_nothing = |value: u32| value >> 24 != BY_VALUE || value & 0xff == OPAQUE;
+        Ok(match own >> 24 {
+            BY_LAYER => layer.is_none_or(|it| shows_nothing(it.transparency)),
+            BY_BLOCK => self.block_is_opaque,
+            _ => shows_nothing(own),
+        })
     }
 
     /// An area that is nothing but paper over what was drawn before it.
@@ -77,6 +81,8 @@ fn rectangle([a, b]: [Point; 2]) -> Vec<Point> {
 const INSIDE: u32 = 1;
 /// How a transparency (440) says that it is that of the layer.
 const BY_LAYER: u32 = 0;
+/// How it says that it is that of the INSERT.
+const BY_BLOCK: u32 = 1;
 /// How it says that its last byte is one.
 const BY_VALUE: u32 = 2;
 const OPAQUE: u32 = 0xff;

@@ -21,6 +21,8 @@ pub(super) struct EntityRenderer<'s, 'a> {
     copies_left: usize,
     /// The layer that the sketch uses.
     layer: Option<String>,
+    /// Whether nothing shows through the INSERT of the block that is drawn.
+    pub(super) block_is_opaque: bool,
     pub(super) lettering: Lettering,
 }
 
@@ -41,6 +43,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             file,
             copies_left: MOST_COPIED,
             layer: None,
+            block_is_opaque: true,
             lettering: Lettering::default(),
         }
     }
@@ -273,8 +276,12 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             begin: it.at,
             end: it.at + LEAST_COPY,
         })?;
+        let is_opaque = self.is_opaque(it, self.file.layers.get(copy.layer))?;
+        let around = std::mem::replace(&mut self.block_is_opaque, is_opaque);
         let depth = copy.depth + 1;
-        self.entities(&block.entities, Copy { depth, ..copy })
+        let drawn = self.entities(&block.entities, Copy { depth, ..copy });
+        self.block_is_opaque = around;
+        drawn
     }
 }
 

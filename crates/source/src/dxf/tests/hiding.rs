@@ -113,6 +113,39 @@ fn what_lies_on_a_layer_that_is_seen_through_hides_nothing_unless_it_is_opaque_i
 }
 
 #[test]
+fn what_is_as_transparent_as_its_block_hides_what_lies_under_it_where_the_block_is_opaque() {
+    let solid = SOLID.replace("SOLID", &format!("SOLID 440 {}", 0x0100_0000));
+    let inner = format!("0 BLOCK 2 INNER 10 0 20 0 {solid} 0 ENDBLK");
+    let outer = |more: &str| {
+        format!("{inner} 0 BLOCK 2 OUTER 10 0 20 0 0 INSERT 2 INNER 10 0 20 0 {more} 0 ENDBLK")
+    };
+    let glass = format!(
+        "0 LAYER 2 glass 70 0 62 1 1001 AcCmTransparency 1071 {}",
+        0x0200_007f
+    );
+    let shown_mm = |inner: &str, outer_insert: &str| {
+        let entities = format!("{LINE} 0 INSERT 2 OUTER 10 0 20 0 {outer_insert}");
+        let (artwork, _) = hidden_text(&file(&glass, &outer(inner), &entities));
+        length_mm(&artwork)
+    };
+    let (faint, opaque) = (
+        format!("440 {}", 0x0200_007f),
+        format!("440 {}", 0x0200_00ff),
+    );
+    let by_block = format!("440 {}", 0x0100_0000);
+    let (hidden_mm, seen_mm) = (40.0 + EDGE_MM, 60.0 + EDGE_MM);
+    same(shown_mm("", ""), hidden_mm);
+    same(shown_mm(&faint, ""), seen_mm);
+    same(shown_mm("8 glass", ""), seen_mm);
+    same(shown_mm(&format!("8 glass {opaque}"), ""), hidden_mm);
+    same(shown_mm(&by_block, &faint), seen_mm);
+    same(shown_mm(&by_block, ""), hidden_mm);
+    same(shown_mm(&opaque, &faint), hidden_mm);
+    // On layer 0 it has the layer of the INSERT around it.
+    same(shown_mm("", "8 glass"), seen_mm);
+}
+
+#[test]
 fn an_area_is_hatched_only_where_it_shows() {
     let big = "0 SOLID 10 0 20 0 11 60 21 0 12 0 22 10 13 60 23 10";
     let (artwork, _) = hidden_text(&file("", "", &format!("{big} {SOLID}")));
