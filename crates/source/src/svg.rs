@@ -9,6 +9,7 @@ mod flatten;
 mod groups;
 mod ink;
 mod layers;
+mod own_groups;
 mod page;
 mod renderer;
 mod single_line;

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use usvg::roxmltree::{Document, Node};
 
+use super::own_groups::OwnGroups;
 use super::styles;
 use crate::error::SvgError;
 
@@ -16,6 +17,7 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError
     let mut counter = Counter {
         doc,
         segments,
+        groups: OwnGroups::of(doc),
         // Of elements with the same name, the first counts.
         named: named.collect::<Vec<_>>().into_iter().rev().collect(),
         known: vec![CostState::No; segments.len()],
@@ -72,6 +74,7 @@ impl Cost {
 struct Counter<'a> {
     doc: &'a Document<'a>,
     segments: &'a [u64],
+    groups: OwnGroups<'a>,
     named: HashMap<&'a str, Node<'a, 'a>>,
     /// By the number of the element in the document.
     known: Vec<CostState>,
@@ -105,7 +108,7 @@ impl<'a> Counter<'a> {
         self.known[number] = CostState::Soon;
         let mut cost = Cost {
             elements: 1,
-            groups: u64::from(has_own_group(node)),
+            groups: u64::from(self.groups.holds(node)),
             segments: self.segments[number],
             styles: styles::cost(node),
             height: 0,
@@ -137,23 +140,6 @@ impl<'a> Counter<'a> {
             limit: MAX_DEPTH,
         }
     }
-}
-
-/// Whether something of an element holds for all that it draws together.
-fn has_own_group(node: Node<'_, '_>) -> bool {
-    let makes_group = |name: &str, value: &str| match name {
-        "opacity" => value != "1",
-        "transform" | "clip-path" | "mask" | "filter" => value != "none",
-        _ => false,
-    };
-    node.attributes().any(|attribute| {
-        if attribute.name() != "style" {
-            return makes_group(attribute.name(), attribute.value());
-        }
-        let declarations = attribute.value().split(';');
-        let mut declared = declarations.filter_map(|it| it.split_once(':'));
-        declared.any(|(name, value)| makes_group(name.trim(), value.trim()))
-    })
 }
 
 /// The names that an element refers to, and whether each is of a marker.

@@ -13,7 +13,7 @@ pub(super) fn cost(node: Node<'_, '_>) -> u64 {
 pub(super) fn check(doc: &Document<'_>) -> Result<(), SourceError> {
     let elements = doc.descendants().filter(Node::is_element).count() as u64;
     let mut rules = 0;
-    for sheet in doc.descendants().filter(is_sheet) {
+    for sheet in sheets(doc) {
         let texts = sheet.children().filter_map(|it| it.text());
         for text in texts {
             rules += count(text, b"{,");
@@ -28,8 +28,12 @@ pub(super) fn check(doc: &Document<'_>) -> Result<(), SourceError> {
     Ok(())
 }
 
-fn is_sheet(node: &Node<'_, '_>) -> bool {
-    node.is_element() && node.tag_name().name() == "style"
+/// All sheets of a document.
+pub(super) fn sheets<'a, 'input>(
+    doc: &'a Document<'input>,
+) -> impl Iterator<Item = Node<'a, 'input>> {
+    let all = doc.descendants();
+    all.filter(|it| it.is_element() && it.tag_name().name() == "style")
 }
 
 fn declared(text: &str) -> u64 {

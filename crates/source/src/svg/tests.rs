@@ -373,11 +373,23 @@ fn copies_of_copies_of_copies_are_refused_before_they_are_made() {
 
 #[test]
 fn shapes_that_become_groups_count_twice_and_those_of_full_opacity_do_not() {
-    let shapes =
-        |attribute: &str| page(&format!("<path {attribute} d=\"M0 0H1\"/>").repeat(96_000));
+    let paths = |attribute: &str| format!("<path {attribute} d=\"M0 0H1\"/>").repeat(96_000);
+    let shapes = |attribute: &str| page(&paths(attribute));
     for attribute in ["transform=\"scale(2)\"", "style=\"fill:red; opacity: 0.5\""] {
         let told = error(&shapes(attribute));
         assert!(told.contains("more than 190000 elements"), "{told}");
+    }
+    let styled = |rule: &str| {
+        let paths = paths("class=\"faint\" fill=\"none\"");
+        page(&format!("<style>{rule}</style>{paths}"))
+    };
+    for rule in ["path { opacity: 0.5 }", "g, svg > .faint { opacity: .5 }"] {
+        let told = error(&styled(rule));
+        assert!(told.contains("more than 190000 elements"), "{told}");
+    }
+    for rule in ["path { opacity: 1 }", ".other { opacity: 0.5 }"] {
+        let told = error(&styled(rule));
+        assert!(told.contains("nothing to draw"), "{told}");
     }
     for attribute in ["opacity=\"1\"", "style=\"fill-opacity:0.5\""] {
         let told = error(&shapes(&format!("{attribute} fill=\"none\"")));
