@@ -11,6 +11,8 @@
 //!     o   o     o      o      o     time is lost when a stock arm cuts it into them
 //! ```
 
+use std::collections::VecDeque;
+
 use dobot_arm::TICK_S;
 use dobot_geometry::{Point, Vec2};
 use dobot_plan::{Motion, Pace};
@@ -86,6 +88,19 @@ struct Places<'a> {
     corridor: &'a Corridor<'a>,
     step: usize,
     all: Vec<Place>,
+    /// How many ticks there were since the last point of the stroke.
+    since_point: usize,
+    /// The last ticks that are farther from it than matters; they matter if the next point comes soon.
+    far: VecDeque<TickPlaces>,
+}
+
+/// The places of a tick.
+#[derive(Clone, Copy, Debug)]
+struct TickPlaces {
+    at: [Point; 5],
+    passed: usize,
+    time_s: f64,
+    gone_mm: f64,
 }
 
 impl<'a> Places<'a> {
@@ -95,6 +110,8 @@ impl<'a> Places<'a> {
             corridor,
             step: 0,
             all: Vec::new(),
+            since_point: 0,
+            far: VecDeque::new(),
         };
         let (path, last) = (course.path, corridor.points.len() - 1);
         places.add([path[0].at], 0, 0.0, 0.0);
@@ -118,22 +135,24 @@ impl<'a> Places<'a> {
                         break;
                     }
                     passed += 1;
+                    places.come_to_point();
                     places.add_sharp(passed, begin_mm + along_mm.clamp(0.0, length_mm));
                 }
                 if ends {
                     break;
                 }
                 let on_path = pair[0].at + unit * until_mm;
-                places.add(
-                    beside(corridor, on_path, unit, passed),
+                places.add_tick(TickPlaces {
+                    at: beside(corridor, on_path, unit, passed),
                     passed,
                     time_s,
                     gone_mm,
-                );
+                });
                 tick += 1.0;
             }
             begin_mm += length_mm;
         }
+        places.come_to_point();
         places.add(
             [path[path.len() - 1].at],
             last,
@@ -141,6 +160,27 @@ impl<'a> Places<'a> {
             begin_mm,
         );
         places
+    }
+
+    /// Adds the places of a tick. In the middle of a long straight line no corner is of use.
+    fn add_tick(&mut self, it: TickPlaces) {
+        self.since_point += 1;
+        if self.since_point <= NEAR_A_POINT {
+            self.add(it.at, it.passed, it.time_s, it.gone_mm);
+            return;
+        }
+        self.far.push_back(it);
+        if self.far.len() > NEAR_A_POINT {
+            self.far.pop_front();
+        }
+    }
+
+    /// Takes that a point of the stroke is passed.
+    fn come_to_point(&mut self) {
+        self.since_point = 0;
+        while let Some(it) = self.far.pop_front() {
+            self.add(it.at, it.passed, it.time_s, it.gone_mm);
+        }
     }
 
     /// Adds the places at a point where the stroke turns sharply, whenever the motion comes by.
@@ -316,6 +356,8 @@ fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
 
 /// A vector goes over at most so many steps.
 const MOST_STEPS: usize = 24;
+/// So many ticks before a point of the stroke and behind it there are places: a vector may go over all between two points.
+const NEAR_A_POINT: usize = MOST_STEPS / 2 - 1;
 /// How far beside the stroke places lie, as a share of the tolerance.
 const SIDE: f64 = 0.99;
 /// The cosine of a turn of a stroke from which on the point itself is a place.
