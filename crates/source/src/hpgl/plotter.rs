@@ -218,10 +218,7 @@ impl<'a> Plotter<'a> {
         self.at = to;
         self.labels.margin_mm = None;
         if self.polygon.is_open {
-            if !self.is_down && self.polygon.rings.last().is_some_and(|it| it.len() > 1) {
-                self.warn(it, "hidden polygon edge", "drawn as the others");
-            }
-            self.polygon.point(to_mm);
+            self.polygon.point(to_mm, self.is_down);
             return self.sketch.spend(1);
         }
         if self.is_down && from_mm != to_mm {
@@ -373,8 +370,8 @@ impl<'a> Plotter<'a> {
     fn polygon_mode(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         match it.number(0) {
             None | Some(0.0) => self.polygon.begin(self.transform.point(self.at)),
-            Some(1.0) => self.polygon.close_ring(),
-            Some(2.0) => self.polygon.end(),
+            Some(1.0) => self.polygon.close_ring(self.is_down),
+            Some(2.0) => self.polygon.end(self.is_down),
             _ => return Err(self.refused(it, "PM 0, PM 1 or PM 2")),
         }
         self.is_dot = false;
@@ -382,10 +379,11 @@ impl<'a> Plotter<'a> {
     }
 
     fn draw_polygon(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
-        let rings = self.polygon.rings.clone();
         if &it.name == b"EP" {
-            return rings.iter().try_for_each(|ring| self.outline(it, ring));
+            let lines = self.polygon.lines();
+            return lines.iter().try_for_each(|line| self.outline(it, line));
         }
+        let rings = self.polygon.filled();
         let rule = match it.number(0) {
             Some(1.0) => FillRule::NonZero,
             _ => FillRule::EvenOdd,

@@ -7,48 +7,95 @@ use dobot_geometry::Point;
 pub(super) struct Polygon {
     /// Between PM0 and PM2.
     pub(super) is_open: bool,
-    pub(super) rings: Vec<Vec<Point>>,
+    rings: Vec<Ring>,
     /// The next point begins a ring.
     starts: bool,
 }
 
+/// One of its rings: closed by PM1 and PM2.
+#[derive(Clone, Debug, Default)]
+struct Ring {
+    points: Vec<Point>,
+    /// The points to which the pen went lifted, in their order.
+    hidden: Vec<usize>,
+}
+
+impl Ring {
+    fn lines(&self) -> impl Iterator<Item = &[Point]> {
+        let ends = self.hidden.iter().copied().chain([self.points.len()]);
+        let lines = ends.scan(0, |begin, end| {
+            let line = &self.points[*begin..end];
+            *begin = end;
+            Some(line)
+        });
+        lines.filter(|it| it.len() > 1)
+    }
+}
+
 impl Polygon {
+    /// The lines that EP draws: where the pen was on the paper, or all where it never was.
+    pub(super) fn lines(&self) -> Vec<Vec<Point>> {
+        let lines = self.rings.iter().flat_map(Ring::lines);
+        let lines: Vec<_> = lines.map(<[Point]>::to_vec).collect();
+        if lines.is_empty() {
+            self.filled()
+        } else {
+            lines
+        }
+    }
+
+    /// The rings that FP fills.
+    pub(super) fn filled(&self) -> Vec<Vec<Point>> {
+        self.rings.iter().map(|it| it.points.clone()).collect()
+    }
+
     /// PM0: what was there is forgotten.
     pub(super) fn begin(&mut self, at: Point) {
         *self = Self {
             is_open: true,
-            rings: vec![vec![at]],
-            starts: false,
+            ..Self::default()
         };
+        self.ring(vec![at]);
+        self.starts = false;
     }
 
     /// PM1: the ring is closed, the next point begins another.
-    pub(super) fn close_ring(&mut self) {
-        if let Some(ring) = self.rings.last_mut()
-            && ring.first() != ring.last()
+    pub(super) fn close_ring(&mut self, is_down: bool) {
+        if let Some(ring) = self.rings.last()
+            && ring.points.first() != ring.points.last()
         {
-            ring.extend(ring.first().copied());
+            let first = ring.points[0];
+            self.point(first, is_down);
         }
         self.starts = true;
     }
 
     /// PM2.
-    pub(super) fn end(&mut self) {
-        self.close_ring();
+    pub(super) fn end(&mut self, is_down: bool) {
+        self.close_ring(is_down);
         self.is_open = false;
     }
 
-    pub(super) fn point(&mut self, p: Point) {
+    /// The pen goes there, on the paper or lifted.
+    pub(super) fn point(&mut self, p: Point, is_down: bool) {
         match self.rings.last_mut().filter(|_| !self.starts) {
-            Some(ring) => ring.push(p),
-            None => self.rings.push(vec![p]),
+            Some(ring) => {
+                if !is_down {
+                    ring.hidden.push(ring.points.len());
+                }
+                ring.points.push(p);
+            }
+            None => self.ring(vec![p]),
         }
         self.starts = false;
     }
 
     /// A ring for itself (CI).
-    pub(super) fn ring(&mut self, ring: Vec<Point>) {
-        self.rings.push(ring);
+    pub(super) fn ring(&mut self, points: Vec<Point>) {
+        self.rings.push(Ring {
+            points,
+            hidden: Vec::new(),
+        });
         self.starts = true;
     }
 }

@@ -138,7 +138,7 @@ impl Plotter<'_> {
             points
                 .into_iter()
                 .skip(1)
-                .for_each(|p| self.polygon.point(p));
+                .for_each(|p| self.polygon.point(p, self.is_down));
             return Ok(());
         }
         if self.is_down {

@@ -217,6 +217,32 @@ fn the_edges_of_areas_are_drawn_once() {
     assert_eq!(draw(&format!("{polygon};EP")).0.layers[0].strokes.len(), 2);
 }
 
+#[test]
+fn edges_along_which_the_pen_went_lifted_are_not_drawn() {
+    let lengths_mm = |text: &str| {
+        let (artwork, warnings) = draw(text);
+        assert_eq!(warnings, [""; 0]);
+        let layers = artwork.layers.iter().flat_map(|it| &it.strokes);
+        layers
+            .map(Stroke::length_mm)
+            .map(f64::round)
+            .collect::<Vec<_>>()
+    };
+    // An open line, as GNU plotutils writes it.
+    assert_eq!(lengths_mm("PU0,0;PM0;PD1600,0,1600,800;PU;PM2;EP"), [60.0]);
+    assert_eq!(lengths_mm("PU0,0;PM0;PD1600,0,1600,1200;PM2;EP"), [120.0]);
+    // In the middle of a ring, by an arc too, and all of it.
+    let square = "PU0,0;PM0;PD400,0;PU400,400;PD0,400;PM2;EP";
+    assert_eq!(lengths_mm(square), [10.0, 20.0]);
+    let arc = "PU0,0;PM0;PD400,0;PU;AA400,200,180;PD0,400;PM2;EP";
+    assert_eq!(lengths_mm(arc), [10.0, 20.0]);
+    // What is filled has all of its edges, and so has a ring for which the pen was never lowered.
+    assert_eq!(
+        lengths_mm("PU0,0;PM0;PD1600,0,1600,1200;PU;PM2;FP"),
+        [120.0]
+    );
+}
+
 /// The length of all lines that show, in mm.
 fn shown_mm(text: &str) -> f64 {
     let hides = ReadOptions {
