@@ -62,6 +62,11 @@ impl Block {
         homes || self.m.0.iter().any(|it| it.1 > 90)
     }
 
+    /// Whether a laser or a spindle is switched: `M3 I` does that with the moves from there on (Marlin).
+    fn switches_tool(&self) -> bool {
+        self.m.first(&[30, 40, 50]).is_some()
+    }
+
     fn add(&mut self, text: &[u8], at: usize, letter: u8, value: f64) -> Result<(), SourceError> {
         let codes = match letter {
             b'G' => &mut self.g,
@@ -158,6 +163,7 @@ impl BlockLexer<'_> {
                     self.at += 1;
                 }
                 b'*' => self.checksum(begin)?,
+                b'O' | b'o' | b':' if block.is_empty() => self.program_number()?,
                 _ => self.word(block)?,
             }
         }
@@ -183,6 +189,21 @@ impl BlockLexer<'_> {
             return Err(self.found(begin, "a comment that ends with ) in its line"));
         };
         self.at = begin + end + 1;
+        Ok(())
+    }
+
+    /// `O1234` or `:1234`, alone but for a comment: the name of the program. With a word behind it, it is a subroutine.
+    fn program_number(&mut self) -> Result<(), SourceError> {
+        let at = self.at;
+        let is_digit = |it: &u8| it.is_ascii_digit();
+        let digits = self.text[at + 1..].iter().take_while(|it| is_digit(it));
+        let end = at + 1 + digits.count();
+        let rest = &self.text[end..];
+        let behind = rest.iter().find(|it| !b" \t".contains(it));
+        if end == at + 1 || !behind.is_none_or(|it| b"\r\n(;".contains(it)) {
+            return Err(self.found(at, WORD));
+        }
+        self.at = end;
         Ok(())
     }
 
@@ -217,6 +238,9 @@ impl BlockLexer<'_> {
         let Some((value, length)) = decimal(&self.text[self.at..]) else {
             if block.allows_bare_letters() {
                 return block.set(self.text, at, letter, 0.0);
+            }
+            if letter == b'I' && block.switches_tool() {
+                return Ok(());
             }
             return Err(self.found(at, WORD));
         };

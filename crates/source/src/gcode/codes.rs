@@ -48,9 +48,19 @@ pub(super) const fn m(code: u32) -> Meaning {
         20 | 30 | 40 | 50 | 60 | 70 | 80 | 90 | 170 | 180 | 300 | 480 | 490 | 820 | 830 | 840
         | 1060 | 1070 | 2800 => Plain,
         0 | 10 | 600 => LeftOut("drawn without a pause"),
-        970 | 980 | 990 => Refused("subroutines are not read; have them written out"),
+        // The end of a subroutine, or of a program that is run again and again.
+        990 => Plain,
+        970 | 980 => Refused("subroutines are not read; have them written out"),
         1170 | 1180 => LeftOut("its message is not shown"),
         _ => LeftOut("not known, left out"),
+    }
+}
+
+/// Whether the words beside an M code in tenths are its own, and none of a move: limits, currents, steps, axes.
+pub(super) const fn has_own_words(m_code: u32) -> bool {
+    match m(m_code) {
+        Meaning::LeftOut(_) => m_code > 90,
+        _ => matches!(m_code, 170 | 180 | 840),
     }
 }
 

@@ -176,6 +176,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         self.sketch.use_layer(Layer {
             name: words.join(" "),
             speed_mm_s,
+            is_burned: matches!(self.rule, InkRule::Laser { .. }),
             ..Layer::default()
         })?;
         Ok(self.sketch.layer().is_empty())

@@ -101,7 +101,7 @@ impl<'a, 'w> Machine<'a, 'w> {
     /// Takes a line; what comes back is the move that it asks for.
     pub(super) fn handle(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {
         if self.has_ended {
-            let instead = "left out, after the end (M2 or M30)";
+            let instead = "left out, after the end (M2, M30 or M99)";
             self.warn(block.at, "unreached line", instead);
             return Ok(None);
         }
@@ -113,10 +113,16 @@ impl<'a, 'w> Machine<'a, 'w> {
             self.warn(block.at, "optional line", "drawn (/)");
         }
         self.check_codes(block)?;
+        if block.g.0.is_empty() && block.m.0.iter().any(|it| codes::has_own_words(it.1)) {
+            return Ok(None);
+        }
+        if block.has_any(OTHER_AXES) {
+            self.warn_of_axes(block);
+        }
         self.modes(block)?;
         self.set_tool(block);
         let it = self.motion(block)?;
-        self.has_ended = block.m.has(20) || block.m.has(300);
+        self.has_ended = [20, 300, 990].into_iter().any(|it| block.m.has(it));
         Ok(it)
     }
 
@@ -137,9 +143,6 @@ impl<'a, 'w> Machine<'a, 'w> {
         }
         for &(at, code) in &block.m.0 {
             self.check_code(at, 'M', code, codes::m(code))?;
-        }
-        if block.has_any(OTHER_AXES) {
-            self.warn_of_axes(block);
         }
         Ok(())
     }

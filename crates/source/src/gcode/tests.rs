@@ -296,10 +296,45 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
             "9:1: 1 G93 code: speeds are taken for those by minute",
             "10:1: 1 G28 or G30 homing: taken for a travel to X 0, Y 0",
             "11:1: 1 G53 move: taken for a travel with the pen up",
-            "13:1: 1 unreached line: left out, after the end (M2 or M30)",
+            "13:1: 1 unreached line: left out, after the end (M2, M30 or M99)",
             "1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
         ]
     );
+}
+
+#[test]
+fn words_of_other_codes_are_no_moves_no_tools_and_no_speeds() {
+    let other_codes = "M205 X80 Y80 Z0.2\nM204 P1000 R1000 T1000\nM73 P10 R5\nM201 X500 E5000\nM203 X1 F9\nM84 X Y\nM18 X0";
+    let text = format!("G0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10 F600\n{other_codes}\nG1 X10 Y10\nG0 Z5\nG0 X0\n");
+    let (artwork, warnings) = draw(&text);
+    assert_eq!(corners(&text), [[(0.0, 10.0), (10.0, 10.0), (10.0, 0.0)]]);
+    assert_eq!(
+        (
+            artwork.layers[0].name.as_str(),
+            artwork.layers[0].speed_mm_s
+        ),
+        ("", Some(10.0))
+    );
+    assert_eq!(warnings.len(), 5, "{warnings:?}");
+    assert!(
+        warnings
+            .iter()
+            .all(|it| it.ends_with("code: not known, left out")),
+        "{warnings:?}"
+    );
+    // With a motion code beside it, and modal beside a laser's, a word is one of a move.
+    assert_eq!(
+        corners("M3 S9\nG0 X0\nM999 G1 X10"),
+        [[(0.0, 0.0), (10.0, 0.0)]]
+    );
+    assert_eq!(corners("G1 X0 F60\nX10 M3 S9"), [[(0.0, 0.0), (10.0, 0.0)]]);
+}
+
+#[test]
+fn programs_have_numbers_and_an_end_and_lasers_that_are_switched_with_the_moves() {
+    let text = "%\nO1234 (a part)\nM3 I\nG0 X0 Y0\nG1 X10 S9 F600\nM5 I\nM99\n%";
+    assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0)]]);
+    assert_eq!(corners(&text.replace("O1234 (a part)", ":1000")).len(), 1);
 }
 
 #[test]
