@@ -31,7 +31,8 @@ impl Artwork {
     pub fn add(&mut self, other: Self) {
         for mut layer in other.layers {
             let same = |it: &&mut Layer| {
-                (&it.name, it.color, it.speed_mm_s) == (&layer.name, layer.color, layer.speed_mm_s)
+                let pen = |it: &Layer| (it.color, it.speed_mm_s, it.is_burned);
+                it.name == layer.name && pen(it) == pen(&layer)
             };
             match self.layers.iter_mut().find(same) {
                 Some(same) => {
@@ -51,8 +52,10 @@ pub struct Layer {
     pub name: String,
     /// Red, green and blue, where the file tells a colour.
     pub color: Option<[u8; 3]>,
-    /// How fast the file wants it drawn, in mm/s, where it says so (F of G-code).
+    /// How fast the file wants it drawn, in mm/s, where it says so (F of G-code, VS of HP-GL).
     pub speed_mm_s: Option<f64>,
+    /// Whether that is the speed of a laser.
+    pub is_burned: bool,
     /// The lines to draw.
     pub strokes: Vec<Stroke>,
     /// The areas to fill; hatching makes lines of them.

@@ -138,6 +138,7 @@ impl DrawingRequest {
             grid: options.place.grid,
             gap_mm: options.place.gap,
             tool,
+            keeps_speed: options.tool.speed.is_some(),
             layers: options.what.layers,
             only: options.what.only.clone(),
             tools: layer_tools(&options.what, materials)?,

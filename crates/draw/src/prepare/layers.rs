@@ -1,9 +1,9 @@
 //! Which layers are drawn, with what, one after the other.
 
 use dobot_plan::{DrawingTool, Pass};
-use dobot_source::Layer;
+use dobot_source::{Layer, Warning};
 
-use super::{PrepareError, Settings};
+use super::{PrepareError, Settings, counted};
 
 /// The layers that are to be drawn; all as one unless they are to be drawn each for itself.
 ///
@@ -42,14 +42,29 @@ fn merged(layers: Vec<Layer>) -> Vec<Layer> {
     merged
 }
 
-/// What draws a layer: its own tool, or the one of all; at the file's speed, where it says one.
+/// What draws a layer: its own tool, or the one of all. A laser burns at the speed that the file tells of a laser; a pen is
+/// no faster than the file says. What a person says of the speed goes before.
 pub(super) fn tool(layer: &Layer, settings: &Settings) -> DrawingTool {
     let own = settings.tools.iter().find(|(name, _)| *name == layer.name);
-    match (own, layer.speed_mm_s) {
+    let all = settings.tool;
+    match (own, layer.speed_mm_s.filter(|_| !settings.keeps_speed)) {
         (Some((_, tool)), _) => *tool,
-        (None, Some(speed_mm_s)) => settings.tool.at_speed(speed_mm_s),
-        (None, None) => settings.tool,
+        (None, Some(mm_s)) if !all.burns() => all.at_speed(mm_s.min(all.speed_mm_s())),
+        (None, Some(mm_s)) if layer.is_burned => all.at_speed(mm_s),
+        (None, _) => all,
     }
+}
+
+/// Tells of the layers that a laser burns and the file has the speed of a pen for.
+pub(super) fn pen_speeds(layers: &[Layer], settings: &Settings) -> Option<Warning> {
+    let has_pen_speed = |it: &&Layer| it.speed_mm_s.is_some() && !it.is_burned;
+    let count = layers.iter().filter(has_pen_speed).count();
+    let matters = settings.tool.burns() && !settings.keeps_speed;
+    counted(
+        if matters { count } else { 0 },
+        "layer with the speed of a pen",
+        "burned at the speed of the material",
+    )
 }
 
 /// What a person has to do before a layer: between layers that are drawn each for itself, the pen

@@ -43,6 +43,8 @@ pub struct Settings {
     pub machine: Machine,
     /// What draws.
     pub tool: DrawingTool,
+    /// Whether it does so at its own speed, whatever the file says.
+    pub keeps_speed: bool,
     /// Whether layers are drawn each for itself, and what makes them; otherwise all are one.
     pub layers: Option<LayersBy>,
     /// The layers to draw, by name; all of them if none is named.
@@ -134,6 +136,7 @@ impl Default for Settings {
             calibration: None,
             machine: Machine::default(),
             tool: DrawingTool::default(),
+            keeps_speed: false,
             layers: None,
             only: Vec::new(),
             tools: Vec::new(),

@@ -307,6 +307,45 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
     }
 }
 
+#[test]
+fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_tells_a_laser() {
+    let laser = DrawingTool::Laser(Laser {
+        burn_speed_mm_s: 8.0,
+        ..Laser::default()
+    });
+    let pen = DrawingTool::default().at_speed(40.0);
+    let plotter =
+        |speed: &str| Source::Hpgl(format!("SP1;VS{speed};PU0,0;PD2000,0;PU").into_bytes());
+    let mill = Source::Gcode(b"G0 Z5\nG0 X0 Y0\nG1 Z-1 F60\nG1 X50 F600\nG0 Z5".to_vec());
+    let engraver = Source::Gcode(b"G0 X0 Y0\nM3 S1000\nG1 X50 F1200\nM5".to_vec());
+    let speed_mm_s = |source: &Source, tool: DrawingTool, keeps_speed: bool| {
+        let settings = Settings {
+            tool,
+            keeps_speed,
+            ..Settings::default()
+        };
+        let prepared = prepare(source, &settings, anywhere).unwrap();
+        let told = prepared.warnings.iter().map(ToString::to_string);
+        let is_told = told
+            .into_iter()
+            .any(|it| it.contains("layer with the speed of a pen"));
+        (prepared.passes[0].tool.speed_mm_s(), is_told)
+    };
+    for (source, tool, expected) in [
+        (plotter("1"), pen, (10.0, false)),
+        (plotter("36"), pen, (40.0, false)),
+        (plotter("1"), laser, (8.0, true)),
+        (plotter("36"), laser, (8.0, true)),
+        (mill.clone(), pen, (10.0, false)),
+        (mill, laser, (8.0, true)),
+        (engraver.clone(), laser, (20.0, false)),
+        (engraver, pen, (20.0, false)),
+    ] {
+        assert_eq!(speed_mm_s(&source, tool, false), expected, "{source:?}");
+        assert_eq!(speed_mm_s(&source, tool, true), (tool.speed_mm_s(), false));
+    }
+}
+
 /// Spokes all around the arm, from -120 to 120 degrees, drawn from the left to the right and back.
 fn spokes_around_the_arm() -> Vec<Stroke> {
     let spoke = |it: i32| {
