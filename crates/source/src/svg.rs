@@ -3,13 +3,13 @@
 mod check;
 mod color;
 mod dash;
+mod declared;
 mod entities;
 mod expand;
 mod flatten;
 mod groups;
 mod ink;
 mod layers;
-mod own_groups;
 mod page;
 mod renderer;
 mod single_line;
@@ -23,9 +23,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use usvg::fontdb::Family;
-use usvg::roxmltree::Document;
+use usvg::roxmltree::{Document, Node};
 use usvg::{FontResolver, ImageHrefResolver, Tree};
 
+use self::declared::Declared;
 use self::groups::Groups;
 use self::page::SvgPage;
 use self::renderer::TreeRenderer;
@@ -80,6 +81,9 @@ fn draw(
 struct TreeWarnings<'a> {
     images: AtomicUsize,
     flowed: AtomicUsize,
+    foreign: AtomicUsize,
+    moved: AtomicUsize,
+    sized: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
     substitutes: &'a Substitutes,
@@ -90,6 +94,9 @@ impl<'a> TreeWarnings<'a> {
         Self {
             images: AtomicUsize::new(0),
             flowed: AtomicUsize::new(0),
+            foreign: AtomicUsize::new(0),
+            moved: AtomicUsize::new(0),
+            sized: AtomicUsize::new(0),
             fontless: AtomicUsize::new(0),
             missing_glyphs: AtomicUsize::new(0),
             substitutes,
@@ -125,10 +132,34 @@ impl<'a> TreeWarnings<'a> {
         }
     }
 
+    /// Counts what the library leaves out without a word.
+    fn note_unread(&self, doc: &Document<'_>) {
+        let elements = || doc.descendants().filter(Node::is_element);
+        let named = |it: &Node<'_, '_>, name: &str| it.tag_name().name() == name;
+        let flowed = elements().filter(|it| named(it, "flowRoot"));
+        self.flowed.store(flowed.count(), Ordering::Relaxed);
+        let has_text = |it: &Node<'_, '_>| {
+            let mut texts = it.descendants().filter_map(|it| it.text());
+            texts.any(|it| !it.trim().is_empty())
+        };
+        let foreign = elements().filter(|it| named(it, "foreignObject") && has_text(it));
+        self.foreign.store(foreign.count(), Ordering::Relaxed);
+        let moves = Declared::of(doc, |name, value| name == "transform" && value != "none");
+        let moved = elements().filter(|it| moves.of_element(*it));
+        self.moved.store(moved.count(), Ordering::Relaxed);
+        let sizes = Declared::of(doc, |name, _| SIZES.contains(&name));
+        let sized = elements()
+            .filter(|it| SHAPES.iter().any(|name| named(it, name)) && sizes.of_element(*it));
+        self.sized.store(sized.count(), Ordering::Relaxed);
+    }
+
     fn warn(&self, warnings: &mut Vec<WarningCount>) {
         let counts = [
             (WarningKind::Image, &self.images),
             (WarningKind::FlowedText, &self.flowed),
+            (WarningKind::ForeignText, &self.foreign),
+            (WarningKind::MovedByStyle, &self.moved),
+            (WarningKind::SizedByStyle, &self.sized),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
@@ -157,15 +188,10 @@ fn parse(
     entities::check(text)?;
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
-    let flowed = doc
-        .descendants()
-        .filter(|it| it.has_tag_name("flowRoot") || it.has_tag_name((SVG_NAMESPACE, "flowRoot")));
-    tree_warnings
-        .flowed
-        .store(flowed.count(), Ordering::Relaxed);
     styles::check(&doc)?;
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     expand::check(&doc, &segments)?;
+    tree_warnings.note_unread(&doc);
     let usvg_options = usvg::Options {
         font_family: options.fonts.family_name(&Family::Serif).to_owned(),
         fontdb: Arc::clone(&options.fonts),
@@ -222,6 +248,11 @@ fn nothing_to_draw(warnings: &[WarningCount], cut: Option<Warning>) -> SourceErr
     SourceError::nothing_to_draw(texts)
 }
 
+/// Shapes, and what of them a style may tell since SVG 2.
+const SHAPES: [&str; 4] = ["circle", "ellipse", "path", "rect"];
+const SIZES: [&str; 10] = [
+    "cx", "cy", "d", "height", "r", "rx", "ry", "width", "x", "y",
+];
 const SVG_NAMESPACE: &str = "http://www.w3.org/2000/svg";
 
 #[cfg(test)]

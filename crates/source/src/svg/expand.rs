@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use usvg::roxmltree::{Document, Node};
 
-use super::own_groups::OwnGroups;
+use super::declared::Declared;
 use super::styles;
 use crate::error::SvgError;
 
@@ -17,7 +17,7 @@ pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError
     let mut counter = Counter {
         doc,
         segments,
-        groups: OwnGroups::of(doc),
+        groups: Declared::of(doc, makes_group),
         // Of elements with the same name, the first counts.
         named: named.collect::<Vec<_>>().into_iter().rev().collect(),
         known: vec![CostState::No; segments.len()],
@@ -74,7 +74,8 @@ impl Cost {
 struct Counter<'a> {
     doc: &'a Document<'a>,
     segments: &'a [u64],
-    groups: OwnGroups<'a>,
+    /// By which styles elements become groups.
+    groups: Declared<'a>,
     named: HashMap<&'a str, Node<'a, 'a>>,
     /// By the number of the element in the document.
     known: Vec<CostState>,
@@ -108,7 +109,7 @@ impl<'a> Counter<'a> {
         self.known[number] = CostState::Soon;
         let mut cost = Cost {
             elements: 1,
-            groups: u64::from(self.groups.holds(node)),
+            groups: u64::from(self.is_group(node)),
             segments: self.segments[number],
             styles: styles::cost(node),
             height: 0,
@@ -127,6 +128,12 @@ impl<'a> Counter<'a> {
         Ok(cost)
     }
 
+    /// Whether something of an element holds for all that it draws together.
+    fn is_group(&self, node: Node<'_, '_>) -> bool {
+        let mut own = node.attributes();
+        own.any(|it| makes_group(it.name(), it.value())) || self.groups.of_element(node)
+    }
+
     fn recursive(&self, node: Node<'_, '_>) -> SvgError {
         SvgError::Recursive {
             place: self.doc.text_pos_at(node.range().start).into(),
@@ -139,6 +146,14 @@ impl<'a> Counter<'a> {
             place: self.doc.text_pos_at(node.range().start).into(),
             limit: MAX_DEPTH,
         }
+    }
+}
+
+fn makes_group(name: &str, value: &str) -> bool {
+    match name {
+        "opacity" => value != "1",
+        "transform" | "clip-path" | "mask" | "filter" => value != "none",
+        _ => false,
     }
 }
 

@@ -398,6 +398,41 @@ fn shapes_that_become_groups_count_twice_and_those_of_full_opacity_do_not() {
 }
 
 #[test]
+fn what_styles_and_html_say_and_nobody_reads_is_told() {
+    let line = "<path d='M0 0H9' stroke='red'/>";
+    let told = |more: &str| {
+        let (strokes, warnings) = draw(&format!("{line}{more}"));
+        assert_eq!(strokes.len(), 1, "{more}");
+        let told = warnings.iter().map(ToString::to_string);
+        told.collect::<Vec<_>>().join("; ")
+    };
+    for more in [
+        "<g style='transform: translate(9px, 2px)'/>",
+        "<style>.a{transform:scale(2)}</style><g class='a'/>",
+    ] {
+        assert!(
+            told(more).starts_with("1 CSS transform: not read, drawn as without it"),
+            "{more}"
+        );
+    }
+    let sheet = "<style>rect{width:9px;height:9px} circle{r:4px}</style>";
+    let shapes = "<rect fill='red'/><circle fill='red'/><ellipse style='rx:4'/>";
+    assert!(
+        told(&format!("{sheet}{shapes}"))
+            .starts_with("3 CSS sizes: of a shape, or its place: not read")
+    );
+    let html = "<foreignObject width='9' height='9'><p xmlns='http://www.w3.org/1999/xhtml'>A</p></foreignObject>";
+    assert!(told(&html.repeat(2)).starts_with("2 foreignObjects: left out with its text (HTML)"));
+    for more in [
+        "<foreignObject width='9' height='9'> </foreignObject>",
+        "<g style='transform: none; transform-origin: 0 0'/>",
+        "<style>svg{width:100%}</style><g style='width:9px'/>",
+    ] {
+        assert_eq!(told(more), "", "{more}");
+    }
+}
+
+#[test]
 fn styles_that_would_take_for_ever_are_refused() {
     let sheet = |rules: usize| format!("<style>{}</style><rect/>", "a{fill:red}".repeat(rules));
     let message = error(&page(&sheet(20_000)));

@@ -40,6 +40,12 @@ pub(crate) enum WarningKind {
     Stacked,
     /// Text that flows into a shape, as Inkscape wrote it before SVG 2.
     FlowedText,
+    /// Text of HTML, as diagram programs write it.
+    ForeignText,
+    /// A shape or a group that a style moves.
+    MovedByStyle,
+    /// A shape of which a style tells the place or the size.
+    SizedByStyle,
     /// A piece of text and no font at all.
     TextWithoutFont,
     /// A character that no font has.
@@ -65,6 +71,18 @@ impl WarningKind {
             Self::FlowedText => (
                 "flowed text",
                 "left out; in Inkscape, Text > Convert to Text makes letters of it",
+            ),
+            Self::ForeignText => (
+                "foreignObject",
+                "left out with its text (HTML); the program that made the file may have an option for texts of SVG",
+            ),
+            Self::MovedByStyle => (
+                "CSS transform",
+                "not read, drawn as without it; save the file as plain SVG",
+            ),
+            Self::SizedByStyle => (
+                "CSS size",
+                "of a shape, or its place: not read, drawn by the attributes alone; save the file as plain SVG",
             ),
             Self::TextWithoutFont => (
                 "text",

@@ -1,0 +1,65 @@
+//! What styles declare of the elements: those of an element itself, and the rules of all sheets.
+
+use simplecss::{AttributeOperator, PseudoClass, Selector, StyleSheet};
+use usvg::roxmltree::{Document, Node};
+
+use super::styles::sheets;
+
+/// Tells of which elements a style declares a property.
+pub(super) struct Declared<'a> {
+    /// Whether a name and a value are the property.
+    is_it: fn(&str, &str) -> bool,
+    /// The rules that declare it.
+    selectors: Vec<Selector<'a>>,
+}
+
+impl<'a> Declared<'a> {
+    pub(super) fn of(doc: &'a Document<'_>, is_it: fn(&str, &str) -> bool) -> Self {
+        let mut sheet = StyleSheet::new();
+        for text in sheets(doc).filter_map(|it| it.text()) {
+            sheet.parse_more(text);
+        }
+        let rules = sheet.rules.into_iter();
+        let declares = rules.filter(|rule| {
+            let mut declarations = rule.declarations.iter();
+            declarations.any(|it| is_it(it.name, it.value))
+        });
+        Self {
+            is_it,
+            selectors: declares.map(|it| it.selector).collect(),
+        }
+    }
+
+    pub(super) fn of_element(&self, node: Node<'_, '_>) -> bool {
+        let style = node.attribute("style").unwrap_or_default();
+        let mut own = style.split(';').filter_map(|it| it.split_once(':'));
+        own.any(|(name, value)| (self.is_it)(name.trim(), value.trim()))
+            || self.selectors.iter().any(|it| it.matches(&Element(node)))
+    }
+}
+
+/// An element as the rules of a sheet see it.
+struct Element<'a, 'input>(Node<'a, 'input>);
+
+impl simplecss::Element for Element<'_, '_> {
+    fn parent_element(&self) -> Option<Self> {
+        self.0.parent_element().map(Element)
+    }
+
+    fn prev_sibling_element(&self) -> Option<Self> {
+        self.0.prev_sibling_element().map(Element)
+    }
+
+    fn has_local_name(&self, name: &str) -> bool {
+        self.0.tag_name().name() == name
+    }
+
+    fn attribute_matches(&self, name: &str, operator: AttributeOperator<'_>) -> bool {
+        let value = self.0.attribute(name);
+        value.is_some_and(|it| operator.matches(it))
+    }
+
+    fn pseudo_class_matches(&self, class: PseudoClass<'_>) -> bool {
+        class == PseudoClass::FirstChild && self.prev_sibling_element().is_none()
+    }
+}
