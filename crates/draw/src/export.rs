@@ -64,7 +64,8 @@ impl<'a> Page<'a> {
         let ink = bounds(strokes.flat_map(|it| it.points.iter().copied()));
         let [width_mm, height_mm] = match sheet {
             Some(sheet) => [sheet.size.width_mm, sheet.size.height_mm],
-            None => [ink.height(), ink.width()],
+            // Of a page without a height nothing is shown.
+            None => [ink.height(), ink.width()].map(|mm| mm.max(LEAST_PAGE_MM)),
         };
         Self {
             sheet,
@@ -89,6 +90,9 @@ impl<'a> Page<'a> {
     }
 }
 
+const LEAST_PAGE_MM: f64 = 1.0;
+const ALMOST_WHITE: u8 = 230;
+
 /// A number of millimetres with three decimals at most.
 #[derive(Clone, Copy)]
 struct Thousandths(f64);
@@ -107,7 +111,7 @@ fn svg(passes: &[Pass], page: &Page<'_>) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\" fill=\"none\" stroke-width=\"0.3\" stroke-linecap=\"round\">\n"
     );
     for (number, pass) in (1..).zip(passes) {
-        let (name, color) = (escaped(&pass.name), color(pass.color.unwrap_or_default()));
+        let (name, color) = (escaped(&pass.name), color(seen(pass.color)));
         let _ = writeln!(
             text,
             "<g id=\"layer{number}\" inkscape:groupmode=\"layer\" inkscape:label=\"{name}\" stroke=\"{color}\">"
@@ -127,6 +131,12 @@ fn path(stroke: &Stroke, page: &Page<'_>) -> String {
     let corners: Vec<String> = corners.collect();
     let end = if corners.len() == 1 { "h0" } else { "" };
     format!("M{}{end}", corners.join("L"))
+}
+
+/// What is almost white, or has no colour, is black: nobody would see it on the page.
+fn seen(color: Option<[u8; 3]>) -> [u8; 3] {
+    let is_seen = |it: &[u8; 3]| it.iter().any(|shade| *shade < ALMOST_WHITE);
+    color.filter(is_seen).unwrap_or_default()
 }
 
 fn color([red, green, blue]: [u8; 3]) -> String {
@@ -278,6 +288,23 @@ mod tests {
         assert!(text.contains("width=\"210mm\" height=\"148mm\" viewBox=\"0 0 210 148\""));
         assert!(text.contains("inkscape:label=\"red &amp; &quot;thin&quot;\" stroke=\"#ff0000\""));
         assert_eq!(read("a.svg", text)[0][0], (75.0, 99.0));
+    }
+
+    #[test]
+    fn what_is_white_or_flat_can_be_seen_in_other_programs() {
+        let line = Stroke::open(vec![Point::new(200.0, 30.0), Point::new(200.0, -30.0)]);
+        for (told, color) in [([255, 255, 254], "#000000"), ([255, 255, 0], "#ffff00")] {
+            let pass = Pass {
+                color: Some(told),
+                ..Pass::new(DrawingTool::default(), vec![line.clone()])
+            };
+            let text = export(&[pass], None, ExportFormat::Svg);
+            assert!(text.contains(&format!("stroke=\"{color}\"")), "{text}");
+            assert!(
+                text.contains("height=\"1mm\" viewBox=\"0 0 60 1\""),
+                "{text}"
+            );
+        }
     }
 
     #[test]
