@@ -305,7 +305,8 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
 #[test]
 fn words_of_other_codes_are_no_moves_no_tools_and_no_speeds() {
     let other_codes = "M205 X80 Y80 Z0.2\nM204 P1000 R1000 T1000\nM73 P10 R5\nM201 X500 E5000\nM203 X1 F9\nM84 X Y\nM18 X0";
-    let text = format!("G0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10 F600\n{other_codes}\nG1 X10 Y10\nG0 Z5\nG0 X0\n");
+    let text =
+        format!("G0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10 F600\n{other_codes}\nG1 X10 Y10\nG0 Z5\nG0 X0\n");
     let (artwork, warnings) = draw(&text);
     assert_eq!(corners(&text), [[(0.0, 10.0), (10.0, 10.0), (10.0, 0.0)]]);
     assert_eq!(
