@@ -13,6 +13,7 @@ use dobot_geometry::{Point, Vec2};
 ///                /  \                    the arc is a polygon around it
 ///                \__/
 /// ```
+#[must_use]
 pub fn around_axis(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
     let (from, to) = (from.to_vec2(), to.to_vec2());
     let radius_mm = nearest_mm.min(from.hypot()).min(to.hypot());
