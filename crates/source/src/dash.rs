@@ -2,8 +2,7 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use crate::error::SvgError;
-use crate::limits::Budget;
+use crate::limits::{Budget, OverBudget};
 
 /// Cuts a stroke into dashes: `lengths` of pen down and pen up in turn, begun `offset` further on.
 /// A dash of length zero is a dot. Lengths that sum up to nothing leave the stroke whole.
@@ -11,11 +10,11 @@ use crate::limits::Budget;
 /// kurbo would cut them too, but does not end where there are a billion.
 pub(crate) fn dash(
     stroke: Stroke,
-    lengths: &[f32],
+    lengths: &[f64],
     offset: f64,
     budget: &mut Budget,
-) -> Result<Vec<Stroke>, SvgError> {
-    let lengths: Vec<f64> = lengths.iter().map(|l| f64::from(*l).max(0.0)).collect();
+) -> Result<Vec<Stroke>, OverBudget> {
+    let lengths: Vec<f64> = lengths.iter().map(|it| it.max(0.0)).collect();
     let period: f64 = 2.0 * lengths.iter().sum::<f64>();
     if period <= 0.0 || !period.is_finite() {
         return Ok(vec![stroke]);
@@ -62,7 +61,7 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    fn advance(&mut self, a: Point, b: Point, budget: &mut Budget) -> Result<(), SvgError> {
+    fn advance(&mut self, a: Point, b: Point, budget: &mut Budget) -> Result<(), OverBudget> {
         let length = a.distance(b);
         let mut done = 0.0;
         while length - done > self.left {
@@ -98,7 +97,7 @@ impl<'a> Cutter<'a> {
 mod tests {
     use super::*;
 
-    fn dashes(lengths: &[f32], offset: f64) -> Vec<(f64, f64)> {
+    fn dashes(lengths: &[f64], offset: f64) -> Vec<(f64, f64)> {
         let line = Stroke::open(vec![
             Point::new(0.0, 0.0),
             Point::new(4.0, 0.0),

@@ -7,6 +7,7 @@ mod cover;
 mod entity;
 mod file;
 mod hatch;
+mod line_type;
 mod mesh;
 mod multileader;
 mod order;

@@ -17,6 +17,7 @@
 mod arc;
 mod artwork;
 mod clip;
+mod dash;
 mod dxf;
 mod error;
 mod fonts;

@@ -10,9 +10,10 @@ use dobot_geometry::{Area, CubicBez, FillRule, ParamCurve, Point, Stroke, bounds
 use crate::arc::{Arc, SAME_MM};
 use crate::artwork::{Artwork, Layer};
 use crate::clip::{ClipArea, Region};
+use crate::dash::dash;
 use crate::error::SourceError;
 use crate::hidden::UNKNOWN;
-use crate::limits::{Budget, LIMIT_MM, MAX_SEGMENTS, checked_tolerance_mm};
+use crate::limits::{Budget, LIMIT_MM, MAX_SEGMENTS, OverBudget, checked_tolerance_mm};
 use crate::options::ReadOptions;
 use crate::place::place;
 use crate::polygon::Polygons;
@@ -249,28 +250,62 @@ impl<'a> Sketch<'a> {
         }
     }
 
+    /// Cuts the lines that came since there into dashes: those that are longer than one turn of them, and of fewer turns
+    /// than anybody could see.
+    pub(super) fn dash_since(
+        &mut self,
+        mark: &SketchMark,
+        lengths: &[f64],
+        offset: f64,
+    ) -> Result<(), SourceError> {
+        let period: f64 = lengths.iter().sum();
+        self.change_since(mark, |stroke, budget| {
+            let turns = stroke.length_mm() / period;
+            if (1.0..MOST_DASHES).contains(&turns) {
+                dash(stroke, lengths, offset, budget)
+            } else {
+                Ok(vec![stroke])
+            }
+        })
+    }
+
+    /// Puts other lines in the places of those that came since there.
+    fn change_since(
+        &mut self,
+        mark: &SketchMark,
+        mut change: impl FnMut(Stroke, &mut Budget) -> Result<Vec<Stroke>, OverBudget>,
+    ) -> Result<(), SourceError> {
+        self.goes_on = false;
+        self.stack.note(&self.layers);
+        let from = mark.layers.iter().copied().chain(repeat([0, 0]));
+        let layers = self.layers.iter_mut().zip(&mut self.stack.heights);
+        for ((layer, heights), [strokes, _]) in layers.zip(from) {
+            let of_strokes = heights.strokes.split_off(strokes);
+            for (stroke, height) in layer.strokes.split_off(strokes).into_iter().zip(of_strokes) {
+                let mut pieces = change(stroke, &mut self.budget)?;
+                let count = heights.strokes.len() + pieces.len();
+                heights.strokes.resize(count, height);
+                layer.strokes.append(&mut pieces);
+            }
+        }
+        Ok(())
+    }
+
     /// Cuts all that came since there at the edge of a ring; what lies outside is gone.
     pub(super) fn cut_since(
         &mut self,
         mark: &SketchMark,
         ring: Vec<Point>,
     ) -> Result<(), SourceError> {
-        self.goes_on = false;
         let outline = Stroke::open(ring);
         let inside = ClipArea::new(&[outline], FillRule::NonZero, Vec::new());
         let inside = Rc::new(Region::new(vec![inside]));
         self.stack.note(&self.layers);
         self.stack.clip_since(mark.height, &inside);
+        self.change_since(mark, |stroke, budget| inside.cut(stroke, budget))?;
         let from = mark.layers.iter().copied().chain(repeat([0, 0]));
         let layers = self.layers.iter_mut().zip(&mut self.stack.heights);
-        for ((layer, heights), [strokes, areas]) in layers.zip(from) {
-            let of_strokes = heights.strokes.split_off(strokes);
-            for (stroke, height) in layer.strokes.split_off(strokes).into_iter().zip(of_strokes) {
-                let mut pieces = inside.cut(stroke, &mut self.budget)?;
-                let count = heights.strokes.len() + pieces.len();
-                heights.strokes.resize(count, height);
-                layer.strokes.append(&mut pieces);
-            }
+        for ((layer, heights), [_, areas]) in layers.zip(from) {
             let of_areas = heights.areas.split_off(areas);
             for (area, height) in layer.areas.split_off(areas).into_iter().zip(of_areas) {
                 let cut = Polygons::new(&area.rings, area.rule)
@@ -421,6 +456,9 @@ pub(super) struct SketchMark {
     /// How many areas hide something.
     height: u32,
 }
+
+/// With more turns of its dashes a line is drawn whole.
+const MOST_DASHES: f64 = 2000.0;
 
 /// The edge of an area.
 #[derive(Debug)]

@@ -2,7 +2,6 @@
 
 mod check;
 mod color;
-mod dash;
 mod declared;
 mod entities;
 mod expand;

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use dobot_geometry::Point;
 
+use super::line_type::LineType;
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 use crate::place::beginning;
@@ -15,6 +16,10 @@ pub(super) struct File<'a> {
     /// How many millimetres a unit is; `None` where the file does not say.
     pub(super) unit_mm: Option<f64>,
     pub(super) layers: HashMap<String, LayerInfo>,
+    /// Those with gaps, by their names in capitals.
+    pub(super) line_types: HashMap<String, LineType>,
+    /// How many times larger line types are ($LTSCALE).
+    pub(super) line_scale: f64,
     pub(super) blocks: HashMap<&'a [u8], Block<'a>>,
     pub(super) entities: Vec<Span<'a>>,
     /// Dictionaries and filters, by their handles.
@@ -22,7 +27,7 @@ pub(super) struct File<'a> {
 }
 
 /// A layer in the table of layers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct LayerInfo {
     /// `AutoCAD`'s number; below 0 for a layer that is off.
     pub(super) color: Option<i32>,
@@ -31,6 +36,8 @@ pub(super) struct LayerInfo {
     pub(super) is_frozen: bool,
     /// How opaque what lies on it is, as group 440 of an entity tells it.
     pub(super) transparency: u32,
+    /// The name of its line type in capitals.
+    pub(super) line_type: String,
 }
 
 impl LayerInfo {
@@ -83,7 +90,7 @@ impl<'a> File<'a> {
             let pair = pair?;
             if pair.is(0, b"EOF") {
                 reader.end_entity(pair.at);
-                reader.end_layer();
+                reader.end_record();
                 return Ok(reader.file);
             }
             reader.pair(pair)?;
@@ -119,6 +126,8 @@ struct SectionReader<'a> {
     block: Option<(&'a [u8], Block<'a>)>,
     /// The layer in hand, with its name.
     layer: Option<(String, LayerInfo)>,
+    /// The line type in hand: its name, and its dashes and gaps.
+    line_type: Option<(String, Vec<f64>)>,
     /// How many entities, layers, blocks and objects there are.
     count: usize,
 }
@@ -130,6 +139,8 @@ impl<'a> SectionReader<'a> {
                 text,
                 unit_mm: None,
                 layers: HashMap::new(),
+                line_types: HashMap::new(),
+                line_scale: 1.0,
                 blocks: HashMap::new(),
                 entities: Vec::new(),
                 objects: HashMap::new(),
@@ -141,6 +152,7 @@ impl<'a> SectionReader<'a> {
             handle: None,
             block: None,
             layer: None,
+            line_type: None,
             count: 0,
         }
     }
@@ -155,7 +167,7 @@ impl<'a> SectionReader<'a> {
         }
         match (pair.code, pair.value) {
             (0, b"SECTION" | b"ENDSEC") => {
-                self.end_layer();
+                self.end_record();
                 self.section = b"";
                 return Ok(());
             }
@@ -184,6 +196,8 @@ impl<'a> SectionReader<'a> {
     fn header(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
         if pair.code == 9 {
             self.variable = pair.value;
+        } else if self.variable == b"$LTSCALE" {
+            self.file.line_scale = pair.number()?;
         } else if self.variable == b"$INSUNITS" {
             let code = pair.number()?;
             self.file.unit_mm = unit_mm(code);
@@ -204,11 +218,22 @@ impl<'a> SectionReader<'a> {
 
     fn table(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
         if pair.code == 0 {
-            self.end_layer();
+            self.end_record();
             if pair.value == b"LAYER" {
                 self.layer = Some(Default::default());
                 self.application = b"";
                 self.count += LAYER_OBJECTS;
+            }
+            if pair.value == b"LTYPE" {
+                self.line_type = Some(Default::default());
+            }
+            return Ok(());
+        }
+        if let Some((name, elements)) = &mut self.line_type {
+            match pair.code {
+                2 => *name = pair.text().to_uppercase(),
+                49 if elements.len() < MOST_ELEMENTS => elements.push(pair.number()?),
+                _ => {}
             }
             return Ok(());
         }
@@ -222,6 +247,7 @@ impl<'a> SectionReader<'a> {
         )]
         match pair.code {
             2 => *name = pair.text().into_owned(),
+            6 => info.line_type = pair.text().to_uppercase(),
             62 => info.color = Some(pair.number()? as i32),
             70 => info.is_frozen = pair.number()? as i32 & 1 != 0,
             420 => info.true_color = Some(pair.number()? as u32),
@@ -234,9 +260,14 @@ impl<'a> SectionReader<'a> {
         Ok(())
     }
 
-    fn end_layer(&mut self) {
+    fn end_record(&mut self) {
         if let Some((name, info)) = self.layer.take() {
             self.file.layers.insert(name, info);
+        }
+        if let Some((name, elements)) = self.line_type.take()
+            && let Some(line_type) = LineType::of(&elements)
+        {
+            self.file.line_types.insert(name, line_type);
         }
     }
 
@@ -335,3 +366,5 @@ fn unit_mm(code: f64) -> Option<f64> {
 pub(super) const MOST_OBJECTS: usize = 1_000_000;
 /// A layer has a name of its own, which is copied.
 const LAYER_OBJECTS: usize = 10;
+/// A line type has a dozen elements at the most.
+const MOST_ELEMENTS: usize = 64;

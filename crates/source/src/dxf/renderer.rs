@@ -4,6 +4,7 @@ use dobot_geometry::{Affine, Point, Vec2};
 
 use super::entity::Entity;
 use super::file::{Block, File, LayerInfo, Span};
+use super::line_type::LineType;
 use super::pairs::Pair;
 use crate::artwork::Layer;
 use crate::error::SourceError;
@@ -114,27 +115,59 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         };
         self.use_layer(layer)?;
         self.sketch.lift();
+        if let Some(line_type) = self.line_type(&it, copy.frame)? {
+            let mark = self.sketch.mark();
+            self.shape(&it, parts, copy, frame)?;
+            let LineType { lengths, offset } = line_type;
+            return self.sketch.dash_since(&mark, &lengths, offset);
+        }
+        self.shape(&it, parts, copy, frame)
+    }
+
+    /// The dashes of an entity, in mm; `None` where it is solid.
+    fn line_type(&self, it: &Entity<'_>, frame: Affine) -> Result<Option<LineType>, SourceError> {
+        if !LINES.contains(&it.kind) || self.file.line_types.is_empty() {
+            return Ok(None);
+        }
+        let own = it.find(6).map(|it| it.text().to_uppercase());
+        let own = own.filter(|it| it != "BYLAYER");
+        let of_layer = || self.layer_info().map(|it| it.line_type.clone());
+        let name = own.or_else(of_layer).unwrap_or_default();
+        let Some(line_type) = self.file.line_types.get(&name) else {
+            return Ok(None);
+        };
+        let larger = frame.determinant().abs().sqrt();
+        Ok(line_type.scaled(self.file.line_scale * it.number_or(48, 1.0)? * larger))
+    }
+
+    fn shape(
+        &mut self,
+        it: &Entity<'a>,
+        parts: &[Span<'a>],
+        copy: Copy<'_>,
+        frame: Affine,
+    ) -> Result<(), SourceError> {
         match it.kind {
-            b"LINE" => self.straight(&it, copy.frame),
-            b"POINT" => self.dot(&it, copy.frame),
-            b"CIRCLE" | b"ARC" => self.circle(&it, frame),
-            b"ELLIPSE" => self.ellipse(&it, copy.frame),
-            b"LWPOLYLINE" => self.light_polyline(&it, frame),
-            b"POLYLINE" => self.polyline(&it, parts, frame),
-            b"SPLINE" => self.spline(&it, copy.frame),
-            b"SOLID" | b"TRACE" => self.solid(&it, frame),
-            b"3DFACE" => self.face(&it, copy.frame),
-            b"MESH" => self.mesh(&it, copy.frame),
-            b"LEADER" => self.leader(&it, copy.frame),
-            b"MULTILEADER" | b"MLEADER" => self.multileader(&it, copy.frame),
-            b"WIPEOUT" => self.wipeout(&it, copy.frame),
-            b"HATCH" => self.hatch(&it, frame),
+            b"LINE" => self.straight(it, copy.frame),
+            b"POINT" => self.dot(it, copy.frame),
+            b"CIRCLE" | b"ARC" => self.circle(it, frame),
+            b"ELLIPSE" => self.ellipse(it, copy.frame),
+            b"LWPOLYLINE" => self.light_polyline(it, frame),
+            b"POLYLINE" => self.polyline(it, parts, frame),
+            b"SPLINE" => self.spline(it, copy.frame),
+            b"SOLID" | b"TRACE" => self.solid(it, frame),
+            b"3DFACE" => self.face(it, copy.frame),
+            b"MESH" => self.mesh(it, copy.frame),
+            b"LEADER" => self.leader(it, copy.frame),
+            b"MULTILEADER" | b"MLEADER" => self.multileader(it, copy.frame),
+            b"WIPEOUT" => self.wipeout(it, copy.frame),
+            b"HATCH" => self.hatch(it, frame),
             // The end of a POLYLINE, and the window of a sheet.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
-            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(&it, frame, copy.depth > 0),
-            b"MTEXT" => self.paragraphs(&it, copy.frame),
+            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, copy.depth > 0),
+            b"MTEXT" => self.paragraphs(it, copy.frame),
             _ => {
-                self.left_out(&it, "not known, left out");
+                self.left_out(it, "not known, left out");
                 Ok(())
             }
         }
@@ -293,6 +326,16 @@ fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceErr
     Ok(at * turn * Affine::translate(shift) * size * Affine::translate(-base.to_vec2()))
 }
 
+/// What is drawn in dashes.
+const LINES: [&[u8]; 7] = [
+    b"LINE",
+    b"CIRCLE",
+    b"ARC",
+    b"ELLIPSE",
+    b"LWPOLYLINE",
+    b"POLYLINE",
+    b"SPLINE",
+];
 const MOST_COPIED: usize = 200_000_000;
 /// A copy of an empty block counts as so many bytes.
 const LEAST_COPY: usize = 100;

@@ -534,3 +534,46 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn lines_have_the_dashes_of_their_type_as_large_as_the_file_says() {
+    let types = "0 LTYPE 2 Dashed 70 0 73 2 40 3 49 2 49 -1 0 LTYPE 2 CONTINUOUS 70 0 73 0 40 0
+        0 LTYPE 2 DOTS 73 2 49 0 49 -2 0 LAYER 2 hidden 70 0 62 7 6 DASHED";
+    let line = "0 LINE 10 0 20 0 11 10 21 0";
+    let dashes = |entities: &str| {
+        let (artwork, warnings) = draw_text(&file(types, "", entities));
+        assert_eq!(warnings, [""; 0]);
+        let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
+        strokes.map(Stroke::length_mm).collect::<Vec<_>>()
+    };
+    let near = |found: Vec<f64>, expected: &[f64]| {
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        let mut both = found.iter().zip(expected);
+        assert!(both.all(|(a, b)| (a - b).abs() < 1e-6), "{found:?}");
+    };
+    near(dashes(&format!("{line} 6 DASHED")), &[2.0, 2.0, 2.0, 1.0]);
+    near(dashes(&format!("{line} 8 hidden")), &[2.0, 2.0, 2.0, 1.0]);
+    near(
+        dashes(&format!("{line} 8 hidden 6 ByLayer 48 2")),
+        &[4.0, 4.0],
+    );
+    near(dashes(&format!("{line} 6 DOTS 48 2")), &[0.0, 0.0, 0.0]);
+    // Solid: by its own type, by one that is nowhere, shorter than one turn, with dashes that nobody would see.
+    for solid in [
+        "8 hidden 6 Continuous",
+        "6 NONE",
+        "6 DASHED 48 4",
+        "6 DASHED 48 0.0001",
+    ] {
+        near(dashes(&format!("{line} {solid}")), &[10.0]);
+    }
+    let larger = file(types, "", &format!("{line} 6 DASHED"))
+        .replace("9\n$INSUNITS", "9\n$LTSCALE\n40\n2\n9\n$INSUNITS");
+    let (artwork, _) = draw_text(&larger);
+    assert_eq!(artwork.layers[0].strokes.len(), 2);
+    let arc = "0 ARC 10 0 20 0 40 10 50 0 51 90 6 DASHED";
+    let along_arc = dashes(arc);
+    near(along_arc[..5].to_vec(), &[2.0; 5]);
+    // 15.71 mm along the arc, and the tolerance.
+    assert!((along_arc[5] - 0.708).abs() < 0.01, "{along_arc:?}");
+}

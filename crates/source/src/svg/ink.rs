@@ -48,7 +48,7 @@ pub(crate) struct LinePaint {
 /// Pen down and pen up in turn.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Dashes {
-    pub(crate) lengths: Vec<f32>,
+    pub(crate) lengths: Vec<f64>,
     pub(crate) offset: f64,
 }
 

@@ -5,12 +5,12 @@ use std::rc::Rc;
 
 use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
-use super::dash::dash;
 use super::ink::{FillPaint, Ink, InkColor};
 use super::layers::Layers;
 use super::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
 use crate::clip::{ClipArea, Region};
+use crate::dash::dash;
 use crate::error::SvgError;
 use crate::limits::LIMIT_MM;
 use crate::limits::{Budget, MAX_SEGMENTS, OverBudget};
@@ -140,7 +140,7 @@ impl SvgPage {
 
     fn dashes(&mut self, outline: Stroke, ink: &Ink) -> Result<Vec<Stroke>, SvgError> {
         match ink.line.as_ref().and_then(|line| line.dashes.as_ref()) {
-            Some(it) => dash(outline, &it.lengths, it.offset, &mut self.budget),
+            Some(it) => Ok(dash(outline, &it.lengths, it.offset, &mut self.budget)?),
             None => Ok(vec![outline]),
         }
     }

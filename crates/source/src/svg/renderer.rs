@@ -261,7 +261,7 @@ pub(crate) fn page_mm(tree: &Tree) -> [f64; 2] {
 
 fn read_line(line: &usvg::Stroke) -> LinePaint {
     let dashes = line.dasharray().map(|lengths| Dashes {
-        lengths: lengths.to_vec(),
+        lengths: lengths.iter().copied().map(f64::from).collect(),
         offset: f64::from(line.dashoffset()),
     });
     LinePaint {
