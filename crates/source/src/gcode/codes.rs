@@ -44,12 +44,11 @@ pub(super) fn g(code: u32) -> Meaning {
 pub(super) const fn m(code: u32) -> Meaning {
     use Meaning::{LeftOut, Plain, Refused};
     match code {
-        // Laser or spindle, end, tool change, coolant, motors and extruder, servo.
+        // Laser or spindle, end (M99 of a program that is run again and again, too), tool change, coolant, motors and
+        // extruder, servo.
         20 | 30 | 40 | 50 | 60 | 70 | 80 | 90 | 170 | 180 | 300 | 480 | 490 | 820 | 830 | 840
-        | 1060 | 1070 | 2800 => Plain,
+        | 990 | 1060 | 1070 | 2800 => Plain,
         0 | 10 | 600 => LeftOut("drawn without a pause"),
-        // The end of a subroutine, or of a program that is run again and again.
-        990 => Plain,
         970 | 980 => Refused("subroutines are not read; have them written out"),
         1170 | 1180 => LeftOut("its message is not shown"),
         _ => LeftOut("not known, left out"),
