@@ -21,11 +21,12 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use simplecss::StyleSheet;
 use usvg::fontdb::Family;
 use usvg::roxmltree::{Document, Node};
 use usvg::{FontResolver, ImageHrefResolver, Tree};
 
-use self::declared::Declared;
+use self::declared::{Declared, rules};
 use self::groups::Groups;
 use self::page::SvgPage;
 use self::renderer::TreeRenderer;
@@ -132,7 +133,7 @@ impl<'a> TreeWarnings<'a> {
     }
 
     /// Counts what the library leaves out without a word.
-    fn note_unread(&self, doc: &Document<'_>) {
+    fn note_unread(&self, doc: &Document<'_>, rules: &StyleSheet<'_>) {
         let elements = || doc.descendants().filter(Node::is_element);
         let named = |it: &Node<'_, '_>, name: &str| it.tag_name().name() == name;
         let flowed = elements().filter(|it| named(it, "flowRoot"));
@@ -143,10 +144,10 @@ impl<'a> TreeWarnings<'a> {
         };
         let foreign = elements().filter(|it| named(it, "foreignObject") && has_text(it));
         self.foreign.store(foreign.count(), Ordering::Relaxed);
-        let moves = Declared::of(doc, |name, value| name == "transform" && value != "none");
+        let moves = Declared::of(rules, |name, value| name == "transform" && value != "none");
         let moved = elements().filter(|it| moves.of_element(*it));
         self.moved.store(moved.count(), Ordering::Relaxed);
-        let sizes = Declared::of(doc, |name, _| SIZES.contains(&name));
+        let sizes = Declared::of(rules, |name, _| SIZES.contains(&name));
         let sized = elements()
             .filter(|it| SHAPES.iter().any(|name| named(it, name)) && sizes.of_element(*it));
         self.sized.store(sized.count(), Ordering::Relaxed);
@@ -189,8 +190,9 @@ fn parse(
     check_root(&doc)?;
     styles::check(&doc)?;
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
-    expand::check(&doc, &segments)?;
-    tree_warnings.note_unread(&doc);
+    let rules = rules(&doc);
+    expand::check(&doc, &rules, &segments)?;
+    tree_warnings.note_unread(&doc, &rules);
     let usvg_options = usvg::Options {
         font_family: options.fonts.family_name(&Family::Serif).to_owned(),
         fontdb: Arc::clone(&options.fonts),

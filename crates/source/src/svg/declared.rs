@@ -10,23 +10,27 @@ pub(super) struct Declared<'a> {
     /// Whether a name and a value are the property.
     is_it: fn(&str, &str) -> bool,
     /// The rules that declare it.
-    selectors: Vec<Selector<'a>>,
+    selectors: Vec<&'a Selector<'a>>,
+}
+
+/// The rules of all sheets of a document.
+pub(super) fn rules<'a>(doc: &'a Document<'_>) -> StyleSheet<'a> {
+    let mut all = StyleSheet::new();
+    for text in sheets(doc).filter_map(|it| it.text()) {
+        all.parse_more(text);
+    }
+    all
 }
 
 impl<'a> Declared<'a> {
-    pub(super) fn of(doc: &'a Document<'_>, is_it: fn(&str, &str) -> bool) -> Self {
-        let mut sheet = StyleSheet::new();
-        for text in sheets(doc).filter_map(|it| it.text()) {
-            sheet.parse_more(text);
-        }
-        let rules = sheet.rules.into_iter();
-        let declares = rules.filter(|rule| {
+    pub(super) fn of(sheet: &'a StyleSheet<'a>, is_it: fn(&str, &str) -> bool) -> Self {
+        let declares = sheet.rules.iter().filter(|rule| {
             let mut declarations = rule.declarations.iter();
             declarations.any(|it| is_it(it.name, it.value))
         });
         Self {
             is_it,
-            selectors: declares.map(|it| it.selector).collect(),
+            selectors: declares.map(|it| &it.selector).collect(),
         }
     }
 

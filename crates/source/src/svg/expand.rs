@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use simplecss::StyleSheet;
 use usvg::roxmltree::{Document, Node};
 
 use super::declared::Declared;
@@ -10,14 +11,18 @@ use crate::error::SvgError;
 
 /// Refuses a document that grows too large or too deep once every reference is replaced by a copy
 /// of what it names, and one in which that never ends.
-pub(crate) fn check(doc: &Document<'_>, segments: &[u64]) -> Result<(), SvgError> {
+pub(crate) fn check(
+    doc: &Document<'_>,
+    rules: &StyleSheet<'_>,
+    segments: &[u64],
+) -> Result<(), SvgError> {
     let named = doc
         .descendants()
         .filter_map(|node| Some((node.attribute("id")?, node)));
     let mut counter = Counter {
         doc,
         segments,
-        groups: Declared::of(doc, makes_group),
+        groups: Declared::of(rules, makes_group),
         // Of elements with the same name, the first counts.
         named: named.collect::<Vec<_>>().into_iter().rev().collect(),
         known: vec![CostState::No; segments.len()],
