@@ -145,6 +145,8 @@ export async function tell(hand, seen) {
   await seen("refused");
   await hand.click("#target-nearest");
   await hand.click("#target-go");
+  // The fields are empty again once the arm is there; before it was told to go it rests, too.
+  await page.waitForFunction(() => document.querySelector("#target-x_mm").value === "");
   await rests();
   await hand.look(2);
 }
