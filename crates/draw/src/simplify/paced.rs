@@ -15,7 +15,7 @@ use dobot_plan::Pace;
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 use super::search::fewest;
-use super::timed::Course;
+use super::timed::{Course, FEW_SIDES, SIDES};
 
 /// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
 /// without vectors that are too short.
@@ -125,16 +125,23 @@ impl Found {
         let arm = |gentler| Course::along(&self.smoothest.path, 0.0, gentler, pace);
         let link = |gentler| Course::along(&self.best.path, pace.link.period_s, gentler, pace);
         corridor.radii.fill(most_mm);
-        let timed = |course: Course<'_>| course.timed(corridor, pace);
         if !all {
-            let both = [arm(as_the_arm[0]), link(as_the_link[0])];
-            return both.into_iter().filter_map(timed).collect();
+            let sides = if pace.has_ticks() {
+                &SIDES[..]
+            } else {
+                &FEW_SIDES
+            };
+            let both = [arm(as_the_arm[0]), link(as_the_link[0])].into_iter();
+            return both
+                .filter_map(|it| it.timed(corridor, sides, pace))
+                .collect();
         }
+        let timed = |course: Course<'_>| course.timed(corridor, &SIDES, pace);
         let arms = as_the_arm.iter().map(|it| arm(*it));
         let links = as_the_link.iter().map(|it| link(*it));
         let mut ways: Vec<FastWay> = arms.chain(links).filter_map(timed).collect();
         corridor.radii.fill(0.5 * most_mm);
-        ways.extend(arm(as_the_arm[0]).timed(corridor, pace));
+        ways.extend(arm(as_the_arm[0]).timed(corridor, &SIDES, pace));
         ways
     }
 }

@@ -12,6 +12,7 @@
 //! ```
 
 use std::collections::VecDeque;
+use std::ops::Range;
 
 use dobot_arm::TICK_S;
 use dobot_geometry::{Point, Vec2};
@@ -47,9 +48,15 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// The path in a corridor that takes the least time with speeds as here; `None` if no vectors lead to its end.
-    pub(super) fn timed(&self, corridor: &Corridor<'_>, pace: &Pace) -> Option<FastWay> {
-        let places = Places::of(self, corridor).all;
+    /// The path in a corridor that takes the least time with speeds as here; `None` if no vectors lead to its end. Its corners
+    /// are on the stroke or `sides` beside it, as shares of the tolerance.
+    pub(super) fn timed(
+        &self,
+        corridor: &Corridor<'_>,
+        sides: &[f64],
+        pace: &Pace,
+    ) -> Option<FastWay> {
+        let places = Places::of(self, corridor, sides).all;
         let rates = Rates::of(pace);
         let mut labels = vec![Label::UNREACHED; places.len()];
         labels[0].time_s = 0.0;
@@ -86,28 +93,32 @@ struct Place {
 struct Places<'a> {
     course: &'a Course<'a>,
     corridor: &'a Corridor<'a>,
+    sides: &'a [f64],
     step: usize,
     all: Vec<Place>,
     /// How many ticks there were since the last point of the stroke.
     since_point: usize,
     /// The last ticks that are farther from it than matters; they matter if the next point comes soon.
-    far: VecDeque<TickPlaces>,
+    far: VecDeque<TickPlace>,
 }
 
-/// The places of a tick.
+/// Where the motion is at a tick.
 #[derive(Clone, Copy, Debug)]
-struct TickPlaces {
-    at: [Point; 5],
+struct TickPlace {
+    on_path: Point,
+    /// The direction of the path there.
+    unit: Vec2,
     passed: usize,
     time_s: f64,
     gone_mm: f64,
 }
 
 impl<'a> Places<'a> {
-    fn of(course: &'a Course<'a>, corridor: &'a Corridor<'a>) -> Self {
+    fn of(course: &'a Course<'a>, corridor: &'a Corridor<'a>, sides: &'a [f64]) -> Self {
         let mut places = Self {
             course,
             corridor,
+            sides,
             step: 0,
             all: Vec::new(),
             since_point: 0,
@@ -141,9 +152,9 @@ impl<'a> Places<'a> {
                 if ends {
                     break;
                 }
-                let on_path = pair[0].at + unit * until_mm;
-                places.add_tick(TickPlaces {
-                    at: beside(corridor, on_path, unit, passed),
+                places.come_by(TickPlace {
+                    on_path: pair[0].at + unit * until_mm,
+                    unit,
                     passed,
                     time_s,
                     gone_mm,
@@ -163,10 +174,10 @@ impl<'a> Places<'a> {
     }
 
     /// Adds the places of a tick. In the middle of a long straight line no corner is of use.
-    fn add_tick(&mut self, it: TickPlaces) {
+    fn come_by(&mut self, it: TickPlace) {
         self.since_point += 1;
         if self.since_point <= NEAR_A_POINT {
-            self.add(it.at, it.passed, it.time_s, it.gone_mm);
+            self.add_tick(it);
             return;
         }
         self.far.push_back(it);
@@ -179,8 +190,21 @@ impl<'a> Places<'a> {
     fn come_to_point(&mut self) {
         self.since_point = 0;
         while let Some(it) = self.far.pop_front() {
-            self.add(it.at, it.passed, it.time_s, it.gone_mm);
+            self.add_tick(it);
         }
+    }
+
+    /// Adds the places of a tick: beside the one on the stroke that is nearest to where the motion is.
+    fn add_tick(&mut self, it: TickPlace) {
+        let corridor = self.corridor;
+        let next = (it.passed + 1).min(corridor.points.len() - 1);
+        let [from, to] = [it.passed, next].map(|i| corridor.points[i]);
+        let way = to - from;
+        let share = (it.on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
+        let at = from + way * share.clamp(0.0, 1.0);
+        let across = it.unit.turn_90() * corridor.radii[it.passed].min(corridor.radii[next]);
+        let places = self.sides.iter().map(|side| at + across * *side);
+        self.add(places, it.passed, it.time_s, it.gone_mm);
     }
 
     /// Adds the places at a point where the stroke turns sharply, whenever the motion comes by.
@@ -193,19 +217,29 @@ impl<'a> Places<'a> {
         }
     }
 
-    fn add<const N: usize>(&mut self, at: [Point; N], passed: usize, time_s: f64, gone_mm: f64) {
+    fn add(
+        &mut self,
+        at: impl IntoIterator<Item = Point>,
+        passed: usize,
+        time_s: f64,
+        gone_mm: f64,
+    ) {
         let gone = |t_s: f64| self.course.motion.gone_mm(t_s);
         let window_s = self.course.window_s;
-        let place = Place {
-            at: at[0],
+        let (before_mm, after_mm) = (
+            gone_mm - gone(time_s - window_s),
+            gone(time_s + window_s) - gone_mm,
+        );
+        let places = at.into_iter().map(|at| Place {
+            at,
             passed,
             step: self.step,
             time_s,
             gone_mm,
-            before_mm: gone_mm - gone(time_s - window_s),
-            after_mm: gone(time_s + window_s) - gone_mm,
-        };
-        self.all.extend(at.map(|at| Place { at, ..place }));
+            before_mm,
+            after_mm,
+        });
+        self.all.extend(places);
         self.step += 1;
     }
 }
@@ -213,17 +247,6 @@ impl<'a> Places<'a> {
 fn is_sharp(before: Point, here: Point, after: Point) -> bool {
     let (came, goes) = (here - before, after - here);
     came.dot(goes) < SHARP_COS * came.length() * goes.length()
-}
-
-/// The place on the stroke that is nearest to one on the path, and four beside it. The last point passed is given.
-fn beside(corridor: &Corridor<'_>, on_path: Point, unit: Vec2, passed: usize) -> [Point; 5] {
-    let next = (passed + 1).min(corridor.points.len() - 1);
-    let [from, to] = [passed, next].map(|i| corridor.points[i]);
-    let way = to - from;
-    let share = (on_path - from).dot(way) / way.hypot2().max(f64::MIN_POSITIVE);
-    let at = from + way * share.clamp(0.0, 1.0);
-    let radius_mm = corridor.radii[passed].min(corridor.radii[next]);
-    [0.0, SIDE, -SIDE, 0.5, -0.5].map(|side| at + unit.turn_90() * (side * radius_mm))
 }
 
 /// How a place is reached in the least time.
@@ -301,7 +324,8 @@ fn whole_ticks_s(duration_s: f64) -> f64 {
     TICK_S * if below < ticks { below + 1.0 } else { below }
 }
 
-/// Notes all places that one vector from here reaches sooner than was known.
+/// Notes all places that one vector from here reaches sooner than was known. A vector that is over before the link brings the
+/// next one is of use where no longer one leads on.
 fn go_on(
     corridor: &Corridor<'_>,
     places: &[Place],
@@ -310,6 +334,28 @@ fn go_on(
     rates: &Rates,
 ) {
     let from = places[here];
+    let farther = here + 1..places.len();
+    let first = farther.clone().find(|it| {
+        let to = &places[*it];
+        to.step > from.step && to.time_s - from.time_s >= rates.least_s - SPARE_TICKS * TICK_S
+    });
+    let first = first.unwrap_or(places.len());
+    if !go_to(corridor, places, labels, here, first..places.len(), rates) {
+        go_to(corridor, places, labels, here, here + 1..first, rates);
+    }
+}
+
+/// Notes those of some places, which lie farther along, that one vector from here reaches sooner than was known. Whether it
+/// reaches any.
+fn go_to(
+    corridor: &Corridor<'_>,
+    places: &[Place],
+    labels: &mut [Label],
+    here: usize,
+    wanted: Range<usize>,
+    rates: &Rates,
+) -> bool {
+    let from = places[here];
     let corner = Corner {
         at: from.at,
         passed: from.passed,
@@ -317,25 +363,34 @@ fn go_on(
     };
     let mut visibility = Visibility::from(corridor, corner, 0.0);
     let mut passed = from.passed;
-    let farther = places.iter().enumerate().skip(here + 1);
-    for (there, to) in farther.take_while(|(_, to)| to.step <= from.step + MOST_STEPS) {
+    let mut reaches_any = false;
+    for there in wanted {
+        let to = &places[there];
         if to.step == from.step {
             continue;
+        }
+        if to.step > from.step + MOST_STEPS {
+            break;
         }
         while passed < to.passed {
             passed += 1;
             if !visibility.pass(passed) {
-                return;
+                return reaches_any;
             }
         }
         let soonest_s = labels[here].time_s + rates.took_s(&from, to);
-        if soonest_s < labels[there].time_s && visibility.reaches(to.at, to.passed) {
+        if soonest_s < labels[there].time_s || !reaches_any {
+            if !visibility.reaches(to.at, to.passed) {
+                continue;
+            }
+            reaches_any = true;
             let next = labels[here].next([&from, to], here, rates);
             if next.time_s < labels[there].time_s {
                 labels[there] = next;
             }
         }
     }
+    reaches_any
 }
 
 fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
@@ -358,8 +413,9 @@ fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
 const MOST_STEPS: usize = 24;
 /// So many ticks before a point of the stroke and behind it there are places: a vector may go over all between two points.
 const NEAR_A_POINT: usize = MOST_STEPS / 2 - 1;
-/// How far beside the stroke places lie, as a share of the tolerance.
-const SIDE: f64 = 0.99;
+/// How far beside the stroke places lie, as shares of the tolerance: many, and few.
+pub(super) const SIDES: [f64; 5] = [0.0, 0.99, -0.99, 0.5, -0.5];
+pub(super) const FEW_SIDES: [f64; 3] = [0.0, 0.99, -0.99];
 /// The cosine of a turn of a stroke from which on the point itself is a place.
 const SHARP_COS: f64 = 0.94;
 /// By so much of a tick a vector may be too long for its ticks.
