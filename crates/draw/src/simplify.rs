@@ -38,7 +38,7 @@ use spliced::spliced;
 /// own points; the work for long ones is bounded, and linear in their points.
 #[must_use]
 pub fn simplify(stroke: &Stroke, tolerance_mm: f64) -> Stroke {
-    joined(stroke, simplified(stroke, tolerance_mm - SLACK_MM))
+    fewest_at(stroke, tolerance_mm).stroke
 }
 
 /// Shorter vectors are merged: they cost as much time on the link as long ones, and a vector of
@@ -51,18 +51,17 @@ pub const MIN_VECTOR_MM: f64 = 0.005;
 #[must_use]
 pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Stroke {
     let radius_mm = tolerance_mm - SLACK_MM;
-    let points = match fastest(corridor(stroke, radius_mm), pace) {
-        Some(path) if radius_mm > MIN_VECTOR_MM => places(&path),
-        _ => simplified(stroke, radius_mm),
-    };
-    joined(stroke, points)
+    match fastest(corridor(stroke, radius_mm), pace) {
+        Some(path) if radius_mm > MIN_VECTOR_MM => joined(stroke, places(&path)),
+        _ => simplify(stroke, tolerance_mm),
+    }
 }
 
 /// A stroke that may be the fastest.
 #[derive(Clone, Debug)]
 pub(crate) struct Way {
     pub stroke: Stroke,
-    /// Its corners, where it was found in a corridor.
+    /// Its corners; none if it was not found in the corridor of the stroke.
     path: Vec<Corner>,
     /// How long it takes, as far as is known without a plan, in s.
     pub about_s: f64,
@@ -78,20 +77,44 @@ impl Way {
     }
 }
 
-/// The ways that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best.
-/// Without `all` one of each kind is looked for.
-pub(crate) fn fast_ways_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace, all: bool) -> Vec<Way> {
+/// The way with the fewest vectors within `tolerance_mm`.
+pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
     let radius_mm = tolerance_mm - SLACK_MM;
-    match fast_ways(corridor(stroke, radius_mm), pace, all) {
-        Some(ways) if radius_mm > MIN_VECTOR_MM => {
-            ways.into_iter().map(|it| Way::of(stroke, it)).collect()
-        }
-        _ => vec![Way {
-            stroke: joined(stroke, simplified(stroke, radius_mm)),
-            path: Vec::new(),
-            about_s: 0.0,
-        }],
+    let path = if radius_mm > MIN_VECTOR_MM {
+        fewest(&corridor(stroke, radius_mm))
+    } else {
+        None
+    };
+    let points = match &path {
+        Some(path) => places(path),
+        None => simplified_without_specks(stroke, radius_mm),
+    };
+    Way {
+        stroke: joined(stroke, points),
+        path: path.unwrap_or_default(),
+        about_s: 0.0,
     }
+}
+
+/// The ways that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best. The one
+/// with the fewest vectors is given. Without `all` one of each kind is looked for.
+pub(crate) fn fast_ways_at(
+    stroke: &Stroke,
+    tolerance_mm: f64,
+    fewest: Way,
+    pace: &Pace,
+    all: bool,
+) -> Vec<Way> {
+    if fewest.path.is_empty() {
+        return vec![fewest];
+    }
+    let ways = fast_ways(
+        corridor(stroke, tolerance_mm - SLACK_MM),
+        fewest.path,
+        pace,
+        all,
+    );
+    ways.into_iter().map(|it| Way::of(stroke, it)).collect()
 }
 
 /// A way that was planned.
@@ -139,13 +162,8 @@ fn places(path: &[Corner]) -> Vec<Point> {
     path.iter().map(|corner| corner.at).collect()
 }
 
-fn simplified(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
-    if tolerance_mm > MIN_VECTOR_MM
-        && let Some(path) = fewest(&Corridor::new(&stroke.points, stroke.closed, tolerance_mm))
-    {
-        return places(&path);
-    }
-    // Specks can leave no way but a vector that is too short.
+/// The fewest vectors within a tolerance where specks leave no way but a vector that is too short.
+fn simplified_without_specks(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
     let points = without_specks(&stroke.points);
     if tolerance_mm <= 2.0 * MIN_VECTOR_MM || points.len() < 3 {
         return points;
@@ -287,13 +305,23 @@ mod tests {
         plan.duration_s()
     }
 
+    fn fast_ways(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Vec<Way> {
+        fast_ways_at(
+            stroke,
+            tolerance_mm,
+            fewest_at(stroke, tolerance_mm),
+            pace,
+            true,
+        )
+    }
+
     #[test]
     fn a_coarser_tolerance_is_not_slower_than_a_finer_one() {
         for (seed, pace) in (1..=6).zip([pace(100.0, 40.0), pace(200.0, 100.0)].iter().cycle()) {
             let stroke = wander(seed);
             // The plan decides between the ways, as it does for a drawing.
             let fastest_s = |tolerance_mm| {
-                let ways = fast_ways_at(&stroke, tolerance_mm, pace, true).into_iter();
+                let ways = fast_ways(&stroke, tolerance_mm, pace).into_iter();
                 let fewest = [0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm));
                 let ways = ways.map(|it| it.stroke).chain(fewest);
                 ways.map(|way| planned_s(&way, pace))
@@ -322,7 +350,7 @@ mod tests {
         let arc = Stroke::open((0..1500).map(at).collect());
         let pace = pace(100.0, 40.0);
         // The first of them is fast at the begin, the second one at the end.
-        let mut ways = fast_ways_at(&arc, 0.05, &pace, true).into_iter();
+        let mut ways = fast_ways(&arc, 0.05, &pace).into_iter();
         let two = [ways.next(), ways.next()].map(|it| it.expect("a way"));
         let count = |way: &Way| way.stroke.points.len() - 1;
         let (first, second) = (count(&two[0]), count(&two[1]));
@@ -445,7 +473,7 @@ mod tests {
         ) {
             let stroke = walk(&steps, closed);
             let pace = pace(100.0, speed_mm_s);
-            let ways = fast_ways_at(&stroke, tolerance, &pace, true);
+            let ways = fast_ways(&stroke, tolerance, &pace);
             // As if each way were the fastest one somewhere else.
             let planned: Vec<PlannedWay> = ways.iter().enumerate().map(|(n, way)| PlannedWay {
                 durations_s: (1..way.stroke.points.len()).map(|i| if (i + n) % 3 == 0 { 0.1 } else { 1.0 }).collect(),

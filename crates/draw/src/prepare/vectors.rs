@@ -6,7 +6,7 @@ use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, acceleration};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
-use crate::simplify::{PlannedWay, Way, fast_ways_at, simplify, spliced_at};
+use crate::simplify::{PlannedWay, Way, fast_ways_at, fewest_at, spliced_at};
 
 /// How much of a drawing may still be planned to find the fastest vectors.
 #[derive(Debug)]
@@ -46,9 +46,9 @@ pub(super) fn simplified(
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let strokes = pass.strokes.iter().map(|it| {
         settings.give_up.check()?;
-        let fewest = simplify(it, tolerance_mm);
-        let simple = if pass.tool.burns() || fewest.points.len() == it.points.len() {
-            fewest
+        let fewest = fewest_at(it, tolerance_mm);
+        let simple = if pass.tool.burns() || fewest.stroke.points.len() == it.points.len() {
+            fewest.stroke
         } else {
             faster(it, fewest, pass.tool, settings, trials)
         };
@@ -68,23 +68,24 @@ pub(super) fn simplified(
 /// ticks, the fewest, the fewest within half of the tolerance, or the best parts of these. In a long drawing the last strokes are only estimated.
 fn faster(
     stroke: &Stroke,
-    fewest: Stroke,
+    fewest: Way,
     tool: DrawingTool,
     settings: &Settings,
     trials: &mut Trials,
 ) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let pace = Pace::of(&settings.machine, &tool);
-    let tries = trials.take(&fewest, settings.machine.has_ticks);
-    let ways = fast_ways_at(stroke, tolerance_mm, &pace, tries);
+    let tries = trials.take(&fewest.stroke, settings.machine.has_ticks);
+    let few = fewest.stroke.clone();
+    let ways = fast_ways_at(stroke, tolerance_mm, fewest, &pace, tries);
     if !tries {
         let soonest = ways
             .into_iter()
             .min_by(|a, b| a.about_s.total_cmp(&b.about_s));
-        return soonest.map_or(fewest, |it| it.stroke);
+        return soonest.map_or(few, |it| it.stroke);
     }
-    if ways.iter().all(|it| it.stroke == fewest) {
-        return fewest;
+    if ways.iter().all(|it| it.stroke == few) {
+        return few;
     }
     let mut tried = Tried {
         tool,
@@ -101,7 +102,7 @@ fn faster(
         }
     }
     let best = tried.planned.into_iter().nth(tried.best.1);
-    best.map_or(fewest, |it| it.way.stroke)
+    best.map_or(few, |it| it.way.stroke)
 }
 
 /// The ways of a stroke that were planned.
@@ -172,7 +173,7 @@ mod tests {
         let arc = Stroke::open((0..2000).map(at).collect());
         let mut settings = Settings::default();
         settings.machine.has_ticks = true;
-        let fewest = simplify(&arc, 0.045);
+        let fewest = fewest_at(&arc, 0.045);
         let planned_s = |way: Stroke| {
             let pass = Pass::new(settings.tool, vec![way]);
             let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
@@ -187,7 +188,7 @@ mod tests {
         };
         let ((tried_s, left), (estimated_s, none)) = (chosen(100_000), chosen(0));
         assert!(left < 100_000 && none == 0);
-        let few_s = planned_s(fewest.clone());
+        let few_s = planned_s(fewest.stroke.clone());
         assert!(
             tried_s <= few_s && tried_s <= estimated_s,
             "{tried_s}, {few_s}, {estimated_s} s"

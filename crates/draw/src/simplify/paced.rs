@@ -20,18 +20,21 @@ use super::timed::{Course, FEW_SIDES, SIDES};
 /// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
 /// without vectors that are too short.
 pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
-    Some(Found::new(&mut corridor, pace)?.best.path)
+    let path = fewest(&corridor)?;
+    Some(Found::new(&mut corridor, path, pace).best.path)
 }
 
-/// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, and the one with the
-/// fewest within half of the tolerance. Only a plan tells which is the fastest. Without `all` one of each kind is looked for.
+/// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, which is given, and
+/// the one with the fewest within half of the tolerance. Only a plan tells which is the fastest. Without `all` one of each kind
+/// is looked for.
 pub(super) fn fast_ways(
     mut corridor: Corridor<'_>,
+    fewest: Vec<Corner>,
     pace: &Pace,
     all: bool,
-) -> Option<Vec<FastWay>> {
-    let most_mm = corridor.radii.first().copied()?;
-    let mut found = Found::new(&mut corridor, pace)?;
+) -> Vec<FastWay> {
+    let most_mm = corridor.radii[0];
+    let mut found = Found::new(&mut corridor, fewest, pace);
     let mut timed = Vec::new();
     if found.is_curved {
         corridor.radii.fill(most_mm / FINE);
@@ -43,7 +46,7 @@ pub(super) fn fast_ways(
     let mut ways = vec![FastWay::from(found.best)];
     ways.extend(timed);
     ways.extend(found.plain.into_iter().map(FastWay::from));
-    Some(ways)
+    ways
 }
 
 /// A path that may be the fastest.
@@ -76,10 +79,10 @@ struct Found {
 
 impl Found {
     /// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
-    /// slower than a smaller one.
-    fn new(corridor: &mut Corridor<'_>, pace: &Pace) -> Option<Self> {
-        let mut most_mm = corridor.radii.first().copied()?;
-        let mut here = Attempt::new(corridor, pace)?;
+    /// slower than a smaller one. The path with the fewest vectors is given.
+    fn new(corridor: &mut Corridor<'_>, fewest: Vec<Corner>, pace: &Pace) -> Self {
+        let mut most_mm = corridor.radii[0];
+        let mut here = Attempt::of(fewest, corridor, pace);
         let mut found = Self {
             best: here.clone(),
             smoothest: here.clone(),
@@ -92,20 +95,23 @@ impl Found {
             if found.plain.len() < 2 {
                 found.plain.push(here.clone());
             }
-            found.best = found.best.or(here);
+            found.best = found.best.or(here.clone());
             if !curved {
                 break;
             }
             found.is_curved = true;
-            found.best = rounds(corridor, most_mm, pace, found.best);
+            found.best = rounds(corridor, most_mm, pace, here, found.best);
             most_mm *= 0.5;
             if most_mm < NARROWEST * MIN_VECTOR_MM {
                 break;
             }
             corridor.radii.fill(most_mm);
-            here = Attempt::new(corridor, pace)?;
+            let Some(next) = Attempt::new(corridor, pace) else {
+                break;
+            };
+            here = next;
         }
-        Some(found)
+        found
     }
 
     /// Paths whose vectors take whole ticks: at speeds as the arm's fastest motion has them, or the link's, or somewhat lower
@@ -146,12 +152,15 @@ impl Found {
     }
 }
 
-/// Makes a corridor that is as wide everywhere as narrow as is best, a few times. What is best of
-/// its paths and the one given.
-fn rounds(corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace, mut best: Attempt) -> Attempt {
-    let Some(mut last) = Attempt::new(corridor, pace) else {
-        return best;
-    };
+/// Makes a corridor that is as wide everywhere as narrow as is best, a few times; the path that was found in it so far is `last`.
+/// What is best of its paths and the one given.
+fn rounds(
+    corridor: &mut Corridor<'_>,
+    most_mm: f64,
+    pace: &Pace,
+    mut last: Attempt,
+    mut best: Attempt,
+) -> Attempt {
     for periods in ROUNDS {
         if !last.narrow(corridor, most_mm, periods * pace.link.period_s) {
             break;
@@ -178,19 +187,24 @@ struct Attempt {
 }
 
 impl Attempt {
+    /// The fewest vectors in a corridor.
     fn new(corridor: &Corridor<'_>, pace: &Pace) -> Option<Self> {
-        let path = fewest(corridor)?;
+        Some(Self::of(fewest(corridor)?, corridor, pace))
+    }
+
+    /// A path in a corridor.
+    fn of(path: Vec<Corner>, corridor: &Corridor<'_>, pace: &Pace) -> Self {
         let increments = path.windows(2).map(|pair| {
             let way = pair[1].at - pair[0].at;
             [way.x, way.y, 0.0]
         });
         let durations_s = pace.durations_s(increments);
-        Some(Self {
+        Self {
             time_s: pace.time_s(&durations_s),
             durations_s,
             width_mm: corridor.radii.iter().sum(),
             path,
-        })
+        }
     }
 
     /// The one that the arm alone takes less time for; this one if they are about as fast.
