@@ -41,6 +41,8 @@ pub(super) struct Run {
     /// The next command to be given to the session.
     next: usize,
     permit: Permit,
+    /// As it was found last.
+    reach: Option<Reach>,
     speeds: Speeds,
     /// Given to the session and not over.
     given: VecDeque<SentCommand>,
@@ -102,6 +104,13 @@ enum ToolHeight {
     Above(Command),
     Lowering(CommandId, Command),
     Down,
+}
+
+/// How far the journal may be asked to let a job go on of which so many commands are done.
+#[derive(Clone, Copy, Debug)]
+struct Reach {
+    completed: usize,
+    upto: usize,
 }
 
 /// Since when a job runs, and when its last command was over.
@@ -179,6 +188,7 @@ impl Run {
             from,
             next: completed,
             permit: Permit::new(completed, kept),
+            reach: None,
             speeds,
             given: VecDeque::new(),
             left: CarriedOver::default(),
@@ -335,17 +345,23 @@ impl Run {
         }
     }
 
-    /// How far the journal may be asked to let the job go on.
-    fn window_end(&self, status: &Status) -> usize {
-        let Begun {
-            plan,
-            dialect,
-            completed,
-            ..
-        } = &self.begun;
-        let model = model_at(*dialect, plan.told_before(*completed), &self.certain())
-            .unwrap_or_else(|| Model::new(*dialect, status));
-        window_end(plan.commands(), *completed, &model, plan.lift(), WINDOW)
+    /// How far the journal may be asked to let the job go on. It changes only with what is done, and with the plan.
+    fn window_end(&mut self, status: &Status) -> usize {
+        let completed = self.begun.completed;
+        if let Some(known) = self.reach.filter(|it| it.completed == completed) {
+            return known.upto;
+        }
+        let (plan, dialect) = (&self.begun.plan, self.begun.dialect);
+        let model = model_at(dialect, plan.told_before(completed), &self.certain());
+        let end = |model| window_end(plan.commands(), completed, model, plan.lift(), WINDOW);
+        match &model {
+            Some(model) => {
+                let upto = end(model);
+                self.reach = Some(Reach { completed, upto });
+                upto
+            }
+            None => end(&Model::new(dialect, status)),
+        }
     }
 
     /// The arm as the first command that is not over finds it.

@@ -49,6 +49,7 @@ impl Run {
         let (plan, change) = self.at_height(offset_mm);
         plan.check_lowest(policy, change.from)?;
         self.begun.plan = plan;
+        self.reach = None;
         self.note_height(change);
         self.change_speeds();
         self.permit.wait_for(self.begun.adjustment.clone());

@@ -52,6 +52,7 @@ impl Run {
     fn go_back(&mut self, back: usize) {
         self.next -= back;
         self.permit.go_back(back);
+        self.reach = None;
         self.speeds.go_back(back);
         for given in &mut self.given {
             given.index -= back;
