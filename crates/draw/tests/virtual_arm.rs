@@ -147,6 +147,30 @@ fn the_estimate_is_what_the_arm_takes_and_the_pen_stays_on_the_path() {
 }
 
 #[test]
+fn an_arm_is_where_it_should_be_behind_ten_thousand_vectors() {
+    // 250 waves of 40 vectors, of lengths that no other has.
+    let wave = |n: u32| {
+        let at = |i: u32| {
+            let (x, y) = (f64::from(i) * 0.7 + f64::from(n) * 0.013, f64::from(n % 17));
+            Point::new(180.0 + x, 5.0 * y - 40.0 + (x * 1.7).sin())
+        };
+        Stroke::open((0..=40).map(at).collect())
+    };
+    for personality in Personality::ALL {
+        let waves: Vec<Stroke> = (0..250).map(wave).collect();
+        let wanted = waves[249].last();
+        let plan = plan(DrawingTool::default(), waves, personality);
+        let commands: Vec<Command> = plan.commands().collect();
+        assert!(commands.len() > 10_000);
+        let seen = drive(&commands, personality, plan.start);
+        let [x, y, _] = seen[seen.len() - 1].place;
+        let wanted = wanted.expect("points");
+        let off_mm = Point::new(x, y).distance(wanted);
+        assert!(off_mm < 0.0005, "{personality:?}: {off_mm} mm");
+    }
+}
+
+#[test]
 fn a_stock_arm_draws_the_path_at_any_speed() {
     let personality = Personality::Firmware11;
     let plan = plan(DrawingTool::default(), strokes(), personality);

@@ -1,7 +1,9 @@
 //! How a stock arm cuts a vector into ticks (note N48).
 
-use dobot_arm::TICK;
 use dobot_arm::stock::short;
+
+use crate::Gait;
+use crate::gait::{TICK_S, added};
 
 /// How a stock arm runs a vector: so many ticks faster each, so many as fast, so many slower.
 ///
@@ -122,6 +124,17 @@ impl Cut {
         self.speeds_mm_s().map(|it| it * TICK_S).sum()
     }
 
+    /// How far a vector with these increments, which is cut like this, leads, in mm: rounding included.
+    #[must_use]
+    pub fn leads_mm(&self, vector_mm: [f32; 3], length_mm: f32) -> [f32; 3] {
+        let mut gait = Gait::default();
+        gait.begin(Some(self));
+        for _ in 0..self.ticks() {
+            gait = gait.tick(vector_mm, length_mm, self.change_mm_s);
+        }
+        gait.travelled_mm()
+    }
+
     /// Whether the vector becomes as long as it should. Where more than one step of speed is left
     /// to spread, the controller spreads one step and is off the way.
     #[must_use]
@@ -162,12 +175,6 @@ fn ramps(length: f32, [begin, end, max]: [f32; 3], acceleration: f32) -> (f32, i
     }
 }
 
-/// In sixteen bits, as the stock processor adds.
-fn added(counts: [i16; 3]) -> i16 {
-    counts.into_iter().fold(0, i16::wrapping_add)
-}
-
-const TICK_S: f32 = TICK.as_secs_f32();
 /// How much of a step is spared, for rounding.
 const SPARE: f32 = 1e-5;
 

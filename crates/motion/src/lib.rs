@@ -30,6 +30,7 @@
 #![no_std]
 
 mod cut;
+mod gait;
 mod joint_move;
 mod jump;
 mod line_move;
@@ -41,6 +42,7 @@ mod speeds;
 mod stroke;
 
 pub use cut::Cut;
+pub use gait::Gait;
 pub use joint_move::JointMove;
 pub use jump::Jump;
 pub use line_move::LineMove;

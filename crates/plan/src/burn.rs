@@ -27,11 +27,16 @@ impl Planner<'_> {
         };
         let mut lead = SwitchLead::at_speed(laser, self.machine);
         let begin = self.moves.len();
-        let before = (self.here, self.chain_speeds.clone(), self.ticker.clone());
+        let before = (
+            self.here,
+            self.settled.clone(),
+            self.chain_speeds.clone(),
+            self.ticker.clone(),
+        );
         let mut best = (f64::INFINITY, lead);
         for left in (0..BURN_ROUNDS).rev() {
             self.burn_once(&points, laser, lead);
-            let Some(ticker) = &before.2 else {
+            let Some(ticker) = &before.3 else {
                 break;
             };
             let found = self.lead(begin, ticker.clone());
@@ -49,7 +54,7 @@ impl Planner<'_> {
                 lead.half_way(found)
             };
             self.moves.truncate(begin);
-            (self.here, self.chain_speeds, self.ticker) = before.clone();
+            (self.here, self.settled, self.chain_speeds, self.ticker) = before.clone();
         }
         self.stroke += 1;
     }

@@ -2,28 +2,50 @@
 
 use dobot_arm::stock;
 
-use crate::{DrawingTool, Machine};
+use crate::commands::write;
+use crate::ticker::Ticker;
+use crate::{DrawingTool, Machine, PlannedVector};
 
-/// Where a vector leads: exactly its increments further, or to where a stock arm takes itself to
-/// be then.
-#[derive(Clone, Copy, Debug)]
+/// Where vectors lead: exactly their increments further, or to where a stock arm takes itself to be then.
+#[derive(Clone, Debug)]
 pub(super) struct Landing {
-    /// How far the tool reaches beyond the wrist, where the arm is a stock arm.
-    stock_tool_mm: Option<f32>,
+    stock: Option<StockLanding>,
+}
+
+#[derive(Clone, Debug)]
+struct StockLanding {
+    /// How far the tool reaches beyond the wrist.
+    tool_mm: f32,
+    /// What the arm carries over from vector to vector.
+    ticker: Ticker,
 }
 
 impl Landing {
     pub(super) fn new(machine: &Machine, tool: &DrawingTool) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "as the arm holds it")]
-        let stock_tool_mm = machine.has_ticks.then_some(tool.reach_mm() as f32);
-        Self { stock_tool_mm }
+        let tool_mm = tool.reach_mm() as f32;
+        let stock = |ticker| StockLanding { tool_mm, ticker };
+        Self {
+            stock: Ticker::of(machine, 0.0).map(stock),
+        }
     }
 
-    /// Where these increments lead from here, in mm.
-    pub(super) fn of(self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
-        match self.stock_tool_mm {
-            Some(tool_mm) => stock::behind(here, way, tool_mm),
+    /// Where these increments lead from here, in mm, as far as is known without their speeds.
+    pub(super) fn about(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
+        match &self.stock {
+            Some(it) => stock::behind(here, way, it.tool_mm),
             None => [0, 1, 2].map(|i| here[i] + f64::from(way[i])),
         }
+    }
+
+    /// Where the next vector leads from here, in mm. A stock arm adds up its ticks in single precision: what that makes of a
+    /// vector differs by a millionth of a millimetre, thousands of times in the same direction.
+    pub(super) fn behind(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
+        let way = [vector.x_mm, vector.y_mm, vector.z_mm];
+        let way = match &mut self.stock {
+            Some(it) => it.ticker.leads_mm(&write(vector)),
+            None => way,
+        };
+        self.about(here, way)
     }
 }

@@ -71,6 +71,7 @@ impl Planner<'_> {
         self.lone.speeds.drain(..planned);
         self.lone.most_mm_s.drain(..planned);
         self.ticker = Some(ticker);
+        self.settle(begin + planned);
     }
 }
 

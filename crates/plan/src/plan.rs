@@ -103,9 +103,9 @@ impl Plan {
 
     /// Where each vector leads: X, Y, Z in the base frame, in mm.
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
-        let landing = Landing::new(&self.machine, &self.passes[0].tool);
+        let mut landing = Landing::new(&self.machine, &self.passes[0].tool);
         self.moves.iter().scan(self.start, move |here, vector| {
-            *here = landing.of(*here, [vector.x_mm, vector.y_mm, vector.z_mm]);
+            *here = landing.behind(*here, vector);
             Some(*here)
         })
     }

@@ -29,7 +29,7 @@ pub(super) struct Planner<'a> {
     pub(super) lone: LoneVectors,
     /// Where the vectors so far lead, rounding included.
     pub(super) here: [f64; 3],
-    landing: Landing,
+    pub(super) settled: Settled,
     /// What matters: of a pen that it is over soon.
     aim: Aim,
     joints: JointSpeeds,
@@ -56,7 +56,11 @@ impl<'a> Planner<'a> {
             last_places: LastPlaces::default(),
             lone: LoneVectors::default(),
             here: start,
-            landing: Landing::new(machine, tool),
+            settled: Settled {
+                landing: Landing::new(machine, tool),
+                count: 0,
+                here: start,
+            },
             aim: Aim::of(tool),
             joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
             moves: Vec::new(),
@@ -127,7 +131,7 @@ impl<'a> Planner<'a> {
         if length(way) < self.least_vector_mm(kind) {
             return;
         }
-        self.here = self.landing.of(here, [x_mm, y_mm, z_mm]);
+        self.here = self.settled.landing.about(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
         self.chain.push(ChainVector::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
@@ -226,9 +230,23 @@ impl Planner<'_> {
         }
         it.ticker
             .set(&mut self.moves[it.begin..], &attempt.speeds, &attempt.fits);
+        self.settle(self.moves.len());
         self.last_places = self.last_places.behind(&self.chain, &attempt.fits);
         self.ticker = Some(it.ticker);
         self.chain_speeds = attempt.chain_speeds;
+    }
+
+    /// The speeds of the first `count` vectors are planned, so where they lead is known to the last digit. Those to come begin
+    /// there.
+    pub(super) fn settle(&mut self, count: usize) {
+        let settled = &mut self.settled;
+        for vector in &self.moves[settled.count..count] {
+            settled.here = settled.landing.behind(settled.here, vector);
+        }
+        settled.count = count;
+        self.here = self.moves[count..].iter().fold(settled.here, |here, it| {
+            settled.landing.about(here, [it.x_mm, it.y_mm, it.z_mm])
+        });
     }
 
     fn attempt(&mut self, it: &InTicks, breadth: Breadth) -> Attempt {
@@ -306,6 +324,15 @@ impl Planner<'_> {
             self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
         }
     }
+}
+
+/// The vectors whose speeds are planned, on an arm with ticks.
+#[derive(Clone, Debug)]
+pub(super) struct Settled {
+    landing: Landing,
+    count: usize,
+    /// Where they lead.
+    here: [f64; 3],
 }
 
 /// The chain that ends, for an arm with ticks.

@@ -111,6 +111,12 @@ impl Ticker {
         cut
     }
 
+    /// How far the arm gets with a vector behind those before, in mm.
+    pub(super) fn leads_mm(&mut self, vector: &WriteVector) -> [f32; 3] {
+        let way = [vector.x_mm, vector.y_mm, vector.z_mm];
+        self.run(vector).leads_mm(way, length(vector))
+    }
+
     /// Whether the arm makes each of these vectors as long as it should be.
     pub(super) fn runs_true(&self, vectors: &[WriteVector]) -> bool {
         let mut stored_mm_s = self.stored_mm_s;

@@ -1,11 +1,11 @@
 //! State 4 of the stock controller: writing and laser (note N48).
 
 use dobot_arm::stock::short;
-use dobot_motion::Cut;
+use dobot_motion::{Cut, Gait};
 use dobot_wire::Frame;
 
 use super::TickOutcome;
-use super::body::{Body, PERIOD_S};
+use super::body::Body;
 use super::line::moved;
 use super::settings::StockSettings;
 use crate::Hang;
@@ -26,17 +26,6 @@ pub(crate) struct Write {
     gait: Gait,
     /// What the next tick will make of it, calculated a tick ahead.
     next: Option<Gait>,
-}
-
-/// How far a vector has been gone, and how it goes on.
-#[derive(Clone, Copy, Debug, Default)]
-struct Gait {
-    /// Ticks left that accelerate, go on as fast, and decelerate.
-    counts: [i16; 3],
-    speed: f32,
-    /// How far the last tick went.
-    step: f32,
-    travelled: [f32; 3],
 }
 
 impl Write {
@@ -88,17 +77,15 @@ impl Write {
             }
         }
         self.start = [body.pose.x_mm, body.pose.y_mm, body.pose.z_mm];
-        self.gait.travelled = [0.0; 3];
         self.next = None;
         let (end, max) = (f(9), f(10));
         if self.length <= NO_LENGTH_MM {
-            self.gait.counts = [0; 3];
+            self.gait.begin(None);
             self.end_speed = if end > max { max } else { end };
             return;
         }
         let cut = Cut::of(self.length, self.stored_speed, end, max, self.acceleration);
-        self.gait.counts = cut.counts;
-        self.gait.speed = cut.first_mm_s;
+        self.gait.begin(Some(&cut));
         self.speed_change = cut.change_mm_s;
         self.end_speed = cut.end_mm_s;
     }
@@ -109,7 +96,7 @@ impl Write {
         self.gait = self.next.unwrap_or_else(|| self.step(self.gait));
         let left = self.gait.ticks_left();
         self.next = (left != 0).then(|| self.step(self.gait));
-        let place = |it: &Gait| moved(self.start, it.travelled);
+        let place = |it: &Gait| moved(self.start, it.travelled_mm());
         if !body.advance_along(place(&self.gait), self.next.as_ref().map(place)) {
             return TickOutcome::over(false);
         }
@@ -121,31 +108,8 @@ impl Write {
     }
 
     /// A tick further.
-    fn step(&self, mut gait: Gait) -> Gait {
-        let [up, even, down] = &mut gait.counts;
-        if *up > 0 {
-            *up -= 1;
-            gait.step = gait.speed * PERIOD_S;
-            gait.speed += self.speed_change;
-        } else if *even > 0 {
-            *even -= 1;
-            gait.step = gait.speed * PERIOD_S;
-        } else if *down > 0 {
-            *down -= 1;
-            gait.speed -= self.speed_change;
-            gait.step = gait.speed * PERIOD_S;
-        }
-        for (travelled, part) in gait.travelled.iter_mut().zip(self.vector) {
-            *travelled += part * gait.step / self.length;
-        }
-        gait
-    }
-}
-
-impl Gait {
-    /// A sum below zero never comes to zero: such a vector creeps on for ever.
-    fn ticks_left(&self) -> i16 {
-        self.counts.into_iter().fold(0, i16::wrapping_add)
+    fn step(&self, gait: Gait) -> Gait {
+        gait.tick(self.vector, self.length, self.speed_change)
     }
 }
 
