@@ -77,7 +77,8 @@ readonly OTHER_STEPS=(
 
 # The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
 # whose files, unchanged here, keep it.
-readonly LICENCES='(MIT OR Apache-2.0) AND Unicode-3.0
+readonly LICENCES='(Apache-2.0 OR MIT) AND BSD-3-Clause
+(MIT OR Apache-2.0) AND Unicode-3.0
 0BSD OR MIT OR Apache-2.0
 Apache-2.0
 Apache-2.0 / MIT

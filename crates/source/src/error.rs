@@ -53,6 +53,14 @@ pub enum SourceError {
         /// From 1.
         line: usize,
     },
+    /// A text in an encoding that cannot be read.
+    #[error("the file says that it is in {name:?}, {problem}; save it as UTF-8")]
+    Encoding {
+        /// The encoding.
+        name: String,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
     /// An SVG file that cannot be drawn.
     #[error(transparent)]
     Svg(#[from] SvgError),

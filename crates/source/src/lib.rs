@@ -19,6 +19,7 @@ mod artwork;
 mod clip;
 mod dash;
 mod dxf;
+mod encoding;
 mod error;
 mod fonts;
 mod frame;

@@ -7,7 +7,7 @@ use crate::error::SourceError;
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
-use crate::{dxf, gcode, hpgl, kind, lightburn, packed, picture, points, svg};
+use crate::{dxf, encoding, gcode, hpgl, kind, lightburn, packed, picture, points, svg};
 
 /// Something to be drawn, not yet read.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,10 +41,10 @@ impl Source {
     /// # Errors
     ///
     /// [`SourceError::UnknownKind`] where neither tells, [`SourceError::NotText`] where a text file
-    /// holds no text, [`SourceError::Foreign`] for what other programs make a drawing of, and
+    /// holds no text, [`SourceError::Encoding`], [`SourceError::Foreign`] for what other programs make a drawing of, and
     /// [`SourceError::Packed`].
     pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
-        let bytes = packed::unpacked(bytes)?;
+        let bytes = encoding::in_utf8(packed::unpacked(bytes)?)?;
         kind::refuse_foreign(&bytes)?;
         let unpacked = name.strip_suffix(".gz").unwrap_or(name);
         let ending = unpacked.rsplit_once('.').map_or("", |(_, ending)| ending);

@@ -28,7 +28,7 @@ pub enum SvgError {
         found: String,
     },
     /// An attribute that does not read as what it must be. Browsers stop drawing the shape here.
-    #[error("{place}: {attribute} of <{element}> holds {found:?}; expected {expected}")]
+    #[error("{place}: {attribute} of <{element}> {found}; expected {expected}")]
     BadValue {
         /// Where the value goes wrong.
         place: Place,
@@ -36,7 +36,7 @@ pub enum SvgError {
         attribute: String,
         /// The element's name.
         element: String,
-        /// The text from there on, shortened.
+        /// The text that it holds from there on, shortened, or behind which it ends.
         found: String,
         /// What is allowed there.
         expected: &'static str,

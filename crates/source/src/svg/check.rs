@@ -194,9 +194,21 @@ fn bad_value(
         place: doc.text_pos_at(range.start + offset).into(),
         attribute: attribute.name().to_owned(),
         element: node.tag_name().name().to_owned(),
-        found: shortened(&value[problem.at..]),
+        found: found(value, problem.at),
         expected: problem.expected,
     }
+}
+
+/// What a value holds at a place, or behind what it ends too soon.
+fn found(value: &str, at: usize) -> String {
+    let (read, rest) = value.split_at(at);
+    if !rest.is_empty() || read.is_empty() {
+        return format!("holds {:?}", shortened(rest));
+    }
+    let last: Vec<char> = read.chars().rev().take(FOUND_CHARACTERS).collect();
+    let last: String = last.into_iter().rev().collect();
+    let cut = if last.len() < read.len() { "…" } else { "" };
+    format!("ends behind {:?}", format!("{cut}{last}"))
 }
 
 fn shortened(text: &str) -> String {

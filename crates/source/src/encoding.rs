@@ -1,0 +1,110 @@
+//! Texts in another encoding than UTF-8 that say so: by a mark at their begin, or in the first line of an XML file.
+
+use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
+
+use crate::error::SourceError;
+
+/// The same file in UTF-8, if it says that it is in something else; any other stays as it is.
+pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
+    let Some(encoding) = encoding_of(&bytes)? else {
+        return Ok(bytes);
+    };
+    let mark = Encoding::for_bom(&bytes).map_or(0, |it| it.1);
+    let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
+    match text {
+        Some(text) => Ok(text.into_owned().into_bytes()),
+        None => Err(SourceError::Encoding {
+            name: encoding.name().to_owned(),
+            problem: "and holds what is none of its letters",
+        }),
+    }
+}
+
+/// What a file is in, if not in UTF-8.
+fn encoding_of(bytes: &[u8]) -> Result<Option<&'static Encoding>, SourceError> {
+    let encoding = match Encoding::for_bom(bytes) {
+        Some((encoding, _)) => encoding,
+        None if bytes.starts_with(b"<\0?\0") => UTF_16LE,
+        None if bytes.starts_with(b"\0<\0?") => UTF_16BE,
+        None => declared(bytes)?,
+    };
+    Ok((encoding != UTF_8).then_some(encoding))
+}
+
+/// What an XML file tells in its first line. Where that can be read as it is, it is not in sixteen bits.
+fn declared(bytes: &[u8]) -> Result<&'static Encoding, SourceError> {
+    let start = String::from_utf8_lossy(&bytes[..bytes.len().min(MOST_OF_A_FIRST_LINE)]);
+    let line = start.strip_prefix("<?xml");
+    let line = line.and_then(|it| it.split_once("?>")).map(|it| it.0);
+    let value = line.and_then(|it| it.split_once("encoding")).map(|it| it.1);
+    let Some(quoted) = value.and_then(|it| it.trim_start().strip_prefix('=')) else {
+        return Ok(UTF_8);
+    };
+    let name = quoted.split(['"', '\'']).nth(1).unwrap_or_default();
+    match Encoding::for_label(name.as_bytes()) {
+        Some(encoding) if encoding == UTF_16LE || encoding == UTF_16BE => Ok(UTF_8),
+        Some(encoding) => Ok(encoding),
+        None => Err(SourceError::Encoding {
+            name: name.to_owned(),
+            problem: "which is not known",
+        }),
+    }
+}
+
+const MOST_OF_A_FIRST_LINE: usize = 256;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn read(bytes: &[u8]) -> String {
+        String::from_utf8(in_utf8(bytes.to_vec()).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn an_xml_file_is_read_in_the_encoding_that_it_tells() {
+        let latin = b"<?xml version=\"1.0\" encoding='ISO-8859-1'?><svg id=\"K\xfcche\"/>";
+        assert!(read(latin).ends_with("<svg id=\"Küche\"/>"));
+        let cyrillic = b"<?xml version=\"1.0\" encoding = \"windows-1251\" ?><svg id=\"\xc4\"/>";
+        assert!(read(cyrillic).ends_with("<svg id=\"Д\"/>"));
+    }
+
+    #[test]
+    fn a_text_in_sixteen_bits_is_read_with_a_mark_and_without_one() {
+        let text = "<?xml version=\"1.0\" encoding=\"UTF-16\"?><svg id=\"Küche\"/>";
+        let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let big: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
+        for (mark, bytes) in [(&b"\xff\xfe"[..], &little), (b"\xfe\xff", &big)] {
+            assert_eq!(read(bytes), text);
+            assert_eq!(read(&[mark, bytes].concat()), text);
+        }
+        // Some programs keep the old first line when they save it as UTF-8.
+        assert_eq!(read(text.as_bytes()), text);
+    }
+
+    #[test]
+    fn what_tells_no_encoding_stays_as_it_is() {
+        let plain: [&[u8]; 4] = [b"", b"G1 X1 (Fr\xe4ser)", b"<svg/>", b"<?xml encoding"];
+        for bytes in plain {
+            assert_eq!(in_utf8(bytes.to_vec()).unwrap(), bytes);
+        }
+    }
+
+    #[test]
+    fn an_encoding_that_is_not_known_or_not_kept_to_is_told() {
+        for (bytes, told) in [
+            (
+                &b"<?xml encoding=\"klingon\"?><svg/>"[..],
+                "the file says that it is in \"klingon\", which is not known; save it as UTF-8",
+            ),
+            (
+                b"<?xml encoding=\"shift_jis\"?><svg id=\"\x81\"/>",
+                "the file says that it is in \"Shift_JIS\", and holds what is none of its letters; save it as UTF-8",
+            ),
+        ] {
+            let error = in_utf8(bytes.to_vec()).unwrap_err();
+            assert_eq!(error.to_string(), told);
+        }
+    }
+}
