@@ -1,5 +1,6 @@
 //! A plan in the words of the protocol.
 
+use dobot_arm::Limits;
 use dobot_wire::{
     Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, WriteMode, WriteVector,
     single,
@@ -47,13 +48,31 @@ pub(crate) fn approach(plan: &Plan) -> [Command; APPROACH_LEN] {
     [LASER_OFF.into(), tool.into(), acceleration.into()]
 }
 
-/// To where the first vector begins.
+/// To where the first vector begins. The tool keeps its rotation on all vectors, so the servo turns against the base: it begins
+/// in its middle, unless that is too far from its end somewhere.
 pub(crate) fn to_start(plan: &Plan) -> MoveTo {
     let [x_mm, y_mm, z_mm] = plan.start.map(single);
+    let begin_deg = y_mm.atan2(x_mm).to_degrees();
+    let [least_deg, most_deg] = base_span_deg(plan);
+    let turns_deg = (most_deg - begin_deg).max(begin_deg - least_deg);
+    let is_far = f64::from(turns_deg) > SERVO_DEG;
     MoveTo {
-        rotation_deg: y_mm.atan2(x_mm).to_degrees(),
+        rotation_deg: if is_far {
+            0.5 * (least_deg + most_deg)
+        } else {
+            begin_deg
+        },
         ..MoveTo::to(x_mm, y_mm, z_mm)
     }
+}
+
+/// Between which angles the base turns, in degrees; no way leads behind it.
+fn base_span_deg(plan: &Plan) -> [f32; 2] {
+    let places = std::iter::once(plan.start).chain(plan.positions());
+    let bases_deg = places.map(|[x, y, _]| single(y.atan2(x).to_degrees()));
+    bases_deg.fold([f32::INFINITY, f32::NEG_INFINITY], |[least, most], it| {
+        [least.min(it), most.max(it)]
+    })
 }
 
 /// The packet's contents for a planned vector (state 4; Table 2.6).
@@ -83,6 +102,8 @@ pub(crate) const fn write(vector: &PlannedVector) -> WriteVector {
 pub(crate) const LASER_OFF: JointJog = JointJog::new(JointJogAxis::LaserOff, 0.0);
 
 const APPROACH_LEN: usize = 3;
+/// How far the servo turns to both sides of its middle, less what rounding needs.
+const SERVO_DEG: f64 = Limits::STOCK.servo.max.0 - 1.0;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
@@ -105,5 +126,23 @@ mod tests {
             other => panic!("{other:?}"),
         }
         assert_eq!(commands.len(), 4 + plan.moves.len());
+    }
+
+    #[test]
+    fn a_drawing_around_half_the_base_begins_with_the_servo_turned() {
+        // Dots 220 mm from the axis, at these angles of the base.
+        let rotation_deg = |bases_deg: &[f64]| {
+            let dot = |deg: &f64| {
+                let (sin, cos) = deg.to_radians().sin_cos();
+                Stroke::open(vec![Point::new(220.0 * cos, 220.0 * sin)])
+            };
+            let strokes = bases_deg.iter().map(dot).collect();
+            let pass = Pass::new(DrawingTool::default(), strokes);
+            let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+            to_start(&plan).rotation_deg
+        };
+        // The servo goes from 65 to -65 degrees instead of from 0 to -130.
+        assert!((rotation_deg(&[-60.0, 0.0, 70.0]) - 5.0).abs() < 0.01);
+        assert!((rotation_deg(&[20.0, -60.0, 70.0]) - 20.0).abs() < 0.01);
     }
 }

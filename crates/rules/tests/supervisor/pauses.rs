@@ -76,6 +76,28 @@ fn a_job_that_is_paused_twice_is_lifted_once() {
 }
 
 #[test]
+fn a_job_that_goes_on_from_elsewhere_turns_the_tool_back_to_how_it_was() {
+    let rotation_deg = |moves_away: bool| {
+        let (mut it, anna, job, drawing) = drawing();
+        it.ask(anna, Request::PauseJob).unwrap();
+        wait_until_paused(&mut it, job);
+        if moves_away {
+            // The tool is turned by 50 degrees, on the other side of the arm.
+            let command = Command::from(MoveTo {
+                rotation_deg: 20.0,
+                ..MoveTo::to(200.0, -120.0, 20.0)
+            });
+            it.ask(anna, Request::Command { command }).unwrap();
+            it.run_for(Duration::from_secs(8));
+        }
+        finish(&mut it, anna, job, &drawing);
+        it.supervisor().state().arm.unwrap().status.rotation_deg
+    };
+    let (stays, went) = (rotation_deg(false), rotation_deg(true));
+    assert!((stays - went).abs() < 0.1, "{stays} and {went} degrees");
+}
+
+#[test]
 fn a_cable_that_is_out_while_a_paused_job_comes_to_rest_repeats_nothing() {
     for pull_ms in [0, 60, 120, 180, 240, 300, 600] {
         let (mut it, anna, job, drawing) = drawing();

@@ -86,11 +86,10 @@ fn located(mut begun: Begun, status: Option<Status>) -> Result<Begun, Refusal> {
 /// and the way there. A tool that is lifted in a pause comes down from above.
 fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
     let mut first = prelude(begun.plan.told_before(begun.completed));
-    let start = begun.plan.start_position(begun.completed);
-    let (Some(start), Some(status)) = (start, status) else {
+    let (Some(planned), Some(status)) = (begun.plan.start(begun.completed), status) else {
         return JobApproach { first, lower: None };
     };
-    let here = position(&status);
+    let (start, here) = (position(&planned), position(&status));
     if start.distance(here).0 <= THERE_MM {
         let higher_mm = start.z.0 - here.z.0;
         if higher_mm.abs() > LEVEL_MM {
@@ -106,7 +105,7 @@ fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
     if above.distance(here).0 <= THERE_MM {
         below_mm = here.z.0 - start.z.0;
     } else {
-        first.push(hop(above, &status, held(begun)));
+        first.push(hop(above, &planned));
         if lift_mm == 0.0 && may_jump(begun) {
             first.extend(settle());
         }
@@ -137,13 +136,13 @@ fn settle() -> [Command; 2] {
     [straight(SETTLE_MM), straight(-SETTLE_MM)]
 }
 
-/// Up, across and down, holding what is held.
-fn hop(to: Position, status: &Status, (suction, gripper_deg): (bool, f32)) -> Command {
+/// Up, across and down, with the tool turned and holding as planned.
+fn hop(to: Position, planned: &Status) -> Command {
     let base_deg = to.y.0.atan2(to.x.0).to_degrees();
     MoveTo {
-        rotation_deg: single(base_deg) + status.servo_deg,
-        suction,
-        gripper_deg,
+        rotation_deg: single(base_deg) + planned.servo_deg,
+        suction: planned.suction,
+        gripper_deg: planned.gripper_deg,
         ..MoveTo::to(single(to.x.0), single(to.y.0), single(to.z.0))
     }
     .into()
@@ -158,16 +157,10 @@ fn may_jump(begun: &Begun) -> bool {
     !begun.dialect.uses_start_speed && before.is_some_and(moves)
 }
 
-/// What pump and gripper do where a job goes on.
-fn held(begun: &Begun) -> (bool, f32) {
-    let start = begun.plan.start(begun.completed);
-    start.map_or((false, 0.0), |it| (it.suction, it.gripper_deg))
-}
-
 /// An object that the arm held has fallen where its pump is off by now: what comes next would do without it.
 fn check_holds(begun: &Begun, status: Option<Status>) -> Result<(), Refusal> {
-    let (suction, _) = held(begun);
-    if suction && status.is_some_and(|it| !it.suction) {
+    let planned = begun.plan.start(begun.completed);
+    if planned.is_some_and(|it| it.suction) && status.is_some_and(|it| !it.suction) {
         let (_, step) = begun
             .program
             .at(begun.completed + begun.back, begun.commands);
