@@ -13,6 +13,8 @@ pub(crate) fn in_utf8(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
     match text {
         Some(text) => Ok(text.into_owned().into_bytes()),
+        // Anything may begin with two bytes like a mark.
+        None if mark > 0 => Ok(bytes),
         None => Err(SourceError::Encoding {
             name: encoding.name().to_owned(),
             problem: "and holds what is none of its letters",
@@ -85,7 +87,13 @@ mod tests {
 
     #[test]
     fn what_tells_no_encoding_stays_as_it_is() {
-        let plain: [&[u8]; 4] = [b"", b"G1 X1 (Fr\xe4ser)", b"<svg/>", b"<?xml encoding"];
+        let plain: [&[u8]; 5] = [
+            b"",
+            b"G1 X1 (Fr\xe4ser)",
+            b"<svg/>",
+            b"<?xml encoding",
+            b"\xff\xfeno text",
+        ];
         for bytes in plain {
             assert_eq!(in_utf8(bytes.to_vec()).unwrap(), bytes);
         }

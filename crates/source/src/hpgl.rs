@@ -4,6 +4,7 @@ mod characters;
 mod command;
 mod encoded;
 mod label;
+mod line_type;
 mod names;
 mod plotter;
 mod polygon;

@@ -112,6 +112,7 @@ impl<'a> CommandLexer<'a> {
     /// ```text
     ///   ESC . I 81 ; ; 17 :     the plotter's line     (HP-GL)
     ///   ESC % 0 B, ESC E        into HP-GL/2, reset    (PCL)
+    ///   ESC & l 1 o 2 A         the printer's paper    (PCL)
     ///   ESC % -12345 X @PJL ..  lines for the printer  (PJL)
     /// ```
     fn escape(&mut self) -> Result<(), SourceError> {
@@ -134,9 +135,25 @@ impl<'a> CommandLexer<'a> {
                 self.skip_printer_lines();
             }
             Some(b'E') => self.at += 2,
+            Some(b'&' | b'*' | b'(' | b')') => self.at += self.printer_setting(rest)?,
             _ => return Err(self.found("an escape sequence of a plotter: ESC . or ESC %")),
         }
         Ok(())
+    }
+
+    /// How long a setting of a printer is: numbers, each with a letter behind it, the last one with a capital letter.
+    fn printer_setting(&self, rest: &[u8]) -> Result<usize, SourceError> {
+        let parts = rest.iter().enumerate().skip(3);
+        for (i, byte) in parts {
+            match byte {
+                // So many bytes of a picture or a font follow.
+                b'W' | b'w' => break,
+                b'A'..=b'Z' | b'@' => return Ok(i + 1),
+                b'a'..=b'z' | b'0'..=b'9' | b'+' | b'-' | b'.' => {}
+                _ => break,
+            }
+        }
+        Err(self.found("settings of the printer at the most: pictures and fonts of printers (PCL) are not drawn"))
     }
 
     fn skip_printer_lines(&mut self) {

@@ -154,6 +154,7 @@ impl Plotter<'_> {
         }
         let cell = self.cell(it);
         let has_pen = self.select(it)?;
+        self.end_dashes()?;
         let mut cursor = self.cursor();
         for line in text.split_inclusive('\r') {
             let pen = cursor.at;
@@ -170,6 +171,7 @@ impl Plotter<'_> {
                 };
             }
         }
+        self.begin_dashes();
         self.put_pen(it, cursor)
     }
 
@@ -221,7 +223,9 @@ impl Plotter<'_> {
         let cell = self.cell(it);
         if self.select(it)? {
             let at = self.transform.point(self.at) - (cell.across + cell.up) * 0.5;
+            self.end_dashes()?;
             self.letter(it, symbol, &cell, at)?;
+            self.begin_dashes();
         }
         Ok(())
     }

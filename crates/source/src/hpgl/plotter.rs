@@ -5,6 +5,7 @@ use dobot_geometry::{Area, FillRule, Point, Vec2};
 use super::command::Command;
 use super::encoded::{EncodedItem, items};
 use super::label::Labels;
+use super::line_type::LineTypes;
 use super::names::left_out;
 use super::polygon::Polygon;
 use super::transform::PlotTransform;
@@ -40,6 +41,7 @@ pub(super) struct Plotter<'a> {
     has_pattern: bool,
     pub(super) polygon: Polygon,
     pub(super) labels: Labels,
+    pub(super) line_types: LineTypes,
 }
 
 /// What the plotter holds.
@@ -71,6 +73,7 @@ impl<'a> Plotter<'a> {
             has_pattern: false,
             polygon: Polygon::default(),
             labels: Labels::default(),
+            line_types: LineTypes::default(),
         }
     }
 
@@ -82,6 +85,7 @@ impl<'a> Plotter<'a> {
             bytes: &[],
         };
         self.lift(&end)?;
+        self.end_dashes()?;
         Ok(self.sketch)
     }
 
@@ -121,7 +125,9 @@ impl<'a> Plotter<'a> {
             b"EP" | b"FP" => self.draw_polygon(it),
             b"LB" | b"BL" | b"PB" | b"CP" | b"SI" | b"SR" | b"DI" | b"DR" | b"SL" | b"ES"
             | b"LO" | b"SM" | b"CS" | b"CA" | b"SD" | b"AD" | b"DV" | b"TD" => self.text(it),
-            b"LT" | b"FT" | b"IW" => {
+            b"LT" => self.set_line_type(it),
+            b"UL" => self.define_line_type(it),
+            b"FT" | b"IW" => {
                 self.style(it);
                 Ok(())
             }
@@ -153,6 +159,7 @@ impl<'a> Plotter<'a> {
         self.has_pattern = false;
         self.polygon = Polygon::default();
         self.reset_labels();
+        self.reset_line_types()?;
         let mut transform = PlotTransform::DEFAULT;
         if &it.name == b"IN" {
             (self.speed_mm_s, self.is_selected) = (None, false);
@@ -351,14 +358,13 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// Line types, fill patterns and clip windows: nothing of them is drawn.
+    /// Fill patterns and clip windows: nothing of them is drawn.
     fn style(&mut self, it: &Command<'_>) {
         if &it.name == b"FT" {
             // Without a number it is filled, as in the beginning.
             self.has_pattern = it.number(0).is_some_and(|kind| kind > 2.0);
         }
         match (&it.name, it.number(0)) {
-            (b"LT", Some(_)) => self.warn(it, "dashed line type", "drawn solid (LT)"),
             (b"FT", Some(kind)) if kind > 2.0 => {
                 self.warn(it, "fill pattern", "filled as all areas are (FT)");
             }

@@ -55,6 +55,7 @@ fn a_square_is_the_same_however_it_is_written() {
         "PM;PR40,0,0,40,-40,0,0,-40;PM2;EP",
         "\u{1b}.(;IN;SP1;\u{1b}.I81;;17:PA0,0PD40,0,40,40,0,40,0,0",
         "\u{1b}%-12345X@PJL ENTER LANGUAGE=HPGL2\n\u{1b}EPA0,0PD40,0,40,40,0,40,0,0\u{1b}%0A",
+        "\u{1b}E\u{1b}&l1o26A\u{1b}*p+0x-3Y\u{1b}%0BPA0,0PD40,0,40,40,0,40,0,0\u{1b}%0A\u{1b}E",
         "IP0,0,40,40;SC0,1,0,1;PA0,0PD1,0,1,1,0,1,0,0",
         "IP0,0,80,40;SC0,1,0,1,1;PA0,0PD1,0,1,1,0,1,0,0",
         "SC0,4,0,4,2;PA0,0PD10,0,10,10,0,10,0,0",
@@ -326,14 +327,74 @@ fn packed_lines_are_read() {
     );
 }
 
+/// From where to where the lines of a plot go along X, in hundredths of a millimetre.
+fn spans(text: &str) -> Vec<[f64; 2]> {
+    let ends = |it: &Stroke| [it.points[0].x, it.points[it.points.len() - 1].x];
+    let round = |x: f64| (x * 100.0).round();
+    strokes(text).iter().map(|it| ends(it).map(round)).collect()
+}
+
+#[test]
+fn lines_are_dashed_by_their_type() {
+    // 10 mm of pattern, half of it a dash, along 30 mm; then solid again, and the type before once more.
+    let dashes = [[0.0, 500.0], [1000.0, 1500.0], [2000.0, 2500.0]];
+    let solid = [0.0, 3000.0];
+    let line = "PU0,0;PD1200,0;PU;";
+    assert_eq!(spans(&format!("LT2,10,1;{line}")), dashes);
+    let all = [&dashes[..], &[solid], &dashes].concat();
+    assert_eq!(spans(&format!("LT2,10,1;{line}LT;{line}LT99;{line}")), all);
+    assert_eq!(spans(&format!("LT2,10,1;{line}IN;{line}")), all[..4]);
+    // In percent of the way from P1 to P2, which is 125 mm: 10 mm, and 5 mm if nothing is said.
+    let corners = "IP0,0,3000,4000;";
+    assert_eq!(spans(&format!("{corners}LT2,8;{line}")), dashes);
+    assert_eq!(
+        spans(&format!("IP0,0,1500,2000;LT2,8;{corners}{line}")),
+        dashes
+    );
+    let short = [[0.0, 350.0], [500.0, 850.0]];
+    assert_eq!(spans(&format!("{corners}LT3;PD400,0;")), short);
+}
+
+#[test]
+fn the_dashes_of_a_line_go_on_around_its_corners() {
+    // 4 mm and 4 mm more: the second dash goes from 5 to 7.5 mm, and so the ink is 3.5 mm tall.
+    let found = corners("LT2,5,1;PD160,0,160,160;");
+    let second = [(4.0, 2.5), (4.0, 0.0)];
+    assert_eq!(found, [vec![(0.0, 3.5), (2.5, 3.5)], second.to_vec()]);
+}
+
+#[test]
+fn line_types_can_be_defined_and_letters_are_never_dashed() {
+    let line = "PU0,0;PD400,0;PU;";
+    let own = [[0.0, 100.0], [500.0, 500.0]];
+    assert_eq!(spans(&format!("UL4,10,40,0,50;LT4,10,1;{line}")), own);
+    let defaults = [[0.0, 800.0], [900.0, 900.0]];
+    assert_eq!(spans(&format!("UL4,1,1;UL;LT4,10,1;{line}")), defaults);
+    assert_eq!(spans(&format!("UL4,1,1;LT4,10,1;UL4;{line}")), defaults);
+    // Half a dash at the begin of a line, which need not end with one.
+    let half = [[0.0, 250.0], [750.0, 1000.0]];
+    assert_eq!(spans(&format!("LT-2,10,1;{line}")), half);
+    let count = |text: &str| strokes(text).len();
+    let letters = "SI1,1.5;PU0,0;LBHO\u{3}";
+    assert_eq!(count(&format!("LT2,1,1;{letters}")), count(letters));
+    assert_eq!(
+        error(b"UL9,1,1;PD40,0"),
+        "1:1: found UL 9,1,1; expected a line type from 1 to 8, and its dashes and gaps"
+    );
+    assert_eq!(
+        error(b"UL2,0,0;PD40,0"),
+        "1:1: found UL 2,0,0; expected up to 20 dashes and gaps, not all of them 0"
+    );
+}
+
 #[test]
 fn what_is_left_out_is_named_with_its_place_and_count() {
-    let text = "IN;LT2;PD40,0;\nLBSP1;text;\u{3}LT;DT$;LBmore$PU;ZZ1,2;\nIW0,0,9,9;FT3;PG;PD0,0;SI.2,.3;RO90;";
+    let text = "IN;LT0;PD40,0;\nLBSP1;text;\u{3}LT;DT$;LBmore$PU;ZZ1,2;\nIW0,0,9,9;FT3;PG;PD0,0;SI.2,.3;RO90;";
     let (_, warnings) = draw(text);
     assert_eq!(
         warnings,
         [
-            "1:4: 1 dashed line type: drawn solid (LT)",
+            "1:4: 1 line type without a pattern: drawn solid (LT)",
             "2:1: 2 sizeless texts: written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
             "2:30: 1 ZZ command: not known, left out",
             "3:1: 1 clip window: nothing is cut off by it (IW)",
@@ -393,8 +454,12 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
             "1:7: found \"\u{FFFD}\u{FFFD}\"; expected a command of two letters such as PD",
         ),
         (
-            b"\x1B&l1O",
-            "1:1: found \"\\u{1b}&l1O\"; expected an escape sequence of a plotter: ESC . or ESC %",
+            b"\x1B=PU",
+            "1:1: found \"\\u{1b}=PU\"; expected an escape sequence of a plotter: ESC . or ESC %",
+        ),
+        (
+            b"\x1B&l1O\x1B*b3W\x01\x02\x03",
+            "1:6: found \"\\u{1b}*b3W\\u{1}\\u{2}\\u{3}\"; expected settings of the printer at the most: pictures and fonts of printers (PCL) are not drawn",
         ),
         (
             b"PD50000000,0",

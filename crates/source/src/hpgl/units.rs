@@ -21,10 +21,13 @@ impl Plotter<'_> {
             _ => return Err(self.refused(it, "x,y of P1 and of P2, which differ in both")),
         };
         self.knows_corners = !it.numbers.is_empty();
+        // Patterns are as long as their share of the way between the corners.
+        self.end_dashes()?;
         self.use_transform(PlotTransform {
             corners,
             ..self.transform
         });
+        self.begin_dashes();
         Ok(())
     }
 

@@ -1,0 +1,184 @@
+//! Dashed lines: LT and UL.
+
+use super::command::Command;
+use super::plotter::Plotter;
+use super::transform::{PlotTransform, UNIT_MM};
+use crate::error::SourceError;
+use crate::sketch::SketchMark;
+
+/// How lines are dashed.
+#[derive(Debug)]
+pub(super) struct LineTypes {
+    /// Pen down and pen up in turn, for the types from 1 on: their shares of a pattern.
+    patterns: [Vec<f64>; COUNT],
+    /// The type in use, and the one before it (LT 99).
+    current: Option<LineType>,
+    previous: Option<LineType>,
+    length: PatternLength,
+    /// Where the lines of this type begin.
+    since: Option<SketchMark>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct LineType {
+    /// From 0 on.
+    pattern: usize,
+    /// It begins and ends with half a dash.
+    is_adaptive: bool,
+}
+
+/// How long a pattern is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct PatternLength {
+    number: f64,
+    /// In mm, or else in percent of the way from P1 to P2.
+    is_absolute: bool,
+}
+
+impl Default for LineTypes {
+    fn default() -> Self {
+        Self {
+            patterns: PATTERNS.map(<[f64]>::to_vec),
+            current: None,
+            previous: None,
+            length: PatternLength {
+                number: 4.0,
+                is_absolute: false,
+            },
+            since: None,
+        }
+    }
+}
+
+impl PatternLength {
+    fn mm(self, transform: &PlotTransform) -> f64 {
+        let [p1, p2] = transform.corners;
+        if self.is_absolute {
+            self.number
+        } else {
+            self.number / 100.0 * p1.distance(p2) * UNIT_MM
+        }
+    }
+}
+
+impl Plotter<'_> {
+    /// LT: the type, from -8 to 8, the length of its pattern, and whether that is in mm.
+    pub(super) fn set_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        self.end_dashes()?;
+        let types = &mut self.line_types;
+        if let Some(number) = it.number(1).filter(|it| *it > 0.0) {
+            types.length.number = number;
+        }
+        if let Some(mode) = it.number(2) {
+            types.length.is_absolute = mode == 1.0;
+        }
+        let before = types.current;
+        types.current = match it.number(0).map(f64::trunc) {
+            None => None,
+            Some(PREVIOUS) => types.previous,
+            Some(number) => line_type(number),
+        };
+        types.previous = before.or(types.previous);
+        match (it.number(0), types.current) {
+            (Some(number), None) if number != PREVIOUS => {
+                self.warn(it, "line type without a pattern", "drawn solid (LT)");
+            }
+            (_, Some(LineType { is_adaptive, .. })) if is_adaptive => {
+                let instead = "its dashes are not fitted to each line (LT)";
+                self.warn(it, "adaptive line type", instead);
+            }
+            _ => {}
+        }
+        self.begin_dashes();
+        Ok(())
+    }
+
+    /// UL: which type, and its dashes and gaps. Without these it is as in the beginning, and so are all without a type.
+    pub(super) fn define_line_type(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        self.end_dashes()?;
+        let patterns = &mut self.line_types.patterns;
+        match it.numbers.as_slice() {
+            [] => *patterns = PATTERNS.map(<[f64]>::to_vec),
+            [number, gaps @ ..] => {
+                let Some(LineType { pattern, .. }) = line_type(number.abs().trunc()) else {
+                    return Err(
+                        self.refused(it, "a line type from 1 to 8, and its dashes and gaps")
+                    );
+                };
+                let is_pattern =
+                    gaps.iter().all(|it| *it >= 0.0) && gaps.iter().any(|it| *it > 0.0);
+                patterns[pattern] = match gaps {
+                    [] => PATTERNS[pattern].to_vec(),
+                    _ if is_pattern && gaps.len() <= MOST_GAPS => gaps.to_vec(),
+                    _ => {
+                        return Err(self.refused(it, "up to 20 dashes and gaps, not all of them 0"));
+                    }
+                };
+            }
+        }
+        self.begin_dashes();
+        Ok(())
+    }
+
+    /// All is solid again, as in the beginning.
+    pub(super) fn reset_line_types(&mut self) -> Result<(), SourceError> {
+        self.end_dashes()?;
+        self.line_types = LineTypes::default();
+        Ok(())
+    }
+
+    /// The lines from here on have the type in use.
+    pub(super) fn begin_dashes(&mut self) {
+        if self.line_types.current.is_some() {
+            self.sketch.lift();
+            self.line_types.since = Some(self.sketch.mark());
+        }
+    }
+
+    /// The lines up to here had it.
+    pub(super) fn end_dashes(&mut self) -> Result<(), SourceError> {
+        let types = &mut self.line_types;
+        let (Some(mark), Some(line_type)) = (types.since.take(), types.current) else {
+            return Ok(());
+        };
+        let shares = &types.patterns[line_type.pattern];
+        let factor = types.length.mm(&self.transform) / shares.iter().sum::<f64>();
+        let lengths: Vec<f64> = shares.iter().map(|it| it * factor).collect();
+        let offset = if line_type.is_adaptive {
+            0.5 * lengths[0]
+        } else {
+            0.0
+        };
+        self.sketch.dash_since(&mark, &lengths, offset)
+    }
+}
+
+/// The type of a number; `None` for what is no pattern.
+fn line_type(number: f64) -> Option<LineType> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "saturates"
+    )]
+    let pattern = (number.abs() as usize).checked_sub(1)?;
+    (pattern < COUNT).then_some(LineType {
+        pattern,
+        is_adaptive: number < 0.0,
+    })
+}
+
+const COUNT: usize = 8;
+/// What a plotter begins with: dots, dashes, dashes and dots.
+const PATTERNS: [&[f64]; COUNT] = [
+    &[0.0, 100.0],
+    &[50.0, 50.0],
+    &[70.0, 30.0],
+    &[80.0, 10.0, 0.0, 10.0],
+    &[70.0, 10.0, 10.0, 10.0],
+    &[50.0, 10.0, 10.0, 10.0, 10.0, 10.0],
+    &[70.0, 10.0, 0.0, 10.0, 0.0, 10.0],
+    &[50.0, 10.0, 0.0, 10.0, 10.0, 10.0, 0.0, 10.0],
+];
+/// The type before this one.
+const PREVIOUS: f64 = 99.0;
+const MOST_GAPS: usize = 20;
