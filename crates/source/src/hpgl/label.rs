@@ -171,7 +171,6 @@ impl Plotter<'_> {
                 };
             }
         }
-        self.begin_dashes();
         self.put_pen(it, cursor)
     }
 
@@ -225,7 +224,6 @@ impl Plotter<'_> {
             let at = self.transform.point(self.at) - (cell.across + cell.up) * 0.5;
             self.end_dashes()?;
             self.letter(it, symbol, &cell, at)?;
-            self.begin_dashes();
         }
         Ok(())
     }

@@ -89,7 +89,6 @@ impl Plotter<'_> {
             }
             _ => {}
         }
-        self.begin_dashes();
         Ok(())
     }
 
@@ -116,7 +115,6 @@ impl Plotter<'_> {
                 };
             }
         }
-        self.begin_dashes();
         Ok(())
     }
 
@@ -127,15 +125,15 @@ impl Plotter<'_> {
         Ok(())
     }
 
-    /// The lines from here on have the type in use.
+    /// A line is about to be drawn: those from here on have the type in use.
     pub(super) fn begin_dashes(&mut self) {
-        if self.line_types.current.is_some() {
+        if self.line_types.current.is_some() && self.line_types.since.is_none() {
             self.sketch.lift();
             self.line_types.since = Some(self.sketch.mark());
         }
     }
 
-    /// The lines up to here had it.
+    /// The lines up to here had it: before it changes, and before letters, which are never dashed.
     pub(super) fn end_dashes(&mut self) -> Result<(), SourceError> {
         let types = &mut self.line_types;
         let (Some(mark), Some(line_type)) = (types.since.take(), types.current) else {

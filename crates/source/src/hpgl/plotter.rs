@@ -238,6 +238,7 @@ impl<'a> Plotter<'a> {
     pub(super) fn ink(&mut self, it: &Command<'_>, points: &[Point]) -> Result<(), SourceError> {
         self.is_dot = false;
         if self.select(it)? {
+            self.begin_dashes();
             let mut lines = points.windows(2);
             lines.try_for_each(|it| self.sketch.line(it[0], it[1]))?;
         }

@@ -27,7 +27,6 @@ impl Plotter<'_> {
             corners,
             ..self.transform
         });
-        self.begin_dashes();
         Ok(())
     }
 
