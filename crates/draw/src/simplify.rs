@@ -87,7 +87,7 @@ pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
     };
     let points = match &path {
         Some(path) => places(path),
-        None => simplified_without_specks(stroke, radius_mm),
+        None => fewest_without_specks(stroke, radius_mm),
     };
     Way {
         stroke: joined(stroke, points),
@@ -163,7 +163,7 @@ fn places(path: &[Corner]) -> Vec<Point> {
 }
 
 /// The fewest vectors within a tolerance where specks leave no way but a vector that is too short.
-fn simplified_without_specks(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
+fn fewest_without_specks(stroke: &Stroke, tolerance_mm: f64) -> Vec<Point> {
     let points = without_specks(&stroke.points);
     if tolerance_mm <= 2.0 * MIN_VECTOR_MM || points.len() < 3 {
         return points;
