@@ -409,17 +409,21 @@ mod tests {
         assert_eq!(planned, Err(PlanError::NoStrokes));
     }
 
+    fn point() -> impl Strategy<Value = Point> {
+        (150.0..300.0_f64, -100.0..100.0_f64).prop_map(|(x, y)| Point::new(x, y))
+    }
+
     fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
-        let point = (150.0..300.0_f64, -100.0..100.0_f64).prop_map(|(x, y)| Point::new(x, y));
         let near = (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(|(x, y)| Vec2::new(x, y));
-        let stroke = (point, proptest::collection::vec(near, 0..40)).prop_map(|(start, steps)| {
-            let mut points = vec![start];
-            points.extend(steps.iter().scan(start, |here, step| {
-                *here += *step;
-                Some(*here)
-            }));
-            Stroke::open(points)
-        });
+        let stroke =
+            (point(), proptest::collection::vec(near, 0..40)).prop_map(|(start, steps)| {
+                let mut points = vec![start];
+                points.extend(steps.iter().scan(start, |here, step| {
+                    *here += *step;
+                    Some(*here)
+                }));
+                Stroke::open(points)
+            });
         proptest::collection::vec(stroke, 1..6)
     }
 
@@ -468,8 +472,24 @@ mod tests {
             let machine = Machine { has_ticks: true, ..Machine::default() };
             let plan = Plan::new(&passes, &Paper::default(), &machine).unwrap();
             let seen = crate::acceleration(&plan, 0.08) / machine.acceleration_mm_s2;
-            // 1.01 in all but two of a thousand drawings, and 1.064 in one of some ten thousand.
-            prop_assert!(seen <= 1.1, "{seen}");
+            // 1.01 in all but four of twelve thousand drawings, 1.036 at most.
+            prop_assert!(seen <= 1.08, "{seen}");
+        }
+
+        #[test]
+        fn a_stock_arm_is_not_seen_to_jump_at_a_sharp_corner_between_long_lines(
+            corners in proptest::collection::vec(point(), 3..30),
+        ) {
+            let strokes = vec![Stroke::open(corners)];
+            let passes = [Pass::new(DrawingTool::default(), strokes.clone())];
+            let machine = Machine { has_ticks: true, ..Machine::default() };
+            let plan = Plan::new(&passes, &Paper::default(), &machine).unwrap();
+            let seen = crate::acceleration(&plan, 0.08) / machine.acceleration_mm_s2;
+            prop_assert!(seen <= 1.02, "{seen}");
+            let drawn = plan.paths(MoveKind::Draw);
+            let off = dobot_geometry::deviation(&strokes, &drawn);
+            // Single precision makes some micrometres of thirty long lines.
+            prop_assert!(off.largest_mm() <= 0.005, "{off:?}");
         }
 
         #[test]

@@ -11,6 +11,7 @@ use crate::lone::LoneVectors;
 use crate::lookahead::ChainVector;
 use crate::seen::TickPositions;
 use crate::speeds::Speeds;
+use crate::tick::TICK_S;
 use crate::tick_chain::{Breadth, LastPlaces, TickChain};
 use crate::tick_fit::TickFit;
 use crate::ticker::Ticker;
@@ -193,47 +194,88 @@ impl Planner<'_> {
         let Some(ticker) = self.ticker.take() else {
             return;
         };
-        let limits_mm_s: Vec<f64> = self.chain.iter().map(|it| it.limit_mm_s).collect();
-        let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
-        self.plan_in_ticks(InTicks {
-            begin,
-            ticker,
-            over: vec![1.0; limits_mm_s.len()],
-            most_mm_s: vec![most_mm_s; limits_mm_s.len()],
-            limits_mm_s,
-        });
-    }
-
-    /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
-    /// are taken slower, and what that changes is planned again; what is the least too much is taken. A laser keeps its even speed.
-    fn plan_in_ticks(&mut self, mut it: InTicks) {
+        let mut it = InTicks::new(begin, ticker, &self.chain);
         let mut attempt = self.attempt(&it, Breadth::ONE);
         if self.aim == Aim::Soon && !attempt.is_good() {
-            attempt = self.attempt(&it, Breadth::MANY);
-            let mut best = attempt.clone();
-            for round in 0..MOST_ROUNDS {
-                if attempt.shares.iter().all(|it| *it >= 1.0) {
-                    break;
-                }
-                self.take_slower(&mut it, &attempt);
-                let breadth = if round < EASY_ROUNDS {
-                    Breadth::FEW
-                } else {
-                    Breadth::MOST
-                };
-                self.repair(&it, &mut attempt, breadth);
-                if attempt.sharpness() < best.sharpness() {
-                    best = attempt.clone();
-                }
-            }
-            attempt = best;
+            attempt = self.search(&mut it);
         }
         it.ticker
-            .set(&mut self.moves[it.begin..], &attempt.speeds, &attempt.fits);
+            .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
         self.settle(self.moves.len());
         self.last_places = self.last_places.behind(&self.chain, &attempt.fits);
         self.ticker = Some(it.ticker);
         self.chain_speeds = attempt.chain_speeds;
+    }
+
+    /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
+    /// are taken slower, and what that changes is planned again. Where that helps no more, the vectors before them are parted. What is
+    /// the least too much is taken.
+    fn search(&mut self, it: &mut InTicks) -> Attempt {
+        let mut attempt = self.attempt(it, Breadth::MANY);
+        let mut best = attempt.clone();
+        let (mut partings, mut in_vain) = (0, 0);
+        for _ in 0..MOST_ROUNDS {
+            if !attempt.is_sharp() || in_vain == MOST_IN_VAIN {
+                break;
+            }
+            let parts = in_vain >= PATIENCE && partings < MOST_PARTINGS && self.part(it, &mut best);
+            if parts {
+                attempt = best.clone();
+                partings += 1;
+            } else {
+                self.take_slower(it, &attempt);
+            }
+            self.repair(it, &mut attempt, Breadth::MOST);
+            let gets_better = attempt.sharpness() < BETTER * best.sharpness();
+            in_vain = if parts || gets_better { 0 } else { in_vain + 1 };
+            if parts || attempt.sharpness() < best.sharpness() {
+                best = attempt.clone();
+            }
+        }
+        best
+    }
+
+    /// Cuts the straight ways in two whose corners are still taken too fast, where they take long enough. Whether any was.
+    ///
+    /// What an arm corrects in all ticks of a vector it keeps at the end, and it corrects a long vector only upwards and by
+    /// little: from corner to corner it keeps more. Of the ways through two vectors some keep next to nothing.
+    fn part(&mut self, it: &mut InTicks, attempt: &mut Attempt) -> bool {
+        let sharp = (0..self.chain.len()).filter(|&i| attempt.shares[i] < 1.0);
+        let mut parted: Vec<usize> = sharp
+            .map(|i| self.straight_from(i))
+            .filter(|&i| attempt.fits[i].ticks() >= PARTED_TICKS)
+            .collect();
+        parted.dedup();
+        for &i in parted.iter().rev() {
+            let second_mm = self.brakes_mm(attempt.speeds[i].peak_mm_s);
+            let second_mm = second_mm.min(0.5 * self.chain[i].length_mm);
+            let parts = self.moves[it.begin + i].parts(second_mm);
+            let runs = parts.map(|part| ChainVector::of(part.increments(), it.limits_mm_s[i]));
+            self.moves.splice(it.begin + i..=it.begin + i, parts);
+            self.chain.splice(i..=i, runs);
+            it.part(i);
+            attempt.part(i);
+        }
+        !parted.is_empty()
+    }
+
+    /// The first of the vectors that lead straight on to the end of this one.
+    fn straight_from(&self, mut i: usize) -> usize {
+        let is_straight = |i: usize| {
+            let [a, b] = [i - 1, i].map(|it| self.chain[it].direction);
+            a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > STRAIGHT_COS
+        };
+        while i > 0 && is_straight(i) {
+            i -= 1;
+        }
+        i
+    }
+
+    /// How long a second part has to be: from this speed the arm comes to rest on it, and has some ticks to choose when it begins to
+    /// brake.
+    fn brakes_mm(&self, speed_mm_s: f64) -> f64 {
+        let brakes_mm = 0.5 * speed_mm_s * speed_mm_s / self.machine.acceleration_mm_s2;
+        brakes_mm + EVEN_TICKS * f64::from(TICK_S) * speed_mm_s
     }
 
     /// The speeds of the first `count` vectors are planned, so where they lead is known to the last digit. Those to come begin
@@ -349,6 +391,28 @@ struct InTicks {
     most_mm_s: Vec<f32>,
 }
 
+impl InTicks {
+    fn new(begin: usize, ticker: Ticker, chain: &[ChainVector]) -> Self {
+        let limits_mm_s: Vec<f64> = chain.iter().map(|it| it.limit_mm_s).collect();
+        let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
+        Self {
+            begin,
+            ticker,
+            over: vec![1.0; chain.len()],
+            most_mm_s: vec![most_mm_s; chain.len()],
+            limits_mm_s,
+        }
+    }
+
+    /// A vector has become two.
+    fn part(&mut self, i: usize) {
+        self.over[i] = 1.0;
+        self.over.insert(i, 1.0);
+        self.most_mm_s.insert(i, self.most_mm_s[i]);
+        self.limits_mm_s.insert(i, self.limits_mm_s[i]);
+    }
+}
+
 /// A chain as it comes out in ticks.
 #[derive(Clone)]
 struct Attempt {
@@ -364,7 +428,20 @@ struct Attempt {
 impl Attempt {
     /// Whether no search could make it much better.
     fn is_good(&self) -> bool {
-        self.late_share() < MOST_LATE_SHARE && self.shares.iter().all(|it| *it >= 1.0)
+        self.late_share() < MOST_LATE_SHARE && !self.is_sharp()
+    }
+
+    /// A vector has become two, which are to be planned again.
+    fn part(&mut self, i: usize) {
+        self.speeds.insert(i, self.speeds[i]);
+        self.fits.insert(i, self.fits[i]);
+        self.shares.insert(i, 0.0);
+        self.shares[i + 1] = 0.0;
+    }
+
+    /// Whether more acceleration is seen than allowed.
+    fn is_sharp(&self) -> bool {
+        self.shares.iter().any(|it| *it < 1.0)
     }
 
     /// How much more acceleration is seen than allowed, in the square and at all corners together.
@@ -402,9 +479,21 @@ pub(super) fn round_down(value: f64) -> f32 {
 pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
 /// What takes no longer than this beyond what is wanted is not worth a search.
 const MOST_LATE_SHARE: f64 = 0.01;
-/// How often a chain is planned again for the ticks of a stock arm.
-const MOST_ROUNDS: u32 = 24;
-/// In so many of these rounds the search need not be broad.
-const EASY_ROUNDS: u32 = 3;
+/// How often a chain is planned again for the ticks of a stock arm at the most.
+const MOST_ROUNDS: u32 = 40;
+/// It gets better if as little is left as this share of what was too much.
+const BETTER: f64 = 0.8;
+/// After so many rounds in which it does not, vectors are parted.
+const PATIENCE: u32 = 2;
+/// After so many the search is over.
+const MOST_IN_VAIN: u32 = 8;
+/// How often vectors are parted.
+const MOST_PARTINGS: u32 = 6;
+/// Not those that take fewer ticks: each part takes as long as the link needs.
+const PARTED_TICKS: u32 = 8;
+/// So many ticks a second part goes on before it brakes.
+const EVEN_TICKS: f64 = 10.0;
+/// The cosine of a turn that is none.
+const STRAIGHT_COS: f64 = 0.999_999;
 /// How many times as much an end speed above the one wanted counts at the most.
 const MOST_OVER: f64 = 16.0;

@@ -92,7 +92,7 @@ impl Breadth {
     pub(super) const MOST: Self = Self {
         ways: 20,
         fits: MOST_FITS,
-        same_share: 0.25,
+        same_share: 0.1,
     };
     /// For vectors between two rests, of which the arm keeps less than a tick's change.
     pub(super) const LONE: Self = Self {

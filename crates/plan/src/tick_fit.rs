@@ -139,8 +139,7 @@ impl TickTarget {
             if even_mm_s > stored_mm_s + change {
                 continue;
             }
-            let drop = 2.0 * (even_mm_s - single(self.speeds.end_mm_s)) / change;
-            let about = count(drop.clamp(0.0, f32::from(ticks)));
+            let about = self.slowing(ticks, change);
             for down in (about - 2).max(0)..=(about + 2).min(ticks) {
                 let downs = f32::from(down);
                 let sum = change * downs * (downs + 1.0) / 2.0;
@@ -149,6 +148,17 @@ impl TickTarget {
                 self.consider(stored_mm_s, max - (downs - NEAR) * change, max, fits);
             }
         }
+    }
+
+    /// How many of so many ticks slow down, the last ones, if the vector ends as fast as wanted and none accelerates.
+    ///
+    /// All ticks n together go `50 L = n b - c d (d + 1) / 2` with the begin speed b, a change c for each tick that slows down and d of
+    /// these, and the end speed is `b - c d`: a quadratic equation for d.
+    fn slowing(&self, ticks: i16, change: f32) -> i16 {
+        let twice = 2.0 * f32::from(ticks) - 1.0;
+        let faster = 50.0 * self.length_mm - f32::from(ticks) * single(self.speeds.end_mm_s);
+        let root = (twice * twice - 8.0 * faster / change).max(0.0).sqrt();
+        count((0.5 * (twice - root)).clamp(0.0, f32::from(ticks)))
     }
 
     /// Some ticks accelerate, from the speed that is stored.
@@ -221,7 +231,7 @@ impl TickTarget {
                 let kept = if self.rests {
                     OVER_AT_REST * (over - FREE_AT_REST_STEPS).max(0.0).powi(3)
                 } else {
-                    OVER * (over - FREE_STEPS).max(0.0).powi(2)
+                    OVER * (over - FREE_STEPS).max(0.0).powi(2) + LESS * over.max(0.0)
                 };
                 f64::from(cut.ticks()) + self.wish.over * kept + ABOVE * above * above
             }
@@ -305,6 +315,8 @@ const NEAR: f32 = 0.4;
 const FREE_STEPS: f64 = 1.0;
 /// How many ticks it is worth not to be faster by one more; in its square.
 const OVER: f64 = 0.3;
+/// How many ticks it is worth to end one step less above what is wanted, as far as that is not too fast.
+const LESS: f64 = 0.1;
 /// The same before a rest, where what is kept goes into the next vector at once, in another direction, and what that
 /// corrects adds to it.
 const FREE_AT_REST_STEPS: f64 = 0.3;
@@ -347,6 +359,17 @@ mod tests {
                 same_share: 0.25,
             },
         }
+    }
+
+    #[test]
+    fn an_arm_that_brakes_for_a_corner_may_go_on_for_a_while_and_brake_then() {
+        // From 40 mm/s with 2 mm/s less each tick: 13 ticks at b and 18 that brake go 15.9 mm = (31 b - 18 * 19) / 50 with b = 36.7 mm/s,
+        // of which 0.7 mm/s are left.
+        let wanted = target(15.9, [40.0, 0.5, 40.0], false);
+        let fits = wanted.fits(40.0);
+        let found = fits.iter().find(|it| it.cut.counts == [0, 13, 18]);
+        let left_mm_s = found.expect("among the choices").cut.end_mm_s;
+        assert!((left_mm_s - 0.68).abs() < 0.01, "{left_mm_s}");
     }
 
     proptest! {

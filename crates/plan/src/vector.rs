@@ -1,6 +1,7 @@
 //! One vector of a plan.
 
 use dobot_motion::Profile;
+use dobot_wire::single;
 
 /// One vector of a plan: an increment and its speeds, as a packet holds them (state 4; Table 2.6).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +41,27 @@ impl PlannedVector {
     #[must_use]
     pub fn length_mm(&self) -> f64 {
         length(self.increments())
+    }
+
+    /// Two vectors in the same direction that together lead just as far, the second one so long, in mm.
+    pub(crate) fn parts(&self, second_mm: f64) -> [Self; 2] {
+        let share = second_mm / self.length_mm();
+        // In whole parts of this, so that the difference is exact.
+        let second = |it: f32| single((f64::from(it) * share * PARTS_OF_MM).round() / PARTS_OF_MM);
+        let [x_mm, y_mm, z_mm] = [self.x_mm, self.y_mm, self.z_mm].map(second);
+        let first = Self {
+            x_mm: self.x_mm - x_mm,
+            y_mm: self.y_mm - y_mm,
+            z_mm: self.z_mm - z_mm,
+            ..*self
+        };
+        let second = Self {
+            x_mm,
+            y_mm,
+            z_mm,
+            ..*self
+        };
+        [first, second]
     }
 
     pub(crate) fn profile(&self, acceleration_mm_s2: f64) -> Profile {
@@ -83,6 +105,41 @@ impl MoveKind {
     }
 }
 
+/// A power of two.
+const PARTS_OF_MM: f64 = 16_384.0;
+
 pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn two_parts_of_a_vector_lead_just_as_far_and_hardly_turn(
+            way in [-200.0..200.0_f32, -200.0..200.0_f32, -1.0..1.0_f32],
+            share in 0.01..0.99_f64,
+        ) {
+            let [x_mm, y_mm, z_mm] = way;
+            let vector = PlannedVector {
+                x_mm, y_mm, z_mm,
+                start_speed_mm_s: 0.0,
+                end_speed_mm_s: 0.0,
+                max_speed_mm_s: 40.0,
+                duration_s: 1.0,
+                kind: MoveKind::Draw,
+                stroke: 0,
+                pass: 0,
+            };
+            let second_mm = share * vector.length_mm();
+            let [first, second] = vector.parts(second_mm);
+            prop_assert_eq!([first.x_mm + second.x_mm, first.y_mm + second.y_mm, first.z_mm + second.z_mm], way);
+            let off = [0, 1, 2].map(|i| second.increments()[i] - share * vector.increments()[i]);
+            prop_assert!(length(off) < 0.0001, "{off:?}");
+        }
+    }
 }
