@@ -106,7 +106,7 @@ impl Cut {
     }
 
     /// The speed of each tick in mm/s.
-    pub fn speeds_mm_s(&self) -> impl Iterator<Item = f32> {
+    pub fn speeds_mm_s(&self) -> impl DoubleEndedIterator<Item = f32> {
         let [up, even, down] = self.counts;
         let change = self.change_mm_s;
         let top = self.first_mm_s + f32::from(up) * change;

@@ -7,8 +7,9 @@ use crate::PlannedVector;
 use crate::aim::Aim;
 use crate::commands::write;
 use crate::lookahead::ChainVector;
-use crate::seen::{WINDOW_TICKS, at_ticks, second_difference, seen_mm};
+use crate::seen::{WINDOW_TICKS, second_difference, seen_mm};
 use crate::speeds::Speeds;
+use crate::tick::TICK_S;
 use crate::tick_fit::{MOST_FITS, TickFit, TickWish};
 use crate::ticker::Ticker;
 
@@ -40,15 +41,17 @@ impl LastPlaces {
     /// The same behind these vectors.
     pub(super) fn behind(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
         for (run, fit) in chain.iter().zip(fits) {
-            for place in at_ticks(self.last(), run.direction, &fit.cut) {
-                self.push(place);
+            for speed_mm_s in fit.cut.speeds_mm_s() {
+                self.go(run.direction, speed_mm_s);
             }
         }
         self
     }
 
-    fn push(&mut self, place: [f64; 3]) {
-        self.places[self.oldest] = place;
+    /// One more tick.
+    fn go(&mut self, direction: [f64; 3], speed_mm_s: f32) {
+        let (last, way_mm) = (self.last(), f64::from(speed_mm_s * TICK_S));
+        self.places[self.oldest] = [0, 1, 2].map(|i| last[i] + way_mm * direction[i]);
         self.oldest = (self.oldest + 1) % SEEN_TICKS;
     }
 
@@ -306,18 +309,23 @@ impl Way {
     /// accelerates no more than it may.
     fn see(&mut self, direction: [f64; 3], fit: &TickFit) {
         let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
-        let mut ticks = at_ticks(self.places.last(), direction, &fit.cut);
-        for place in ticks.by_ref().take(SEEN_TICKS) {
+        let mut speeds_mm_s = fit.cut.speeds_mm_s();
+        for speed_mm_s in speeds_mm_s.by_ref().take(SEEN_TICKS) {
             let [before, now] = self.places.before_and_now();
-            let seen_mm = second_difference(before, now, place);
+            self.places.go(direction, speed_mm_s);
+            let seen_mm = second_difference(before, now, self.places.last());
             if seen_mm > allowed_mm {
                 self.cost += (seen_mm / allowed_mm - 1.0).powi(2) * BEYOND;
             }
-            self.places.push(place);
         }
-        let unseen = (fit.ticks() as usize).saturating_sub(2 * SEEN_TICKS);
-        for place in ticks.skip(unseen) {
-            self.places.push(place);
+        // Of the rest the last ticks will be seen.
+        let (mut last_mm_s, mut count) = ([0.0; SEEN_TICKS], 0);
+        for (last, speed_mm_s) in last_mm_s.iter_mut().zip(speeds_mm_s.rev()) {
+            *last = speed_mm_s;
+            count += 1;
+        }
+        for &speed_mm_s in last_mm_s[..count].iter().rev() {
+            self.places.go(direction, speed_mm_s);
         }
     }
 }
