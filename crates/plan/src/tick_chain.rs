@@ -82,15 +82,10 @@ impl Breadth {
         fits: 1,
         same_share: 0.25,
     };
-    pub(super) const FEW: Self = Self {
-        ways: 3,
-        fits: MOST_FITS,
-        same_share: 0.25,
-    };
     pub(super) const MANY: Self = Self {
         ways: 8,
         fits: MOST_FITS,
-        same_share: 0.25,
+        same_share: 0.1,
     };
     pub(super) const MOST: Self = Self {
         ways: 20,
@@ -376,7 +371,7 @@ const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
 /// How many ticks it is worth not to be seen to accelerate twice as much as allowed; in the square of what is too much.
 const BEYOND: f64 = 30_000.0;
 /// So many vectors before a change and behind it are run anew too.
-const MARGIN: usize = 4;
+const MARGIN: usize = 2;
 /// How much worse than the best a way may be that goes on as the arm did.
 const MOST_LOSS: f64 = 4.0;
 /// So many vectors later the link is to wait for none of them more than it did.
@@ -437,7 +432,7 @@ mod tests {
             let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
             let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
             let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
-                .fits(&ticker, Breadth::FEW);
+                .fits(&ticker, Breadth::MANY);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
                 let at = at % chain.len();
@@ -446,7 +441,7 @@ mod tests {
             let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
             TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
-                .repair(&ticker, &mut fits, &changed, Breadth::FEW);
+                .repair(&ticker, &mut fits, &changed, Breadth::MANY);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;
         }
