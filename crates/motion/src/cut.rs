@@ -106,6 +106,7 @@ impl Cut {
     }
 
     /// The speed of each tick in mm/s.
+    #[must_use]
     pub fn speeds_mm_s(&self) -> impl DoubleEndedIterator<Item = f32> {
         let [up, even, down] = self.counts;
         let change = self.change_mm_s;
