@@ -23,6 +23,7 @@ mod burn;
 mod chain;
 mod commands;
 mod error;
+mod in_ticks;
 mod joints;
 mod landing;
 mod laser_path;

@@ -1,0 +1,281 @@
+//! How a stock arm is to run a chain: round after round, until no corner turns the tool too fast.
+
+use crate::aim::Aim;
+use crate::chain::{ChainSpeeds, LEAST_SHARE};
+use crate::lookahead::ChainVector;
+use crate::planner::{Planner, round_down};
+use crate::seen::TickPositions;
+use crate::speeds::Speeds;
+use crate::tick::TICK_S;
+use crate::tick_chain::{Breadth, LastPlaces, TickChain};
+use crate::tick_fit::TickFit;
+use crate::ticker::Ticker;
+
+impl Planner<'_> {
+    /// The chain ends, on an arm with ticks: its speeds can be planned.
+    pub(super) fn rest_in_ticks(&mut self, begin: usize) {
+        self.plan_lone(0);
+        let Some(ticker) = self.ticker.take() else {
+            return;
+        };
+        let mut it = InTicks::new(begin, ticker, &self.chain);
+        let mut attempt = self.attempt(&it, Breadth::ONE);
+        if self.aim == Aim::Soon && !attempt.is_good() {
+            attempt = self.search(&mut it);
+        }
+        it.ticker
+            .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
+        self.settle(self.moves.len());
+        self.last_places = self.last_places.behind(&self.chain, &attempt.fits);
+        self.ticker = Some(it.ticker);
+        self.chain_speeds = attempt.chain_speeds;
+    }
+
+    /// Where the ticks come out so that a pen would be seen to accelerate too much, the corners there
+    /// are taken slower, and what that changes is planned again. Where that helps no more, the vectors before them are parted. What is
+    /// the least too much is taken.
+    fn search(&mut self, it: &mut InTicks) -> Attempt {
+        let mut attempt = self.attempt(it, Breadth::MANY);
+        let mut best = attempt.clone();
+        let (mut partings, mut in_vain) = (0, 0);
+        for _ in 0..MOST_ROUNDS {
+            if !attempt.is_sharp() || in_vain == MOST_IN_VAIN {
+                break;
+            }
+            let parts = in_vain >= PATIENCE && partings < MOST_PARTINGS && self.part(it, &mut best);
+            if parts {
+                attempt = best.clone();
+                partings += 1;
+            } else {
+                self.take_slower(it, &attempt);
+            }
+            self.repair(it, &mut attempt, Breadth::MOST);
+            let gets_better = attempt.sharpness() < BETTER * best.sharpness();
+            in_vain = if parts || gets_better { 0 } else { in_vain + 1 };
+            if parts || attempt.sharpness() < best.sharpness() {
+                best = attempt.clone();
+            }
+        }
+        best
+    }
+
+    /// Cuts the straight ways in two whose corners are still taken too fast, where they take long enough. Whether any was.
+    ///
+    /// What an arm corrects in all ticks of a vector it keeps at the end, and it corrects a long vector only upwards and by
+    /// little: from corner to corner it keeps more. Of the ways through two vectors some keep next to nothing.
+    fn part(&mut self, it: &mut InTicks, attempt: &mut Attempt) -> bool {
+        let sharp = (0..self.chain.len()).filter(|&i| attempt.shares[i] < 1.0);
+        let mut parted: Vec<usize> = sharp
+            .map(|i| self.straight_from(i))
+            .filter(|&i| attempt.fits[i].ticks() >= PARTED_TICKS)
+            .collect();
+        parted.dedup();
+        for &i in parted.iter().rev() {
+            let second_mm = self.brakes_mm(attempt.speeds[i].peak_mm_s);
+            let second_mm = second_mm.min(0.5 * self.chain[i].length_mm);
+            let parts = self.moves[it.begin + i].parts(second_mm);
+            let runs = parts.map(|part| ChainVector::of(part.increments(), it.limits_mm_s[i]));
+            self.moves.splice(it.begin + i..=it.begin + i, parts);
+            self.chain.splice(i..=i, runs);
+            it.part(i);
+            attempt.part(i);
+        }
+        !parted.is_empty()
+    }
+
+    /// The first of the vectors that lead straight on to the end of this one.
+    fn straight_from(&self, mut i: usize) -> usize {
+        let is_straight = |i: usize| {
+            let [a, b] = [i - 1, i].map(|it| self.chain[it].direction);
+            a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() > STRAIGHT_COS
+        };
+        while i > 0 && is_straight(i) {
+            i -= 1;
+        }
+        i
+    }
+
+    /// How long a second part has to be: from this speed the arm comes to rest on it, and has some ticks to choose when it begins to
+    /// brake.
+    fn brakes_mm(&self, speed_mm_s: f64) -> f64 {
+        let brakes_mm = 0.5 * speed_mm_s * speed_mm_s / self.machine.acceleration_mm_s2;
+        brakes_mm + EVEN_TICKS * f64::from(TICK_S) * speed_mm_s
+    }
+
+    fn attempt(&mut self, it: &InTicks, breadth: Breadth) -> Attempt {
+        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
+        let fits = self.in_ticks(it, &speeds).fits(&it.ticker, breadth);
+        Attempt {
+            shares: self.shares(&fits),
+            chain_speeds,
+            speeds,
+            fits,
+        }
+    }
+
+    /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
+    /// link allows is told by the ticks.
+    pub(super) fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
+        let mut chain_speeds = self.chain_speeds.clone();
+        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.aim).collect();
+        if self.aim == Aim::Soon {
+            for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
+                speeds.limit_mm_s = limit_mm_s;
+            }
+        }
+        (chain_speeds, speeds)
+    }
+
+    /// Plans again what has changed since an attempt.
+    fn repair(&mut self, it: &InTicks, attempt: &mut Attempt, breadth: Breadth) {
+        let (chain_speeds, speeds) = self.wanted(&it.limits_mm_s);
+        let both = speeds.iter().zip(&attempt.speeds);
+        let changed: Vec<bool> = both
+            .zip(&attempt.shares)
+            .map(|((now, before), share)| now != before || *share < 1.0)
+            .collect();
+        let chain = self.in_ticks(it, &speeds);
+        chain.repair(&it.ticker, &mut attempt.fits, &changed, breadth);
+        attempt.shares = self.shares(&attempt.fits);
+        attempt.chain_speeds = chain_speeds;
+        attempt.speeds = speeds;
+    }
+
+    fn in_ticks<'a>(&'a self, it: &'a InTicks, speeds: &'a [Speeds]) -> TickChain<'a> {
+        TickChain {
+            aim: self.aim,
+            moves: &self.moves[it.begin..],
+            chain: &self.chain,
+            speeds,
+            over: &it.over,
+            most_mm_s: &it.most_mm_s,
+            before: match self.aim {
+                Aim::Soon => self.last_places,
+                Aim::Evenly => LastPlaces::default(),
+            },
+        }
+    }
+
+    /// What share of the acceleration seen at the corner behind each vector is allowed.
+    fn shares(&self, fits: &[TickFit]) -> Vec<f64> {
+        let mut ticks = TickPositions::default();
+        for (run, fit) in self.chain.iter().zip(fits) {
+            ticks.push(run, &fit.cut);
+        }
+        ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE)
+    }
+
+    /// Corners that are too fast, round after round more so; those that are hardly faster than one
+    /// tick becomes a stop in the end.
+    fn take_slower(&mut self, it: &mut InTicks, attempt: &Attempt) {
+        let step_mm_s = f64::from(it.ticker.step_mm_s());
+        let shares = attempt.shares.iter().enumerate();
+        for (i, share) in shares.filter(|it| *it.1 < 1.0) {
+            it.over[i] = (2.0 * it.over[i]).min(MOST_OVER);
+            let slower_mm_s = attempt.speeds[i].end_mm_s * share;
+            let stops = it.over[i] == MOST_OVER && slower_mm_s < step_mm_s;
+            self.chain[i].corner_mm_s = if stops { 0.0 } else { slower_mm_s };
+        }
+    }
+}
+
+/// The chain that ends, for an arm with ticks.
+struct InTicks {
+    /// Its first vector.
+    begin: usize,
+    /// What the arm carries over to it.
+    ticker: Ticker,
+    /// How fast each vector may be, whatever the link allows.
+    limits_mm_s: Vec<f64>,
+    /// How many times as much an end speed above the one wanted counts, for each vector.
+    over: Vec<f64>,
+    /// No packet may tell a larger speed, for each vector.
+    most_mm_s: Vec<f32>,
+}
+
+impl InTicks {
+    fn new(begin: usize, ticker: Ticker, chain: &[ChainVector]) -> Self {
+        let limits_mm_s: Vec<f64> = chain.iter().map(|it| it.limit_mm_s).collect();
+        let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
+        Self {
+            begin,
+            ticker,
+            over: vec![1.0; chain.len()],
+            most_mm_s: vec![most_mm_s; chain.len()],
+            limits_mm_s,
+        }
+    }
+
+    /// A vector has become two.
+    fn part(&mut self, i: usize) {
+        self.over[i] = 1.0;
+        self.over.insert(i, 1.0);
+        self.most_mm_s.insert(i, self.most_mm_s[i]);
+        self.limits_mm_s.insert(i, self.limits_mm_s[i]);
+    }
+}
+
+/// A chain as it comes out in ticks.
+#[derive(Clone)]
+struct Attempt {
+    chain_speeds: ChainSpeeds,
+    /// What was wanted of each vector.
+    speeds: Vec<Speeds>,
+    /// What comes out.
+    fits: Vec<TickFit>,
+    /// What share of the acceleration seen at the corner behind each vector is allowed.
+    shares: Vec<f64>,
+}
+
+impl Attempt {
+    /// Whether no search could make it much better.
+    fn is_good(&self) -> bool {
+        self.late_share() < MOST_LATE_SHARE && !self.is_sharp()
+    }
+
+    /// A vector has become two, which are to be planned again.
+    fn part(&mut self, i: usize) {
+        self.speeds.insert(i, self.speeds[i]);
+        self.fits.insert(i, self.fits[i]);
+        self.shares.insert(i, 0.0);
+        self.shares[i + 1] = 0.0;
+    }
+
+    /// Whether more acceleration is seen than allowed.
+    fn is_sharp(&self) -> bool {
+        self.shares.iter().any(|it| *it < 1.0)
+    }
+
+    /// How much more acceleration is seen than allowed, in the square and at all corners together.
+    fn sharpness(&self) -> f64 {
+        self.shares.iter().map(|it| (1.0 / it - 1.0).powi(2)).sum()
+    }
+
+    /// How much longer all of it takes than wanted, as a share of that.
+    fn late_share(&self) -> f64 {
+        let wanted_s: f64 = self.speeds.iter().map(|it| it.duration_s).sum();
+        let took_s: f64 = self.fits.iter().map(TickFit::duration_s).sum();
+        took_s / wanted_s - 1.0
+    }
+}
+
+/// What takes no longer than this beyond what is wanted is not worth a search.
+const MOST_LATE_SHARE: f64 = 0.01;
+/// How often a chain is planned again for the ticks of a stock arm at the most.
+const MOST_ROUNDS: u32 = 40;
+/// It gets better if as little is left as this share of what was too much.
+const BETTER: f64 = 0.8;
+/// After so many rounds in which it does not, vectors are parted.
+const PATIENCE: u32 = 2;
+/// After so many the search is over.
+const MOST_IN_VAIN: u32 = 8;
+/// How often vectors are parted.
+const MOST_PARTINGS: u32 = 6;
+/// Not those that take fewer ticks: each part takes as long as the link needs.
+const PARTED_TICKS: u32 = 8;
+/// So many ticks a second part goes on before it brakes.
+const EVEN_TICKS: f64 = 10.0;
+/// The cosine of a turn that is none.
+const STRAIGHT_COS: f64 = 0.999_999;
+/// How many times as much an end speed above the one wanted counts at the most.
+const MOST_OVER: f64 = 16.0;
