@@ -1,6 +1,8 @@
 //! How fast the chain of vectors between two rests is run, so that neither the acceleration nor the
 //! link is overdriven.
 
+use std::iter::repeat;
+
 use crate::Machine;
 use crate::aim::Aim;
 use crate::link::Credit;
@@ -20,6 +22,8 @@ pub(super) struct ChainSpeeds {
     junctions: Vec<Junction>,
     /// How long each vector is to take, in s.
     wanted_s: Vec<f64>,
+    /// How it was run when it was last looked how the tool turns.
+    seen: Vec<Speeds>,
 }
 
 impl ChainSpeeds {
@@ -35,6 +39,7 @@ impl ChainSpeeds {
             credit: Credit::new(machine.link),
             junctions: Vec::new(),
             wanted_s: Vec::new(),
+            seen: Vec::new(),
         }
     }
 
@@ -96,6 +101,7 @@ impl ChainSpeeds {
 
     /// Without a link every vector is there in no time, and nothing has to wait.
     fn plan_with_link(&mut self, chain: &mut [ChainVector]) {
+        self.seen.clear();
         for round in 0..ROUNDS {
             self.plan_motion(chain);
             let credit = self.credit;
@@ -115,17 +121,25 @@ impl ChainSpeeds {
 
     /// Uses less of the radius of a corner where the tool would be seen to accelerate more than it
     /// may: several corners may lie within the time over which that is measured. Whether any had
-    /// to be eased. Their speed is taken times the share that is allowed, to this power.
-    fn ease_corners(&self, chain: &mut [ChainVector], power: i32) -> bool {
+    /// to be eased. Their speed is taken times the share that is allowed, to this power. It is looked only where something has changed
+    /// since the last round: elsewhere nothing had to be eased.
+    fn ease_corners(&mut self, chain: &mut [ChainVector], power: i32) -> bool {
         if chain.len() < 2 {
             return false;
         }
         let speeds: Vec<Speeds> = (0..chain.len()).map(|i| self.speeds(chain, i)).collect();
         let a = self.cornering.acceleration_mm_s2;
-        let shares = SeenMotion::new(chain, &speeds, a).shares(LEAST_SHARE);
+        let before = self.seen.iter().map(Some).chain(repeat(None));
+        let changed: Vec<bool> = speeds
+            .iter()
+            .zip(before)
+            .map(|(now, it)| Some(now) != it)
+            .collect();
+        let shares = SeenMotion::new(chain, &speeds, a).shares(LEAST_SHARE, &changed);
         for (corner, share) in shares.iter().enumerate().filter(|it| *it.1 < 1.0) {
             chain[corner].corner_mm_s = speeds[corner].end_mm_s * share.powi(power);
         }
+        self.seen = speeds;
         shares.iter().any(|it| *it < 1.0)
     }
 

@@ -42,10 +42,10 @@ impl<'a> SeenMotion<'a> {
     /// For each vector the share that is allowed of the acceleration seen at the corner behind it; 1
     /// where the share is not below `least`.
     ///
-    /// It is looked at each corner, and around it as far as the corner is seen.
-    pub(super) fn shares(&self, least: f64) -> Vec<f64> {
+    /// It is looked at each corner that is seen together with a changed vector, and around it as far as the corner is seen.
+    pub(super) fn shares(&self, least: f64, changed: &[bool]) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.chain.len()];
-        for corner in 1..self.chain.len() {
+        for corner in self.corners_near(changed) {
             let at_s = self.begins[corner].0;
             for share_of_window in AROUND {
                 let t_s = at_s + share_of_window * WINDOW_S;
@@ -57,6 +57,21 @@ impl<'a> SeenMotion<'a> {
             }
         }
         shares
+    }
+
+    /// The corners that are seen together with one of these vectors.
+    fn corners_near(&self, changed: &[bool]) -> impl Iterator<Item = usize> {
+        let mut near = vec![false; self.chain.len()];
+        for vector in (0..near.len()).filter(|&it| changed[it]) {
+            let [from_s, to_s] = [self.begins[vector].0, self.begins[vector + 1].0];
+            let from = self.begins.partition_point(|it| it.0 < from_s - AROUND_S);
+            let to = self.begins.partition_point(|it| it.0 <= to_s + AROUND_S);
+            near[from.max(1)..to.min(self.chain.len())].fill(true);
+        }
+        near.into_iter()
+            .enumerate()
+            .filter(|it| it.1)
+            .map(|it| it.0)
     }
 
     /// The acceleration seen at a moment, in mm/s2.
@@ -184,5 +199,7 @@ pub(super) const WINDOW_S: f64 = 0.08;
 const AROUND: [f64; 11] = [
     -0.9, -0.8, -0.65, -0.45, -0.25, 0.0, 0.25, 0.45, 0.65, 0.8, 0.9,
 ];
+/// How far from a corner a vector is at the most that is seen with it: looked around it as above, a window before and behind.
+const AROUND_S: f64 = 2.0 * WINDOW_S;
 /// The same in ticks.
 pub(super) const WINDOW_TICKS: usize = 4;
