@@ -214,7 +214,8 @@ impl Completion {
     fn missed(&self, look: &Evidence, first: &First) -> Option<Verdict> {
         let (seen, plan) = (&look.seen, &look.sent.plan);
         let mut ends = look.under_way.iter();
-        if let Some(later) = ends.position(|it| it.plan.is_near(&seen.status)) {
+        let leads_here = |it: &Sent| it.plan.is_near(&seen.status) || it.plan.jogs_by(&seen.status);
+        if let Some(later) = ends.position(leads_here) {
             let idle = self.idle(look, first, later)?;
             return (look.now >= idle).then_some(Verdict::Over(later));
         }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_trajectory::{Model, Trajectory, TrajectoryError};
+use dobot_trajectory::{ArmPlace, Model, Trajectory, TrajectoryError};
 use dobot_wire::{Command, Status};
 
 use crate::SendError;
@@ -90,7 +90,18 @@ impl Plan {
             .is_some_and(|aim| aim.distance(position(status)).0 <= ARRIVED_MM)
     }
 
-    /// The same, with the tool turned as it should be then.
+    /// Whether an arm with this status stands on the way of a jog that begins where it is believed to: what ended
+    /// there need not have been seen, since the jog may have taken the arm away at once.
+    pub(crate) fn jogs_by(&self, status: &Status) -> bool {
+        let exact = self.trajectory.ok().filter(Trajectory::is_exact);
+        let Some(jog) = exact.and_then(|it| it.jog()) else {
+            return false;
+        };
+        let nearest = jog.nearest(&ArmPlace::of_status(status));
+        nearest.is_ok_and(|it| it.pose.position.distance(position(status)).0 <= ARRIVED_MM)
+    }
+
+    /// As [`Plan::is_near`], with the tool turned as it should be then.
     pub(crate) fn ends_at(&self, status: &Status) -> bool {
         let end = self.trajectory.ok().and_then(|it| it.end());
         let turned =

@@ -92,13 +92,43 @@ impl JogTrajectory {
         }
     }
 
+    /// The place on its way, without an end, that is the nearest to another along the axis that moves: the start
+    /// where the other lies behind it, and where the gripper moves.
+    ///
+    /// # Errors
+    ///
+    /// [`Unreachable`] where the arm cannot be at all.
+    pub fn nearest(&self, to: &ArmPlace) -> Result<ArmPlace, Unreachable> {
+        let (from, to, from_mm, to_mm) = (
+            &self.from.joints,
+            &to.joints,
+            &self.from.pose.position,
+            &to.pose.position,
+        );
+        let by = match self.axis {
+            JogAxis::Base => to.base.0 - from.base.0,
+            JogAxis::Rear => to.rear.0 - from.rear.0,
+            JogAxis::Fore => to.fore.0 - from.fore.0,
+            JogAxis::Servo => to.servo.0 - from.servo.0,
+            JogAxis::X => to_mm.x.0 - from_mm.x.0,
+            JogAxis::Y => to_mm.y.0 - from_mm.y.0,
+            JogAxis::Z => to_mm.z.0 - from_mm.z.0,
+            JogAxis::Gripper => 0.0,
+        };
+        self.moved(if by * self.target > 0.0 { by } else { 0.0 })
+    }
+
     /// Where the arm is after a time, were it not for limits.
     ///
     /// # Errors
     ///
     /// [`Unreachable`] where the arm cannot be at all.
     pub fn place_at(&self, t_s: f64) -> Result<ArmPlace, Unreachable> {
-        let by = self.ramp.distance_at(t_s);
+        self.moved(self.ramp.distance_at(t_s))
+    }
+
+    /// Where the arm is after so many degrees or millimetres.
+    fn moved(&self, by: f64) -> Result<ArmPlace, Unreachable> {
         let joints = |change: fn(&mut Joints) -> &mut Degrees| {
             let mut joints = self.from.joints;
             *change(&mut joints) += Degrees(by);

@@ -139,3 +139,62 @@ async fn a_released_jog_is_over_when_the_arm_stands() {
     assert_eq!(completed(&events), [14], "{events:?}");
     assert_at(found(&peer), rest.x.0 + 5.0, rest.y.0 + 5.0, rest.z.0, 1e-6);
 }
+
+/// A configuration is seen to be over late, so that nobody listens yet when the target behind it ends; which status
+/// tells of the jog that follows depends on how long all that takes.
+#[tokio::test]
+async fn a_target_away_from_which_a_jog_took_the_arm_at_once_is_over() {
+    let jogs: [[Command; 2]; 4] = [
+        [
+            LinearJog::new(LinearJogAxis::YPlus, 20.0).into(),
+            LinearJog::new(LinearJogAxis::Released, 0.0).into(),
+        ],
+        [
+            LinearJog::new(LinearJogAxis::ZMinus, 20.0).into(),
+            LinearJog::new(LinearJogAxis::Released, 0.0).into(),
+        ],
+        [
+            button(JointJogAxis::BaseMinus, 20.0).into(),
+            button(JointJogAxis::Released, 0.0).into(),
+        ],
+        [
+            button(JointJogAxis::RearPlus, 20.0).into(),
+            button(JointJogAxis::Released, 0.0).into(),
+        ],
+    ];
+    let ways = jogs
+        .iter()
+        .flat_map(|jog| (0..25_u8).map(move |part| (jog, part)));
+    for (jog, part) in ways {
+        let peer = in_process();
+        let mut arm = connect(&peer);
+        let y_mm = -60.0 - f32::from(part);
+        let mut program: Vec<Command> = vec![
+            move_to(MovingMode::Jump, 190.0, y_mm, 0.0).into(),
+            PlaybackAdjustment {
+                speed_percent: 10.0,
+                acceleration_percent: 50.0,
+                teach_speed_percent: 100.0,
+            }
+            .into(),
+            move_to(MovingMode::Jump, 205.0, 0.0, 0.0).into(),
+            move_to(MovingMode::Jump, 205.0, y_mm / 3.0, 0.0).into(),
+            Configuration::InitialAngles {
+                rear_deg: 32.0,
+                fore_deg: 49.4,
+            }
+            .into(),
+            MoveJoints::to([0.0, 21.9, 51.5, 0.0])
+                .with_mode(MovingMode::MovJ)
+                .into(),
+        ];
+        program.extend(jog);
+        let events = run(&mut arm, &program).await;
+        assert_eq!(
+            completed(&events),
+            (0..8).collect::<Vec<_>>(),
+            "{jog:?} {y_mm}: {events:?}"
+        );
+        assert_eq!(refusals(&peer), []);
+    }
+}
