@@ -79,8 +79,8 @@ pub(crate) async fn run<P: Panel>(
     let clock = Clock::of(station);
     let pendant = Pendant::new(station.id(), screen.keys(), station.dead_man(), drive);
     let mut panel = panel(pendant);
+    let mut is_shown = false;
     loop {
-        screen.draw(|frame| panel.draw(frame))?;
         tokio::select! {
             biased;
             () = &mut interrupt => panel.pendant().quit(),
@@ -89,12 +89,18 @@ pub(crate) async fn run<P: Panel>(
                 None => panel.pendant().quit(),
             },
             event = pad_event(&mut pad) => panel.pendant().handle_pad(clock.now(), event),
+            () = tokio::time::sleep_until(screen.free_from()), if !is_shown => {
+                screen.draw(|frame| panel.draw(frame))?;
+                is_shown = true;
+                continue;
+            }
             () = clock.wait_until(panel.pendant().poll_wakeup()) => {}
             heard = clock.next(station) => match heard? {
                 StationEvent::State(state) => panel.handle_state(*state),
                 StationEvent::Notice(notice) => panel.pendant().handle_notice(notice),
             },
         }
+        is_shown = false;
         panel.pendant().handle_time(clock.now());
         ask_all(station, &mut panel, clock).await?;
         if let Some((file, text)) = panel.poll_file() {

@@ -1,6 +1,7 @@
 //! The terminal of the pendant: its screen, and what it tells of its keys.
 
 use std::io::{self, IsTerminal, stdout};
+use std::time::Duration;
 
 use anyhow::anyhow;
 use crossterm::event::{
@@ -10,6 +11,7 @@ use crossterm::event::{
 use crossterm::execute;
 use crossterm::terminal::supports_keyboard_enhancement;
 use ratatui::{DefaultTerminal, Frame};
+use tokio::time::Instant;
 
 use super::KeyReports;
 use crate::failure::Failure;
@@ -19,6 +21,7 @@ use crate::failure::Failure;
 pub(crate) struct Screen {
     terminal: DefaultTerminal,
     keys: KeyReports,
+    free_from: Instant,
 }
 
 impl Screen {
@@ -35,6 +38,7 @@ impl Screen {
             } else {
                 KeyReports::Presses
             },
+            free_from: Instant::now(),
         };
         execute!(stdout(), EnableFocusChange)?;
         if tells {
@@ -48,9 +52,16 @@ impl Screen {
         self.keys
     }
 
+    /// From when on it is to be drawn anew: an arm tells more than a person sees, and no key waits for that.
+    pub(crate) const fn free_from(&self) -> Instant {
+        self.free_from
+    }
+
     /// Draws anew.
     pub(crate) fn draw(&mut self, draw: impl FnOnce(&mut Frame)) -> io::Result<()> {
-        self.terminal.draw(draw).map(|_| ())
+        self.terminal.draw(draw)?;
+        self.free_from = Instant::now() + FRAME;
+        Ok(())
     }
 }
 
@@ -73,6 +84,8 @@ pub(crate) fn check_terminal(what: &str, instead: &str) -> Result<(), Failure> {
     Err(Failure::new(anyhow!("{what} needs a terminal"), instead))
 }
 
+/// Thirty pictures a second.
+const FRAME: Duration = Duration::from_millis(33);
 /// With presses, repeats and releases of all keys.
 const FLAGS: Flags = Flags::DISAMBIGUATE_ESCAPE_CODES
     .union(Flags::REPORT_EVENT_TYPES)
