@@ -15,7 +15,7 @@ mod oracle;
 use corridor::{Corner, Corridor};
 use dobot_geometry::{Point, Stroke};
 use dobot_plan::Pace;
-use paced::{FastWay, fast_ways, fastest};
+use paced::{fast_ways, fastest, seemingly_fastest};
 use search::fewest;
 use spliced::spliced;
 
@@ -63,16 +63,13 @@ pub(crate) struct Way {
     pub stroke: Stroke,
     /// Its corners; none if it was not found in the corridor of the stroke.
     path: Vec<Corner>,
-    /// How long it takes, as far as is known without a plan, in s.
-    pub about_s: f64,
 }
 
 impl Way {
-    fn of(stroke: &Stroke, way: FastWay) -> Self {
+    fn of(stroke: &Stroke, path: Vec<Corner>) -> Self {
         Self {
-            stroke: joined(stroke, places(&way.path)),
-            path: way.path,
-            about_s: way.about_s,
+            stroke: joined(stroke, places(&path)),
+            path,
         }
     }
 }
@@ -92,29 +89,38 @@ pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
     Way {
         stroke: joined(stroke, points),
         path: path.unwrap_or_default(),
-        about_s: 0.0,
     }
 }
 
 /// The ways that may be the fastest at a pace, within `tolerance_mm`; of those that are as fast the first is the best. The one
-/// with the fewest vectors is given. Without `all` one of each kind is looked for.
+/// with the fewest vectors is given.
 pub(crate) fn fast_ways_at(
     stroke: &Stroke,
     tolerance_mm: f64,
     fewest: Way,
     pace: &Pace,
-    all: bool,
 ) -> Vec<Way> {
     if fewest.path.is_empty() {
         return vec![fewest];
     }
-    let ways = fast_ways(
-        corridor(stroke, tolerance_mm - SLACK_MM),
-        fewest.path,
-        pace,
-        all,
-    );
+    let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
+    let ways = fast_ways(corridor, fewest.path, pace);
     ways.into_iter().map(|it| Way::of(stroke, it)).collect()
+}
+
+/// The way that seems to be the fastest at a pace, within `tolerance_mm`, found in a fraction of the time. The one with the
+/// fewest vectors is given.
+pub(crate) fn seemingly_fastest_at(
+    stroke: &Stroke,
+    tolerance_mm: f64,
+    fewest: Way,
+    pace: &Pace,
+) -> Way {
+    if fewest.path.is_empty() {
+        return fewest;
+    }
+    let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
+    Way::of(stroke, seemingly_fastest(corridor, fewest.path, pace))
 }
 
 /// A way that was planned.
@@ -306,13 +312,7 @@ mod tests {
     }
 
     fn fast_ways(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Vec<Way> {
-        fast_ways_at(
-            stroke,
-            tolerance_mm,
-            fewest_at(stroke, tolerance_mm),
-            pace,
-            true,
-        )
+        fast_ways_at(stroke, tolerance_mm, fewest_at(stroke, tolerance_mm), pace)
     }
 
     #[test]
@@ -480,7 +480,8 @@ mod tests {
                 way: way.clone(),
             }).collect();
             let spliced = spliced_at(&stroke, tolerance, &pace, &planned, 0.0);
-            for Way { stroke: simple, .. } in ways.into_iter().chain(spliced) {
+            let seems = seemingly_fastest_at(&stroke, tolerance, fewest_at(&stroke, tolerance), &pace);
+            for Way { stroke: simple, .. } in ways.into_iter().chain(spliced).chain([seems]) {
                 if simple.points.len() > 1 {
                     prop_assert!(closed || simple.points[0] == stroke.points[0]);
                     prop_assert!(closed || simple.last() == stroke.last());

@@ -6,7 +6,7 @@ use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, acceleration};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
-use crate::simplify::{PlannedWay, Way, fast_ways_at, fewest_at, spliced_at};
+use crate::simplify::{PlannedWay, Way, fast_ways_at, fewest_at, seemingly_fastest_at, spliced_at};
 
 /// How much of a drawing may still be planned to find the fastest vectors.
 #[derive(Debug)]
@@ -75,15 +75,11 @@ fn faster(
 ) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let pace = Pace::of(&settings.machine, &tool);
-    let tries = trials.take(&fewest.stroke, settings.machine.has_ticks);
-    let few = fewest.stroke.clone();
-    let ways = fast_ways_at(stroke, tolerance_mm, fewest, &pace, tries);
-    if !tries {
-        let soonest = ways
-            .into_iter()
-            .min_by(|a, b| a.about_s.total_cmp(&b.about_s));
-        return soonest.map_or(few, |it| it.stroke);
+    if !trials.take(&fewest.stroke, settings.machine.has_ticks) {
+        return seemingly_fastest_at(stroke, tolerance_mm, fewest, &pace).stroke;
     }
+    let few = fewest.stroke.clone();
+    let ways = fast_ways_at(stroke, tolerance_mm, fewest, &pace);
     if ways.iter().all(|it| it.stroke == few) {
         return few;
     }

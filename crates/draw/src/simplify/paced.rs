@@ -25,14 +25,12 @@ pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Cor
 }
 
 /// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, which is given, and
-/// the one with the fewest within half of the tolerance. Only a plan tells which is the fastest. Without `all` one of each kind
-/// is looked for.
+/// the one with the fewest within half of the tolerance. Only a plan tells which is the fastest.
 pub(super) fn fast_ways(
     mut corridor: Corridor<'_>,
     fewest: Vec<Corner>,
     pace: &Pace,
-    all: bool,
-) -> Vec<FastWay> {
+) -> Vec<Vec<Corner>> {
     let most_mm = corridor.radii[0];
     let mut found = Found::new(&mut corridor, fewest, pace);
     let mut timed = Vec::new();
@@ -41,29 +39,47 @@ pub(super) fn fast_ways(
         if let Some(fine) = Attempt::new(&corridor, pace) {
             found.smoothest = found.smoothest.or_smoother(fine);
         }
-        timed = found.timed(&mut corridor, most_mm, pace, all);
+        timed = found.timed(&mut corridor, most_mm, pace);
     }
-    let mut ways = vec![FastWay::from(found.best)];
+    let mut ways = vec![found.best.path];
     ways.extend(timed);
-    ways.extend(found.plain.into_iter().map(FastWay::from));
+    ways.extend(found.plain.into_iter().map(|it| it.path));
     ways
 }
 
-/// A path that may be the fastest.
-#[derive(Clone, Debug)]
-pub(super) struct FastWay {
-    pub(super) path: Vec<Corner>,
-    /// How long it takes, as far as is known without a plan, in s.
-    pub(super) about_s: f64,
-}
-
-impl From<Attempt> for FastWay {
-    fn from(it: Attempt) -> Self {
-        Self {
-            about_s: it.time_s,
-            path: it.path,
-        }
+/// The path that seems to be the fastest without a plan; the one with the fewest vectors is given. On a curve it is one whose
+/// vectors take whole ticks of the arm's fastest motion, or of the link's.
+pub(super) fn seemingly_fastest(
+    mut corridor: Corridor<'_>,
+    fewest: Vec<Corner>,
+    pace: &Pace,
+) -> Vec<Corner> {
+    let most_mm = corridor.radii[0];
+    let few = Attempt::of(fewest, &corridor, pace);
+    if !few.is_curved(&corridor, most_mm / NARROWEST) {
+        return few.path;
     }
+    corridor.radii.fill(most_mm / FINE);
+    let fine = Attempt::new(&corridor, pace).unwrap_or_else(|| few.clone());
+    corridor.radii.fill(most_mm);
+    let [as_the_arm, as_the_link] = gentler(pace);
+    let smoothest = few.clone().or_smoother(fine);
+    let arm = Course::along(&smoothest.path, 0.0, as_the_arm[0], pace);
+    if pace.has_ticks() {
+        // The link's vectors are the fastest nearly nowhere.
+        return arm.timed(&corridor, &SIDES, pace).unwrap_or(few.path);
+    }
+    let link = Course::along(&few.path, pace.link.period_s, as_the_link[0], pace);
+    let [arm, link] = [arm, link].map(|course| {
+        let path = course.timed(&corridor, &FEW_SIDES, pace)?;
+        Some(Attempt::of(path, &corridor, pace))
+    });
+    let found = match (arm, link) {
+        (Some(arm), Some(link)) if arm.time_s * LINK_SEEMS_SLOWER < link.time_s => arm,
+        (Some(arm), None) => arm,
+        (_, link) => link.unwrap_or(few),
+    };
+    found.path
 }
 
 /// What the search within ever narrower corridors finds.
@@ -116,39 +132,27 @@ impl Found {
 
     /// Paths whose vectors take whole ticks: at speeds as the arm's fastest motion has them, or the link's, or somewhat lower
     /// ones, and within half of the tolerance.
-    fn timed(
-        &self,
-        corridor: &mut Corridor<'_>,
-        most_mm: f64,
-        pace: &Pace,
-        all: bool,
-    ) -> Vec<FastWay> {
-        let [as_the_arm, as_the_link] = if pace.has_ticks() {
-            [&GENTLER_IN_TICKS[..], &GENTLER_LINK_IN_TICKS]
-        } else {
-            [&GENTLER[..], &GENTLER_LINK]
-        };
+    fn timed(&self, corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) -> Vec<Vec<Corner>> {
+        let [as_the_arm, as_the_link] = gentler(pace);
         let arm = |gentler| Course::along(&self.smoothest.path, 0.0, gentler, pace);
         let link = |gentler| Course::along(&self.best.path, pace.link.period_s, gentler, pace);
         corridor.radii.fill(most_mm);
-        if !all {
-            let sides = if pace.has_ticks() {
-                &SIDES[..]
-            } else {
-                &FEW_SIDES
-            };
-            let both = [arm(as_the_arm[0]), link(as_the_link[0])].into_iter();
-            return both
-                .filter_map(|it| it.timed(corridor, sides, pace))
-                .collect();
-        }
         let timed = |course: Course<'_>| course.timed(corridor, &SIDES, pace);
         let arms = as_the_arm.iter().map(|it| arm(*it));
         let links = as_the_link.iter().map(|it| link(*it));
-        let mut ways: Vec<FastWay> = arms.chain(links).filter_map(timed).collect();
+        let mut ways: Vec<Vec<Corner>> = arms.chain(links).filter_map(timed).collect();
         corridor.radii.fill(0.5 * most_mm);
         ways.extend(arm(as_the_arm[0]).timed(corridor, &SIDES, pace));
         ways
+    }
+}
+
+/// How many times lower than with the fastest motion speeds in curves are tried, for the arm's motion and for the link's.
+fn gentler(pace: &Pace) -> [&'static [f64]; 2] {
+    if pace.has_ticks() {
+        [&GENTLER_IN_TICKS, &GENTLER_LINK_IN_TICKS]
+    } else {
+        [&GENTLER, &GENTLER_LINK]
     }
 }
 
@@ -290,6 +294,8 @@ const GENTLER_IN_TICKS: [f64; 4] = [1.035, 1.005, 1.02, 1.05];
 /// The same where each vector takes as long as its packet.
 const GENTLER_LINK: [f64; 2] = [1.0, 1.05];
 const GENTLER_LINK_IN_TICKS: [f64; 1] = [1.05];
+/// The time of the link's vectors seems so much longer than it is, against that of the arm's.
+const LINK_SEEMS_SLOWER: f64 = 1.02;
 /// How many times narrower than the tolerance the corridor is whose path tells how fast the arm could be.
 const FINE: f64 = 8.0;
 /// How much the width follows the time: with the square a chord would take just as long as wanted.

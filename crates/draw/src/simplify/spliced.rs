@@ -15,7 +15,6 @@ use dobot_geometry::Point;
 use dobot_plan::Pace;
 
 use super::corridor::{Corner, Corridor};
-use super::paced::FastWay;
 use super::timed::{TOO_SHARP_S, seen_mm};
 use super::visibility::Visibility;
 
@@ -26,7 +25,7 @@ pub(super) fn spliced<'a>(
     planned: impl Iterator<Item = (&'a [Corner], &'a [f64])>,
     change_s: f64,
     pace: &Pace,
-) -> Option<FastWay> {
+) -> Option<Vec<Corner>> {
     let lengths = Lengths::of(corridor);
     let paths = Paths {
         all: planned
@@ -45,10 +44,7 @@ pub(super) fn spliced<'a>(
     let mut found: Vec<Node> = successors(Some(last), before).map(|it| nodes[it]).collect();
     found.reverse();
     let changes = found.windows(2).any(|pair| pair[0].path != pair[1].path);
-    changes.then(|| FastWay {
-        path: found.iter().map(|it| paths.corner(*it)).collect(),
-        about_s: labels[last].time_s,
-    })
+    changes.then(|| found.iter().map(|it| paths.corner(*it)).collect())
 }
 
 /// A path, and when a plan is at its corners.

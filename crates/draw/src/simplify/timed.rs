@@ -19,7 +19,6 @@ use dobot_geometry::{Point, Vec2};
 use dobot_plan::{Motion, Pace};
 
 use super::corridor::{Corner, Corridor};
-use super::paced::FastWay;
 use super::visibility::Visibility;
 
 /// The fastest motion along a path: what other paths are measured by.
@@ -55,7 +54,7 @@ impl<'a> Course<'a> {
         corridor: &Corridor<'_>,
         sides: &[f64],
         pace: &Pace,
-    ) -> Option<FastWay> {
+    ) -> Option<Vec<Corner>> {
         let places = Places::of(self, corridor, sides).all;
         let rates = Rates::of(pace);
         let mut labels = vec![Label::UNREACHED; places.len()];
@@ -66,10 +65,7 @@ impl<'a> Course<'a> {
             }
         }
         let last = labels[labels.len() - 1];
-        last.time_s.is_finite().then(|| FastWay {
-            path: path(&places, &labels),
-            about_s: last.time_s,
-        })
+        last.time_s.is_finite().then(|| path(&places, &labels))
     }
 }
 
