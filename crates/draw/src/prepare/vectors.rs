@@ -160,8 +160,11 @@ const SHARP: f64 = 1.01;
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
     use dobot_geometry::{Point, Vec2, deviation};
+    use dobot_random::Random;
 
     #[test]
     fn where_no_more_may_be_tried_the_way_that_seems_the_fastest_is_taken() {
@@ -191,6 +194,42 @@ mod tests {
         );
         assert!(
             estimated_s < 1.1 * tried_s,
+            "{estimated_s} instead of {tried_s} s"
+        );
+    }
+
+    /// A line whose direction wanders: tight curves, in which the link limits the speed as often as the arm.
+    fn scrawl(random: &mut Random) -> Stroke {
+        let (mut at, mut curve, mut angle) = (Point::new(220.0, 0.0), 0.0, TAU * random.share());
+        let mut points = vec![at];
+        for _ in 0..200 {
+            curve = 0.97 * (curve + 0.7 * random.share() - 0.35);
+            angle += 0.5 * curve;
+            at += Vec2::from_angle(angle) * 0.15;
+            points.push(at);
+        }
+        Stroke::open(points)
+    }
+
+    #[test]
+    fn strokes_that_are_only_estimated_are_nearly_as_fast_as_if_their_ways_were_tried() {
+        let settings = Settings::default();
+        let mut random = Random::new(1);
+        let scrawls: Vec<Stroke> = (0..60).map(|_| scrawl(&mut random)).collect();
+        let planned_s = |left: usize| -> f64 {
+            let chosen = scrawls.iter().map(|it| {
+                let mut trials = Trials { left };
+                let fewest = fewest_at(it, 0.045);
+                let way = faster(it, fewest, settings.tool, &settings, &mut trials);
+                let pass = Pass::new(settings.tool, vec![way]);
+                let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+                plan.expect("a plan").duration_s()
+            });
+            chosen.sum()
+        };
+        let (tried_s, estimated_s) = (planned_s(100_000), planned_s(0));
+        assert!(
+            estimated_s < 1.03 * tried_s,
             "{estimated_s} instead of {tried_s} s"
         );
     }
