@@ -15,13 +15,13 @@ use dobot_plan::Pace;
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 use super::search::fewest;
-use super::timed::{Course, FEW_SIDES, SIDES};
+use super::timed::{Course, FEW_SIDES, SIDES, TimedPath};
 
 /// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
 /// without vectors that are too short.
 pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
     let path = fewest(&corridor)?;
-    Some(Found::new(&mut corridor, path, pace).best.path)
+    Some(Found::new(&mut corridor, path, pace, &ROUNDS).best.path)
 }
 
 /// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, which is given, and
@@ -32,13 +32,10 @@ pub(super) fn fast_ways(
     pace: &Pace,
 ) -> Vec<Vec<Corner>> {
     let most_mm = corridor.radii[0];
-    let mut found = Found::new(&mut corridor, fewest, pace);
+    let mut found = Found::new(&mut corridor, fewest, pace, &ROUNDS);
     let mut timed = Vec::new();
     if found.is_curved {
-        corridor.radii.fill(most_mm / FINE);
-        if let Some(fine) = Attempt::new(&corridor, pace) {
-            found.smoothest = found.smoothest.or_smoother(fine);
-        }
+        found.look_fine(&mut corridor, most_mm, pace);
         timed = found.timed(&mut corridor, most_mm, pace);
     }
     let mut ways = vec![found.best.path];
@@ -55,31 +52,33 @@ pub(super) fn seemingly_fastest(
     pace: &Pace,
 ) -> Vec<Corner> {
     let most_mm = corridor.radii[0];
-    let few = Attempt::of(fewest, &corridor, pace);
-    if !few.is_curved(&corridor, most_mm / NARROWEST) {
-        return few.path;
+    let mut found = Found::new(&mut corridor, fewest, pace, &ROUNDS[..1]);
+    if !found.is_curved {
+        return found.best.path;
     }
-    corridor.radii.fill(most_mm / FINE);
-    let fine = Attempt::new(&corridor, pace).unwrap_or_else(|| few.clone());
+    found.look_fine(&mut corridor, most_mm, pace);
     corridor.radii.fill(most_mm);
     let [as_the_arm, as_the_link] = gentler(pace);
-    let smoothest = few.clone().or_smoother(fine);
-    let arm = Course::along(&smoothest.path, 0.0, as_the_arm[0], pace);
-    if pace.has_ticks() {
-        // The link's vectors are the fastest nearly nowhere.
-        return arm.timed(&corridor, &SIDES, pace).unwrap_or(few.path);
-    }
-    let link = Course::along(&few.path, pace.link.period_s, as_the_link[0], pace);
-    let [arm, link] = [arm, link].map(|course| {
-        let path = course.timed(&corridor, &FEW_SIDES, pace)?;
-        Some(Attempt::of(path, &corridor, pace))
+    let ways = [
+        (found.as_the_arm(as_the_arm[0], pace), ARM_SEEMS),
+        (found.as_the_link(as_the_link[0], pace), 1.0),
+    ];
+    let timed = ways.into_iter().filter_map(|(course, seems)| {
+        if pace.has_ticks() {
+            let timed = course.timed(&corridor, &SIDES, pace)?;
+            return Some((timed.time_s, timed.path));
+        }
+        let timed = course.timed(&corridor, &FEW_SIDES, pace)?;
+        let it = Attempt::of(timed.path, &corridor, pace);
+        Some((it.time_s * seems, it.path))
     });
-    let found = match (arm, link) {
-        (Some(arm), Some(link)) if arm.time_s * LINK_SEEMS_SLOWER < link.time_s => arm,
-        (Some(arm), None) => arm,
-        (_, link) => link.unwrap_or(few),
-    };
-    found.path
+    let seems = if pace.has_ticks() { 1.0 } else { BEST_SEEMS };
+    let timed: Vec<_> = timed.collect();
+    let all = timed
+        .into_iter()
+        .chain([(found.best.time_s * seems, found.best.path)]);
+    let soonest = all.min_by(|a, b| a.0.total_cmp(&b.0));
+    soonest.map(|it| it.1).unwrap_or_default()
 }
 
 /// What the search within ever narrower corridors finds.
@@ -95,8 +94,9 @@ struct Found {
 
 impl Found {
     /// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
-    /// slower than a smaller one. The path with the fewest vectors is given.
-    fn new(corridor: &mut Corridor<'_>, fewest: Vec<Corner>, pace: &Pace) -> Self {
+    /// slower than a smaller one. The path with the fewest vectors is given, and how many periods of the link a vector should
+    /// take, round after round.
+    fn new(corridor: &mut Corridor<'_>, fewest: Vec<Corner>, pace: &Pace, rounds: &[f64]) -> Self {
         let mut most_mm = corridor.radii[0];
         let mut here = Attempt::of(fewest, corridor, pace);
         let mut found = Self {
@@ -116,7 +116,7 @@ impl Found {
                 break;
             }
             found.is_curved = true;
-            found.best = rounds(corridor, most_mm, pace, here, found.best);
+            found.best = narrowed(corridor, most_mm, pace, rounds, (here, found.best));
             most_mm *= 0.5;
             if most_mm < NARROWEST * MIN_VECTOR_MM {
                 break;
@@ -134,16 +134,33 @@ impl Found {
     /// ones, and within half of the tolerance.
     fn timed(&self, corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) -> Vec<Vec<Corner>> {
         let [as_the_arm, as_the_link] = gentler(pace);
-        let arm = |gentler| Course::along(&self.smoothest.path, 0.0, gentler, pace);
-        let link = |gentler| Course::along(&self.best.path, pace.link.period_s, gentler, pace);
         corridor.radii.fill(most_mm);
+        let arms = as_the_arm.iter().map(|it| self.as_the_arm(*it, pace));
+        let links = as_the_link.iter().map(|it| self.as_the_link(*it, pace));
         let timed = |course: Course<'_>| course.timed(corridor, &SIDES, pace);
-        let arms = as_the_arm.iter().map(|it| arm(*it));
-        let links = as_the_link.iter().map(|it| link(*it));
-        let mut ways: Vec<Vec<Corner>> = arms.chain(links).filter_map(timed).collect();
+        let mut ways: Vec<TimedPath> = arms.chain(links).filter_map(timed).collect();
         corridor.radii.fill(0.5 * most_mm);
-        ways.extend(arm(as_the_arm[0]).timed(corridor, &SIDES, pace));
-        ways
+        let nearer = self.as_the_arm(as_the_arm[0], pace);
+        ways.extend(nearer.timed(corridor, &SIDES, pace));
+        ways.into_iter().map(|it| it.path).collect()
+    }
+
+    /// Looks for a path on which the arm would be faster without a link in a much narrower corridor.
+    fn look_fine(&mut self, corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) {
+        corridor.radii.fill(most_mm / FINE);
+        if let Some(fine) = Attempt::new(corridor, pace) {
+            self.smoothest = self.smoothest.clone().or_smoother(fine);
+        }
+    }
+
+    /// The fastest motion of the arm alone.
+    fn as_the_arm(&self, gentler: f64, pace: &Pace) -> Course<'_> {
+        Course::along(&self.smoothest.path, 0.0, gentler, pace)
+    }
+
+    /// The fastest motion of the arm behind the link.
+    fn as_the_link(&self, gentler: f64, pace: &Pace) -> Course<'_> {
+        Course::along(&self.best.path, pace.link.period_s, gentler, pace)
     }
 }
 
@@ -158,14 +175,14 @@ fn gentler(pace: &Pace) -> [&'static [f64]; 2] {
 
 /// Makes a corridor that is as wide everywhere as narrow as is best, a few times; the path that was found in it so far is `last`.
 /// What is best of its paths and the one given.
-fn rounds(
+fn narrowed(
     corridor: &mut Corridor<'_>,
     most_mm: f64,
     pace: &Pace,
-    mut last: Attempt,
-    mut best: Attempt,
+    rounds: &[f64],
+    (mut last, mut best): (Attempt, Attempt),
 ) -> Attempt {
-    for periods in ROUNDS {
+    for periods in rounds {
         if !last.narrow(corridor, most_mm, periods * pace.link.period_s) {
             break;
         }
@@ -294,8 +311,10 @@ const GENTLER_IN_TICKS: [f64; 4] = [1.035, 1.005, 1.02, 1.05];
 /// The same where each vector takes as long as its packet.
 const GENTLER_LINK: [f64; 2] = [1.0, 1.05];
 const GENTLER_LINK_IN_TICKS: [f64; 1] = [1.05];
-/// The time of the link's vectors seems so much longer than it is, against that of the arm's.
-const LINK_SEEMS_SLOWER: f64 = 1.02;
+/// How many times longer than the vectors of the link's motion those of the arm's take than their pace says, and those of no
+/// such motion, which take no whole ticks.
+const ARM_SEEMS: f64 = 1.02;
+const BEST_SEEMS: f64 = 1.08;
 /// How many times narrower than the tolerance the corridor is whose path tells how fast the arm could be.
 const FINE: f64 = 8.0;
 /// How much the width follows the time: with the square a chord would take just as long as wanted.

@@ -54,7 +54,7 @@ impl<'a> Course<'a> {
         corridor: &Corridor<'_>,
         sides: &[f64],
         pace: &Pace,
-    ) -> Option<Vec<Corner>> {
+    ) -> Option<TimedPath> {
         let places = Places::of(self, corridor, sides).all;
         let rates = Rates::of(pace);
         let mut labels = vec![Label::UNREACHED; places.len()];
@@ -65,8 +65,19 @@ impl<'a> Course<'a> {
             }
         }
         let last = labels[labels.len() - 1];
-        last.time_s.is_finite().then(|| path(&places, &labels))
+        last.time_s.is_finite().then(|| TimedPath {
+            path: path(&places, &labels),
+            time_s: last.time_s,
+        })
     }
+}
+
+/// A path whose vectors take whole ticks.
+#[derive(Debug)]
+pub(super) struct TimedPath {
+    pub(super) path: Vec<Corner>,
+    /// How long it takes, as far as is known without a plan, in s.
+    pub(super) time_s: f64,
 }
 
 /// A place where a corner may be.
