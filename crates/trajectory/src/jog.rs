@@ -99,20 +99,16 @@ impl JogTrajectory {
     ///
     /// [`Unreachable`] where the arm cannot be at all.
     pub fn nearest(&self, to: &ArmPlace) -> Result<ArmPlace, Unreachable> {
-        let (from, to, from_mm, to_mm) = (
-            &self.from.joints,
-            &to.joints,
-            &self.from.pose.position,
-            &to.pose.position,
-        );
+        let (from, way) = (&self.from, to.pose.position - self.from.pose.position);
+        let turned = |of: fn(&Joints) -> Degrees| of(&to.joints).0 - of(&from.joints).0;
         let by = match self.axis {
-            JogAxis::Base => to.base.0 - from.base.0,
-            JogAxis::Rear => to.rear.0 - from.rear.0,
-            JogAxis::Fore => to.fore.0 - from.fore.0,
-            JogAxis::Servo => to.servo.0 - from.servo.0,
-            JogAxis::X => to_mm.x.0 - from_mm.x.0,
-            JogAxis::Y => to_mm.y.0 - from_mm.y.0,
-            JogAxis::Z => to_mm.z.0 - from_mm.z.0,
+            JogAxis::Base => turned(|it| it.base),
+            JogAxis::Rear => turned(|it| it.rear),
+            JogAxis::Fore => turned(|it| it.fore),
+            JogAxis::Servo => turned(|it| it.servo),
+            JogAxis::X => way.x.0,
+            JogAxis::Y => way.y.0,
+            JogAxis::Z => way.z.0,
             JogAxis::Gripper => 0.0,
         };
         self.moved(if by * self.target > 0.0 { by } else { 0.0 })

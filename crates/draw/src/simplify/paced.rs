@@ -45,7 +45,8 @@ pub(super) fn fast_ways(
 }
 
 /// The path that seems to be the fastest without a plan; the one with the fewest vectors is given. On a curve it is one whose
-/// vectors take whole ticks of the arm's fastest motion, or of the link's.
+/// vectors take whole ticks of the arm's fastest motion, or of the link's, or the best of a shorter search than
+/// [`fast_ways`] makes.
 pub(super) fn seemingly_fastest(
     mut corridor: Corridor<'_>,
     fewest: Vec<Corner>,
@@ -59,26 +60,24 @@ pub(super) fn seemingly_fastest(
     found.look_fine(&mut corridor, most_mm, pace);
     corridor.radii.fill(most_mm);
     let [as_the_arm, as_the_link] = gentler(pace);
-    let ways = [
-        (found.as_the_arm(as_the_arm[0], pace), ARM_SEEMS),
-        (found.as_the_link(as_the_link[0], pace), 1.0),
-    ];
-    let timed = ways.into_iter().filter_map(|(course, seems)| {
+    let (sides, arm_seems, best_seems) = if pace.has_ticks() {
+        (&SIDES[..], 1.0, 1.0)
+    } else {
+        (&FEW_SIDES[..], ARM_SEEMS, BEST_SEEMS)
+    };
+    let link = (found.as_the_link(as_the_link[0], pace), 1.0);
+    let arm = (found.as_the_arm(as_the_arm[0], pace), arm_seems);
+    let timed = [link, arm].map(|(course, seems)| {
+        let TimedPath { path, time_s } = course.timed(&corridor, sides, pace)?;
         if pace.has_ticks() {
-            let timed = course.timed(&corridor, &SIDES, pace)?;
-            return Some((timed.time_s, timed.path));
+            return Some((time_s, path));
         }
-        let timed = course.timed(&corridor, &FEW_SIDES, pace)?;
-        let it = Attempt::of(timed.path, &corridor, pace);
-        Some((it.time_s * seems, it.path))
+        let it = Attempt::of(path, &corridor, pace);
+        Some((seems * it.time_s, it.path))
     });
-    let seems = if pace.has_ticks() { 1.0 } else { BEST_SEEMS };
-    let timed: Vec<_> = timed.collect();
-    let all = timed
-        .into_iter()
-        .chain([(found.best.time_s * seems, found.best.path)]);
-    let soonest = all.min_by(|a, b| a.0.total_cmp(&b.0));
-    soonest.map(|it| it.1).unwrap_or_default()
+    let best = (best_seems * found.best.time_s, found.best.path);
+    let sooner = |a: (f64, Vec<Corner>), b: (f64, Vec<Corner>)| if b.0 <= a.0 { b } else { a };
+    timed.into_iter().flatten().fold(best, sooner).1
 }
 
 /// What the search within ever narrower corridors finds.
