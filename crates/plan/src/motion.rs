@@ -83,27 +83,17 @@ impl Motion {
         })
     }
 
-    /// When the tool is so far along the path, in s: to within a microsecond.
+    /// When the tool is so far along the path, in s.
     #[must_use]
     pub fn reached_s(&self, gone_mm: f64) -> f64 {
         let after = self.vectors.partition_point(|it| it.begin_mm <= gone_mm);
-        let (mut early_s, mut late_s) = (
-            after
-                .checked_sub(1)
-                .map_or(0.0, |i| self.vectors[i].begin_s),
-            self.vectors
-                .get(after)
-                .map_or(self.duration_s, |it| it.begin_s),
-        );
-        while late_s - early_s > 1e-6 {
-            let middle_s = 0.5 * (early_s + late_s);
-            if self.gone_mm(middle_s) < gone_mm {
-                early_s = middle_s;
-            } else {
-                late_s = middle_s;
-            }
-        }
-        late_s
+        after.checked_sub(1).map_or(0.0, |i| {
+            let vector = &self.vectors[i];
+            let along_mm = (gone_mm - vector.begin_mm).min(vector.length_mm);
+            let (length_mm, a) = (vector.length_mm, self.acceleration_mm_s2);
+            let since_s = vector.speeds.reached_s(length_mm, a, along_mm);
+            vector.begin_s + vector.slower * since_s.min(vector.speeds.duration_s)
+        })
     }
 }
 
@@ -128,7 +118,7 @@ mod tests {
         ];
         for (t_s, gone_mm) in moments {
             assert!((motion.gone_mm(t_s) - gone_mm).abs() < 1e-9, "{t_s}");
-            assert!((motion.reached_s(gone_mm) - t_s).abs() < 1e-5, "{gone_mm}");
+            assert!((motion.reached_s(gone_mm) - t_s).abs() < 1e-9, "{gone_mm}");
         }
         assert!((motion.gone_mm(9.0) - 40.0).abs() < 1e-9);
     }

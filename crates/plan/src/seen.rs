@@ -45,14 +45,18 @@ impl<'a> SeenMotion<'a> {
     /// It is looked at each corner that is seen together with a changed vector, and around it as far as the corner is seen.
     pub(super) fn shares(&self, least: f64, changed: &[bool]) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.chain.len()];
+        let allowed_mm = seen_mm(self.acceleration_mm_s2);
+        let most_mm2 = (allowed_mm / least).powi(2);
         for corner in self.corners_near(changed) {
             let at_s = self.begins[corner].0;
             for share_of_window in AROUND {
                 let t_s = at_s + share_of_window * WINDOW_S;
-                let share = self.acceleration_mm_s2 / self.acceleration(t_s, corner);
-                if share < least {
+                let moments = [-WINDOW_S, 0.0, WINDOW_S];
+                let [before, now, after] = moments.map(|it| self.at(t_s + it, corner));
+                let turned_mm2 = squared(change(before, now, after));
+                if turned_mm2 > most_mm2 {
                     let seen = &mut shares[self.nearest(t_s, corner) - 1];
-                    *seen = seen.min(share);
+                    *seen = seen.min(allowed_mm / turned_mm2.sqrt());
                 }
             }
         }
@@ -72,12 +76,6 @@ impl<'a> SeenMotion<'a> {
             .enumerate()
             .filter(|it| it.1)
             .map(|it| it.0)
-    }
-
-    /// The acceleration seen at a moment, in mm/s2.
-    fn acceleration(&self, t_s: f64, near: usize) -> f64 {
-        let [before, now, after] = [-WINDOW_S, 0.0, WINDOW_S].map(|it| self.at(t_s + it, near));
-        second_difference(before, now, after) / (WINDOW_S * WINDOW_S)
     }
 
     /// Where the tool is at a moment, not far from a corner. Before the chain it came straight on,
@@ -186,7 +184,15 @@ pub(super) fn seen_mm(acceleration_mm_s2: f64) -> f64 {
 }
 
 pub(super) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> f64 {
-    length([0, 1, 2].map(|i| before[i] - 2.0 * now[i] + after[i]))
+    length(change(before, now, after))
+}
+
+fn change(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i| before[i] - 2.0 * now[i] + after[i])
+}
+
+fn squared([x, y, z]: [f64; 3]) -> f64 {
+    x * x + y * y + z * z
 }
 
 fn on(place: [f64; 3], run: &ChainVector, way_mm: f64) -> [f64; 3] {

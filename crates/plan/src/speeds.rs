@@ -44,6 +44,24 @@ impl Speeds {
         let braking_s = t_s - up_s - even_s;
         up_mm + peak * even_s + (peak - 0.5 * a * braking_s) * braking_s
     }
+
+    /// After which time the tool is so far along the vector, in s.
+    pub(super) fn reached_s(&self, length_mm: f64, a: f64, gone_mm: f64) -> f64 {
+        let (start, end, peak) = (self.start_mm_s, self.end_mm_s, self.peak_mm_s);
+        let up_s = (peak - start) / a;
+        let up_mm = 0.5 * (start + peak) * up_s;
+        if gone_mm <= up_mm {
+            return ((start * start + 2.0 * a * gone_mm).sqrt() - start) / a;
+        }
+        let down_mm = 0.5 * (end + peak) * (peak - end) / a;
+        let even_mm = (length_mm - up_mm - down_mm).max(0.0);
+        if gone_mm <= up_mm + even_mm {
+            return up_s + (gone_mm - up_mm) / peak;
+        }
+        let braking_mm = gone_mm - up_mm - even_mm;
+        let speed_mm_s = (peak * peak - 2.0 * a * braking_mm).max(0.0).sqrt();
+        up_s + even_mm / peak + (peak - speed_mm_s) / a
+    }
 }
 
 fn duration_s(length_mm: f64, [start, end, max]: [f64; 3], a: f64) -> f64 {

@@ -26,6 +26,8 @@ use super::visibility::Visibility;
 pub(super) struct Course<'a> {
     path: &'a [Corner],
     motion: Motion,
+    /// How far along the path the tool is at each tick, in mm.
+    gone_mm: Vec<f64>,
     /// Over which time the acceleration is seen, in s.
     window_s: f64,
 }
@@ -40,11 +42,36 @@ impl<'a> Course<'a> {
             let way = pair[1].at - pair[0].at;
             [way.x, way.y, 0.0]
         });
+        let motion = Motion::along(&gentle, least_s, increments);
+        let times_s = (0_u32..).map(|tick| f64::from(tick) * TICK_S);
+        let mut gone_mm: Vec<f64> = times_s
+            .take_while(|time_s| *time_s < motion.duration_s())
+            .map(|time_s| motion.gone_mm(time_s))
+            .collect();
+        gone_mm.push(motion.gone_mm(motion.duration_s()));
         Self {
-            motion: Motion::along(&gentle, least_s, increments),
+            motion,
+            gone_mm,
             window_s: pace.cornering.window_s,
             path,
         }
+    }
+
+    /// How far along the path the tool is after a time, in mm: between two ticks as if its speed were even.
+    fn gone_mm(&self, time_s: f64) -> f64 {
+        let ticks = (time_s * (1.0 / TICK_S)).max(0.0);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "not below 0"
+        )]
+        let tick = ticks as usize;
+        let last = self.gone_mm.len() - 1;
+        if tick >= last {
+            return self.gone_mm[last];
+        }
+        let [from, to] = [tick, tick + 1].map(|it| self.gone_mm[it]);
+        from + (to - from) * ticks.fract()
     }
 
     /// The path in a corridor that takes the least time with speeds as here; `None` if no vectors lead to its end. Its corners
@@ -57,17 +84,16 @@ impl<'a> Course<'a> {
     ) -> Option<TimedPath> {
         let places = Places::of(self, corridor, sides).all;
         let rates = Rates::of(pace);
-        let mut labels = vec![Label::UNREACHED; places.len()];
-        labels[0].time_s = 0.0;
-        for here in 0..places.len() - 1 {
-            if labels[here].time_s.is_finite() {
-                go_on(corridor, &places, &mut labels, here, &rates);
-            }
-        }
-        let last = labels[labels.len() - 1];
-        last.time_s.is_finite().then(|| TimedPath {
+        let quickly = labels(corridor, &places, &rates, MOST_LATE_S);
+        let reached = |labels: &[Label]| labels[labels.len() - 1].time_s.is_finite();
+        let labels = if reached(&quickly) {
+            quickly
+        } else {
+            labels(corridor, &places, &rates, f64::INFINITY)
+        };
+        reached(&labels).then(|| TimedPath {
             path: path(&places, &labels),
-            time_s: last.time_s,
+            time_s: labels[labels.len() - 1].time_s,
         })
     }
 }
@@ -140,7 +166,7 @@ impl<'a> Places<'a> {
             let mut passed = pair[0].passed;
             loop {
                 let time_s = tick * TICK_S;
-                let gone_mm = course.motion.gone_mm(time_s);
+                let gone_mm = course.gone_mm(time_s);
                 let ends = time_s >= course.motion.duration_s() || gone_mm >= begin_mm + length_mm;
                 let until_mm = if ends {
                     f64::INFINITY
@@ -231,7 +257,7 @@ impl<'a> Places<'a> {
         time_s: f64,
         gone_mm: f64,
     ) {
-        let gone = |t_s: f64| self.course.motion.gone_mm(t_s);
+        let gone = |t_s: f64| self.course.gone_mm(t_s);
         let window_s = self.course.window_s;
         let (before_mm, after_mm) = (
             gone_mm - gone(time_s - window_s),
@@ -331,6 +357,37 @@ fn whole_ticks_s(duration_s: f64) -> f64 {
     TICK_S * if below < ticks { below + 1.0 } else { below }
 }
 
+/// How each place is reached in the least time. From places that are so much later than the best of the last steps no vector leads
+/// on.
+fn labels(
+    corridor: &Corridor<'_>,
+    places: &[Place],
+    rates: &Rates,
+    most_late_s: f64,
+) -> Vec<Label> {
+    let mut labels = vec![Label::UNREACHED; places.len()];
+    labels[0].time_s = 0.0;
+    // How much later than the motion the best places of the last steps are reached.
+    let mut late_s = [f64::INFINITY; STEPS_BACK];
+    let mut begin = 0;
+    for places_of_step in places.chunk_by(|a, b| a.step == b.step) {
+        let step = begin..begin + places_of_step.len();
+        begin = step.end;
+        let late = |labels: &[Label], here: usize| labels[here].time_s - places[here].time_s;
+        late_s[places_of_step[0].step % STEPS_BACK] = step
+            .clone()
+            .map(|here| late(&labels, here))
+            .fold(f64::INFINITY, f64::min);
+        let least_s = late_s.iter().copied().fold(f64::INFINITY, f64::min);
+        for here in step {
+            if labels[here].time_s.is_finite() && late(&labels, here) <= least_s + most_late_s {
+                go_on(corridor, places, &mut labels, here, rates);
+            }
+        }
+    }
+    labels
+}
+
 /// Notes all places that one vector from here reaches sooner than was known. A vector that is over before the link brings the
 /// next one is of use where no longer one leads on.
 fn go_on(
@@ -416,6 +473,9 @@ fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
     path
 }
 
+/// From places that are reached later than the best of so many steps, by so much, no vector leads on.
+const STEPS_BACK: usize = 7;
+const MOST_LATE_S: f64 = 3.0 * TICK_S;
 /// A vector goes over at most so many steps.
 const MOST_STEPS: usize = 24;
 /// So many ticks before a point of the stroke and behind it there are places: a vector may go over all between two points.
