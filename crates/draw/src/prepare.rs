@@ -141,7 +141,7 @@ fn plan_passes<E: fmt::Display>(
         Some(from) => from.rest_of(passes)?,
         None => passes,
     };
-    let mut trials = Trials::new();
+    let mut trials = Trials::new(&passes);
     let simple = passes
         .iter()
         .map(|it| simplified(it, settings, &mut trials));

@@ -13,17 +13,26 @@ use crate::simplify::{PlannedWay, Way, fast_ways_at, fewest_at, seemingly_fastes
 pub(super) struct Trials {
     /// How many vectors, where those in ticks count as [`TICKS_COUNT`].
     left: usize,
+    /// How many points the strokes have, and how many those have that were asked about.
+    points: usize,
+    points_done: usize,
 }
 
 impl Trials {
     /// Those of one drawing.
-    pub(super) const fn new() -> Self {
-        Self { left: MOST_TRIED }
+    pub(super) fn new(passes: &[Pass]) -> Self {
+        let strokes = passes.iter().flat_map(|it| &it.strokes);
+        Self {
+            left: MOST_TRIED,
+            points: strokes.map(|it| it.points.len()).sum(),
+            points_done: 0,
+        }
     }
 
     /// Whether a stroke is to be planned in all ways, the fewest vectors of which are given: as long as anything is left, if it is
     /// not that long itself.
-    fn take(&mut self, fewest: &Stroke, has_ticks: bool) -> bool {
+    fn take(&mut self, stroke: &Stroke, fewest: &Stroke, has_ticks: bool) -> bool {
+        self.points_done += stroke.points.len();
         let count = (EACH + fewest.points.len()) * WAYS;
         let count = if has_ticks {
             TICKS_COUNT * count
@@ -32,7 +41,17 @@ impl Trials {
         };
         let enough = self.left > 0 && count <= MOST_OF_ONE;
         self.left = self.left.saturating_sub(count);
+        if self.are_rare() {
+            self.left = 0;
+        }
         enough
+    }
+
+    /// Whether hardly any strokes of the drawing could be planned in all ways: then it is not worth the time.
+    fn are_rare(&self) -> bool {
+        let taken = MOST_TRIED - self.left;
+        taken > MOST_TRIED / FIRST_SHARE
+            && RARE * MOST_TRIED * self.points_done < taken * self.points
     }
 }
 
@@ -75,7 +94,7 @@ fn faster(
 ) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let pace = Pace::of(&settings.machine, &tool);
-    if !trials.take(&fewest.stroke, settings.machine.has_ticks) {
+    if !trials.take(stroke, &fewest.stroke, settings.machine.has_ticks) {
         return seemingly_fastest_at(stroke, tolerance_mm, fewest, &pace).stroke;
     }
     let few = fewest.stroke.clone();
@@ -149,6 +168,9 @@ const WAYS: usize = 12;
 const CHANGES_S: [f64; 3] = [0.5 * TICK_S, 2.0 * TICK_S, 4.0 * TICK_S];
 /// So many vectors of a drawing are planned to choose among them: a second or two of a processor.
 const MOST_TRIED: usize = 150_000;
+/// Behind one of so many shares of these it is looked whether they are enough for one of so many parts of the drawing.
+const FIRST_SHARE: usize = 8;
+const RARE: usize = 10;
 /// To plan a stroke takes as long as so many vectors more.
 const EACH: usize = 8;
 /// So many of one stroke.
@@ -166,6 +188,15 @@ mod tests {
     use dobot_geometry::{Point, Vec2, deviation};
     use dobot_random::Random;
 
+    /// So many of them for a drawing of one stroke.
+    fn trials_of(left: usize) -> Trials {
+        Trials {
+            left,
+            points: 0,
+            points_done: 0,
+        }
+    }
+
     #[test]
     fn where_no_more_may_be_tried_the_way_that_seems_the_fastest_is_taken() {
         let at = |i: u32| Point::new(220.0, 0.0) + Vec2::from_angle(f64::from(i) / 500.0) * 30.0;
@@ -179,7 +210,7 @@ mod tests {
             plan.expect("a plan").duration_s()
         };
         let chosen = |left: usize| {
-            let mut trials = Trials { left };
+            let mut trials = trials_of(left);
             let way = faster(&arc, fewest.clone(), settings.tool, &settings, &mut trials);
             let off = deviation(std::slice::from_ref(&arc), std::slice::from_ref(&way));
             assert!(off.largest_mm() <= 0.0451, "{off:?}");
@@ -218,7 +249,7 @@ mod tests {
         let scrawls: Vec<Stroke> = (0..60).map(|_| scrawl(&mut random)).collect();
         let planned_s = |left: usize| -> f64 {
             let chosen = scrawls.iter().map(|it| {
-                let mut trials = Trials { left };
+                let mut trials = trials_of(left);
                 let fewest = fewest_at(it, 0.045);
                 let way = faster(it, fewest, settings.tool, &settings, &mut trials);
                 let pass = Pass::new(settings.tool, vec![way]);
