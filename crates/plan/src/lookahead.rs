@@ -247,10 +247,10 @@ impl Junction {
         if self.tangent_mm == 0.0 {
             return 0.0;
         }
-        let half_turn = 0.5 * self.sin.atan2(self.cos);
+        let [sin, cos] = [1.0 - self.cos, 1.0 + self.cos].map(|it| (0.5 * it).sqrt());
+        let half_turn = sin.atan2(cos);
         let length_mm = self.cap_v2 / acceleration_mm_s2 * half_turn;
         let inner_mm_s = self.speed_mm_s();
-        let (sin, cos) = half_turn.sin_cos();
         let middle = Self { cos, sin, ..*self }.half_arc(self.v2).sqrt();
         let middle_mm_s = middle.min(inner_mm_s.max(outer_mm_s));
         length_mm / (inner_mm_s + middle_mm_s) + length_mm / (middle_mm_s + outer_mm_s)

@@ -2,14 +2,13 @@
 
 use crate::Pace;
 use crate::lookahead::ChainVector;
-use crate::speeds::Speeds;
+use crate::speeds::{Ramps, Speeds};
 
 /// The fastest motion along a path of vectors, from rest to rest, if no link and no ticks limit it and no corner is
 /// eased.
 #[derive(Clone, Debug)]
 pub struct Motion {
     vectors: Vec<MovingVector>,
-    acceleration_mm_s2: f64,
     duration_s: f64,
 }
 
@@ -21,8 +20,10 @@ struct MovingVector {
     /// Where it begins, along the path.
     begin_mm: f64,
     length_mm: f64,
-    speeds: Speeds,
-    /// How many times as long as with these speeds it takes, since its corners are rounded.
+    ramps: Ramps,
+    /// How long it takes with these, in s.
+    duration_s: f64,
+    /// How many times as long it takes, since its corners are rounded.
     slower: f64,
 }
 
@@ -50,7 +51,8 @@ impl Motion {
                 begin_s,
                 begin_mm,
                 length_mm: run.length_mm,
-                speeds,
+                ramps: speeds.ramps(run.length_mm, cornering.acceleration_mm_s2),
+                duration_s: speeds.duration_s,
                 slower: took_s / speeds.duration_s,
             };
             begin_s += took_s;
@@ -59,7 +61,6 @@ impl Motion {
         });
         Self {
             vectors: vectors.collect(),
-            acceleration_mm_s2: cornering.acceleration_mm_s2,
             duration_s: begin_s,
         }
     }
@@ -76,10 +77,9 @@ impl Motion {
         let after = self.vectors.partition_point(|it| it.begin_s <= t_s);
         after.checked_sub(1).map_or(0.0, |i| {
             let vector = &self.vectors[i];
-            let since_s = ((t_s - vector.begin_s) / vector.slower).min(vector.speeds.duration_s);
-            let (length_mm, a) = (vector.length_mm, self.acceleration_mm_s2);
-            let gone_mm = vector.speeds.distance_mm(length_mm, a, since_s);
-            vector.begin_mm + gone_mm.min(length_mm)
+            let since_s = ((t_s - vector.begin_s) / vector.slower).min(vector.duration_s);
+            let gone_mm = vector.ramps.distance_mm(since_s);
+            vector.begin_mm + gone_mm.min(vector.length_mm)
         })
     }
 
@@ -90,9 +90,8 @@ impl Motion {
         after.checked_sub(1).map_or(0.0, |i| {
             let vector = &self.vectors[i];
             let along_mm = (gone_mm - vector.begin_mm).min(vector.length_mm);
-            let (length_mm, a) = (vector.length_mm, self.acceleration_mm_s2);
-            let since_s = vector.speeds.reached_s(length_mm, a, along_mm);
-            vector.begin_s + vector.slower * since_s.min(vector.speeds.duration_s)
+            let since_s = vector.ramps.reached_s(along_mm);
+            vector.begin_s + vector.slower * since_s.min(vector.duration_s)
         })
     }
 }

@@ -3,7 +3,7 @@
 use dobot_motion::Cut;
 
 use crate::lookahead::ChainVector;
-use crate::speeds::Speeds;
+use crate::speeds::{Ramps, Speeds};
 use crate::tick::TICK_S;
 use crate::vector::length;
 
@@ -12,6 +12,7 @@ use crate::vector::length;
 pub(super) struct SeenMotion<'a> {
     chain: &'a [ChainVector],
     speeds: &'a [Speeds],
+    ramps: Vec<Ramps>,
     acceleration_mm_s2: f64,
     /// When each vector begins, in s, and where, in mm; last, where the chain ends.
     begins: Vec<(f64, [f64; 3])>,
@@ -31,7 +32,10 @@ impl<'a> SeenMotion<'a> {
             place = on(place, run, run.length_mm);
             begins.push((t_s, place));
         }
+        let pairs = chain.iter().zip(speeds);
+        let ramps = pairs.map(|(run, speeds)| speeds.ramps(run.length_mm, acceleration_mm_s2));
         Self {
+            ramps: ramps.collect(),
             chain,
             speeds,
             acceleration_mm_s2,
@@ -97,7 +101,7 @@ impl<'a> SeenMotion<'a> {
         } else if since_s >= speeds.duration_s {
             run.length_mm
         } else {
-            speeds.distance_mm(run.length_mm, self.acceleration_mm_s2, since_s)
+            self.ramps[i].distance_mm(since_s)
         };
         on(place, run, gone_mm)
     }

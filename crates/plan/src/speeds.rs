@@ -28,39 +28,64 @@ impl Speeds {
         }
     }
 
-    /// How far along the vector the tool is after a time, with these speeds.
-    pub(super) fn distance_mm(&self, length_mm: f64, a: f64, t_s: f64) -> f64 {
+    /// How a vector so long is run with these speeds.
+    pub(super) fn ramps(&self, length_mm: f64, acceleration: f64) -> Ramps {
         let (start, end, peak) = (self.start_mm_s, self.end_mm_s, self.peak_mm_s);
-        let up_s = (peak - start) / a;
-        if t_s <= up_s {
-            return (start + 0.5 * a * t_s) * t_s;
-        }
+        let up_s = (peak - start) / acceleration;
         let up_mm = 0.5 * (start + peak) * up_s;
-        let down_mm = 0.5 * (end + peak) * (peak - end) / a;
-        let even_s = (length_mm - up_mm - down_mm).max(0.0) / peak;
-        if t_s <= up_s + even_s {
-            return up_mm + peak * (t_s - up_s);
+        let down_mm = 0.5 * (end + peak) * (peak - end) / acceleration;
+        Ramps {
+            start_mm_s: start,
+            peak_mm_s: peak,
+            acceleration,
+            up_s,
+            up_mm,
+            even_s: (length_mm - up_mm - down_mm).max(0.0) / peak,
         }
-        let braking_s = t_s - up_s - even_s;
-        up_mm + peak * even_s + (peak - 0.5 * a * braking_s) * braking_s
+    }
+}
+
+/// How one vector is run: the tool speeds up, keeps its speed and brakes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ramps {
+    start_mm_s: f64,
+    peak_mm_s: f64,
+    acceleration: f64,
+    /// How long it speeds up, and how far it gets, in s and mm.
+    up_s: f64,
+    up_mm: f64,
+    /// How long it keeps its speed, in s.
+    even_s: f64,
+}
+
+impl Ramps {
+    /// How far along the vector the tool is after a time, in mm.
+    pub(super) fn distance_mm(&self, t_s: f64) -> f64 {
+        let (peak, a) = (self.peak_mm_s, self.acceleration);
+        if t_s <= self.up_s {
+            return (self.start_mm_s + 0.5 * a * t_s) * t_s;
+        }
+        let even_s = t_s - self.up_s;
+        if even_s <= self.even_s {
+            return self.up_mm + peak * even_s;
+        }
+        let braking_s = even_s - self.even_s;
+        self.up_mm + peak * self.even_s + (peak - 0.5 * a * braking_s) * braking_s
     }
 
     /// After which time the tool is so far along the vector, in s.
-    pub(super) fn reached_s(&self, length_mm: f64, a: f64, gone_mm: f64) -> f64 {
-        let (start, end, peak) = (self.start_mm_s, self.end_mm_s, self.peak_mm_s);
-        let up_s = (peak - start) / a;
-        let up_mm = 0.5 * (start + peak) * up_s;
-        if gone_mm <= up_mm {
+    pub(super) fn reached_s(&self, gone_mm: f64) -> f64 {
+        let (start, peak, a) = (self.start_mm_s, self.peak_mm_s, self.acceleration);
+        if gone_mm <= self.up_mm {
             return ((start * start + 2.0 * a * gone_mm).sqrt() - start) / a;
         }
-        let down_mm = 0.5 * (end + peak) * (peak - end) / a;
-        let even_mm = (length_mm - up_mm - down_mm).max(0.0);
-        if gone_mm <= up_mm + even_mm {
-            return up_s + (gone_mm - up_mm) / peak;
+        let even_mm = gone_mm - self.up_mm;
+        if even_mm <= peak * self.even_s {
+            return self.up_s + even_mm / peak;
         }
-        let braking_mm = gone_mm - up_mm - even_mm;
+        let braking_mm = even_mm - peak * self.even_s;
         let speed_mm_s = (peak * peak - 2.0 * a * braking_mm).max(0.0).sqrt();
-        up_s + even_mm / peak + (peak - speed_mm_s) / a
+        self.up_s + self.even_s + (peak - speed_mm_s) / a
     }
 }
 

@@ -153,7 +153,8 @@ impl<'a> Measure<'a> {
     /// A text with one of these bytes is copied, others are read where they stand.
     fn copied(&mut self, at: usize, end: usize, bytes: &[u8]) -> Result<(), SourceError> {
         let text = &self.text[at..end];
-        if text.iter().any(|it| bytes.contains(it)) {
+        // A few quick looks, not one at each byte.
+        if bytes.iter().any(|it| text.contains(it)) {
             // While it is copied there are two.
             self.count(at, (2 * text.len()).div_ceil(PART_BYTES))?;
         }
