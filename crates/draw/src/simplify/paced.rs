@@ -21,7 +21,7 @@ use super::timed::{Course, FEW_SIDES, SIDES, TimedPath};
 /// without vectors that are too short.
 pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
     let path = fewest(&corridor)?;
-    Some(Found::new(&mut corridor, path, pace, &ROUNDS).best.path)
+    Some(Found::new(&mut corridor, path, pace).best.path)
 }
 
 /// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, which is given, and
@@ -32,7 +32,7 @@ pub(super) fn fast_ways(
     pace: &Pace,
 ) -> Vec<Vec<Corner>> {
     let most_mm = corridor.radii[0];
-    let mut found = Found::new(&mut corridor, fewest, pace, &ROUNDS);
+    let mut found = Found::new(&mut corridor, fewest, pace);
     let mut timed = Vec::new();
     if found.is_curved {
         found.look_fine(&mut corridor, most_mm, pace);
@@ -53,10 +53,17 @@ pub(super) fn seemingly_fastest(
     pace: &Pace,
 ) -> Vec<Corner> {
     let most_mm = corridor.radii[0];
-    let mut found = Found::new(&mut corridor, fewest, pace, &ROUNDS[..1]);
-    if !found.is_curved {
-        return found.best.path;
+    let few = Attempt::of(fewest, &corridor, pace);
+    if !few.is_curved(&corridor, most_mm / NARROWEST) {
+        return few.path;
     }
+    let begin = (few.clone(), few.clone());
+    let mut found = Found {
+        best: narrowed(&mut corridor, most_mm, pace, &ROUNDS[..1], begin),
+        smoothest: few,
+        plain: Vec::new(),
+        is_curved: true,
+    };
     found.look_fine(&mut corridor, most_mm, pace);
     corridor.radii.fill(most_mm);
     let [as_the_arm, as_the_link] = gentler(pace);
@@ -93,9 +100,8 @@ struct Found {
 
 impl Found {
     /// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
-    /// slower than a smaller one. The path with the fewest vectors is given, and how many periods of the link a vector should
-    /// take, round after round.
-    fn new(corridor: &mut Corridor<'_>, fewest: Vec<Corner>, pace: &Pace, rounds: &[f64]) -> Self {
+    /// slower than a smaller one. The path with the fewest vectors is given.
+    fn new(corridor: &mut Corridor<'_>, fewest: Vec<Corner>, pace: &Pace) -> Self {
         let mut most_mm = corridor.radii[0];
         let mut here = Attempt::of(fewest, corridor, pace);
         let mut found = Self {
@@ -115,7 +121,7 @@ impl Found {
                 break;
             }
             found.is_curved = true;
-            found.best = narrowed(corridor, most_mm, pace, rounds, (here, found.best));
+            found.best = narrowed(corridor, most_mm, pace, &ROUNDS, (here, found.best));
             most_mm *= 0.5;
             if most_mm < NARROWEST * MIN_VECTOR_MM {
                 break;
