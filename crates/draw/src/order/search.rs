@@ -291,7 +291,7 @@ const MOST_STEPS_ASIDE: u32 = 3;
 const WARMTH: f64 = 4.0;
 const CHANCES: u32 = 1 << 30;
 /// A kick takes about as long as writing so many places; in large tours exchanges write far more.
-const KICK_WRITES: u64 = 16_000;
+const KICK_WRITES: u64 = 8_000;
 
 /// What counts as a gain, in mm or s: more than rounding.
 const EPSILON: f64 = 1e-9;
