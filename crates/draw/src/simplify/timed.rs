@@ -475,7 +475,7 @@ fn path(places: &[Place], labels: &[Label]) -> Vec<Corner> {
 
 /// From places that are reached later than the best of so many steps, by so much, no vector leads on.
 const STEPS_BACK: usize = 7;
-const MOST_LATE_S: f64 = 3.0 * TICK_S;
+const MOST_LATE_S: f64 = 2.0 * TICK_S;
 /// A vector goes over at most so many steps.
 const MOST_STEPS: usize = 24;
 /// So many ticks before a point of the stroke and behind it there are places: a vector may go over all between two points.
