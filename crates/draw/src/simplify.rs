@@ -4,6 +4,7 @@ mod cone;
 mod corridor;
 mod paced;
 mod search;
+mod smooth;
 mod snap;
 mod spliced;
 mod timed;

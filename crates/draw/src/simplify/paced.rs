@@ -15,6 +15,7 @@ use dobot_plan::Pace;
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 use super::search::fewest;
+use super::smooth::{as_given, smooth};
 use super::timed::{Course, FEW_SIDES, SIDES, TimedPath};
 
 /// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
@@ -140,10 +141,19 @@ impl Found {
     fn timed(&self, corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) -> Vec<Vec<Corner>> {
         let [as_the_arm, as_the_link] = gentler(pace);
         corridor.radii.fill(most_mm);
+        let smoother = self.smoother(corridor, pace);
         let arms = as_the_arm.iter().map(|it| self.as_the_arm(*it, pace));
+        let smoother = smoother.iter().flat_map(|path| {
+            let gentler = as_the_arm.iter();
+            gentler.map(|it| Course::along(path, 0.0, *it, pace))
+        });
         let links = as_the_link.iter().map(|it| self.as_the_link(*it, pace));
         let timed = |course: Course<'_>| course.timed(corridor, &SIDES, pace);
-        let mut ways: Vec<TimedPath> = arms.chain(links).filter_map(timed).collect();
+        let mut ways: Vec<TimedPath> = arms
+            .chain(links)
+            .chain(smoother)
+            .filter_map(timed)
+            .collect();
         corridor.radii.fill(0.5 * most_mm);
         let nearer = self.as_the_arm(as_the_arm[0], pace);
         ways.extend(nearer.timed(corridor, &SIDES, pace));
@@ -156,6 +166,15 @@ impl Found {
         if let Some(fine) = Attempt::new(corridor, pace) {
             self.smoothest = self.smoothest.clone().or_smoother(fine);
         }
+    }
+
+    /// A path on which the arm would be faster than on the smoothest so far, if there is one: past the points as they are given, or
+    /// without their tremor.
+    fn smoother(&self, corridor: &Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
+        let paths = [as_given(corridor), smooth(corridor)].into_iter().flatten();
+        let attempts = paths.map(|it| Attempt::of(it, corridor, pace));
+        let fastest = attempts.min_by(|a, b| a.arm_s().total_cmp(&b.arm_s()))?;
+        (fastest.arm_s() * SAME < self.smoothest.arm_s()).then_some(fastest.path)
     }
 
     /// The fastest motion of the arm alone.
@@ -233,10 +252,14 @@ impl Attempt {
         }
     }
 
+    /// How long the arm takes without a link, in s.
+    fn arm_s(&self) -> f64 {
+        self.durations_s.iter().sum()
+    }
+
     /// The one that the arm alone takes less time for; this one if they are about as fast.
     fn or_smoother(self, other: Self) -> Self {
-        let arm_s = |it: &Self| it.durations_s.iter().sum::<f64>();
-        if arm_s(&other) * SAME < arm_s(&self) {
+        if other.arm_s() * SAME < self.arm_s() {
             other
         } else {
             self

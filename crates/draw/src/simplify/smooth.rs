@@ -1,0 +1,148 @@
+//! A path without the tremor of a stroke's points: what an arm would run the fastest.
+//!
+//! A hand, a tablet and a scan put points a little to the left and to the right of the line that is meant. As far as the tolerance
+//! allows, each point moves to where the path bends evenly from the two points before it to the two behind it.
+//!
+//! ```text
+//!      *             *                    given: each * turns the tool, which has to be slow
+//!   *.....*.......*.....*.......*         smooth: ........
+//!             *             *
+//! ```
+
+use dobot_geometry::{Point, Vec2};
+
+use super::MIN_VECTOR_MM;
+use super::corridor::{Corner, Corridor};
+
+/// The points of a stroke themselves, without those that are hardly away from the one before; `None` where that leaves the corridor.
+pub(super) fn as_given(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
+    let nodes = nodes(corridor.points, MIN_VECTOR_MM);
+    let at = nodes.iter().map(|&it| corridor.points[it]).collect();
+    within(corridor, at, &nodes)
+}
+
+/// A path past some of the points of a stroke that bends as evenly as a part of the tolerance allows; `None` where that leaves the
+/// corridor. Both ends stay.
+pub(super) fn smooth(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
+    let nodes = nodes(corridor.points, SPACING_MM);
+    let given: Vec<Point> = nodes.iter().map(|&it| corridor.points[it]).collect();
+    let mut at = given.clone();
+    let last = at.len() - 1;
+    if last < LEAST_NODES {
+        return None;
+    }
+    for _ in 0..ROUNDS {
+        for i in 1..last {
+            let wanted = bent_evenly(&at, i);
+            let off = wanted - given[i];
+            let most_mm = SHARE * corridor.radii[nodes[i]];
+            at[i] = given[i] + off * (most_mm / off.length().max(most_mm));
+        }
+    }
+    within(corridor, at, &nodes)
+}
+
+/// Where a point would have to be so that the squares of the second differences are the least.
+fn bent_evenly(at: &[Point], i: usize) -> Point {
+    let last = at.len() - 1;
+    let sum = |shares: &[(usize, f64)]| -> Point {
+        let sum: Vec2 = shares.iter().map(|(i, it)| at[*i].to_vec2() * *it).sum();
+        sum.to_point()
+    };
+    if i == 1 {
+        sum(&[(0, 0.4), (2, 0.8), (3, -0.2)])
+    } else if i + 1 == last {
+        sum(&[(last, 0.4), (i - 1, 0.8), (i - 2, -0.2)])
+    } else {
+        let (near, far) = (4.0 / 6.0, -1.0 / 6.0);
+        sum(&[(i - 2, far), (i - 1, near), (i + 1, near), (i + 2, far)])
+    }
+}
+
+/// Which points to keep so that each is at least so far from the one before, in mm; both ends among them.
+fn nodes(points: &[Point], spacing_mm: f64) -> Vec<usize> {
+    let last = points.len() - 1;
+    let mut nodes = vec![0];
+    for i in 1..last {
+        let away = |other: usize| points[i].distance(points[other]) >= spacing_mm;
+        if away(nodes[nodes.len() - 1]) && away(last) {
+            nodes.push(i);
+        }
+    }
+    nodes.push(last);
+    nodes
+}
+
+/// A path past points of the stroke, if all of its vectors stay in the corridor.
+fn within(corridor: &Corridor<'_>, at: Vec<Point>, nodes: &[usize]) -> Option<Vec<Corner>> {
+    let corners = at.into_iter().zip(nodes).map(|(at, &passed)| Corner {
+        at,
+        passed,
+        before: 0,
+    });
+    let path: Vec<Corner> = corners.collect();
+    let passes = |pair: &[Corner]| {
+        pair[0].at.distance(pair[1].at) >= MIN_VECTOR_MM
+            && corridor.passes(pair[0].at, pair[1].at, pair[0].passed + 1, pair[1].passed)
+    };
+    path.windows(2).all(passes).then_some(path)
+}
+
+/// How far the points are apart that are made to bend evenly.
+const SPACING_MM: f64 = 0.25;
+/// Fewer of them bend as they are.
+const LEAST_NODES: usize = 4;
+/// How often each is moved: tremor over a dozen of them is gone then.
+const ROUNDS: usize = 200;
+/// How far a point moves at the most, as a share of the tolerance: what is left is for the vectors between.
+const SHARE: f64 = 0.6;
+
+#[cfg(test)]
+mod tests {
+    use dobot_random::Random;
+
+    use super::*;
+
+    /// An arc of 20 mm radius in points 0.3 mm apart, each up to 0.02 mm off.
+    fn trembling_arc() -> Vec<Point> {
+        let mut random = Random::new(3);
+        let mut off = || 0.02 * (2.0 * random.share() - 1.0);
+        let arc = (0..150).map(|i| Vec2::from_angle(0.015 * f64::from(i)) * 20.0);
+        arc.map(|it| it.to_point() + Vec2::new(off(), off()))
+            .collect()
+    }
+
+    #[test]
+    fn tremor_is_gone_and_the_curve_stays() {
+        let points = trembling_arc();
+        let corridor = Corridor::new(&points, false, 0.045);
+        let path = smooth(&corridor).expect("a path");
+        let turn = |at: &[Point]| {
+            let (came, goes) = (at[1] - at[0], at[2] - at[1]);
+            came.cross(goes).atan2(came.dot(goes))
+        };
+        let sharpest = |at: &[Point]| at.windows(3).map(|it| turn(it).abs()).fold(0.0, f64::max);
+        let at: Vec<Point> = path.iter().map(|it| it.at).collect();
+        // Meant are turns of 0.015.
+        assert!(sharpest(&points) > 0.1, "{}", sharpest(&points));
+        assert!(sharpest(&at[1..at.len() - 1]) < 0.025, "{}", sharpest(&at));
+        // Both ends stay where they are, off the arc.
+        let inner = &at[5..at.len() - 5];
+        let off_mm = inner.iter().map(|it| (it.to_vec2().length() - 20.0).abs());
+        let off_mm = off_mm.fold(0.0, f64::max);
+        assert!(off_mm < 0.02, "{off_mm} mm");
+        assert_eq!([at[0], at[at.len() - 1]], [points[0], points[149]]);
+    }
+
+    #[test]
+    fn a_few_points_and_turns_closer_than_the_spacing_are_left_alone() {
+        let zigzag = [(0.0, 0.0), (1.0, 0.0), (0.0, 0.1)].map(Point::from);
+        assert!(smooth(&Corridor::new(&zigzag, false, 0.045)).is_none());
+        // Loops 0.1 mm wide, which no path past points 0.25 mm apart follows.
+        let at = |i: i32| Point::new(0.01 * f64::from(i), 0.1 * (0.2 * f64::from(i)).sin());
+        let loops: Vec<Point> = (0..500).map(at).collect();
+        let corridor = Corridor::new(&loops, false, 0.02);
+        assert!(smooth(&corridor).is_none());
+        assert_eq!(as_given(&corridor).expect("a path").len(), loops.len());
+    }
+}
