@@ -65,7 +65,14 @@ pub(super) fn seemingly_fastest(
         plain: Vec::new(),
         is_curved: true,
     };
-    found.look_fine(&mut corridor, most_mm, pace);
+    corridor.radii.fill(most_mm);
+    let given = as_given(&corridor).map(|it| Attempt::of(it, &corridor, pace));
+    let sooner_s = found.best.arm_s().min(found.smoothest.arm_s());
+    match given.filter(|it| it.arm_s() < sooner_s) {
+        // Without tremor there is no smoother path.
+        Some(given) => found.smoothest = given,
+        None => found.look_fine(&mut corridor, most_mm, pace),
+    }
     corridor.radii.fill(most_mm);
     let [as_the_arm, as_the_link] = gentler(pace);
     let (sides, arm_seems, best_seems) = if pace.has_ticks() {
