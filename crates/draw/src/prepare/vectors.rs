@@ -280,4 +280,58 @@ mod tests {
             "{estimated_s} instead of {tried_s} s"
         );
     }
+
+    /// A line whose direction swings slowly, 120 mm long, in points 0.02 mm apart.
+    fn swinging(random: &mut Random) -> Vec<Point> {
+        let begins = [0, 1].map(|_| TAU * random.share());
+        let directions = (0..6000).map(|i| {
+            let share = f64::from(i) / 6000.0;
+            let swing = (9.0 * share + begins[0]).sin() + 0.6 * (23.0 * share + begins[1]).sin();
+            Vec2::from_angle(swing)
+        });
+        directions
+            .scan(Point::new(200.0, -40.0), |at, it| {
+                *at += it * 0.02;
+                Some(*at)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_line_of_a_trembling_hand_takes_hardly_longer_than_the_line_that_it_meant() {
+        let mut settings = Settings::default();
+        settings.machine.has_ticks = true;
+        let mut random = Random::new(2);
+        let planned_s = |points: Vec<Point>| {
+            let line = Stroke::open(points);
+            let fewest = fewest_at(&line, 0.045);
+            let way = faster(
+                &line,
+                fewest,
+                settings.tool,
+                &settings,
+                &mut trials_of(150_000),
+            );
+            let off = deviation(std::slice::from_ref(&line), std::slice::from_ref(&way));
+            assert!(off.largest_mm() <= 0.0451, "{off:?}");
+            let pass = Pass::new(settings.tool, vec![way]);
+            let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+            plan.expect("a plan").duration_s()
+        };
+        let (mut meant_s, mut trembling_s) = (0.0, 0.0);
+        for _ in 0..4 {
+            let meant = swinging(&mut random);
+            let mut off = || 0.02 * (2.0 * random.share() - 1.0);
+            let trembling = meant
+                .iter()
+                .step_by(15)
+                .map(|it| *it + Vec2::new(off(), off()));
+            trembling_s += planned_s(trembling.collect());
+            meant_s += planned_s(meant);
+        }
+        assert!(
+            trembling_s < 1.01 * meant_s,
+            "{trembling_s} instead of {meant_s} s"
+        );
+    }
 }
