@@ -9,6 +9,8 @@
 //!             *             *
 //! ```
 
+use std::ops::Range;
+
 use dobot_geometry::{Point, Vec2};
 
 use super::MIN_VECTOR_MM;
@@ -22,13 +24,13 @@ pub(super) fn as_given(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
 }
 
 /// A path past some of the points of a stroke that bends as evenly as a part of the tolerance allows; `None` where that leaves the
-/// corridor. Both ends stay.
+/// corridor, and for a stroke of too few points or too many. Both ends stay.
 pub(super) fn smooth(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
     let nodes = nodes(corridor.points, SPACING_MM);
     let given: Vec<Point> = nodes.iter().map(|&it| corridor.points[it]).collect();
     let mut at = given.clone();
     let last = at.len() - 1;
-    if last < LEAST_NODES {
+    if !NODES.contains(&last) {
         return None;
     }
     for _ in 0..ROUNDS {
@@ -90,8 +92,8 @@ fn within(corridor: &Corridor<'_>, at: Vec<Point>, nodes: &[usize]) -> Option<Ve
 
 /// How far the points are apart that are made to bend evenly.
 const SPACING_MM: f64 = 0.25;
-/// Fewer of them bend as they are.
-const LEAST_NODES: usize = 4;
+/// Fewer of them bend as they are; more would take longer than they save.
+const NODES: Range<usize> = 4..50_000;
 /// How often each is moved: tremor over a dozen of them is gone then.
 const ROUNDS: usize = 200;
 /// How far a point moves at the most, as a share of the tolerance: what is left is for the vectors between.
