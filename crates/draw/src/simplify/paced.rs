@@ -46,8 +46,8 @@ pub(super) fn fast_ways(
 }
 
 /// The path that seems to be the fastest without a plan; the one with the fewest vectors is given. On a curve it is one whose
-/// vectors take whole ticks of the arm's fastest motion, or of the link's, or the best of a shorter search than
-/// [`fast_ways`] makes.
+/// vectors take whole ticks of the arm's fastest motion, or of the link's, or the better of the given one and the one in a corridor
+/// that is narrowed once.
 pub(super) fn seemingly_fastest(
     mut corridor: Corridor<'_>,
     fewest: Vec<Corner>,
@@ -143,8 +143,8 @@ impl Found {
         found
     }
 
-    /// Paths whose vectors take whole ticks: at speeds as the arm's fastest motion has them, or the link's, or somewhat lower
-    /// ones, and within half of the tolerance.
+    /// Paths whose vectors take whole ticks: at speeds as the arm's fastest motion along the smoothest path has them, or along a
+    /// smoother one, or the link's, or somewhat lower ones, and within half of the tolerance.
     fn timed(&self, corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) -> Vec<Vec<Corner>> {
         let [as_the_arm, as_the_link] = gentler(pace);
         corridor.radii.fill(most_mm);
