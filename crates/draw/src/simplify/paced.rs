@@ -36,7 +36,9 @@ pub(super) fn fast_ways(
     let mut found = Found::new(&mut corridor, fewest, pace);
     let mut timed = Vec::new();
     if found.is_curved {
-        found.look_fine(&mut corridor, most_mm, pace);
+        if let Some(fine) = fine(&mut corridor, most_mm, pace) {
+            found.smoothest = found.smoothest.or_smoother(fine);
+        }
         timed = found.timed(&mut corridor, most_mm, pace);
     }
     let mut ways = vec![found.best.path];
@@ -58,21 +60,18 @@ pub(super) fn seemingly_fastest(
     if !few.is_curved(&corridor, most_mm / NARROWEST) {
         return few.path;
     }
-    let begin = (few.clone(), few.clone());
-    let mut found = Found {
-        best: narrowed(&mut corridor, most_mm, pace, &ROUNDS[..1], begin),
-        smoothest: few,
-        plain: Vec::new(),
-        is_curved: true,
-    };
-    corridor.radii.fill(most_mm);
     let given = as_given(&corridor).map(|it| Attempt::of(it, &corridor, pace));
-    let sooner_s = found.best.arm_s().min(found.smoothest.arm_s());
-    match given.filter(|it| it.arm_s() < sooner_s) {
+    let begin = (few.clone(), few.clone());
+    let best = narrowed(&mut corridor, most_mm, pace, &ROUNDS[..1], begin);
+    let sooner_s = best.arm_s().min(few.arm_s());
+    let smoothest = match given.filter(|it| it.arm_s() < sooner_s) {
         // Without tremor there is no smoother path.
-        Some(given) => found.smoothest = given,
-        None => found.look_fine(&mut corridor, most_mm, pace),
-    }
+        Some(given) => given,
+        None => match fine(&mut corridor, most_mm, pace) {
+            Some(fine) => few.or_smoother(fine),
+            None => few,
+        },
+    };
     corridor.radii.fill(most_mm);
     let [as_the_arm, as_the_link] = gentler(pace);
     let (sides, arm_seems, best_seems) = if pace.has_ticks() {
@@ -80,9 +79,9 @@ pub(super) fn seemingly_fastest(
     } else {
         (&FEW_SIDES[..], ARM_SEEMS, BEST_SEEMS)
     };
-    let link = (found.as_the_link(as_the_link[0], pace), 1.0);
-    let arm = (found.as_the_arm(as_the_arm[0], pace), arm_seems);
-    let timed = [link, arm].map(|(course, seems)| {
+    let link = Course::along(&best.path, pace.link.period_s, as_the_link[0], pace);
+    let arm = Course::along(&smoothest.path, 0.0, as_the_arm[0], pace);
+    let timed = [(link, 1.0), (arm, arm_seems)].map(|(course, seems)| {
         let TimedPath { path, time_s } = course.timed(&corridor, sides, pace)?;
         if pace.has_ticks() {
             return Some((time_s, path));
@@ -90,7 +89,7 @@ pub(super) fn seemingly_fastest(
         let it = Attempt::of(path, &corridor, pace);
         Some((seems * it.time_s, it.path))
     });
-    let best = (best_seems * found.best.time_s, found.best.path);
+    let best = (best_seems * best.time_s, best.path);
     let sooner = |a: (f64, Vec<Corner>), b: (f64, Vec<Corner>)| if b.0 <= a.0 { b } else { a };
     timed.into_iter().flatten().fold(best, sooner).1
 }
@@ -167,14 +166,6 @@ impl Found {
         ways.into_iter().map(|it| it.path).collect()
     }
 
-    /// Looks for a path on which the arm would be faster without a link in a much narrower corridor.
-    fn look_fine(&mut self, corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) {
-        corridor.radii.fill(most_mm / FINE);
-        if let Some(fine) = Attempt::new(corridor, pace) {
-            self.smoothest = self.smoothest.clone().or_smoother(fine);
-        }
-    }
-
     /// A path on which the arm would be faster than on the smoothest so far, if there is one: past the points as they are given, or
     /// without their tremor.
     fn smoother(&self, corridor: &Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
@@ -193,6 +184,12 @@ impl Found {
     fn as_the_link(&self, gentler: f64, pace: &Pace) -> Course<'_> {
         Course::along(&self.best.path, pace.link.period_s, gentler, pace)
     }
+}
+
+/// The fewest vectors in a much narrower corridor: without a link the arm may be faster on them.
+fn fine(corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) -> Option<Attempt> {
+    corridor.radii.fill(most_mm / FINE);
+    Attempt::new(corridor, pace)
 }
 
 /// How many times lower than with the fastest motion speeds in curves are tried, for the arm's motion and for the link's.
