@@ -16,8 +16,12 @@ use dobot_geometry::{Point, Vec2};
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 
-/// The points of a stroke themselves, without those that are hardly away from the one before; `None` where that leaves the corridor.
+/// The points of a stroke themselves, without those that are hardly away from the one before; `None` where that leaves the corridor,
+/// and for a stroke of too many.
 pub(super) fn as_given(corridor: &Corridor<'_>) -> Option<Vec<Corner>> {
+    if corridor.points.len() > NODES.end {
+        return None;
+    }
     let nodes = nodes(corridor.points, MIN_VECTOR_MM);
     let at = nodes.iter().map(|&it| corridor.points[it]).collect();
     within(corridor, at, &nodes)
@@ -92,7 +96,7 @@ fn within(corridor: &Corridor<'_>, at: Vec<Point>, nodes: &[usize]) -> Option<Ve
 
 /// How far the points are apart that are made to bend evenly.
 const SPACING_MM: f64 = 0.25;
-/// Fewer of them bend as they are; more would take longer than they save.
+/// Fewer of them bend as they are; more would take longer than they save, and several times the memory of the stroke.
 const NODES: Range<usize> = 4..50_000;
 /// How often each is moved: tremor over a dozen of them is gone then.
 const ROUNDS: usize = 200;
