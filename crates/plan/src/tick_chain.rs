@@ -3,6 +3,8 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use dobot_wire::single;
+
 use crate::PlannedVector;
 use crate::aim::Aim;
 use crate::commands::write;
@@ -165,6 +167,7 @@ impl TickChain<'_> {
                 most_mm_s: self.most_mm_s[i],
                 same_share: breadth.same_share,
             };
+            self.keep_those_that_turn_well(i, &mut ways);
             let mut choices = BinaryHeap::new();
             for (before, way) in ways.iter().enumerate() {
                 let fits = way.ticker.fits(&packet, self.speeds[i], wish);
@@ -190,6 +193,26 @@ impl TickChain<'_> {
         }
         fits.reverse();
         fits
+    }
+
+    /// How a long vector begins does not matter for how it ends: only the ways that turn into it the best are followed along it.
+    fn keep_those_that_turn_well(&self, i: usize, ways: &mut Vec<Way>) {
+        let speeds = &self.speeds[i];
+        if ways.len() <= ALONG_LONG || speeds.duration_s < LONG_S {
+            return;
+        }
+        let turned = |way: &Way| {
+            let mut way = way.clone();
+            let change = way.ticker.step_mm_s();
+            let faster =
+                std::iter::successors(Some(way.ticker.stored_mm_s()), |it| Some(it + change));
+            let most = single(speeds.peak_mm_s);
+            way.see_ticks(self.chain[i].direction, faster.map(|it| it.min(most)));
+            way.cost + way.behind
+        };
+        let mut turned: Vec<(f64, Way)> = ways.drain(..).map(|way| (turned(&way), way)).collect();
+        turned.sort_by(|a, b| a.0.total_cmp(&b.0));
+        ways.extend(turned.into_iter().take(ALONG_LONG).map(|it| it.1));
     }
 
     /// The cheapest ways over a vector that leave different speeds, the best first. What is seen of them is looked at only
@@ -303,16 +326,8 @@ impl Way {
     /// What is seen while a vector is run like that, as a cost. Behind its first ticks only the vector itself is seen, which
     /// accelerates no more than it may.
     fn see(&mut self, direction: [f64; 3], fit: &TickFit) {
-        let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
         let mut speeds_mm_s = fit.cut.speeds_mm_s();
-        for speed_mm_s in speeds_mm_s.by_ref().take(SEEN_TICKS) {
-            let [before, now] = self.places.before_and_now();
-            self.places.go(direction, speed_mm_s);
-            let seen_mm = second_difference(before, now, self.places.last());
-            if seen_mm > allowed_mm {
-                self.cost += (seen_mm / allowed_mm - 1.0).powi(2) * BEYOND;
-            }
-        }
+        self.see_ticks(direction, speeds_mm_s.by_ref());
         // Of the rest the last ticks will be seen.
         let (mut last_mm_s, mut count) = ([0.0; SEEN_TICKS], 0);
         for (last, speed_mm_s) in last_mm_s.iter_mut().zip(speeds_mm_s.rev()) {
@@ -321,6 +336,19 @@ impl Way {
         }
         for &speed_mm_s in last_mm_s[..count].iter().rev() {
             self.places.go(direction, speed_mm_s);
+        }
+    }
+
+    /// What is seen in the first ticks of a vector, as a cost.
+    fn see_ticks(&mut self, direction: [f64; 3], speeds_mm_s: impl Iterator<Item = f32>) {
+        let allowed_mm = seen_mm(self.ticker.acceleration_mm_s2());
+        for speed_mm_s in speeds_mm_s.take(SEEN_TICKS) {
+            let [before, now] = self.places.before_and_now();
+            self.places.go(direction, speed_mm_s);
+            let seen_mm = second_difference(before, now, self.places.last());
+            if seen_mm > allowed_mm {
+                self.cost += (seen_mm / allowed_mm - 1.0).powi(2) * BEYOND;
+            }
         }
     }
 }
@@ -370,6 +398,9 @@ impl PartialEq for Choice {
 const SEEN_TICKS: usize = 2 * WINDOW_TICKS;
 /// How many ticks it is worth not to be seen to accelerate twice as much as allowed; in the square of what is too much.
 const BEYOND: f64 = 30_000.0;
+/// So many ways are followed along a vector that takes so long.
+const ALONG_LONG: usize = 4;
+const LONG_S: f64 = 0.8;
 /// So many vectors before a change and behind it are run anew too.
 const MARGIN: usize = 2;
 /// How much worse than the best a way may be that goes on as the arm did.
