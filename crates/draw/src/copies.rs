@@ -59,6 +59,7 @@ pub(crate) fn in_cells(artworks: &[Artwork], grid: Grid, gap_mm: f64) -> Artwork
     let mut all = Artwork {
         width_mm: step.x * f64::from(grid.columns) - gap_mm,
         height_mm: step.y * f64::from(grid.rows) - gap_mm,
+        has_page: false,
         layers: Vec::new(),
     };
     let cells = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
@@ -90,6 +91,7 @@ mod tests {
         let page = Artwork {
             width_mm: 100.0,
             height_mm: 200.0,
+            has_page: true,
             layers: vec![layer],
         };
         let all = in_cells(&[page], "2x3".parse().unwrap(), 5.0);

@@ -86,7 +86,7 @@ impl Placement {
         turned: impl Fn(Point) -> Point,
     ) -> Result<Placed, PlaceError> {
         let room = self.sheet_room(sheet)?;
-        let is_page = page.inflate(-SAME_MM, -SAME_MM).union(ink) != ink;
+        let is_page = artwork.has_page;
         let fits = self.size == Size::Fit;
         let frame = if is_page && !fits { page } else { ink };
         let fitting = (room.width() / frame.width()).min(room.height() / frame.height());
@@ -386,8 +386,6 @@ const STEP_MM: f64 = 2.0;
 /// A little more than a quarter: places are rounded.
 const QUARTER: f64 = 1.01;
 const HALVINGS: u32 = 60;
-/// Ink that is so near to the edge of its page fills it.
-const SAME_MM: f64 = 0.01;
 /// How much larger than the sheet a page may be for its true size.
 const SAME_SCALE: f64 = 0.002;
 

@@ -48,6 +48,7 @@ fn side_by_side(files: Vec<Artwork>, settings: &Settings) -> Result<Artwork, Pla
     for file in files {
         page.width_mm = page.width_mm.max(file.width_mm);
         page.height_mm = page.height_mm.max(file.height_mm);
+        page.has_page |= file.has_page;
         page.add(file);
     }
     Ok(page)
@@ -84,6 +85,7 @@ mod tests {
         Artwork {
             width_mm: 100.0,
             height_mm: 50.0,
+            has_page: true,
             layers: vec![Layer {
                 name: name.to_owned(),
                 strokes: vec![line],

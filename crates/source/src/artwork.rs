@@ -9,6 +9,8 @@ pub struct Artwork {
     pub width_mm: f64,
     /// The page's height in millimetres.
     pub height_mm: f64,
+    /// Whether the file knows a page.
+    pub has_page: bool,
     /// What to draw, in the order of the file; each becomes a pass of its own.
     pub layers: Vec<Layer>,
 }

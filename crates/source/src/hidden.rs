@@ -75,7 +75,7 @@ impl Covers {
 
 /// What is drawn of lines and areas of which it is not known what shows, in the words of a warning.
 pub(crate) const UNKNOWN: (&str, &str) = (
-    "line or area",
+    "shape",
     "drawn whole, too many shapes lie over it to find what of it shows",
 );
 

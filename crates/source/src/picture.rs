@@ -61,6 +61,7 @@ pub(crate) fn read(
     let artwork = Artwork {
         width_mm: page.x,
         height_mm: page.y,
+        has_page: true,
         layers: vec![Layer {
             strokes,
             ..Layer::default()

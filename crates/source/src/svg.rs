@@ -2,7 +2,9 @@
 
 mod check;
 mod color;
+mod css;
 mod declared;
+mod edits;
 mod entities;
 mod expand;
 mod flatten;
@@ -10,6 +12,7 @@ mod groups;
 mod ink;
 mod layers;
 mod page;
+mod readable;
 mod renderer;
 mod single_line;
 mod styles;
@@ -29,6 +32,7 @@ use usvg::{FontResolver, ImageHrefResolver, Tree};
 use self::declared::{Declared, rules};
 use self::groups::Groups;
 use self::page::SvgPage;
+use self::readable::Readable;
 use self::renderer::TreeRenderer;
 use self::substitutes::{Substitutes, nearest};
 use self::warning_count::{WarningCount, WarningKind};
@@ -84,6 +88,10 @@ struct TreeWarnings<'a> {
     foreign: AtomicUsize,
     moved: AtomicUsize,
     sized: AtomicUsize,
+    clipped: AtomicUsize,
+    linked: AtomicUsize,
+    rules: AtomicUsize,
+    solid: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
     substitutes: &'a Substitutes,
@@ -97,6 +105,10 @@ impl<'a> TreeWarnings<'a> {
             foreign: AtomicUsize::new(0),
             moved: AtomicUsize::new(0),
             sized: AtomicUsize::new(0),
+            clipped: AtomicUsize::new(0),
+            linked: AtomicUsize::new(0),
+            rules: AtomicUsize::new(0),
+            solid: AtomicUsize::new(0),
             fontless: AtomicUsize::new(0),
             missing_glyphs: AtomicUsize::new(0),
             substitutes,
@@ -144,9 +156,22 @@ impl<'a> TreeWarnings<'a> {
         };
         let foreign = elements().filter(|it| named(it, "foreignObject") && has_text(it));
         self.foreign.store(foreign.count(), Ordering::Relaxed);
-        let moves = Declared::of(rules, |name, value| name == "transform" && value != "none");
+        let moves = Declared::of(rules, |name, value| {
+            MOVES.contains(&name) && value != "none"
+        });
         let moved = elements().filter(|it| moves.of_element(*it));
         self.moved.store(moved.count(), Ordering::Relaxed);
+        let clips = Declared::of(rules, |name, value| {
+            name == "clip-path" && value != "none" && !value.starts_with("url")
+        });
+        let clipped = elements().filter(|it| clips.of_element(*it));
+        self.clipped.store(clipped.count(), Ordering::Relaxed);
+        let links = |it: &Node<'_, '_>| {
+            let target = it.attributes().find(|it| it.name() == "href");
+            target.is_some_and(|it| !it.value().trim().starts_with('#'))
+        };
+        let linked = elements().filter(|it| named(it, "use") && links(it));
+        self.linked.store(linked.count(), Ordering::Relaxed);
         let sizes = Declared::of(rules, |name, _| SIZES.contains(&name));
         let sized = elements()
             .filter(|it| SHAPES.iter().any(|name| named(it, name)) && sizes.of_element(*it));
@@ -160,6 +185,10 @@ impl<'a> TreeWarnings<'a> {
             (WarningKind::ForeignText, &self.foreign),
             (WarningKind::MovedByStyle, &self.moved),
             (WarningKind::SizedByStyle, &self.sized),
+            (WarningKind::ClippedByStyle, &self.clipped),
+            (WarningKind::LinkedShape, &self.linked),
+            (WarningKind::UnreadRule, &self.rules),
+            (WarningKind::SolidPath, &self.solid),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
         ];
@@ -188,6 +217,27 @@ fn parse(
     entities::check(text)?;
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
+    styles::check(&doc)?;
+    let readable = Readable::of(&doc, text);
+    tree_warnings
+        .rules
+        .store(readable.unread_rules, Ordering::Relaxed);
+    tree_warnings.solid.store(readable.solid, Ordering::Relaxed);
+    let Some(text) = readable.text else {
+        return tree_of(doc, text, options, tree_warnings);
+    };
+    // There is no room for two.
+    drop(doc);
+    tree_of(xml::tree(&text, true)?, &text, options, tree_warnings)
+}
+
+/// The same of a file whose words the library knows.
+fn tree_of(
+    doc: Document<'_>,
+    text: &str,
+    options: &ReadOptions,
+    tree_warnings: &TreeWarnings<'_>,
+) -> Result<(Tree, HashMap<String, String>), SourceError> {
     styles::check(&doc)?;
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     let rules = rules(&doc);
@@ -249,6 +299,8 @@ fn nothing_to_draw(warnings: &[WarningCount], cut: Option<Warning>) -> SourceErr
     SourceError::nothing_to_draw(texts)
 }
 
+/// Properties that move an element.
+const MOVES: [&str; 4] = ["transform", "translate", "rotate", "scale"];
 /// Shapes, and what of them a style may tell since SVG 2.
 const SHAPES: [&str; 4] = ["circle", "ellipse", "path", "rect"];
 const SIZES: [&str; 10] = [

@@ -183,6 +183,7 @@ fn page(width_mm: f64, height_mm: f64) -> Artwork {
     Artwork {
         width_mm,
         height_mm,
+        has_page: true,
         layers: vec![layer],
     }
 }

@@ -137,6 +137,7 @@ fn corners(page: Point) -> Artwork {
     Artwork {
         width_mm: page.x,
         height_mm: page.y,
+        has_page: true,
         layers: vec![corners],
     }
 }

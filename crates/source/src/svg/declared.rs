@@ -42,6 +42,23 @@ impl<'a> Declared<'a> {
     }
 }
 
+/// What a property of an element is by the styles; what the element itself has comes before the rules, of which the last one counts.
+pub(super) fn value_of<'a>(
+    sheet: &'a StyleSheet<'a>,
+    node: Node<'a, '_>,
+    name: &str,
+) -> Option<&'a str> {
+    let style = node.attribute("style").unwrap_or_default();
+    let own = style.split(';').filter_map(|it| it.split_once(':'));
+    let own = own.filter(|it| it.0.trim() == name).map(|it| it.1.trim());
+    let declared = sheet.rules.iter().rev().filter_map(|rule| {
+        let mut declarations = rule.declarations.iter().rev();
+        let it = declarations.find(|it| it.name == name)?;
+        rule.selector.matches(&Element(node)).then_some(it.value)
+    });
+    own.last().or_else(|| declared.into_iter().next())
+}
+
 /// An element as the rules of a sheet see it.
 struct Element<'a, 'input>(Node<'a, 'input>);
 

@@ -5,6 +5,8 @@ use std::collections::HashMap;
 
 use usvg::roxmltree::{Document, Node};
 
+use super::edits::{Edit, edited};
+
 /// What people call the outermost groups, by the `id` that they have or get in the text.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Groups<'a> {
@@ -67,32 +69,16 @@ fn unused(text: &str) -> String {
 }
 
 fn with_ids(text: &str, missing: &[(Node<'_, '_>, String)]) -> String {
-    let mut whole = String::with_capacity(text.len() + 32 * missing.len());
-    let mut done = 0;
-    for (group, id) in missing {
-        let (at, words) = match group.attribute_node("id") {
-            Some(empty) => (empty.range_value().start, id.clone()),
-            None => (
-                after_tag(text, group.range().start),
-                format!(" id=\"{id}\""),
-            ),
-        };
-        // What an entity holds stands in the file once, wherever it is used.
-        if at > done || done == 0 {
-            whole += &text[done..at];
-            whole += &words;
-            done = at;
-        }
-    }
-    whole + &text[done..]
-}
-
-/// Where the name of an element ends.
-fn after_tag(text: &str, start: usize) -> usize {
-    let is_end = |c: char| c.is_whitespace() || c == '>' || c == '/';
-    text[start..]
-        .find(is_end)
-        .map_or(text.len(), |end| start + end)
+    let edits = missing
+        .iter()
+        .map(|(group, id)| match group.attribute_node("id") {
+            Some(empty) => Edit {
+                range: empty.range_value(),
+                words: id.clone(),
+            },
+            None => Edit::attribute(text, *group, "id", id),
+        });
+    edited(text, edits.collect())
 }
 
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";

@@ -61,4 +61,4 @@ pub(crate) struct FillPaint {
     pub(crate) is_opaque: bool,
 }
 
-const PAPER: [u8; 3] = [255; 3];
+pub(super) const PAPER: [u8; 3] = [255; 3];

@@ -70,6 +70,7 @@ impl SvgPage {
         let artwork = Artwork {
             width_mm,
             height_mm,
+            has_page: true,
             layers,
         };
         if entangled > 0 {
@@ -108,6 +109,7 @@ impl SvgPage {
             if let Some(edges) = edges {
                 return edges.into_iter().try_for_each(|it| self.on_page(it, color));
             }
+            outlines.retain(|it| has_area(it));
             outlines.iter_mut().for_each(close);
         }
         for outline in outlines {
@@ -320,6 +322,17 @@ fn close(line: &mut Stroke) {
         }
         line.closed = true;
     }
+}
+
+/// Whether it holds anything if it is closed: not all of its points lie on one line.
+fn has_area(line: &Stroke) -> bool {
+    let first = line.points[0];
+    let way = line
+        .points
+        .iter()
+        .map(|p| *p - first)
+        .find(|it| it.hypot2() > 0.0);
+    way.is_some_and(|way| line.points.iter().any(|p| way.cross(*p - first) != 0.0))
 }
 
 fn has_length(line: &Stroke) -> bool {

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use dobot_geometry::{Affine, FillRule, Stroke};
-use usvg::{ClipPath, Group, LineCap, Node, Paint, Path, Text, Tree};
+use usvg::{BlendMode, ClipPath, Group, LineCap, Node, Paint, Path, Stop, Text, Tree};
 
 use super::flatten::flatten;
-use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint};
+use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER};
 use super::page::{SvgPage, place};
 use super::single_line::{self, Written};
 use super::warning_count::WarningKind;
@@ -81,7 +81,7 @@ impl<'a> TreeRenderer<'a> {
             self.regions(clip, transform, clips)?;
         }
         let was_faint = self.is_faint;
-        self.is_faint |= group.opacity().get() < 1.0;
+        self.is_faint |= group.opacity().get() < 1.0 || group.blend_mode() != BlendMode::Normal;
         for child in group.children() {
             self.node(child, transform, clips)?;
         }
@@ -164,8 +164,11 @@ impl<'a> TreeRenderer<'a> {
     }
 
     fn ink(&mut self, path: &Path) -> Ink {
-        let line = path.stroke().filter(|it| it.opacity().get() > 0.0);
-        let fill = path.fill().filter(|it| it.opacity().get() > 0.0);
+        let shows = |opacity: f32, paint: &Paint| opacity > 0.0 && is_seen(paint);
+        let line = path.stroke();
+        let line = line.filter(|it| shows(it.opacity().get(), it.paint()));
+        let fill = path.fill();
+        let fill = fill.filter(|it| shows(it.opacity().get(), it.paint()));
         if path.is_visible() {
             self.warn_of_paint(line.map(usvg::Stroke::paint));
             self.warn_of_paint(fill.map(usvg::Fill::paint));
@@ -275,20 +278,41 @@ fn read_fill(fill: &usvg::Fill, is_faint: bool) -> FillPaint {
     FillPaint {
         color: InkColor(rgb(fill.paint())),
         rule: rule(fill.rule()),
-        is_opaque: fill.opacity().get() == 1.0 && !is_faint,
+        is_opaque: fill.opacity().get() == 1.0 && !is_faint && is_opaque(fill.paint()),
     }
 }
 
-/// A gradient counts as the colour that it begins with.
+/// A gradient counts as the first of its colours that shows on white paper.
 fn rgb(paint: &Paint) -> Option<[u8; 3]> {
-    let stops = match paint {
-        Paint::Color(color) => return Some([color.red, color.green, color.blue]),
+    if let Paint::Color(color) = paint {
+        return Some([color.red, color.green, color.blue]);
+    }
+    let stops = stops(paint).iter();
+    let seen = stops.clone().filter(|it| it.opacity().get() > 0.0);
+    let colors = seen.map(|it| [it.color().red, it.color().green, it.color().blue]);
+    let mut inks = colors.clone().filter(|it| *it != PAPER);
+    inks.next().or_else(|| colors.clone().next())
+}
+
+/// The stops of a gradient; none of any other paint.
+fn stops(paint: &Paint) -> &[Stop] {
+    match paint {
         Paint::LinearGradient(gradient) => gradient.stops(),
         Paint::RadialGradient(gradient) => gradient.stops(),
-        Paint::Pattern(_) => &[],
-    };
-    let first = stops.first()?.color();
-    Some([first.red, first.green, first.blue])
+        Paint::Color(_) | Paint::Pattern(_) => &[],
+    }
+}
+
+/// Whether anything of it is seen, if it is a gradient.
+fn is_seen(paint: &Paint) -> bool {
+    let mut stops = stops(paint).iter().peekable();
+    stops.peek().is_none() || stops.any(|it| it.opacity().get() > 0.0)
+}
+
+/// Whether nothing shows through it. What a pattern leaves free is not known.
+fn is_opaque(paint: &Paint) -> bool {
+    let solid = stops(paint).iter().all(|it| it.opacity().get() == 1.0);
+    solid && !matches!(paint, Paint::Pattern(_))
 }
 
 const fn rule(rule: usvg::FillRule) -> FillRule {

@@ -123,8 +123,9 @@ fn the_edge_of_the_page_cuts_and_what_it_cuts_is_told() {
 
 #[test]
 fn a_line_that_rounding_put_beyond_the_page_is_drawn_whole() {
-    let (strokes, warnings) =
-        draw(r#"<path d="M1 45H99V50.1H1Z" stroke="red" fill="none"/><path d="M0 -.1H100"/>"#);
+    let (strokes, warnings) = draw(
+        r#"<path d="M1 45H99V50.1H1Z" stroke="red" fill="none"/><path d="M0 -.1H100" stroke="red"/>"#,
+    );
     assert_eq!((strokes.len(), warnings), (2, vec![]));
     assert!(strokes[0].closed && strokes[0].points.len() == 5);
 }
@@ -246,7 +247,7 @@ fn what_a_pen_cannot_show_is_counted() {
         [
             "1 mask: ignored, what it hides is drawn",
             "1 filter: ignored, the shape is drawn as it is",
-            "1 gradient: drawn as one colour, that of its first stop",
+            "1 gradient: drawn as one colour, the first of its stops that is not white",
             "2 images: left out; trace it to paths to draw it",
         ]
     );
@@ -450,7 +451,7 @@ fn styles_that_would_take_for_ever_are_refused() {
 #[test]
 fn a_drawing_with_very_many_sheets_of_styles_is_read_at_once() {
     let sheets = "<style/>".repeat(120_000);
-    let (strokes, _) = draw(&format!("{sheets}<path d='M0 0H9'/>"));
+    let (strokes, _) = draw(&format!("{sheets}<path d='M0 0H9' stroke='red'/>"));
     assert_eq!(strokes.len(), 1);
 }
 
@@ -578,5 +579,192 @@ proptest! {
             Ok((drawing, _)) => prop_assert!(!drawing.strokes.is_empty()),
             Err(error) => prop_assert!(!error.to_string().contains('\n')),
         }
+    }
+}
+
+/// The lines of a page, each by its first and last point.
+fn ends(content: &str) -> Vec<[(f64, f64); 2]> {
+    let round = |p: Point| ((1e3 * p.x).round() / 1e3, (1e3 * p.y).round() / 1e3);
+    let (strokes, _) = draw(content);
+    let ends = strokes.iter().map(|it| {
+        let last = it.points[it.points.len() - 1];
+        [it.points[0], last].map(round)
+    });
+    ends.collect()
+}
+
+const LINE: [[(f64, f64); 2]; 1] = [[(10.0, 10.0), (90.0, 10.0)]];
+
+#[test]
+fn a_colour_in_the_words_of_newer_css_is_a_colour() {
+    for style in [
+        r#"style="stroke:light-dark(#000,#fff)""#,
+        r#"style="stroke:#000;stroke:color(display-p3 0 0 0)""#,
+        r#"stroke="var(--c,black)""#,
+        r#"style="--c: rgb(0 0 0 / 50%); stroke: var(--c)""#,
+        r#"style="stroke:oklch(0.63 0.26 29.2)""#,
+        r#"style="stroke:rgb(255 0 0 / 50%)""#,
+        r#"style="stroke:rgba(255, 0, 0, 0.5)""#,
+        r#"style="stroke:color-mix(in srgb, red 50%, blue)""#,
+        r#"class="a""#,
+    ] {
+        let sheet = "<style>:root{--sea:light-dark(navy, white)} @media (prefers-color-scheme: dark){.a{stroke:none}} @layer x{@media screen{.a{stroke:var(--sea)}}}</style>";
+        let path = format!(r#"{sheet}<path d="M10 10H90" fill="none" {style}/>"#);
+        let drawn = Drawing::from_svg(&page(&path), &options());
+        assert!(drawn.is_ok(), "{style}: {drawn:?}");
+        assert_eq!(ends(&path), LINE, "{style}");
+    }
+}
+
+#[test]
+fn the_colours_of_newer_css_are_those_of_the_layers() {
+    let by_color = ReadOptions {
+        layers: LayersBy::Color,
+        ..options()
+    };
+    for (color, name) in [
+        ("rgb(255 0 0)", "red"),
+        ("rgb(100% 0% 0% / 1)", "red"),
+        ("color(srgb 0 0 1)", "blue"),
+        ("oklch(0 0 0)", "black"),
+        ("hwb(120 0% 0%)", "lime"),
+        ("light-dark(var(--no, #0ff), red)", "cyan"),
+        ("rgb(255, 0, 0)", "red"),
+    ] {
+        let svg = page(&format!(r#"<path d="M10 10H90" style="stroke:{color}"/>"#));
+        let (artwork, _) = super::draw(&svg, &by_color, &super::Substitutes::default()).unwrap();
+        assert_eq!(artwork.layers[0].name, name, "{color}");
+    }
+}
+
+#[test]
+fn variables_that_stand_for_each_other_come_to_an_end() {
+    let each: String = (0..20)
+        .map(|it| format!("--v{it}: var(--v{}) var(--v{});", it + 1, it + 1))
+        .collect();
+    let svg = format!(r#"<path d="M10 10H90" stroke="black" style="{each} fill: var(--v0)"/>"#);
+    assert_eq!(ends(&svg), LINE);
+    let open = "var(".repeat(100_000);
+    assert_eq!(
+        ends(&format!(
+            r#"<path d="M10 10H90" stroke="black" class="{open}"/>"#
+        )),
+        LINE
+    );
+    let nested = "@layer a{".repeat(2_000);
+    assert_eq!(
+        ends(&format!(
+            r#"<style>{nested}</style><path d="M10 10H90" stroke="black"/>"#
+        )),
+        LINE
+    );
+}
+
+#[test]
+fn the_size_of_the_page_and_of_letters_are_what_the_styles_tell() {
+    let wide = |root: &str| {
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" {root}><path d="M0 0H24" stroke="red"/></svg>"#
+        );
+        Drawing::from_svg(&svg, &options()).unwrap().0.width_mm
+    };
+    assert!((wide(r#"style="width:240mm;height:24cm""#) - 240.0).abs() < 1e-3);
+    assert!(
+        (wide(r#"width="5mm" height="5mm" style="width:24cm;height:24cm""#) - 240.0).abs() < 1e-3
+    );
+    assert!((wide(r#"width="24mm" height="24mm" style="width:100%""#) - 24.0).abs() < 1e-3);
+}
+
+#[test]
+fn letters_are_as_large_as_newer_css_tells() {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    if fonts.is_empty() {
+        return; // A machine without fonts cannot show this.
+    }
+    let options = ReadOptions {
+        fonts: Arc::new(fonts),
+        ..options()
+    };
+    let high = |style: &str| {
+        let svg = page(&format!(r#"<text x="10" y="40" style="{style}">H</text>"#));
+        let (drawing, _) = Drawing::from_svg(&svg, &options).unwrap();
+        bounds_of_strokes(&drawing.strokes).height()
+    };
+    let expected = high("font-weight:bold;font-size:32px;font-family:sans-serif");
+    assert!(expected > 10.0);
+    for style in [
+        "font:bold 32px/1.5 sans-serif",
+        "font: bold 2rem sans-serif",
+        "--size: 1; font-weight:bold;font-size:2rem;font-family:sans-serif",
+    ] {
+        assert!((high(style) - expected).abs() < 1e-6, "{style}");
+    }
+}
+
+#[test]
+fn what_would_hide_a_shape_without_need_does_not() {
+    for path in [
+        r##"<path d="M10 10H90" stroke="#000" filter="url(#no)"/>"##,
+        r##"<path d="M10 10H90" stroke="#000" pathLength="1" stroke-dasharray="1"/>"##,
+        r##"<path d="M10 10H90" stroke="#000" pathLength="1" style="stroke-dasharray:1;fill:none"/>"##,
+    ] {
+        assert_eq!(ends(path), LINE, "{path}");
+    }
+    let (_, warnings) =
+        draw(r#"<path d="M10 10H90" stroke="red" pathLength="1" stroke-dasharray="1"/>"#);
+    assert_eq!(
+        warnings[0].to_string(),
+        "1 dashed line: with pathLength: drawn solid"
+    );
+}
+
+#[test]
+fn what_no_browser_shows_is_not_drawn() {
+    for nothing in [
+        r#"<line x1="10" y1="10" x2="90" y2="30"/>"#,
+        r#"<path d="M20 20h50"/>"#,
+        r##"<linearGradient id="g"><stop stop-opacity="0"/><stop offset="1" stop-opacity="0"/></linearGradient><circle r="9" fill="url(#g)"/>"##,
+    ] {
+        let error = error(&page(nothing));
+        assert!(error.contains("nothing to draw"), "{error}");
+    }
+}
+
+#[test]
+fn a_gradient_that_begins_with_white_is_ink() {
+    let (strokes, warnings) = draw(
+        r##"<radialGradient id="g"><stop stop-color="#fff"/><stop offset="1" stop-color="#00f"/></radialGradient>
+        <rect x="10" y="10" width="20" height="20" fill="url(#g)"/>"##,
+    );
+    assert_eq!(strokes.len(), 1);
+    assert!(warnings[0].to_string().contains("1 gradient"));
+}
+
+#[test]
+fn what_of_the_styles_is_not_read_is_told() {
+    for (content, told) in [
+        (r#"<g style="rotate: 45deg">LINE</g>"#, "1 CSS transform"),
+        (
+            r#"<g style="clip-path: inset(0 50% 0 0)">LINE</g>"#,
+            "1 CSS clip-path",
+        ),
+        (
+            r##"<use href="other.svg#a"/>LINE"##,
+            "1 shape: of another file",
+        ),
+        (
+            r#"<style>[id^="h"]{display:none} .a:hover{fill:red}</style>LINE"#,
+            "1 CSS rule: not read",
+        ),
+    ] {
+        let line = r#"<path d="M10 10H90" stroke="red"/>"#;
+        let (strokes, warnings) = draw(&content.replace("LINE", line));
+        assert_eq!(
+            (strokes.len(), warnings.len()),
+            (1, 1),
+            "{content}: {warnings:?}"
+        );
+        assert!(warnings[0].to_string().starts_with(told), "{warnings:?}");
     }
 }

@@ -46,6 +46,14 @@ pub(crate) enum WarningKind {
     MovedByStyle,
     /// A shape of which a style tells the place or the size.
     SizedByStyle,
+    /// What a style clips by a basic shape.
+    ClippedByStyle,
+    /// A shape of another file.
+    LinkedShape,
+    /// A rule of a sheet that is not read.
+    UnreadRule,
+    /// A line whose dashes are told in shares of its path.
+    SolidPath,
     /// A piece of text and no font at all.
     TextWithoutFont,
     /// A character that no font has.
@@ -60,7 +68,10 @@ impl WarningKind {
             Self::Image => ("image", "left out; trace it to paths to draw it"),
             Self::Mask => ("mask", "ignored, what it hides is drawn"),
             Self::Filter => ("filter", "ignored, the shape is drawn as it is"),
-            Self::Gradient => ("gradient", "drawn as one colour, that of its first stop"),
+            Self::Gradient => (
+                "gradient",
+                "drawn as one colour, the first of its stops that is not white",
+            ),
             Self::Pattern => ("pattern", "left out, its area is drawn as one"),
             Self::Paper => ("white shape", "left out, white is the paper"),
             Self::Entangled => (
@@ -84,6 +95,19 @@ impl WarningKind {
                 "CSS size",
                 "of a shape, or its place: not read, drawn by the attributes alone; save the file as plain SVG",
             ),
+            Self::ClippedByStyle => (
+                "CSS clip-path",
+                "of a basic shape: ignored, what it hides is drawn; save the file as plain SVG",
+            ),
+            Self::LinkedShape => (
+                "shape",
+                "of another file (use): left out; copy it into this one",
+            ),
+            Self::UnreadRule => (
+                "CSS rule",
+                "not read, for its selector is not known; save the file as plain SVG",
+            ),
+            Self::SolidPath => ("dashed line", "with pathLength: drawn solid"),
             Self::TextWithoutFont => (
                 "text",
                 "left out, no font was found; install a font or convert it to paths",

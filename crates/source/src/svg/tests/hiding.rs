@@ -163,3 +163,19 @@ proptest! {
         prop_assert!((found_mm - wanted_mm).abs() < 0.002 * wanted_mm + 0.3, "{found_mm} mm, not {wanted_mm} mm");
     }
 }
+
+#[test]
+fn what_shines_through_hides_nothing() {
+    let see_through = r##"<linearGradient id="g"><stop stop-opacity=".5"/><stop offset="1" stop-opacity="0"/></linearGradient>
+        <pattern id="p" width="4" height="4" patternUnits="userSpaceOnUse"><circle r="1"/></pattern>"##;
+    for over in [
+        r##"fill="url(#g)""##,
+        r##"fill="url(#p)""##,
+        r#"fill="red" style="mix-blend-mode:multiply""#,
+    ] {
+        let (strokes, _) = hidden(&format!(
+            r#"{see_through}<path d="M0 10H60" stroke="red"/><rect x="20" y="0" width="20" height="20" {over}/>"#
+        ));
+        assert!((length_mm(&strokes) - (60.0 + 80.0)).abs() < 1e-3, "{over}");
+    }
+}

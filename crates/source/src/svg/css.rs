@@ -1,0 +1,386 @@
+//! CSS that is newer than what the library reads, in words that it knows.
+//!
+//! ```text
+//!   stroke: light-dark(black, white)        stroke: black
+//!   fill: var(--sea, blue)                  fill: blue
+//!   fill: oklch(0.63 0.26 29)               fill: #ff0000
+//!   font: bold 1rem/1.5 serif               font: bold 16px serif
+//!   @media screen { .a { fill: red } }      .a { fill: red }
+//! ```
+
+use std::borrow::Cow;
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::ops::Range;
+
+use simplecss::Selector;
+
+/// What custom properties stand for, by their names (`--sea`). Of several values the first counts: the others are for a dark screen,
+/// or for another part of the page.
+#[derive(Debug)]
+pub(super) struct Variables<'a> {
+    values: HashMap<&'a str, &'a str>,
+    /// How many bytes may still be looked at in the brackets of functions.
+    left: Cell<usize>,
+}
+
+impl<'a> Variables<'a> {
+    pub(super) fn new() -> Self {
+        Self {
+            values: HashMap::new(),
+            left: Cell::new(MOST_BYTES),
+        }
+    }
+
+    /// Takes those of a sheet, or of the style of an element.
+    pub(super) fn read(&mut self, css: &'a str) {
+        for Custom { name, value, .. } in custom(css) {
+            self.values.entry(name).or_insert(value);
+        }
+    }
+
+    /// A value, or the declarations of a style, in words that the library knows.
+    pub(super) fn readable<'t>(&self, css: &'t str) -> Cow<'t, str> {
+        let css = if css.contains('(') {
+            self.without_functions(css, 0)
+        } else {
+            Cow::Borrowed(css)
+        };
+        let css = replaced(css, without_custom);
+        let css = replaced(css, rem_to_px);
+        replaced(css, |it| {
+            it.contains("font").then(|| without_line_heights(it))
+        })
+    }
+
+    /// The same of a sheet.
+    pub(super) fn readable_sheet<'t>(&self, css: &'t str) -> Cow<'t, str> {
+        let css = replaced(Cow::Borrowed(css), |it| {
+            it.contains('@').then(|| unwrapped(it, 0))
+        });
+        let css = replaced(css, |it| {
+            it.contains(":root").then(|| it.replace(":root", "svg"))
+        });
+        match css {
+            Cow::Borrowed(css) => self.readable(css),
+            Cow::Owned(css) => Cow::Owned(self.readable(&css).into_owned()),
+        }
+    }
+
+    /// Puts the values of functions in their places.
+    fn without_functions<'t>(&self, css: &'t str, depth: u32) -> Cow<'t, str> {
+        let (mut whole, mut done, mut at) = (String::new(), 0, 0);
+        while let Some(open) = css[at..].find('(').map(|it| at + it) {
+            let head = &css[at..open];
+            let begin = at + head.rfind(|it| !is_of_name(it)).map_or(0, |it| it + 1);
+            at = open + 1;
+            if let Some((value, end)) = self.value(&css[begin..open], &css[open..], depth) {
+                whole += &css[done..begin];
+                whole += &value;
+                at = open + end;
+                done = at;
+            }
+        }
+        if done == 0 {
+            return Cow::Borrowed(css);
+        }
+        Cow::Owned(whole + &css[done..])
+    }
+
+    /// What a function gives, where the library does not know it itself, and where its brackets are closed, with which the
+    /// text begins.
+    fn value(&self, name: &str, text: &str, depth: u32) -> Option<(String, usize)> {
+        if depth == MOST_DEPTH || !FUNCTIONS.contains(&name) {
+            return None;
+        }
+        let end = closed(text, ['(', ')']);
+        self.left.set(self.left.get().checked_sub(end)?);
+        let arguments = text[1..end].trim_end_matches(')');
+        let (first, others) = arguments.split_at(comma(arguments));
+        let other = others.strip_prefix(',');
+        let deeper = |css: &str| self.without_functions(css.trim(), depth + 1).into_owned();
+        let value = match name {
+            "var" => {
+                let value = self.values.get(first.trim()).copied().or(other);
+                value.map_or_else(|| "inherit".to_owned(), deeper)
+            }
+            "light-dark" => deeper(first),
+            "color-mix" => {
+                let other = other?;
+                let mixed = deeper(&other[..comma(other)]);
+                // How much of it there is.
+                let share = mixed.rfind(' ').filter(|_| mixed.ends_with('%'));
+                share.map_or(mixed.clone(), |it| mixed[..it].to_owned())
+            }
+            "color" => {
+                let (_, channels) = arguments.trim().split_once(' ')?;
+                hex(&format!("rgb({})", percent(channels)))?
+            }
+            _ if first.len() < arguments.len() && !arguments.contains('(') => return None,
+            _ => hex(&format!("{name}({})", deeper(arguments)))?,
+        };
+        Some((value, end))
+    }
+}
+
+/// What declares a custom property.
+struct Custom<'a> {
+    name: &'a str,
+    value: &'a str,
+    range: Range<usize>,
+}
+
+fn custom(css: &str) -> impl Iterator<Item = Custom<'_>> {
+    let mut done = 0;
+    std::iter::from_fn(move || {
+        while let Some(at) = css[done..].find("--").map(|it| done + it) {
+            let rest = &css[at..];
+            let name = &rest[..name_end(rest)];
+            let before = css[done..at].trim_end().chars().next_back();
+            let begins = before.is_none_or(|it| ";{}/".contains(it));
+            done = at + name.len();
+            let value = rest[name.len()..].trim_start().strip_prefix(':');
+            if let (true, Some(value)) = (begins, value) {
+                let end = value.find([';', '}']).unwrap_or(value.len());
+                done = css.len() - value.len() + end;
+                if value[end..].starts_with(';') {
+                    done += 1;
+                }
+                return Some(Custom {
+                    name,
+                    value: value[..end].trim(),
+                    range: at..done,
+                });
+            }
+        }
+        None
+    })
+}
+
+/// Leaves out the custom properties, with which the library would leave out what stands beside them.
+fn without_custom(css: &str) -> Option<String> {
+    let (mut whole, mut done) = (String::new(), 0);
+    for Custom { range, .. } in custom(css) {
+        whole += &css[done..range.start];
+        done = range.end;
+    }
+    (done > 0).then(|| whole + &css[done..])
+}
+
+/// The rules of a sheet that hold as long as nobody points at anything, but that the library does not know.
+pub(super) fn unread_rules(css: &str) -> usize {
+    let is_unread = |(prelude, body): (&str, Option<&str>)| {
+        let Some(body) = body.filter(|_| !prelude.starts_with('@')) else {
+            return false;
+        };
+        let shows = VISIBLE.iter().any(|it| body.contains(it));
+        let selectors = prelude.split(',').map(str::trim);
+        shows
+            && selectors
+                .filter(|it| !it.contains("::"))
+                .any(|it| Selector::parse(it).is_none())
+    };
+    statements(css)
+        .filter(|it| is_unread((it.prelude, it.body)))
+        .count()
+}
+
+/// A rule or an at-rule of a sheet.
+struct Statement<'a> {
+    /// What stands before its block, or all of it where it has none.
+    prelude: &'a str,
+    /// What its braces hold.
+    body: Option<&'a str>,
+    whole: &'a str,
+}
+
+/// The outermost statements of a sheet, comments before them among their preludes.
+fn statements(css: &str) -> impl Iterator<Item = Statement<'_>> {
+    let mut rest = css;
+    std::iter::from_fn(move || {
+        let before = rest;
+        rest = without_comments(rest);
+        if rest.is_empty() {
+            return None;
+        }
+        let skipped = before.len() - rest.len();
+        let end = rest.find(['{', ';']).unwrap_or(rest.len());
+        let block = rest[end..].starts_with('{');
+        let whole = if block {
+            end + closed(&rest[end..], ['{', '}'])
+        } else {
+            (end + 1).min(rest.len())
+        };
+        let statement = Statement {
+            prelude: rest[..end].trim(),
+            body: block.then(|| rest[end + 1..whole].trim_end_matches('}')),
+            whole: &before[..skipped + whole],
+        };
+        rest = &rest[whole..];
+        Some(statement)
+    })
+}
+
+fn without_comments(mut css: &str) -> &str {
+    loop {
+        css = css.trim_start();
+        let Some(comment) = css.strip_prefix("/*") else {
+            return css;
+        };
+        css = comment.split_once("*/").map_or("", |it| it.1);
+    }
+}
+
+/// The sheet with the rules that stand in blocks of at-rules which hold for a page on a light screen.
+fn unwrapped(css: &str, depth: u32) -> String {
+    let unwrap = |it: Statement<'_>| match it.body {
+        Some(body) if depth < MOST_DEPTH && holds(it.prelude) => unwrapped(body, depth + 1),
+        _ => it.whole.to_owned(),
+    };
+    statements(css).map(unwrap).collect()
+}
+
+fn holds(prelude: &str) -> bool {
+    let (rule, condition) = prelude.split_once([' ', '(']).unwrap_or((prelude, ""));
+    let condition = condition.trim().trim_start_matches("only ");
+    match rule {
+        "@layer" => true,
+        "@supports" => !condition.starts_with("not"),
+        "@media" => {
+            let of_light =
+                condition.contains("prefers-color-scheme") && condition.contains("light");
+            matches!(condition, "" | "all" | "screen") || of_light
+        }
+        _ => false,
+    }
+}
+
+/// Where the brackets with which a text begins are closed, behind them.
+fn closed(text: &str, [open, close]: [char; 2]) -> usize {
+    let mut depth = 0_usize;
+    for (at, sign) in text.char_indices() {
+        if sign == open {
+            depth += 1;
+        } else if sign == close {
+            depth -= 1;
+            if depth == 0 {
+                return at + 1;
+            }
+        }
+    }
+    text.len()
+}
+
+/// Where the first argument ends.
+fn comma(arguments: &str) -> usize {
+    let mut depth = 0_i32;
+    let is_end = |sign: char| {
+        depth += i32::from(sign == '(') - i32::from(sign == ')');
+        sign == ',' && depth == 0
+    };
+    arguments.find(is_end).unwrap_or(arguments.len())
+}
+
+/// Channels from 0 to 1 in percent, as `rgb` has them.
+fn percent(channels: &str) -> String {
+    let (colors, alpha) = channels.split_once('/').unwrap_or((channels, "1"));
+    let colors = colors.split_whitespace().map(|it| match it.parse::<f64>() {
+        Ok(share) => format!("{}%", 100.0 * share),
+        Err(_) => it.to_owned(),
+    });
+    let colors: Vec<String> = colors.collect();
+    format!("{} / {alpha}", colors.join(" "))
+}
+
+/// The digits of a colour.
+fn hex(color: &str) -> Option<String> {
+    let color = csscolorparser::parse(color).ok()?;
+    Some(color.to_css_hex().to_string())
+}
+
+/// Lengths in the font size of the page, which is 16 px.
+fn rem_to_px(css: &str) -> Option<String> {
+    let mut whole = String::new();
+    let mut done = 0;
+    for (at, unit) in css.match_indices("rem") {
+        let number = css[done..at].rfind(|c: char| !c.is_ascii_digit() && c != '.');
+        let begin = number.map_or(done, |it| done + it + 1);
+        let ends = !css[at + unit.len()..].starts_with(is_of_name);
+        if let (true, Ok(number)) = (ends, css[begin..at].parse::<f64>()) {
+            whole += &format!("{}{}px", &css[done..begin], REM_PX * number);
+            done = at + unit.len();
+        }
+    }
+    (done > 0).then(|| whole + &css[done..])
+}
+
+/// Takes the line heights out of what tells all of a font.
+fn without_line_heights(css: &str) -> String {
+    let mut whole = String::new();
+    let mut rest = css;
+    while let Some(at) = rest.find("font") {
+        let (before, font) = rest.split_at(at + "font".len());
+        whole += before;
+        let end = font.find([';', '}']).unwrap_or(font.len());
+        let (value, behind) = font.split_at(end);
+        let is_font = value.trim_start().starts_with(':');
+        match value.split_once('/').filter(|_| is_font) {
+            Some((size, height)) => {
+                whole += size;
+                let height = height.trim_start();
+                whole += height.find(' ').map_or("", |it| &height[it..]);
+            }
+            None => whole += value,
+        }
+        rest = behind;
+    }
+    whole + rest
+}
+
+fn replaced<'t>(css: Cow<'t, str>, by: impl Fn(&str) -> Option<String>) -> Cow<'t, str> {
+    match by(&css) {
+        Some(new) => Cow::Owned(new),
+        None => css,
+    }
+}
+
+fn name_end(text: &str) -> usize {
+    text.find(|it| !is_of_name(it)).unwrap_or(text.len())
+}
+
+fn is_of_name(sign: char) -> bool {
+    sign.is_alphanumeric() || sign == '-' || sign == '_'
+}
+
+/// What variables stand for may hold others, to that depth.
+const MOST_DEPTH: u32 = 8;
+/// It takes a tenth of a second.
+const MOST_BYTES: usize = 50_000_000;
+/// The functions whose values are put in their places.
+const FUNCTIONS: [&str; 13] = [
+    "color",
+    "color-mix",
+    "hsl",
+    "hsla",
+    "hwb",
+    "lab",
+    "lch",
+    "light-dark",
+    "oklab",
+    "oklch",
+    "rgb",
+    "rgba",
+    "var",
+];
+const REM_PX: f64 = 16.0;
+/// What of a rule changes the drawing.
+const VISIBLE: [&str; 8] = [
+    "display",
+    "visibility",
+    "fill",
+    "stroke",
+    "opacity",
+    "transform",
+    "font",
+    "clip",
+];
