@@ -307,7 +307,9 @@ fn rem_to_px(css: &str) -> Option<String> {
         let begin = number.map_or(done, |it| done + it + 1);
         let ends = !css[at + unit.len()..].starts_with(is_of_name);
         if let (true, Ok(number)) = (ends, css[begin..at].parse::<f64>()) {
-            whole += &format!("{}{}px", &css[done..begin], REM_PX * number);
+            whole += &css[done..begin];
+            whole += &(REM_PX * number).to_string();
+            whole += "px";
             done = at + unit.len();
         }
     }
@@ -337,7 +339,7 @@ fn without_line_heights(css: &str) -> String {
     whole + rest
 }
 
-fn replaced<'t>(css: Cow<'t, str>, by: impl Fn(&str) -> Option<String>) -> Cow<'t, str> {
+fn replaced(css: Cow<'_, str>, by: impl Fn(&str) -> Option<String>) -> Cow<'_, str> {
     match by(&css) {
         Some(new) => Cow::Owned(new),
         None => css,

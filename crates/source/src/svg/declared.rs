@@ -50,13 +50,13 @@ pub(super) fn value_of<'a>(
 ) -> Option<&'a str> {
     let style = node.attribute("style").unwrap_or_default();
     let own = style.split(';').filter_map(|it| it.split_once(':'));
-    let own = own.filter(|it| it.0.trim() == name).map(|it| it.1.trim());
+    let mut own = own.filter(|it| it.0.trim() == name).map(|it| it.1.trim());
     let declared = sheet.rules.iter().rev().filter_map(|rule| {
         let mut declarations = rule.declarations.iter().rev();
         let it = declarations.find(|it| it.name == name)?;
         rule.selector.matches(&Element(node)).then_some(it.value)
     });
-    own.last().or_else(|| declared.into_iter().next())
+    own.next_back().or_else(|| declared.into_iter().next())
 }
 
 /// An element as the rules of a sheet see it.

@@ -109,7 +109,7 @@ impl SvgPage {
             if let Some(edges) = edges {
                 return edges.into_iter().try_for_each(|it| self.on_page(it, color));
             }
-            outlines.retain(|it| has_area(it));
+            outlines.retain(has_area);
             outlines.iter_mut().for_each(close);
         }
         for outline in outlines {

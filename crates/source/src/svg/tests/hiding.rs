@@ -166,11 +166,11 @@ proptest! {
 
 #[test]
 fn what_shines_through_hides_nothing() {
-    let see_through = r##"<linearGradient id="g"><stop stop-opacity=".5"/><stop offset="1" stop-opacity="0"/></linearGradient>
-        <pattern id="p" width="4" height="4" patternUnits="userSpaceOnUse"><circle r="1"/></pattern>"##;
+    let see_through = r#"<linearGradient id="g"><stop stop-opacity=".5"/><stop offset="1" stop-opacity="0"/></linearGradient>
+        <pattern id="p" width="4" height="4" patternUnits="userSpaceOnUse"><circle r="1"/></pattern>"#;
     for over in [
-        r##"fill="url(#g)""##,
-        r##"fill="url(#p)""##,
+        r#"fill="url(#g)""#,
+        r#"fill="url(#p)""#,
         r#"fill="red" style="mix-blend-mode:multiply""#,
     ] {
         let (strokes, _) = hidden(&format!(
