@@ -102,9 +102,11 @@ impl SegmentIndex {
         (best.0 != NONE).then_some(best)
     }
 
-    /// Calls `visit` for every item whose box touches `area`.
-    pub fn touching(&self, area: Rect, visit: &mut impl FnMut(u32)) {
+    /// Calls `visit` for every item whose box touches `area`, and tells how many items were looked at for that.
+    pub fn touching(&self, area: Rect, visit: &mut impl FnMut(u32)) -> usize {
+        let mut looks = 0;
         self.tree.touching(area, &mut |items| {
+            looks += items.len();
             for item in self.alive(items) {
                 let (a, b) = self.segment(item);
                 if Rect::from_points(a, b).overlaps(area) {
@@ -112,6 +114,7 @@ impl SegmentIndex {
                 }
             }
         });
+        looks
     }
 
     /// All items, in the order given.

@@ -237,11 +237,7 @@ impl ClipArea {
             let edges = self
                 .edges
                 .get_or_init(|| SegmentIndex::new(self.edges().collect()));
-            looks += LOOKS_FOR_TREE;
-            edges.touching(around, &mut |edge| {
-                looks += 1;
-                visit(edges.segment(edge));
-            });
+            looks += edges.touching(around, &mut |edge| visit(edges.segment(edge)));
         }
         self.looks.set(self.looks.get() + looks);
     }
@@ -341,8 +337,6 @@ fn join_at_seam(pieces: &mut Vec<Stroke>, seam: Point) {
 
 /// Up to so many corners, edges are looked at one by one.
 const FEW_CORNERS: usize = 16;
-/// What it costs to find those that are near, in looks at an edge.
-const LOOKS_FOR_TREE: usize = 6;
 /// What anything costs, in looks at an edge.
 const LOOKS_FOR_ANY: usize = 4;
 /// How near to an edge counts as on it: single precision leaves no less at this size.

@@ -93,7 +93,7 @@ pub(crate) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
 /// No drawing has more line segments: the arm takes two days for it.
 pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
 /// How many edges may be looked at where lines and areas are cut: a second or two.
-const MAX_LOOKS: usize = 75_000_000;
+const MAX_LOOKS: usize = 150_000_000;
 /// No drawing leads farther than that, in mm.
 pub(crate) const LIMIT_MM: f64 = 1_000_000.0;
 /// Larger numbers are a mistake, and would overflow further on.
