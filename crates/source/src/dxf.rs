@@ -2,6 +2,7 @@
 //!
 //! A reader of our own: those there are skip what they do not know in silence, hatches among it.
 
+mod code_page;
 mod content;
 mod cover;
 mod entity;
@@ -33,8 +34,13 @@ pub(crate) fn read(
     text: &[u8],
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
-    let mut sketch = Sketch::new(text, options)?;
-    let mut file = File::read(text)?;
+    let (text, unknown_code_page) = code_page::in_utf8(text);
+    let mut sketch = Sketch::new(&text, options)?;
+    if let Some(name) = unknown_code_page {
+        let instead = format!("its letters taken for western ones; its header tells {name:?}");
+        sketch.warn(None, "file in an unknown code page", &instead);
+    }
+    let mut file = File::read(&text)?;
     if sketch.hides() {
         // Nothing else depends on it.
         order::sort(&mut file)?;

@@ -43,9 +43,9 @@ impl<'a> Pair<'a> {
         SourceError::found(self.text, self.value_at, found, expected)
     }
 
-    /// The value as text: Windows' western letters where it is no UTF-8, as before 2007.
+    /// The value as text.
     pub(super) fn text(&self) -> Cow<'a, str> {
-        decoded(self.value)
+        String::from_utf8_lossy(self.value)
     }
 
     /// The same with the spaces around it.
@@ -53,14 +53,7 @@ impl<'a> Pair<'a> {
         let rest = &self.text[self.value_at..];
         let line = rest.split(|&byte| byte == b'\n').next();
         let line = line.unwrap_or_default();
-        decoded(line.strip_suffix(b"\r").unwrap_or(line))
-    }
-}
-
-fn decoded(value: &[u8]) -> Cow<'_, str> {
-    match std::str::from_utf8(value) {
-        Ok(text) => Cow::Borrowed(text),
-        Err(_) => Cow::Owned(value.iter().copied().map(char::from).collect()),
+        String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line))
     }
 }
 

@@ -491,6 +491,61 @@ fn names_of_old_files_are_western() {
     assert_eq!(artwork.layers[0].name, "Fräser");
 }
 
+/// The name of a layer that is written in these bytes, in a file whose header has these groups.
+fn layer_name(header: &str, name: &[u8]) -> (String, Vec<String>) {
+    let text = file("", "", "0 LINE 8 ? 10 0 20 0 11 9 21 0");
+    let header: String = header
+        .split_whitespace()
+        .map(|it| it.to_owned() + "\n")
+        .collect();
+    let text = text.replace("HEADER\n", &format!("HEADER\n{header}"));
+    let (before, after) = text.split_once('?').unwrap();
+    let bytes = [before.as_bytes(), name, after.as_bytes()].concat();
+    let (artwork, warnings) = super::read(&bytes, &ReadOptions::default()).unwrap();
+    let warnings = warnings.iter().map(Warning::to_string).collect();
+    (artwork.layers[0].name.clone(), warnings)
+}
+
+#[test]
+fn names_are_in_the_code_page_of_the_header_before_2007() {
+    for (page, name, wanted) in [
+        ("ANSI_1253", &b"\xc5\xeb\xeb\xdc\xe4\xe1"[..], "Ελλάδα"),
+        ("ansi_1251", b"\xd1\xf2\xe5\xed\xfb", "Стены"),
+        ("ANSI_1250", b"\xb3\xf3d\x9f", "łódź"),
+        ("ANSI_1252", b"\x80\x96\x93\x94", "€–“”"),
+        ("ANSI_932", b"\x93\xfa\x96\x7b", "日本"),
+        // The first letter alone might be one in UTF-8 too.
+        ("ANSI_936", b"\xc4\xa3\xd6\xd0\xb9\xfa", "模中国"),
+        ("ANSI_949", b"\xc7\xd1", "한"),
+        ("ANSI_950", b"\xa4\xa4", "中"),
+        ("ANSI_874", b"\xa1", "ก"),
+        ("dos866", b"\x84", "Д"),
+        ("ISO8859-2", b"\xb3", "ł"),
+        // Written by programs that tell another code page than they use.
+        ("ANSI_1252", "Küche".as_bytes(), "Küche"),
+        ("ANSI_936", "模".as_bytes(), "模"),
+    ] {
+        let header = format!("9 $ACADVER 1 AC1015 9 $DWGCODEPAGE 3 {page}");
+        let found = layer_name(&header, name);
+        assert_eq!(found, (wanted.to_owned(), Vec::new()), "{page}");
+    }
+}
+
+#[test]
+fn names_from_2007_on_are_in_utf8_and_those_without_a_code_page_western() {
+    let later = "9 $ACADVER 1 AC1021 9 $DWGCODEPAGE 3 ANSI_1251";
+    assert_eq!(layer_name(later, "Küche".as_bytes()).0, "Küche");
+    for header in ["", "9 $ACADVER 1 AC1009"] {
+        assert_eq!(layer_name(header, b"5 \x80").0, "5 €");
+    }
+    let unknown = "9 $ACADVER 1 AC1009 9 $DWGCODEPAGE 3 dos850";
+    let (name, warnings) = layer_name(unknown, b"Fr\xe4ser");
+    assert_eq!(name, "Fräser");
+    let told = "1 file in an unknown code page: its letters taken for western ones; its header tells \"dos850\"";
+    assert_eq!(warnings, [told]);
+    assert_eq!(layer_name(unknown, b"wall").1, [""; 0]);
+}
+
 #[test]
 fn a_file_cut_anywhere_is_refused() {
     let text = file(

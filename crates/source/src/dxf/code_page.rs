@@ -1,0 +1,83 @@
+//! The letters of a file: UTF-8 from version 2007 on, those of a code page before.
+
+use std::borrow::Cow;
+
+use encoding_rs::{BIG5, EUC_KR, Encoding, GBK, SHIFT_JIS, WINDOWS_1252};
+
+use super::pairs::pairs;
+use crate::place::beginning;
+
+/// What the header tells of the letters.
+#[derive(Debug, Default)]
+struct Header<'a> {
+    /// Such as `AC1015`.
+    version: &'a [u8],
+    /// Such as `ANSI_1252`.
+    code_page: Option<&'a [u8]>,
+}
+
+impl<'a> Header<'a> {
+    /// Reads as far as the end of the first section; of what is no header nothing is known.
+    fn read(text: &'a [u8]) -> Self {
+        let mut header = Self::default();
+        let mut variable: &[u8] = b"";
+        for pair in pairs(text, beginning(text)).map_while(Result::ok) {
+            match (pair.code, variable) {
+                (0, _) if pair.value == b"ENDSEC" => break,
+                (9, _) => variable = pair.value,
+                (1, b"$ACADVER") => header.version = pair.value,
+                (3, b"$DWGCODEPAGE") => header.code_page = Some(pair.value),
+                _ => {}
+            }
+        }
+        header
+    }
+
+    /// Whether all of the file is to be in UTF-8. The names of versions are in the order of the alphabet.
+    fn is_in_utf8(&self) -> bool {
+        self.version >= &b"AC1021"[..]
+    }
+}
+
+/// The same file in UTF-8, line by line, and the name of its code page where that is not known.
+///
+/// Many programs write UTF-8 whatever the header says, so that a line in UTF-8 stays as it is. In code pages of two
+/// bytes for a letter short words may look like UTF-8, and there the header counts.
+pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
+    if std::str::from_utf8(text).is_ok() {
+        return (Cow::Borrowed(text), None);
+    }
+    let header = Header::read(text);
+    let told = header.code_page.map_or(Some(WINDOWS_1252), encoding);
+    let encoding = told.unwrap_or(WINDOWS_1252);
+    let may_stay = header.is_in_utf8() || encoding.is_single_byte();
+    let mut decoded = Vec::with_capacity(text.len());
+    for line in text.split_inclusive(|&byte| byte == b'\n') {
+        if line.is_ascii() || may_stay && std::str::from_utf8(line).is_ok() {
+            decoded.extend_from_slice(line);
+        } else {
+            let (letters, _) = encoding.decode_without_bom_handling(line);
+            decoded.extend_from_slice(letters.as_bytes());
+        }
+    }
+    let unknown = header.code_page.filter(|_| told.is_none());
+    let unknown = unknown.map(|it| String::from_utf8_lossy(it).into_owned());
+    (Cow::Owned(decoded), unknown)
+}
+
+/// What a code page is called elsewhere.
+fn encoding(code_page: &[u8]) -> Option<&'static Encoding> {
+    let name = code_page.to_ascii_lowercase();
+    let number = name.strip_prefix(b"ansi_");
+    let Some(number) = number.or_else(|| name.strip_prefix(b"dos")) else {
+        return Encoding::for_label(&name).filter(|it| it.is_ascii_compatible());
+    };
+    match number {
+        b"874" => Encoding::for_label(b"windows-874"),
+        b"932" => Some(SHIFT_JIS),
+        b"936" => Some(GBK),
+        b"949" => Some(EUC_KR),
+        b"950" => Some(BIG5),
+        _ => Encoding::for_label(&[b"cp", number].concat()),
+    }
+}
