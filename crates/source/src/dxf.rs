@@ -14,6 +14,7 @@ mod multileader;
 mod order;
 mod pairs;
 mod pattern;
+mod plane;
 mod renderer;
 mod shapes;
 mod spline;

@@ -70,6 +70,12 @@ impl<'a> Entity<'a> {
         Ok(Point::new(self.number(code)?, self.number(code + 10)?))
     }
 
+    /// A way in space whose x has that code; other coordinates that are missing are 0.
+    pub(super) fn way(&self, code: i32) -> Result<[f64; 3], SourceError> {
+        let [y, z] = [10, 20].map(|more| self.number_or(code + more, 0.0));
+        Ok([self.number(code)?, y?, z?])
+    }
+
     /// All values of a group.
     pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, SourceError> {
         let pairs = self.pairs.iter().filter(|it| it.code == code);

@@ -6,6 +6,7 @@ use super::entity::Entity;
 use super::file::{Block, File, LayerInfo, Span};
 use super::line_type::LineType;
 use super::pairs::Pair;
+use super::shapes::IN_SPACE;
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::frame::way;
@@ -110,18 +111,23 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             }
             _ => {}
         }
-        let Some(frame) = self.seen(&it, copy.frame)? else {
+        let mut frame = Some(copy.frame);
+        if has_own_plane(&it)? {
+            frame = self.seen(&it, copy.frame)?;
+        }
+        let Some(frame) = frame else {
             return Ok(());
         };
         self.use_layer(layer)?;
         self.sketch.lift();
-        if let Some(line_type) = self.line_type(&it, copy.frame)? {
+        let copy = Copy { frame, ..copy };
+        if let Some(line_type) = self.line_type(&it, frame)? {
             let mark = self.sketch.mark();
-            self.shape(&it, parts, copy, frame)?;
+            self.shape(&it, parts, copy)?;
             let LineType { lengths, offset } = line_type;
             return self.sketch.dash_since(&mark, &lengths, offset);
         }
-        self.shape(&it, parts, copy, frame)
+        self.shape(&it, parts, copy)
     }
 
     /// The dashes of an entity, in mm; `None` where it is solid.
@@ -144,28 +150,27 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         &mut self,
         it: &Entity<'a>,
         parts: &[Span<'a>],
-        copy: Copy<'_>,
-        frame: Affine,
+        Copy { frame, depth, .. }: Copy<'_>,
     ) -> Result<(), SourceError> {
         match it.kind {
-            b"LINE" => self.straight(it, copy.frame),
-            b"POINT" => self.dot(it, copy.frame),
+            b"LINE" => self.straight(it, frame),
+            b"POINT" => self.dot(it, frame),
             b"CIRCLE" | b"ARC" => self.circle(it, frame),
-            b"ELLIPSE" => self.ellipse(it, copy.frame),
+            b"ELLIPSE" => self.ellipse(it, frame),
             b"LWPOLYLINE" => self.light_polyline(it, frame),
             b"POLYLINE" => self.polyline(it, parts, frame),
-            b"SPLINE" => self.spline(it, copy.frame),
+            b"SPLINE" => self.spline(it, frame),
             b"SOLID" | b"TRACE" => self.solid(it, frame),
-            b"3DFACE" => self.face(it, copy.frame),
-            b"MESH" => self.mesh(it, copy.frame),
-            b"LEADER" => self.leader(it, copy.frame),
-            b"MULTILEADER" | b"MLEADER" => self.multileader(it, copy.frame),
-            b"WIPEOUT" => self.wipeout(it, copy.frame),
+            b"3DFACE" => self.face(it, frame),
+            b"MESH" => self.mesh(it, frame),
+            b"LEADER" => self.leader(it, frame),
+            b"MULTILEADER" | b"MLEADER" => self.multileader(it, frame),
+            b"WIPEOUT" => self.wipeout(it, frame),
             b"HATCH" => self.hatch(it, frame),
             // The end of a POLYLINE, and the window of a sheet.
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
-            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, copy.depth > 0),
-            b"MTEXT" => self.paragraphs(it, copy.frame),
+            b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, depth > 0),
+            b"MTEXT" => self.paragraphs(it, frame),
             _ => {
                 self.left_out(it, "not known, left out");
                 Ok(())
@@ -318,6 +323,14 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 }
 
+/// Whether the coordinates of an entity lie in a plane that its extrusion tells; those of others are the world's.
+fn has_own_plane(it: &Entity<'_>) -> Result<bool, SourceError> {
+    Ok(match it.kind {
+        b"POLYLINE" => it.flags(70)? & IN_SPACE == 0,
+        kind => FLAT.contains(&kind),
+    })
+}
+
 /// Where an INSERT puts its block.
 fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceError> {
     let turn = Affine::rotate(it.number_or(50, 0.0)?.to_radians());
@@ -326,6 +339,18 @@ fn placed(it: &Entity<'_>, base: Point, shift: Vec2) -> Result<Affine, SourceErr
     Ok(at * turn * Affine::translate(shift) * size * Affine::translate(-base.to_vec2()))
 }
 
+/// What lies in a plane of its own.
+const FLAT: [&[u8]; 9] = [
+    b"CIRCLE",
+    b"ARC",
+    b"LWPOLYLINE",
+    b"SOLID",
+    b"TRACE",
+    b"HATCH",
+    b"TEXT",
+    b"ATTRIB",
+    b"ATTDEF",
+];
 /// What is drawn in dashes.
 const LINES: [&[u8]; 7] = [
     b"LINE",

@@ -7,6 +7,7 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 use super::entity::Entity;
 use super::file::Span;
 use super::pairs::Pair;
+use super::plane::{Plane, from_above};
 use super::renderer::EntityRenderer;
 use super::spline::Spline;
 use crate::arc::Arc;
@@ -62,8 +63,9 @@ impl EntityRenderer<'_, '_> {
     }
 
     pub(super) fn ellipse(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
-        let (center, across) = (it.point(10)?, it.point(11)?.to_vec2());
-        let along = across.turn_90() * (it.number(40)? * it.side()?);
+        let (center, across) = (it.point(10)?, it.way(11)?);
+        let along = from_above(Plane::of(it)?.left_of(across)) * it.number(40)?;
+        let across = from_above(across);
         let (from_rad, to_rad) = (it.number_or(41, 0.0)?, it.number_or(42, TAU)?);
         let sweep_rad = (to_rad - from_rad).rem_euclid(TAU);
         // Files round the end of a whole one.
@@ -265,7 +267,8 @@ fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
     Arc::ellipse(frame * center, across, along, 0.0, sweep_rad)
 }
 
-/// Flags of a POLYLINE.
+/// Flags of a POLYLINE whose corners are the world's.
+pub(super) const IN_SPACE: u32 = 8 | MESH | POLYFACE;
 const MESH: u32 = 16;
 const POLYFACE: u32 = 64;
 /// Flag of a VERTEX.

@@ -221,6 +221,49 @@ fn splines_follow_their_control_points() {
 }
 
 #[test]
+fn what_lies_in_the_world_needs_no_turning_however_its_extrusion_is_tilted() {
+    for (entities, wanted) in [
+        ("0 LINE 10 0 20 0 11 9 21 4", vec![(0.0, 4.0), (9.0, 0.0)]),
+        ("0 LEADER 10 0 20 0 10 9 20 4", vec![(0.0, 4.0), (9.0, 0.0)]),
+        (
+            "0 3DFACE 10 0 20 0 11 9 21 0 12 9 22 4",
+            vec![(0.0, 4.0), (9.0, 4.0), (9.0, 0.0), (0.0, 4.0)],
+        ),
+        (
+            "0 POLYLINE 70 8 0 VERTEX 10 0 20 0 0 VERTEX 10 9 20 4 0 SEQEND",
+            vec![(0.0, 4.0), (9.0, 0.0)],
+        ),
+    ] {
+        for tilted in [
+            "210 1 220 0 230 0",
+            "210 0 220 -1 230 0",
+            "210 0.6 230 -0.8",
+        ] {
+            let (kind, groups) = entities.trim_start_matches("0 ").split_once(' ').unwrap();
+            let text = format!("0 {kind} {tilted} {groups}");
+            let (artwork, warnings) = draw(&text);
+            assert_eq!(warnings, [""; 0], "{text}");
+            assert_eq!(corners(&artwork), [wanted.clone()], "{text}");
+        }
+    }
+    let (artwork, warnings) = draw(
+        "0 POINT 210 1 230 0 10 3 20 3
+        0 SPLINE 210 1 230 0 71 1 40 0 40 0 40 1 40 1 10 0 20 0 10 9 20 4",
+    );
+    let size = (artwork.width_mm, artwork.height_mm);
+    assert_eq!((size, warnings.len()), ((9.0, 4.0), 0));
+}
+
+#[test]
+fn a_tilted_ellipse_is_as_flat_as_it_is_seen_from_above() {
+    // A circle that is lifted by 60 degrees about the X axis.
+    let tilted = "0 ELLIPSE 10 0 20 0 11 10 21 0 31 0 40 1 210 0 220 -0.8660254 230 0.5";
+    let (artwork, warnings) = draw(tilted);
+    let size = [artwork.width_mm, artwork.height_mm].map(|it| (it * 100.0).round());
+    assert_eq!((size, warnings.len()), ([2000.0, 1000.0], 0));
+}
+
+#[test]
 fn layers_have_names_and_colors_and_hidden_ones_are_left_out() {
     let tables =
         "0 TABLE 2 LAYER 0 LAYER 2 cut 70 0 62 1 0 LAYER 2 off 70 0 62 -3 0 LAYER 2 ice 70 1 62 5

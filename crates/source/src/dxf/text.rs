@@ -5,6 +5,7 @@ use dobot_geometry::{Affine, Vec2};
 use super::content::{Content, line, lines};
 use super::entity::Entity;
 use super::pairs::Pair;
+use super::plane::{Plane, from_above};
 use super::renderer::EntityRenderer;
 use crate::error::SourceError;
 use crate::frame::way;
@@ -283,17 +284,15 @@ fn directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
 }
 
 /// The same of an MTEXT, which tells a direction in the world or an angle of its own, and may be
-/// seen from behind.
+/// seen from behind or from the side.
 fn paragraph_directions(it: &Entity<'_>) -> Result<(Vec2, Vec2), SourceError> {
-    let side = it.side()?;
+    let plane = Plane::of(it)?;
     let right = if it.find(11).is_some() {
-        let way = it.point(11)?.to_vec2();
-        way * (1.0 / way.length())
+        plane.within(it.way(11)?).unwrap_or_default()
     } else {
-        let (right, _) = directions(it)?;
-        Vec2::new(right.x * side, right.y)
+        plane.right(it.number_or(50, 0.0)?.to_radians())
     };
-    Ok((right, right.turn_90() * side))
+    Ok((from_above(right), from_above(plane.left_of(right))))
 }
 
 /// Where the point of an MTEXT lies: how much of it is before and how much is above.
