@@ -11,6 +11,7 @@ mod hatch;
 mod line_type;
 mod mesh;
 mod multileader;
+mod named;
 mod order;
 mod pairs;
 mod pattern;

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use dobot_geometry::Point;
 
 use super::line_type::LineType;
+use super::named::Named;
 use super::pairs::{Pair, pairs};
 use crate::error::SourceError;
 use crate::place::beginning;
@@ -15,12 +16,12 @@ pub(super) struct File<'a> {
     pub(super) text: &'a [u8],
     /// How many millimetres a unit is; `None` where the file does not say.
     pub(super) unit_mm: Option<f64>,
-    pub(super) layers: HashMap<String, LayerInfo>,
+    pub(super) layers: Named<LayerInfo>,
     /// Those with gaps, by their names in capitals.
     pub(super) line_types: HashMap<String, LineType>,
     /// How many times larger line types are ($LTSCALE).
     pub(super) line_scale: f64,
-    pub(super) blocks: HashMap<&'a [u8], Block<'a>>,
+    pub(super) blocks: Named<Block<'a>>,
     pub(super) entities: Vec<Span<'a>>,
     /// Dictionaries and filters, by their handles.
     pub(super) objects: HashMap<&'a [u8], Span<'a>>,
@@ -123,7 +124,7 @@ struct SectionReader<'a> {
     /// The handle of the object in hand.
     handle: Option<&'a [u8]>,
     /// The block in hand, with its name.
-    block: Option<(&'a [u8], Block<'a>)>,
+    block: Option<(String, Block<'a>)>,
     /// The layer in hand, with its name.
     layer: Option<(String, LayerInfo)>,
     /// The line type in hand: its name, and its dashes and gaps.
@@ -138,10 +139,10 @@ impl<'a> SectionReader<'a> {
             file: File {
                 text,
                 unit_mm: None,
-                layers: HashMap::new(),
+                layers: Named::default(),
                 line_types: HashMap::new(),
                 line_scale: 1.0,
-                blocks: HashMap::new(),
+                blocks: Named::default(),
                 entities: Vec::new(),
                 objects: HashMap::new(),
             },
@@ -273,19 +274,22 @@ impl<'a> SectionReader<'a> {
 
     fn block(&mut self, pair: Pair<'a>) -> Result<(), SourceError> {
         match (pair.code, pair.value) {
-            (0, b"BLOCK") => self.block = Some((b"", Block::default())),
+            (0, b"BLOCK") => {
+                self.block = Some(Default::default());
+                self.count += BLOCK_OBJECTS;
+            }
             (0, b"ENDBLK") => {
                 if let Some((name, block)) = self.block.take() {
                     self.file.blocks.insert(name, block);
                 }
             }
             _ if self.entity.is_some() || pair.code == 0 => self.entity_pair(pair),
-            (code, value) => {
+            (code, _) => {
                 let Some((name, block)) = &mut self.block else {
                     return Ok(());
                 };
                 match code {
-                    2 => *name = value,
+                    2 => *name = pair.text().into_owned(),
                     10 => block.base.x = pair.number()?,
                     20 => block.base.y = pair.number()?,
                     _ => {}
@@ -366,5 +370,7 @@ fn unit_mm(code: f64) -> Option<f64> {
 pub(super) const MOST_OBJECTS: usize = 1_000_000;
 /// A layer has a name of its own, which is copied.
 const LAYER_OBJECTS: usize = 10;
+/// So has a block.
+const BLOCK_OBJECTS: usize = 2;
 /// A line type has a dozen elements at the most.
 const MOST_ELEMENTS: usize = 64;

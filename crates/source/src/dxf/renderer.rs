@@ -10,7 +10,7 @@ use super::shapes::IN_SPACE;
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::frame::way;
-use crate::place::printable;
+use crate::place::{printable, shortened};
 use crate::sketch::Sketch;
 use crate::text::Lettering;
 
@@ -99,7 +99,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     ) -> Result<(), SourceError> {
         let it = Entity::read(self.file.text, span)?;
         let own = it.find(8).map_or_else(|| "0".into(), Pair::text);
-        let layer = if own == "0" { copy.layer } else { &own };
+        let layer = if own == "0" {
+            copy.layer
+        } else {
+            self.file.layers.own_name(&own)
+        };
         if self.is_hidden(&it, layer)? {
             return Ok(());
         }
@@ -235,10 +239,12 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         attributes: &[Span<'a>],
         copy: Copy<'_>,
     ) -> Result<(), SourceError> {
-        let name = it.find(2).map_or(&b""[..], |it| it.value);
-        let Some(block) = self.file.blocks.get(name) else {
-            let found = format!("INSERT of block {:?}", String::from_utf8_lossy(name));
-            return Err(it.refused(found, "a block that is in the file"));
+        let name = it.find(2).map(Pair::text).unwrap_or_default();
+        let Some(block) = self.file.blocks.get(&name) else {
+            let first = shortened(&name);
+            let instead = format!("left out, for its block is not in the file: {first:?}");
+            self.left_out(it, &instead);
+            return Ok(());
         };
         let Some(frame) = self.seen(it, copy.frame)? else {
             return Ok(());
@@ -276,8 +282,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
 
     /// A table, whose picture is a block.
     fn table(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
-        let Some(block) = it.find(2).and_then(|it| self.file.blocks.get(it.value)) else {
-            self.left_out(it, "left out, for its picture is not in the file");
+        let Some(block) = self.picture(it) else {
             return Ok(());
         };
         let right = Vec2::new(it.number_or(11, 1.0)?, it.number_or(21, 0.0)?);
@@ -289,13 +294,22 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
 
     /// The picture of a dimension, which is a block that lies where it belongs.
     fn dimension(&mut self, it: &Entity<'a>, copy: Copy<'_>) -> Result<(), SourceError> {
-        let Some(block) = it.find(2).and_then(|it| self.file.blocks.get(it.value)) else {
-            self.left_out(it, "left out, for its picture is not in the file");
+        let Some(block) = self.picture(it) else {
             return Ok(());
         };
         let shift = Point::new(it.number_or(12, 0.0)?, it.number_or(22, 0.0)?) - block.base;
         let frame = copy.frame * Affine::translate(shift);
         self.block(it, block, Copy { frame, ..copy })
+    }
+
+    /// The block that an entity looks like.
+    fn picture(&mut self, it: &Entity<'_>) -> Option<&'s Block<'a>> {
+        let name = it.find(2).map(Pair::text).unwrap_or_default();
+        let block = self.file.blocks.get(&name);
+        if block.is_none() {
+            self.left_out(it, "left out, for its picture is not in the file");
+        }
+        block
     }
 
     /// A block in a frame, one deeper than what it is drawn for.

@@ -316,6 +316,34 @@ fn blocks_are_drawn_where_they_are_inserted() {
 }
 
 #[test]
+fn names_of_layers_and_blocks_are_the_same_in_capitals() {
+    let tables = "0 TABLE 2 LAYER 0 LAYER 2 WALLS 70 1 62 7 0 LAYER 2 Türen 70 0 62 1 0 LAYER 2 türen 62 5 0 ENDTAB";
+    let blocks = "0 BLOCK 2 FOO 10 0 20 0 0 LINE 8 0 10 0 20 0 11 5 21 5 0 ENDBLK";
+    let entities = "0 LINE 8 walls 10 0 20 0 11 9 21 0 0 INSERT 8 TÜREN 2 foo 10 0 20 0
+        0 INSERT 8 türen 2 Foo 10 0 20 0";
+    let (artwork, warnings) = draw_text(&file(tables, blocks, entities));
+    let found = artwork.layers.iter().map(|it| (it.name.as_str(), it.color));
+    let found: Vec<_> = found.collect();
+    // Programs that tell such names apart are not AutoCAD, and may have both.
+    let wanted = [("Türen", Some([255, 0, 0])), ("türen", Some([0, 0, 255]))];
+    assert_eq!(found, wanted);
+    let told = "1 hidden object: left out, for its layer is off or frozen";
+    assert!(
+        warnings.len() == 1 && warnings[0].ends_with(told),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn a_block_that_is_missing_is_left_out_with_a_warning() {
+    let (artwork, warnings) =
+        draw("0 LINE 10 0 20 0 11 9 21 0 0 INSERT 2 foo 10 0 20 0 0 INSERT 2 bar 10 5 20 5");
+    assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
+    let told = "37:1: 2 INSERTs: left out, for its block is not in the file: \"foo\"";
+    assert_eq!(warnings, [told]);
+}
+
+#[test]
 fn hatches_and_solids_are_areas() {
     let hatch = "0 HATCH 10 0 20 0 30 0 2 SOLID 70 1 71 0 91 2
         92 3 72 0 73 1 93 4 10 0 20 0 10 9 20 0 10 9 20 9 10 0 20 9 97 0
@@ -482,7 +510,7 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             in_text("0 INSERT 2 none 10 0 20 0"),
-            "27:1: found INSERT of block \"none\"; expected a block that is in the file",
+            "nothing to draw: no lines in the file; 27:1: 1 INSERT: left out, for its block is not in the file: \"none\"",
         ),
     ] {
         assert_eq!(error(text.as_bytes()), expected, "{text}");
