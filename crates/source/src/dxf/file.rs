@@ -35,6 +35,8 @@ pub(super) struct LayerInfo {
     /// Red, green and blue in one number.
     pub(super) true_color: Option<u32>,
     pub(super) is_frozen: bool,
+    /// It is seen on the screen alone.
+    pub(super) is_unplotted: bool,
     /// How opaque what lies on it is, as group 440 of an entity tells it.
     pub(super) transparency: u32,
     /// The name of its line type in capitals.
@@ -251,6 +253,7 @@ impl<'a> SectionReader<'a> {
             6 => info.line_type = pair.text().to_uppercase(),
             62 => info.color = Some(pair.number()? as i32),
             70 => info.is_frozen = pair.number()? as i32 & 1 != 0,
+            290 => info.is_unplotted = pair.number()? == 0.0,
             420 => info.true_color = Some(pair.number()? as u32),
             1001 => self.application = pair.value,
             1071 if self.application == b"AcCmTransparency" => {

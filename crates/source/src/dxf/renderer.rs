@@ -187,16 +187,22 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
     }
 
     fn is_hidden(&mut self, it: &Entity<'_>, layer: &str) -> Result<bool, SourceError> {
-        // What a dimension is measured between is seen on the screen alone.
-        let is_measured = it.kind == b"POINT" && layer.eq_ignore_ascii_case("Defpoints");
-        if it.flags(60)? == 1 || is_measured {
+        // What a dimension is measured between; the format never plots this layer, whatever its table says.
+        let is_for_points = layer.eq_ignore_ascii_case("Defpoints");
+        if it.flags(60)? == 1 || is_for_points && it.kind == b"POINT" {
             return Ok(true);
         }
         let info = self.file.layers.get(layer);
+        let is_unplotted = is_for_points || info.is_some_and(|it| it.is_unplotted);
         let (what, instead) = if info.is_some_and(LayerInfo::is_hidden) {
             ("hidden object", "left out, for its layer is off or frozen")
         } else if it.flags(67)? == 1 {
             ("paper space object", "left out")
+        } else if is_unplotted {
+            (
+                "unplotted object",
+                "left out, for its layer is never plotted",
+            )
         } else {
             return Ok(false);
         };

@@ -316,6 +316,21 @@ fn blocks_are_drawn_where_they_are_inserted() {
 }
 
 #[test]
+fn what_lies_on_layers_that_never_plot_is_left_out_with_a_warning() {
+    let tables = "0 TABLE 2 LAYER 0 LAYER 2 help 70 0 62 7 290 0 0 LAYER 2 ink 70 0 62 7 290 1
+        0 LAYER 2 Defpoints 70 0 62 7 290 1 0 ENDTAB";
+    let entities = "0 LINE 8 ink 10 0 20 0 11 9 21 0 0 LINE 8 Help 10 0 20 9 11 9 21 9
+        0 LINE 8 DEFPOINTS 10 0 20 5 11 9 21 5 0 POINT 8 Defpoints 10 0 20 7";
+    let (artwork, warnings) = draw_text(&file(tables, "", entities));
+    assert_eq!(corners(&artwork), [[(0.0, 0.0), (9.0, 0.0)]]);
+    let told = "2 unplotted objects: left out, for its layer is never plotted";
+    assert!(
+        warnings.len() == 1 && warnings[0].ends_with(told),
+        "{warnings:?}"
+    );
+}
+
+#[test]
 fn names_of_layers_and_blocks_are_the_same_in_capitals() {
     let tables = "0 TABLE 2 LAYER 0 LAYER 2 WALLS 70 1 62 7 0 LAYER 2 Türen 70 0 62 1 0 LAYER 2 türen 62 5 0 ENDTAB";
     let blocks = "0 BLOCK 2 FOO 10 0 20 0 0 LINE 8 0 10 0 20 0 11 5 21 5 0 ENDBLK";
