@@ -44,8 +44,8 @@ pub(super) struct LayerInfo {
 }
 
 impl LayerInfo {
-    pub(super) fn is_hidden(&self) -> bool {
-        self.is_frozen || self.color.is_some_and(|it| it < 0)
+    pub(super) fn is_off(&self) -> bool {
+        self.color.is_some_and(|it| it < 0)
     }
 
     pub(super) fn rgb(&self) -> Option<[u8; 3]> {

@@ -193,12 +193,15 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             return Ok(true);
         }
         let info = self.file.layers.get(layer);
+        // That of a block is off only for what lies on layer 0 in it, which then lies on this one.
+        let is_block = it.kind == b"INSERT";
+        let is_off = !is_block && info.is_some_and(LayerInfo::is_off);
         let is_unplotted = is_for_points || info.is_some_and(|it| it.is_unplotted);
-        let (what, instead) = if info.is_some_and(LayerInfo::is_hidden) {
+        let (what, instead) = if is_off || info.is_some_and(|it| it.is_frozen) {
             ("hidden object", "left out, for its layer is off or frozen")
         } else if it.flags(67)? == 1 {
             ("paper space object", "left out")
-        } else if is_unplotted {
+        } else if is_unplotted && !is_block {
             (
                 "unplotted object",
                 "left out, for its layer is never plotted",

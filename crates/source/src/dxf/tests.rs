@@ -331,6 +331,28 @@ fn what_lies_on_layers_that_never_plot_is_left_out_with_a_warning() {
 }
 
 #[test]
+fn a_block_on_a_layer_that_is_off_shows_what_lies_on_other_layers() {
+    let tables = "0 TABLE 2 LAYER 0 LAYER 2 off 70 0 62 -7 0 LAYER 2 ice 70 1 62 7
+        0 LAYER 2 help 62 7 290 0 0 LAYER 2 ink 70 0 62 7 0 ENDTAB";
+    let blocks = "0 BLOCK 2 in 10 0 20 0 0 LINE 8 0 10 0 20 0 11 5 21 0
+        0 LINE 8 ink 10 5 20 0 11 9 21 0 0 LINE 8 off 10 0 20 1 11 9 21 1 0 ENDBLK
+        0 BLOCK 2 out 10 0 20 0 0 INSERT 8 0 2 in 10 0 20 0 0 ENDBLK";
+    for (layer, block, lines) in [
+        ("off", "in", 1),
+        ("off", "out", 1),
+        ("help", "in", 1),
+        ("Defpoints", "in", 1),
+        ("ink", "in", 2),
+        ("ice", "in", 0),
+        ("ice", "out", 0),
+    ] {
+        let entities = format!("0 POINT 10 0 20 9 0 INSERT 8 {layer} 2 {block} 10 0 20 0");
+        let (artwork, _) = draw_text(&file(tables, blocks, &entities));
+        assert_eq!(corners(&artwork).len(), 1 + lines, "{layer} {block}");
+    }
+}
+
+#[test]
 fn names_of_layers_and_blocks_are_the_same_in_capitals() {
     let tables = "0 TABLE 2 LAYER 0 LAYER 2 WALLS 70 1 62 7 0 LAYER 2 Türen 70 0 62 1 0 LAYER 2 türen 62 5 0 ENDTAB";
     let blocks = "0 BLOCK 2 FOO 10 0 20 0 0 LINE 8 0 10 0 20 0 11 5 21 5 0 ENDBLK";
