@@ -22,6 +22,8 @@ mod spline;
 mod text;
 mod xclip;
 
+use dobot_geometry::{Affine, Vec2};
+
 use self::file::File;
 use self::renderer::EntityRenderer;
 use crate::artwork::Artwork;
@@ -32,29 +34,72 @@ use crate::warning::Warning;
 
 /// Reads a DXF file: its layers are layers, hatches and solids are areas. The page is as large as the
 /// ink and upright (Y points up), in the units that the file tells.
+///
+/// A site plan lies hundreds of kilometres from its origin: what is too far off is looked at from there.
 pub(crate) fn read(
     text: &[u8],
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let (text, unknown_code_page) = code_page::in_utf8(text);
-    let mut sketch = Sketch::new(&text, options)?;
+    let mut file = File::read(&text)?;
+    if options.hides {
+        // Nothing else depends on it.
+        order::sort(&mut file)?;
+    }
+    let code_page = unknown_code_page.as_deref();
+    let (far, from_origin) = match draw(&file, options, code_page, Vec2::ZERO) {
+        Err(error @ SourceError::TooFar { x_mm, y_mm, .. }) => (Vec2::new(x_mm, y_mm), error),
+        drawn => return drawn,
+    };
+    match draw(&file, options, code_page, far) {
+        Err(from_there @ SourceError::TooFar { .. }) => Err(too_far(from_origin, &from_there)),
+        drawn => drawn,
+    }
+}
+
+/// Draws a file as it is seen from a point, in mm.
+fn draw(
+    file: &File<'_>,
+    options: &ReadOptions,
+    unknown_code_page: Option<&str>,
+    from_mm: Vec2,
+) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let mut sketch = Sketch::new(file.text, options)?;
     if let Some(name) = unknown_code_page {
         let instead = format!("its letters taken for western ones; its header tells {name:?}");
         sketch.warn(None, "file in an unknown code page", &instead);
-    }
-    let mut file = File::read(&text)?;
-    if sketch.hides() {
-        // Nothing else depends on it.
-        order::sort(&mut file)?;
     }
     let unit_mm = file.unit_mm.unwrap_or_else(|| {
         let instead = "taken for millimetres";
         sketch.warn(None, "file without a unit ($INSUNITS)", instead);
         1.0
     });
-    let mut renderer = EntityRenderer::new(&mut sketch, &file);
-    renderer.all(unit_mm)?;
+    let frame = Affine::translate(-from_mm) * Affine::scale(unit_mm);
+    EntityRenderer::new(&mut sketch, file).all(frame)?;
     sketch.finish(Y::Up, "no lines in the file")
+}
+
+/// Refuses what is too far off from the origin, and from where the rest of the drawing is too far off.
+fn too_far(from_origin: SourceError, from_there: &SourceError) -> SourceError {
+    let SourceError::TooFar {
+        place,
+        x_mm,
+        y_mm,
+        limit_mm,
+    } = from_origin
+    else {
+        return from_origin;
+    };
+    match from_there {
+        SourceError::TooFar { place: other, .. } if *other != place => SourceError::Found {
+            place,
+            found: format!("an object at ({x_mm:.0}, {y_mm:.0}) mm, far from that at {other}"),
+            expected: format!(
+                "all objects within {limit_mm:.0} mm; delete what lies far off the drawing"
+            ),
+        },
+        _ => from_origin,
+    }
 }
 
 #[cfg(test)]

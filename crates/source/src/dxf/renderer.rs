@@ -50,9 +50,9 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         }
     }
 
-    pub(super) fn all(&mut self, unit_mm: f64) -> Result<(), SourceError> {
+    pub(super) fn all(&mut self, frame: Affine) -> Result<(), SourceError> {
         let copy = Copy {
-            frame: Affine::scale(unit_mm),
+            frame,
             depth: 0,
             layer: "0",
         };

@@ -116,6 +116,39 @@ fn a_circle_that_leads_too_far_on_one_side_is_refused() {
 }
 
 #[test]
+fn a_drawing_far_from_its_origin_is_drawn_where_it_is() {
+    let entities = |x: f64, y: f64| {
+        format!(
+            "0 LINE 10 {x} 20 {y} 11 {} 21 {} 0 CIRCLE 10 {x} 20 {y} 40 0.25
+            0 TEXT 10 {x} 20 {y} 40 1 1 a 0 INSERT 2 a 10 {x} 20 {y}",
+            x + 0.5,
+            y + 0.125
+        )
+    };
+    let blocks = "0 BLOCK 2 a 10 400 20 0 0 ARC 10 400 20 0 40 0.5 50 0 51 90 0 ENDBLK";
+    let in_metres = |entities: &str| file("", blocks, entities).replace("70\n4\n", "70\n6\n");
+    let (near, _) = draw_text(&in_metres(&entities(0.0, 0.0)));
+    let (far, warnings) = draw_text(&in_metres(&entities(500_000.0, 5_400_000.0)));
+    assert_eq!(warnings, [""; 0]);
+    let points: Vec<Point> = far.points().collect();
+    assert_eq!(points.len(), near.points().count());
+    for (far, near) in points.iter().zip(near.points()) {
+        assert!(far.distance(near) < 1e-5, "{far:?} {near:?}");
+    }
+}
+
+#[test]
+fn what_lies_far_from_the_drawing_is_refused_with_both_places() {
+    let text = file(
+        "",
+        "",
+        "0 POINT 10 3 20 4 0 POINT 10 3000000 20 0 0 POINT 10 5 20 5",
+    );
+    let told = "33:1: found an object at (3000000, 0) mm, far from that at 27:1; expected all objects within 1000000 mm; delete what lies far off the drawing";
+    assert_eq!(error(text.as_bytes()), told);
+}
+
+#[test]
 fn lines_and_polylines_lie_upright() {
     let triangle = [[(0.0, 20.0), (10.0, 20.0), (10.0, 0.0), (0.0, 20.0)]];
     for entities in [
