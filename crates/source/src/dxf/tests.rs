@@ -241,6 +241,13 @@ fn arcs_and_ellipses_turn_counterclockwise() {
 }
 
 #[test]
+fn an_ellipse_whose_axis_has_no_y_lies_level() {
+    let (artwork, warnings) = draw("0 ELLIPSE 10 5 20 5 11 20 40 0.5");
+    let size = [artwork.width_mm, artwork.height_mm].map(f64::round);
+    assert_eq!((size, warnings.len()), ([40.0, 20.0], 0));
+}
+
+#[test]
 fn splines_follow_their_control_points() {
     // A Bézier curve: y = x (1 - x), 40 mm wide.
     let entities = "0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 20 20 20 10 40 20 0";
@@ -555,8 +562,8 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
             "27:1: found TEXT without group 40; expected a number",
         ),
         (
-            in_text("0 TEXT 10 0 20 0 40 1 72 1 1 a"),
-            "27:1: found TEXT without group 11; expected a number",
+            in_text("0 TEXT 10 0 20 0 40 1 72 1 11 0 1 a"),
+            "27:1: found TEXT without group 21; expected a number",
         ),
         (
             in_text("0 ATTRIB 10 0 20 0 40 1 72 1 74 4 1 a"),

@@ -201,12 +201,13 @@ fn shown(it: &Entity<'_>, is_in_block: bool) -> Result<Option<i32>, SourceError>
 /// How the letters of a line lie about its points.
 fn text_pose(it: &Entity<'_>, extent: LineExtent) -> Result<Pose, SourceError> {
     let (column, row) = justification(it)?;
+    let has_second = it.find(11).is_some();
     let pose = match column {
-        ALIGNED | FIT => spanning_pose(it, extent, column)?,
+        ALIGNED | FIT if has_second => spanning_pose(it, extent, column)?,
         _ => {
             let (right, up) = directions(it)?;
             let tall = it.number(40)? / CAPITAL;
-            let is_at_start = (column, row) == (0, 0);
+            let is_at_start = (column, row) == (0, 0) || !has_second;
             Pose {
                 at: it.point(if is_at_start { 10 } else { 11 })?,
                 across: right * (tall * it.number_or(41, 1.0)?),
