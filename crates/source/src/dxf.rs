@@ -40,7 +40,8 @@ pub(crate) fn read(
     text: &[u8],
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
-    let (text, unknown_code_page) = code_page::in_utf8(text);
+    let text = pairs::with_line_feeds(text);
+    let (text, unknown_code_page) = code_page::in_utf8(&text);
     let mut file = File::read(&text)?;
     if options.hides {
         // Nothing else depends on it.

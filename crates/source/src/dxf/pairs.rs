@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::error::SourceError;
 use crate::limits::MAX_NUMBER;
-use crate::place::shortened;
+use crate::place::{beginning, shortened};
 
 /// A group code with its value.
 #[derive(Clone, Copy, Debug)]
@@ -55,6 +55,21 @@ impl<'a> Pair<'a> {
         let line = line.unwrap_or_default();
         String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line))
     }
+}
+
+/// The same text with line feeds, where its lines end with carriage returns alone, as on old Macs: all of it is its
+/// first line then.
+pub(super) fn with_line_feeds(text: &[u8]) -> Cow<'_, [u8]> {
+    if !next_line(text, &mut beginning(text)).contains(&b'\r') {
+        return Cow::Borrowed(text);
+    }
+    let mut text = text.to_vec();
+    for i in 0..text.len() {
+        if text[i] == b'\r' && text.get(i + 1) != Some(&b'\n') {
+            text[i] = b'\n';
+        }
+    }
+    Cow::Owned(text)
 }
 
 /// The pairs of a text, from an offset on.

@@ -695,6 +695,18 @@ fn names_from_2007_on_are_in_utf8_and_those_without_a_code_page_western() {
 }
 
 #[test]
+fn lines_may_end_as_on_old_macs() {
+    let text = file("", "", "0 LINE 8 Fräser 10 0 20 0 11 9 21 0");
+    let returns = |text: &str| text.replace('\n', "\r");
+    assert_eq!(draw_text(&returns(&text)), draw_text(&text));
+    let marked = format!("\u{FEFF}{}", returns(&text));
+    assert_eq!(draw_text(&marked), draw_text(&text));
+    let broken = text.replace("21\n0", "21\nzero");
+    let told = "38:1: found \"zero\" for group 21; expected a number from -1e9 to 1e9";
+    assert_eq!(error(returns(&broken).as_bytes()), told);
+}
+
+#[test]
 fn a_file_cut_anywhere_is_refused() {
     let text = file(
         "",
