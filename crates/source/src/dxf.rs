@@ -7,6 +7,7 @@ mod content;
 mod cover;
 mod entity;
 mod file;
+mod fit;
 mod hatch;
 mod line_type;
 mod mesh;

@@ -6,6 +6,7 @@ use dobot_geometry::{Affine, Area, FillRule, Point, Vec2};
 
 use super::entity::Entity;
 use super::file::Span;
+use super::fit::{self, Ends};
 use super::pairs::Pair;
 use super::plane::{Plane, from_above};
 use super::renderer::EntityRenderer;
@@ -159,13 +160,35 @@ impl EntityRenderer<'_, '_> {
         let controls = it.points(10)?;
         let fits = it.points(11)?;
         if controls.is_empty() && !fits.is_empty() {
-            self.left_out(it, "by points alone: drawn as straight lines between them");
-            let points = self.places(it, frame, &fits)?;
-            return self.sketch.stroke(points);
+            return self.fit_spline(it, frame, &fits);
         }
         let placed = self.places(it, frame, &controls)?;
         let degree = usize::try_from(it.flags(71)?).unwrap_or(usize::MAX);
         let points = self.curve(it, degree, it.numbers(40)?, &placed, &it.numbers(41)?)?;
+        self.sketch.stroke(points)
+    }
+
+    /// A spline by the points that it passes.
+    fn fit_spline(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Affine,
+        fits: &[Point],
+    ) -> Result<(), SourceError> {
+        let pieces = if it.flags(70)? & CLOSED_SPLINE != 0 {
+            fit::closed_pieces(fits)
+        } else {
+            let (first, last) = (direction(it, 12)?, direction(it, 13)?);
+            fit::pieces(fits, Ends { first, last })
+        };
+        let mut points = vec![self.place(it, frame, fits[0])?];
+        for piece in pieces {
+            let piece = self.sketch.cubic_points(it.at, frame * piece)?;
+            points.extend(&piece[1..]);
+            if points.len() > MAX_SEGMENTS {
+                self.sketch.spend(points.len())?;
+            }
+        }
         self.sketch.stroke(points)
     }
 
@@ -245,6 +268,15 @@ impl EntityRenderer<'_, '_> {
     }
 }
 
+/// A direction of length 1, where an entity has one.
+fn direction(it: &Entity<'_>, code: i32) -> Result<Option<Vec2>, SourceError> {
+    if it.find(code).is_none() {
+        return Ok(None);
+    }
+    let way = from_above(it.way(code)?);
+    Ok((way != Vec2::ZERO).then(|| way / way.length()))
+}
+
 /// From where and how far an arc goes counterclockwise; a whole turn where it ends where it begins.
 pub(super) fn span_rad(from_deg: f64, to_deg: f64) -> [f64; 2] {
     let sweep_deg = (to_deg - from_deg).rem_euclid(360.0);
@@ -271,5 +303,7 @@ fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
 pub(super) const IN_SPACE: u32 = 8 | MESH | POLYFACE;
 const MESH: u32 = 16;
 const POLYFACE: u32 = 64;
+/// Flags of a SPLINE that ends where it begins.
+const CLOSED_SPLINE: u32 = 1 | 2;
 /// Flag of a VERTEX.
 const SPLINE_CONTROL: u32 = 16;

@@ -304,6 +304,34 @@ fn a_tilted_ellipse_is_as_flat_as_it_is_seen_from_above() {
 }
 
 #[test]
+fn a_spline_by_its_points_passes_them_in_curves() {
+    let points = [(0.0, 0.0), (10.0, 10.0), (20.0, 0.0), (30.0, 10.0)];
+    let fits: String = points.map(|(x, y)| format!("11 {x} 21 {y} ")).concat();
+    let passed = |artwork: &Artwork, height: f64| {
+        let found = &artwork.layers[0].strokes[0].points;
+        assert!(found.len() > 30, "{found:?}");
+        let near = |(x, y): (f64, f64)| {
+            let p = Point::new(x, height - y);
+            found.iter().any(|it| it.distance(p) < 1e-6)
+        };
+        points.into_iter().all(near)
+    };
+    let (natural, warnings) = draw(&format!("0 SPLINE 70 8 71 3 74 4 {fits}"));
+    assert_eq!(warnings, [""; 0]);
+    // It goes higher and lower than its points, by the same.
+    let over = (natural.height_mm - 10.0) / 2.0;
+    assert!(over > 0.1 && passed(&natural, 10.0 + over), "{over}");
+    let (level, _) = draw(&format!(
+        "0 SPLINE 70 8 71 3 74 4 12 5 22 0 13 1 23 0 {fits}"
+    ));
+    let begin = &level.layers[0].strokes[0].points[..2];
+    let slope = (begin[1].y - begin[0].y) / (begin[1].x - begin[0].x);
+    assert!(slope.abs() < 0.2, "{slope}");
+    let (closed, _) = draw(&format!("0 SPLINE 70 11 71 3 74 4 {fits}"));
+    assert!(closed.layers[0].strokes[0].closed);
+}
+
+#[test]
 fn layers_have_names_and_colors_and_hidden_ones_are_left_out() {
     let tables =
         "0 TABLE 2 LAYER 0 LAYER 2 cut 70 0 62 1 0 LAYER 2 off 70 0 62 -3 0 LAYER 2 ice 70 1 62 5
@@ -515,7 +543,6 @@ fn what_is_left_out_is_named_with_its_count() {
             "1 tilted object: left out, for only what lies in the plane XY is drawn",
             "1 HATCH: a boundary of an unknown kind, left out",
             "1 POLYLINE: left out, for its faces are no lines",
-            "1 SPLINE: by points alone: drawn as straight lines between them",
         ]
     );
 }
