@@ -11,6 +11,7 @@ mod fit;
 mod hatch;
 mod line_type;
 mod mesh;
+mod mline;
 mod multileader;
 mod named;
 mod order;

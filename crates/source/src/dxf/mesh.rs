@@ -1,11 +1,13 @@
-//! MESH: corners and the faces between them.
+//! MESH, and the older meshes that are a POLYLINE: corners and the faces between them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use dobot_geometry::{Affine, Point};
 
 use super::entity::Entity;
+use super::file::Span;
 use super::renderer::EntityRenderer;
+use super::shapes::{POLYFACE, SPLINE_CONTROL};
 use crate::error::SourceError;
 use crate::place::shortened;
 
@@ -16,7 +18,47 @@ impl EntityRenderer<'_, '_> {
             self.left_out(it, "drawn with straight edges, not smoothed");
         }
         let corners = self.places(it, frame, &it.points(10)?)?;
-        for (a, b) in edges(it, corners.len())? {
+        let edges = edges(it, corners.len())?;
+        self.edges(&corners, edges)
+    }
+
+    /// The same of a POLYLINE that is a mesh: its corners are entities, and so are its faces where these are no grid.
+    pub(super) fn old_mesh(
+        &mut self,
+        it: &Entity<'_>,
+        vertices: &[Span<'_>],
+        frame: Affine,
+    ) -> Result<(), SourceError> {
+        let (mut corners, mut edges) = (Vec::new(), Vec::new());
+        for &span in vertices {
+            let vertex = Entity::read(it.text, span)?;
+            let flags = vertex.flags(70)?;
+            if flags & (FACE | CORNER) == FACE {
+                edges.extend(edges_of_face(&vertex)?);
+            } else if flags & SPLINE_CONTROL == 0 {
+                corners.push(self.place(it, frame, vertex.point(10)?)?);
+            }
+        }
+        if it.flags(70)? & POLYFACE == 0 {
+            edges = edges_of_grid(it, corners.len())?;
+        }
+        if edges.is_empty() || edges.iter().any(|(a, b)| *a.max(b) >= corners.len()) {
+            self.left_out(it, "left out, for its faces are not whole");
+            return Ok(());
+        }
+        // Faces may have corners of their own in the same places, and one may lie above another.
+        let same = first_in_place(&corners);
+        let edges = edges.into_iter().map(|(a, b)| (same[a], same[b]));
+        let edges = edges.map(|(a, b)| (a.min(b), a.max(b))).collect();
+        self.edges(&corners, edges)
+    }
+
+    fn edges(
+        &mut self,
+        corners: &[Point],
+        edges: BTreeSet<(usize, usize)>,
+    ) -> Result<(), SourceError> {
+        for (a, b) in edges {
             let ends: [Point; 2] = [a, b].map(|i| corners[i]);
             if ends[0] != ends[1] {
                 self.sketch.stroke(ends.to_vec())?;
@@ -24,6 +66,70 @@ impl EntityRenderer<'_, '_> {
         }
         Ok(())
     }
+}
+
+/// For each corner the number of the first in its place.
+fn first_in_place(corners: &[Point]) -> Vec<usize> {
+    let mut numbers = HashMap::new();
+    let corners = corners.iter().enumerate();
+    corners
+        .map(|(i, p)| {
+            // Adding makes one of the two zeros.
+            let place = [p.x, p.y].map(|it| (it + 0.0).to_bits());
+            *numbers.entry(place).or_insert(i)
+        })
+        .collect()
+}
+
+/// The edges of a face by the numbers of its corners, which count from 1; below 0 that which begins there is not seen.
+fn edges_of_face(face: &Entity<'_>) -> Result<Vec<(usize, usize)>, SourceError> {
+    let mut corners = Vec::new();
+    for code in 71..=74 {
+        let number = face.number_or(code, 0.0)?;
+        if number != 0.0 {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a whole number from 1 up; saturates"
+            )]
+            let corner = number.abs() as usize;
+            corners.push((corner.saturating_sub(1), number > 0.0));
+        }
+    }
+    let next = corners.iter().cycle().skip(1);
+    let edges = corners.iter().zip(next);
+    let seen = edges.filter(|((_, is_seen), _)| *is_seen);
+    Ok(seen.map(|((a, _), (b, _))| (*a, *b)).collect())
+}
+
+/// The edges of a mesh of so many rows (71) and columns (72), smoothed others (73, 74); none where it has not as many
+/// corners.
+fn edges_of_grid(it: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>, SourceError> {
+    let codes = if it.flags(75)? == 0 {
+        [71, 72]
+    } else {
+        [73, 74]
+    };
+    let [rows, columns] = codes.map(|code| it.flags(code));
+    let (rows, columns) = (rows? as usize, columns? as usize);
+    if rows.checked_mul(columns) != Some(corners) {
+        return Ok(Vec::new());
+    }
+    let flags = it.flags(70)?;
+    let next = |i: usize, count: usize, is_closed: bool| match i + 1 {
+        next if next < count => Some(next),
+        _ => is_closed.then_some(0),
+    };
+    let mut edges = Vec::new();
+    for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        let corner = |row: usize, column: usize| row * columns + column;
+        let here = corner(row, column);
+        let below = next(row, rows, flags & CLOSED_ROWS != 0);
+        edges.extend(below.map(|row| (here, corner(row, column))));
+        let beside = next(column, columns, flags & CLOSED_COLUMNS != 0);
+        edges.extend(beside.map(|column| (here, corner(row, column))));
+    }
+    Ok(edges)
 }
 
 /// The edges of all faces by their corners, the smaller number first. The list of faces has for each the count of its
@@ -57,3 +163,10 @@ fn edges(it: &Entity<'_>, corners: usize) -> Result<BTreeSet<(usize, usize)>, So
     }
     Ok(edges)
 }
+
+/// Flags of a POLYLINE that is a grid whose last row, and whose last column, joins the first.
+const CLOSED_ROWS: u32 = 1;
+const CLOSED_COLUMNS: u32 = 32;
+/// Flags of a VERTEX: a corner of a mesh, and a face where it is no corner.
+const CORNER: u32 = 64;
+const FACE: u32 = 128;

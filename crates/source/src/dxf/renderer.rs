@@ -166,6 +166,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             b"SPLINE" => self.spline(it, frame),
             b"SOLID" | b"TRACE" => self.solid(it, frame),
             b"3DFACE" => self.face(it, frame),
+            b"MLINE" => self.multiline(it, frame),
             b"MESH" => self.mesh(it, frame),
             b"LEADER" => self.leader(it, frame),
             b"MULTILEADER" | b"MLEADER" => self.multileader(it, frame),
@@ -175,6 +176,10 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             b"SEQEND" | b"VERTEX" | b"VIEWPORT" => Ok(()),
             b"TEXT" | b"ATTRIB" | b"ATTDEF" => self.text(it, frame, depth > 0),
             b"MTEXT" => self.paragraphs(it, frame),
+            b"RAY" | b"XLINE" => {
+                self.left_out(it, "left out, for it has no end");
+                Ok(())
+            }
             _ => {
                 self.left_out(it, "not known, left out");
                 Ok(())

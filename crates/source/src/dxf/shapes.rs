@@ -109,8 +109,7 @@ impl EntityRenderer<'_, '_> {
     ) -> Result<(), SourceError> {
         let flags = it.flags(70)?;
         if flags & (MESH | POLYFACE) != 0 {
-            self.left_out(it, "left out, for its faces are no lines");
-            return Ok(());
+            return self.old_mesh(it, vertices, frame);
         }
         let mut corners = Vec::new();
         for &span in vertices {
@@ -302,8 +301,8 @@ fn bulge_arc(frame: Affine, from: &Corner, to: Point) -> Arc {
 /// Flags of a POLYLINE whose corners are the world's.
 pub(super) const IN_SPACE: u32 = 8 | MESH | POLYFACE;
 const MESH: u32 = 16;
-const POLYFACE: u32 = 64;
+pub(super) const POLYFACE: u32 = 64;
 /// Flags of a SPLINE that ends where it begins.
 const CLOSED_SPLINE: u32 = 1 | 2;
-/// Flag of a VERTEX.
-const SPLINE_CONTROL: u32 = 16;
+/// Flag of a VERTEX that only bends what others show.
+pub(super) const SPLINE_CONTROL: u32 = 16;

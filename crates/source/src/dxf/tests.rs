@@ -332,6 +332,84 @@ fn a_spline_by_its_points_passes_them_in_curves() {
 }
 
 #[test]
+fn the_edges_of_old_meshes_are_drawn_once() {
+    let vertex = |x: f64, y: f64, flags: u32| format!("0 VERTEX 70 {flags} 10 {x} 20 {y} 30 0 ");
+    let square = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)];
+    let corners: String = square.map(|(x, y)| vertex(x, y, 192)).concat();
+    let face = |corners: &str| format!("0 VERTEX 70 128 10 0 20 0 30 0 {corners} ");
+    let faces = |faces: &[&str]| {
+        let faces: String = faces.iter().map(|it| face(it)).collect();
+        format!("0 POLYLINE 70 64 71 4 72 2 {corners} {faces} 0 SEQEND")
+    };
+    let grid = |flags: u32, size: &str| {
+        let rows = [0.0, 3.0].map(|y| [0.0, 2.0, 4.0].map(|x| vertex(x, y, 64)).concat());
+        let rows = rows.concat();
+        format!("0 POLYLINE 70 {flags} {size} {rows} 0 SEQEND")
+    };
+    let twice = square.map(|(x, y)| vertex(x, y, 192)).concat();
+    let apart = format!(
+        "0 POLYLINE 70 64 {corners} {twice} {} {} 0 SEQEND",
+        face("71 1 72 2 73 3"),
+        face("71 5 72 7 73 8")
+    );
+    for (entities, count, length_mm) in [
+        (faces(&["71 1 72 2 73 3", "71 1 72 3 73 4"]), 5, 19.0),
+        (faces(&["71 1 72 2 73 -3", "71 -1 72 3 73 4"]), 4, 14.0),
+        (faces(&["71 1 72 2 73 3 74 4"]), 4, 14.0),
+        (apart, 5, 19.0),
+        (grid(16, "71 2 72 3"), 7, 17.0),
+        (grid(16 | 32, "71 2 72 3"), 9, 25.0),
+    ] {
+        let (artwork, warnings) = draw(&entities);
+        let strokes = &artwork.layers[0].strokes;
+        let found_mm: f64 = strokes.iter().map(Stroke::length_mm).sum();
+        assert_eq!((strokes.len(), found_mm), (count, length_mm), "{entities}");
+        assert_eq!(warnings, [""; 0]);
+    }
+    for broken in [
+        faces(&["71 1 72 2 73 9"]),
+        grid(16, "71 2 72 4"),
+        faces(&[]),
+    ] {
+        let (_, warnings) = draw(&format!("0 POINT 10 0 20 0 {broken}"));
+        let told = "1 POLYLINE: left out, for its faces are not whole";
+        assert!(warnings[0].ends_with(told), "{warnings:?}");
+    }
+}
+
+#[test]
+fn each_line_of_an_mline_is_drawn_beside_its_corners() {
+    let corner = |x: f64, y: f64, mitre: (f64, f64)| {
+        let (across, up) = mitre;
+        format!(
+            "11 {x} 21 {y} 12 1 22 0 13 {across} 23 {up} 74 2 41 0 41 0 75 0 74 2 41 -2 41 0 75 0 "
+        )
+    };
+    let corners = [
+        corner(0.0, 10.0, (0.0, 1.0)),
+        corner(10.0, 10.0, (-1.0, 1.0)),
+        corner(10.0, 0.0, (-1.0, 0.0)),
+    ]
+    .concat();
+    let text = format!("0 MLINE 2 STANDARD 40 1 70 0 71 1 72 3 73 2 10 0 20 10 {corners}");
+    let (artwork, warnings) = draw(&text);
+    assert_eq!(
+        (self::corners(&artwork), warnings),
+        (
+            vec![
+                vec![(0.0, 0.0), (10.0, 0.0), (10.0, 10.0)],
+                vec![(0.0, 2.0), (12.0, 2.0), (12.0, 10.0)],
+            ],
+            Vec::new()
+        )
+    );
+    let (closed, _) = draw(&text.replace("71 1", "71 3"));
+    assert!(closed.layers[0].strokes.iter().all(|it| it.closed));
+    let (_, warnings) = draw(&text.replacen("74 2 41 0 41 0", "74 4 41 0 41 0 41 3 41 4", 1));
+    assert!(warnings[0].ends_with("1 MLINE: drawn without its gaps"));
+}
+
+#[test]
 fn layers_have_names_and_colors_and_hidden_ones_are_left_out() {
     let tables =
         "0 TABLE 2 LAYER 0 LAYER 2 cut 70 0 62 1 0 LAYER 2 off 70 0 62 -3 0 LAYER 2 ice 70 1 62 5
@@ -539,10 +617,10 @@ fn what_is_left_out_is_named_with_its_count() {
             "2 TEXTs: left out, for its letters have no size",
             "1 MTEXT: left out, for its letters have no size",
             "1 DIMENSION: left out, for its picture is not in the file",
-            "1 RAY: not known, left out",
+            "1 RAY: left out, for it has no end",
             "1 tilted object: left out, for only what lies in the plane XY is drawn",
             "1 HATCH: a boundary of an unknown kind, left out",
-            "1 POLYLINE: left out, for its faces are no lines",
+            "1 POLYLINE: left out, for its faces are not whole",
         ]
     );
 }
