@@ -112,7 +112,7 @@ fn edges_of_grid(it: &Entity<'_>, corners: usize) -> Result<Vec<(usize, usize)>,
     };
     let [rows, columns] = codes.map(|code| it.flags(code));
     let (rows, columns) = (rows? as usize, columns? as usize);
-    if rows.checked_mul(columns) != Some(corners) {
+    if corners == 0 || rows.checked_mul(columns) != Some(corners) {
         return Ok(Vec::new());
     }
     let flags = it.flags(70)?;
