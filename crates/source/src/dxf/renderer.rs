@@ -73,10 +73,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             let rest = spans.as_slice();
             let parts = rest.iter().take_while(|it| Some(it.kind) == part);
             let count = parts.count();
-            if span.kind == b"POLYLINE" {
+            let is_shown = self.entity(span, &rest[..count], copy)?;
+            // The attributes of a block that is shown are entities of their own.
+            if span.kind == b"POLYLINE" || !is_shown {
                 spans = rest[count..].iter();
             }
-            self.entity(span, &rest[..count], copy)?;
         }
         Ok(())
     }
@@ -91,12 +92,13 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         Err(self.sketch.found(span.at, "one copy too many", expected))
     }
 
+    /// Draws an entity; `false` for one that is not to be seen.
     fn entity(
         &mut self,
         span: Span<'a>,
         parts: &[Span<'a>],
         copy: Copy<'_>,
-    ) -> Result<(), SourceError> {
+    ) -> Result<bool, SourceError> {
         let it = Entity::read(self.file.text, span)?;
         let own = it.find(8).map_or_else(|| "0".into(), Pair::text);
         let layer = if own == "0" {
@@ -105,33 +107,44 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             self.file.layers.own_name(&own)
         };
         if self.is_hidden(&it, layer)? {
-            return Ok(());
+            return Ok(false);
         }
+        let copy = Copy { layer, ..copy };
         match it.kind {
-            b"INSERT" => return self.insert(&it, parts, Copy { layer, ..copy }),
-            b"ACAD_TABLE" => return self.table(&it, Copy { layer, ..copy }),
+            b"INSERT" => self.insert(&it, parts, copy),
+            b"ACAD_TABLE" => self.table(&it, copy),
             b"DIMENSION" | b"ARC_DIMENSION" | b"LARGE_RADIAL_DIMENSION" => {
-                return self.dimension(&it, Copy { layer, ..copy });
+                self.dimension(&it, copy)
             }
-            _ => {}
-        }
+            _ => self.lines(&it, parts, copy),
+        }?;
+        Ok(true)
+    }
+
+    /// What is no block: on its layer, and in dashes where it has some.
+    fn lines(
+        &mut self,
+        it: &Entity<'a>,
+        parts: &[Span<'a>],
+        copy: Copy<'_>,
+    ) -> Result<(), SourceError> {
         let mut frame = Some(copy.frame);
-        if has_own_plane(&it)? {
-            frame = self.seen(&it, copy.frame)?;
+        if has_own_plane(it)? {
+            frame = self.seen(it, copy.frame)?;
         }
         let Some(frame) = frame else {
             return Ok(());
         };
-        self.use_layer(layer)?;
+        self.use_layer(copy.layer)?;
         self.sketch.lift();
         let copy = Copy { frame, ..copy };
-        if let Some(line_type) = self.line_type(&it, frame)? {
+        if let Some(line_type) = self.line_type(it, frame)? {
             let mark = self.sketch.mark();
-            self.shape(&it, parts, copy)?;
+            self.shape(it, parts, copy)?;
             let LineType { lengths, offset } = line_type;
             return self.sketch.dash_since(&mark, &lengths, offset);
         }
-        self.shape(&it, parts, copy)
+        self.shape(it, parts, copy)
     }
 
     /// The dashes of an entity, in mm; `None` where it is solid.

@@ -501,6 +501,19 @@ fn a_block_on_a_layer_that_is_off_shows_what_lies_on_other_layers() {
 }
 
 #[test]
+fn the_attributes_of_a_hidden_block_are_hidden_too() {
+    let tables = "0 TABLE 2 LAYER 0 LAYER 2 ice 70 1 62 7 0 ENDTAB";
+    let blocks = "0 BLOCK 2 a 10 0 20 0 0 POINT 10 0 20 0 0 ENDBLK";
+    let attribute = "0 ATTRIB 8 ink 10 1 20 0 40 2 2 NAME 1 I 0 SEQEND";
+    for (groups, strokes) in [("8 ink", 3), ("8 ice", 1), ("60 1", 1), ("67 1", 1)] {
+        let insert = format!("0 INSERT {groups} 66 1 2 a 10 0 20 0 {attribute}");
+        let text = file(tables, blocks, &format!("{insert} 0 POINT 10 0 20 9"));
+        let (artwork, _) = draw_text(&text);
+        assert_eq!(corners(&artwork).len(), strokes, "{groups}");
+    }
+}
+
+#[test]
 fn names_of_layers_and_blocks_are_the_same_in_capitals() {
     let tables = "0 TABLE 2 LAYER 0 LAYER 2 WALLS 70 1 62 7 0 LAYER 2 Türen 70 0 62 1 0 LAYER 2 türen 62 5 0 ENDTAB";
     let blocks = "0 BLOCK 2 FOO 10 0 20 0 0 LINE 8 0 10 0 20 0 11 5 21 5 0 ENDBLK";
