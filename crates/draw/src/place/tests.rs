@@ -208,6 +208,36 @@ fn first(placement: &Placement, artwork: Artwork) -> (Point, f64) {
 }
 
 #[test]
+fn a_page_whose_ink_reaches_all_its_edges_keeps_its_corner_and_ink_without_a_page_goes_to_the_middle()
+ {
+    let frame = |has_page: bool| {
+        let corners = [
+            (0.0, 0.0),
+            (40.0, 0.0),
+            (40.0, 20.0),
+            (0.0, 20.0),
+            (0.0, 0.0),
+        ];
+        let layer = Layer {
+            strokes: vec![line(&corners)],
+            ..Layer::default()
+        };
+        let artwork = Artwork {
+            width_mm: 40.0,
+            height_mm: 20.0,
+            has_page,
+            layers: vec![layer],
+        };
+        let placed = on_a5(|_| ()).place(artwork).unwrap();
+        let ink = bounds_of_strokes(&placed.layers[0].strokes);
+        (ink.x1, ink.y1)
+    };
+    // The sheet is 210 mm wide and 148 high, its middle at 225, 0: its upper left corner lies at 299, 105.
+    assert_eq!(frame(true), (299.0, 105.0));
+    assert_eq!(frame(false), (235.0, 20.0));
+}
+
+#[test]
 fn a_page_keeps_its_corner_on_the_sheet() {
     // The sheet's upper left corner is at x 299, y 105.
     let corner = (Point::new(294.0, 100.0), 1.0);
@@ -235,12 +265,6 @@ fn what_is_to_fit_a_sheet_fills_it_with_its_ink() {
     // 10 x 5 mm of ink on 202 x 140 mm.
     let (at, scale) = first(&fitting, page(210.0, 148.0));
     assert_eq!((at, scale), (Point::new(275.5, 101.0), 20.2));
-    // Ink that is all of its page knows none, and goes to the middle.
-    let mut ink = page(10.0, 5.0);
-    ink.layers[0]
-        .points_mut()
-        .for_each(|p| *p -= Vec2::splat(5.0));
-    assert_eq!(first(&on_a5(|_| {}), ink).0, Point::new(227.5, 5.0));
 }
 
 #[test]
