@@ -9,10 +9,11 @@ mod codes;
 mod ink;
 mod ink_rule;
 mod machine;
+mod servo;
 
 use self::ink::Inker;
-use self::ink_rule::{MoveStatistics, told_full};
-use self::machine::{Machine, Move};
+use self::ink_rule::MoveStatistics;
+use self::machine::{Machine, Move, ToolState};
 use crate::artwork::Artwork;
 use crate::error::SourceError;
 use crate::options::ReadOptions;
@@ -30,11 +31,11 @@ pub(crate) fn read(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
-    run(text, sketch.warnings(), |it| {
+    let end = run(text, sketch.warnings(), |it| {
         statistics.count(it);
         Ok(())
     })?;
-    let rule = statistics.rule(told_full(text));
+    let rule = statistics.rule(text, &end);
     if let Some((what, instead)) = rule.assumed() {
         sketch.warn(None, what, &instead);
     }
@@ -44,17 +45,18 @@ pub(crate) fn read(
     sketch.finish(Y::Up, rule.nothing())
 }
 
-/// Runs the program and hands on all of its moves.
+/// Runs the program and hands on all of its moves; what comes back is the tool at its end.
 fn run<'a>(
     text: &'a [u8],
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
-) -> Result<(), SourceError> {
+) -> Result<ToolState, SourceError> {
     let mut machine = Machine::new(text, warnings);
     block::each(text, |block| match machine.handle(block)? {
         Some(it) => hand_on(&it),
         None => Ok(()),
-    })
+    })?;
+    Ok(machine.tool())
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::ink_rule::InkRule;
 use super::machine::{Move, MoveKind, ToolState};
+use super::servo::ServoCode;
 use crate::arc::Arc;
 use crate::artwork::Layer;
 use crate::error::SourceError;
@@ -14,6 +15,8 @@ pub(super) struct Inker<'s, 'a> {
     rule: InkRule,
     /// What the last ink was drawn with.
     tool: Option<ToolState>,
+    /// Something moved along X or Y.
+    has_moved: bool,
     /// The pen was lowered here, or the laser waits, and has drawn nothing yet.
     lowered: Option<Move>,
     /// What is told of layers below full power.
@@ -26,6 +29,7 @@ impl<'s, 'a> Inker<'s, 'a> {
             sketch,
             rule,
             tool: None,
+            has_moved: false,
             lowered: None,
             dim: Vec::new(),
         }
@@ -33,7 +37,9 @@ impl<'s, 'a> Inker<'s, 'a> {
 
     pub(super) fn draw(&mut self, it: &Move) -> Result<(), SourceError> {
         let is_arc = matches!(it.kind, MoveKind::Arc { .. });
-        match (self.inks(it), it.from == it.to && !is_arc) {
+        let stands = it.from == it.to && !is_arc;
+        self.has_moved |= !stands;
+        match (self.inks(it), stands) {
             (true, true) => {
                 self.stand(it);
                 Ok(())
@@ -87,7 +93,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         match self.rule {
             InkRule::Laser { .. } => it.kind != MoveKind::Rapid && it.tool.power.is_some(),
             InkRule::Height { below_mm, .. } => it.z_mm.is_some_and(|z_mm| z_mm < below_mm),
-            InkRule::Servo { up } => it.tool.servo.is_some_and(|angle| angle != up),
+            InkRule::Servo { code, up, .. } => it.tool.angle(code).is_some_and(|angle| angle != up),
             InkRule::Plain => it.kind != MoveKind::Rapid,
         }
     }
@@ -104,12 +110,28 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 
     fn dot(&mut self, mut it: Move) -> Result<(), SourceError> {
+        if !self.has_moved && self.has_trial() {
+            let instead = "left out, before the first move (M300)";
+            self.sketch.warn(it.at, "trial of the pen", instead);
+            return Ok(());
+        }
         if !matches!(self.rule, InkRule::Laser { .. }) {
             // That of going down is not the speed of lines.
             (it.tool.feed, it.tool.speed_mm_s) = (None, None);
         }
         self.take(&it)?;
         self.sketch.dot(it.to)
+    }
+
+    /// Whether programs for this tool begin with a trial of the pen, after which they wait for a person's word.
+    const fn has_trial(&self) -> bool {
+        matches!(
+            self.rule,
+            InkRule::Servo {
+                code: ServoCode::M300,
+                ..
+            }
+        )
     }
 
     fn ink(&mut self, it: &Move) -> Result<(), SourceError> {

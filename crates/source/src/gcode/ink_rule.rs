@@ -1,6 +1,7 @@
 //! The rule by which moves leave ink, found from the words of the whole file.
 
-use super::machine::{Move, MoveKind};
+use super::machine::{Move, MoveKind, ToolState};
+use super::servo::{ServoCode, ServoStatistics, UpSource};
 
 /// Which moves leave ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,9 +11,12 @@ pub(super) enum InkRule {
     Laser { full: f64 },
     /// A pen or a mill: every move that ends below a height.
     Height { below_mm: f64, source: HeightSource },
-    /// A pen lifted by a servo (M280): every move with another angle than that of the first move,
-    /// which goes to where the first line begins.
-    Servo { up: f64 },
+    /// A pen lifted by a servo: every move with another angle than the one that is up.
+    Servo {
+        code: ServoCode,
+        up: f64,
+        source: UpSource,
+    },
     /// Neither: G1 to G3.
     Plain,
 }
@@ -41,9 +45,9 @@ impl InkRule {
                 let draws = format!("drawn where Z is below {below_mm:.2} mm");
                 Some(("file that never goes below Z 0", draws))
             }
-            Self::Servo { up } => {
-                let draws = format!("S{up} taken for up, as the first move has it");
-                Some(("pen lifted by a servo (M280)", draws))
+            Self::Servo { code, up, source } => {
+                let draws = format!("S{up} taken for up, {}", source.reason());
+                Some((code.what(), draws))
             }
             Self::Plain => {
                 let draws = "G1, G2 and G3 draw, G0 travels".to_owned();
@@ -76,8 +80,8 @@ pub(super) struct MoveStatistics {
     burns: Heights,
     /// Heights of all moves, those along Z included.
     all: Heights,
-    first_servo: Option<f64>,
-    other_servo: bool,
+    m280: ServoStatistics,
+    m300: ServoStatistics,
 }
 
 impl MoveStatistics {
@@ -90,9 +94,8 @@ impl MoveStatistics {
         if it.kind == MoveKind::Dwell || (it.from == it.to && !is_arc) {
             return;
         }
-        if let Some(servo) = it.tool.servo {
-            self.other_servo |= *self.first_servo.get_or_insert(servo) != servo;
-        }
+        self.m280.count(it, ServoCode::M280);
+        self.m300.count(it, ServoCode::M300);
         if it.kind == MoveKind::Rapid {
             return self.rapids.count(it.z_mm);
         }
@@ -107,20 +110,28 @@ impl MoveStatistics {
         }
     }
 
-    /// `told` is the S of full power, where the file tells it.
-    pub(super) fn rule(&self, told: Option<f64>) -> InkRule {
+    /// `end` is the tool at the end of the program.
+    pub(super) fn rule(&self, text: &[u8], end: &ToolState) -> InkRule {
         let height = self.height();
-        match (self.full, self.first_servo) {
+        match self.full {
             // A mill turns its spindle all the time, and travels above its work.
-            (Some(most), _) if height.is_none() || self.rapids.lowest <= self.burns.highest => {
-                let full = told.unwrap_or_else(|| scale(most));
+            Some(most) if height.is_none() || self.rapids.lowest <= self.burns.highest => {
+                let full = told_full(text).unwrap_or_else(|| scale(most));
                 InkRule::Laser {
                     full: full.max(most),
                 }
             }
-            (None, Some(up)) if self.other_servo => InkRule::Servo { up },
-            _ => height.unwrap_or(InkRule::Plain),
+            None => self.servo(text, end).or(height).unwrap_or(InkRule::Plain),
+            Some(_) => height.unwrap_or(InkRule::Plain),
         }
+    }
+
+    fn servo(&self, text: &[u8], end: &ToolState) -> Option<InkRule> {
+        let of = |it: &ServoStatistics, code| {
+            let (up, source) = it.up(text, code, end)?;
+            Some(InkRule::Servo { code, up, source })
+        };
+        of(&self.m280, ServoCode::M280).or_else(|| of(&self.m300, ServoCode::M300))
     }
 
     fn height(&self) -> Option<InkRule> {
@@ -175,7 +186,7 @@ fn scale(most: f64) -> f64 {
 }
 
 /// The S of full power, as comments tell it: `; Cut @ 600 mm/min, 20% power` before S200.
-pub(super) fn told_full(text: &[u8]) -> Option<f64> {
+fn told_full(text: &[u8]) -> Option<f64> {
     let mut percent = None;
     for line in text.split(|&byte| byte == b'\n') {
         // A power tells something behind a comment only.

@@ -5,6 +5,7 @@ use dobot_geometry::{Point, Vec2};
 use super::arc::{center_by_radius, sweep_rad};
 use super::block::Block;
 use super::codes::{self, Meaning};
+use super::servo::ServoCode;
 use crate::error::SourceError;
 use crate::sketch::checked;
 use crate::warning::Warnings;
@@ -43,11 +44,23 @@ pub(super) struct ToolState {
     /// The S in force where M3, M4 or M106 hold and it is above 0.
     pub(super) power: Option<f64>,
     /// The angle that M280 gave a servo.
-    pub(super) servo: Option<f64>,
+    m280: Option<f64>,
+    /// And M300.
+    m300: Option<f64>,
     /// F as the file has it.
     pub(super) feed: Option<f64>,
     /// The same in mm/s.
     pub(super) speed_mm_s: Option<f64>,
+}
+
+impl ToolState {
+    /// The angle of the servo that this code turns.
+    pub(super) const fn angle(&self, code: ServoCode) -> Option<f64> {
+        match code {
+            ServoCode::M280 => self.m280,
+            ServoCode::M300 => self.m300,
+        }
+    }
 }
 
 /// The state of a machine.
@@ -114,6 +127,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         }
         self.check_codes(block)?;
         if block.g.0.is_empty() && block.m.0.iter().any(|it| codes::has_own_words(it.1)) {
+            self.turn_servo(block);
             return Ok(None);
         }
         if block.has_any(OTHER_AXES) {
@@ -124,6 +138,11 @@ impl<'a, 'w> Machine<'a, 'w> {
         let it = self.motion(block)?;
         self.has_ended = [20, 300, 990].into_iter().any(|it| block.m.has(it));
         Ok(it)
+    }
+
+    /// The tool as it is now.
+    pub(super) const fn tool(&self) -> ToolState {
+        self.tool
     }
 
     fn warn(&mut self, at: usize, what: &str, instead: &str) {
@@ -142,7 +161,9 @@ impl<'a, 'w> Machine<'a, 'w> {
             }
         }
         for &(at, code) in &block.m.0 {
-            self.check_code(at, 'M', code, codes::m(code))?;
+            if code != 3000 || servo_angle(block).is_none() {
+                self.check_code(at, 'M', code, codes::m(code))?;
+            }
         }
         Ok(())
     }
@@ -227,15 +248,21 @@ impl<'a, 'w> Machine<'a, 'w> {
                 _ => {}
             }
         }
+        self.turn_servo(block);
         self.set_power(block);
+    }
+
+    fn turn_servo(&mut self, block: &Block) {
+        if block.m.has(2800) {
+            self.tool.m280 = block.value(b'S').or(self.tool.m280);
+        }
+        let angle = servo_angle(block).filter(|it| *it != SERVO_OFF);
+        self.tool.m300 = angle.or(self.tool.m300);
     }
 
     /// S is the power, unless it belongs to another code: a time to wait, a servo's angle.
     fn set_power(&mut self, block: &Block) {
-        let s = block.value(b'S');
-        if block.m.has(2800) {
-            self.tool.servo = s.or(self.tool.servo);
-        } else if let Some(s) = s {
+        if let Some(s) = block.value(b'S') {
             let is_others = |code: u32| code > 90 && code != 1060;
             if !block.g.has(40) && !block.m.0.iter().any(|it| is_others(it.1)) {
                 self.power = s;
@@ -386,5 +413,15 @@ impl<'a, 'w> Machine<'a, 'w> {
     }
 }
 
+/// The S of M300 where it may be the angle of a servo, or 255 for none: a beep has a higher one, and P.
+fn servo_angle(block: &Block) -> Option<f64> {
+    let s = block
+        .value(b'S')
+        .filter(|it| (0.0..=180.0).contains(it) || *it == SERVO_OFF);
+    s.filter(|_| block.m.has(3000) && block.value(b'P').is_none())
+}
+
+/// The S of M300 that lets a servo rest.
+const SERVO_OFF: f64 = 255.0;
 /// Those that turn, those beside the first three, and the extruder's.
 const OTHER_AXES: &[u8] = b"ABCEUVW";

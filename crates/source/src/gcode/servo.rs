@@ -1,0 +1,166 @@
+//! The servo that lifts a pen, and which of its angles is up.
+
+use super::machine::{Move, MoveKind, ToolState};
+use crate::number::decimal;
+
+/// The code that turns the servo.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ServoCode {
+    M280,
+    /// A beep elsewhere; the angle of the pen's servo with the machines of Inkscape's extension Unicorn.
+    M300,
+}
+
+impl ServoCode {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::M280 => "M280",
+            Self::M300 => "M300",
+        }
+    }
+
+    pub(super) const fn what(self) -> &'static str {
+        match self {
+            Self::M280 => "pen lifted by a servo (M280)",
+            Self::M300 => "pen lifted by a servo (M300)",
+        }
+    }
+}
+
+/// By what an angle is known for up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum UpSource {
+    /// A comment calls it so.
+    Comment,
+    /// It is that of the moves in haste.
+    Rapids,
+    /// It is the larger one.
+    Larger,
+    /// It is the last one: the file began with a move before the first.
+    Last,
+    /// It is that of the first move.
+    First,
+}
+
+impl UpSource {
+    pub(super) const fn reason(self) -> &'static str {
+        match self {
+            Self::Comment => "as a comment says",
+            Self::Rapids => "as G0 has it",
+            Self::Larger => "for it is the largest angle",
+            Self::Last => "as the program ends with it",
+            Self::First => "as the first move has it",
+        }
+    }
+}
+
+/// What the moves of a file have in common with the angles of a servo.
+#[derive(Debug, Default)]
+pub(super) struct ServoStatistics {
+    /// Those with which something moves, in their order.
+    angles: Vec<AngleUse>,
+    /// Something moved before the first angle.
+    has_moved_before: bool,
+}
+
+/// How many moves have an angle.
+#[derive(Clone, Copy, Debug)]
+struct AngleUse {
+    angle: f64,
+    rapids: u32,
+    feeds: u32,
+}
+
+impl ServoStatistics {
+    /// Counts a move along X or Y.
+    pub(super) fn count(&mut self, it: &Move, code: ServoCode) {
+        let Some(angle) = it.tool.angle(code) else {
+            self.has_moved_before |= self.angles.is_empty();
+            return;
+        };
+        let known = self.angles.iter().position(|it| it.angle == angle);
+        let i = known.unwrap_or(self.angles.len());
+        if i == MOST_ANGLES {
+            return;
+        }
+        if known.is_none() {
+            self.angles.push(AngleUse::new(angle));
+        }
+        let count = match it.kind {
+            MoveKind::Rapid => &mut self.angles[i].rapids,
+            _ => &mut self.angles[i].feeds,
+        };
+        *count = count.saturating_add(1);
+    }
+
+    /// The angle that is up, unless nothing moves with another; `end` is the tool at the end of the program.
+    pub(super) fn up(
+        &self,
+        text: &[u8],
+        code: ServoCode,
+        end: &ToolState,
+    ) -> Option<(f64, UpSource)> {
+        let first = self.angles.first()?;
+        let end = end.angle(code).filter(|it| *it != first.angle);
+        let last = end.filter(|_| self.has_moved_before);
+        if self.angles.len() == 1 && last.is_none() {
+            return None;
+        }
+        let angles = || self.angles.iter().map(|it| it.angle).chain(last);
+        if let Some(told) = told_up(text, code).filter(|up| angles().any(|it| it == *up)) {
+            return Some((told, UpSource::Comment));
+        }
+        // Of those with the largest share, the first.
+        let shares = || self.angles.iter().map(AngleUse::share_of_rapids);
+        let most = shares().fold(0.0, f64::max);
+        if shares().any(|share| share < most) {
+            let up = self.angles.iter().find(|it| it.share_of_rapids() == most)?;
+            return Some((up.angle, UpSource::Rapids));
+        }
+        Some(match (code, last) {
+            (ServoCode::M300, _) => (angles().fold(0.0, f64::max), UpSource::Larger),
+            (ServoCode::M280, Some(last)) => (last, UpSource::Last),
+            (ServoCode::M280, None) => (first.angle, UpSource::First),
+        })
+    }
+}
+
+impl AngleUse {
+    const fn new(angle: f64) -> Self {
+        Self {
+            angle,
+            rapids: 0,
+            feeds: 0,
+        }
+    }
+
+    fn share_of_rapids(&self) -> f64 {
+        f64::from(self.rapids) / (f64::from(self.rapids) + f64::from(self.feeds))
+    }
+}
+
+/// The angle that a comment calls up: `M300 S50 (pen up)`, `M280 P0 S90 ; up`.
+fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
+    let mut lines = text.split(|byte| b"\r\n".contains(byte));
+    lines.find_map(|line| {
+        let comment = line.iter().position(|byte| b"(;".contains(byte))?;
+        let (words, comment) = line.split_at(comment);
+        let name = code.name().as_bytes();
+        if !words.windows(name.len()).any(|it| it == name) || !calls_up(comment) {
+            return None;
+        }
+        let s = words.iter().position(|&byte| byte == b'S')?;
+        decimal(&words[s + 1..]).map(|(angle, _)| angle)
+    })
+}
+
+fn calls_up(comment: &[u8]) -> bool {
+    let has = |word: &[u8]| {
+        let mut words = comment.split(|byte| !byte.is_ascii_alphabetic());
+        words.any(|it| it.eq_ignore_ascii_case(word))
+    };
+    has(b"up") && !has(b"down")
+}
+
+/// No file has more angles with a meaning of their own.
+const MOST_ANGLES: usize = 16;
