@@ -10,6 +10,7 @@ mod ink;
 mod ink_rule;
 mod machine;
 mod servo;
+mod spindle;
 
 use self::ink::Inker;
 use self::ink_rule::MoveStatistics;

@@ -72,7 +72,7 @@ impl<'s, 'a> Inker<'s, 'a> {
             self.sketch.warn(first.at, "weaker layer", instead);
         }
         if let Some(it) = too_strong {
-            let InkRule::Laser { full } = self.rule else {
+            let InkRule::Laser { full, .. } = self.rule else {
                 return Ok(());
             };
             let percent = 100.0 * it.share;
@@ -153,7 +153,7 @@ impl<'s, 'a> Inker<'s, 'a> {
             return Ok(());
         }
         let before = self.tool.replace(tool);
-        let InkRule::Laser { full } = self.rule else {
+        let InkRule::Laser { full, .. } = self.rule else {
             return self.take_pen(it, before);
         };
         let name = [("T", tool.number), ("S", tool.power), ("F", tool.feed)];

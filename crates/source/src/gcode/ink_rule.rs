@@ -2,13 +2,14 @@
 
 use super::machine::{Move, MoveKind, ToolState};
 use super::servo::{ServoCode, ServoStatistics, UpSource};
+use super::spindle::SpindleStatistics;
 
 /// Which moves leave ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum InkRule {
     /// A laser, or a pen that M3 lowers: G1 to G3 while M3, M4 or M106 hold with S above 0. `full`
     /// is the S of full power.
-    Laser { full: f64 },
+    Laser { full: f64, is_at_heights: bool },
     /// A pen or a mill: every move that ends below a height.
     Height { below_mm: f64, source: HeightSource },
     /// A pen lifted by a servo: every move with another angle than the one that is up.
@@ -26,6 +27,12 @@ pub(super) enum InkRule {
 pub(super) enum HeightSource {
     /// It is 0: there are moves below and others above.
     Zero,
+    /// It is 0, and lines at 0 are left out.
+    AboveZero,
+    /// It is just above 0: there are lines at 0, too.
+    AtZero,
+    /// It is 0: all lines are below.
+    BelowZero,
     /// Moves in haste (G0) stay above.
     Rapids,
     /// It is just above the lowest move.
@@ -36,15 +43,11 @@ impl InkRule {
     /// Where the file leaves it open: what stands in it, and what was made of that.
     pub(super) fn assumed(self) -> Option<(&'static str, String)> {
         match self {
-            Self::Laser { .. }
-            | Self::Height {
-                source: HeightSource::Zero,
-                ..
-            } => None,
-            Self::Height { below_mm, .. } => {
-                let draws = format!("drawn where Z is below {below_mm:.2} mm");
-                Some(("file that never goes below Z 0", draws))
+            Self::Laser { is_at_heights, .. } => {
+                let draws = "all that M3, M4 or M106 burn is burned, at any Z".to_owned();
+                is_at_heights.then_some(("laser at several heights", draws))
             }
+            Self::Height { below_mm, source } => source.assumed(below_mm),
             Self::Servo { code, up, source } => {
                 let draws = format!("S{up} taken for up, {}", source.reason());
                 Some((code.what(), draws))
@@ -67,6 +70,32 @@ impl InkRule {
     }
 }
 
+impl HeightSource {
+    fn assumed(self, below_mm: f64) -> Option<(&'static str, String)> {
+        let draws = || format!("drawn where Z is below {below_mm:.2} mm");
+        let lowest_mm = match self {
+            Self::Lowest => below_mm - SAME_HEIGHT_MM,
+            _ => below_mm,
+        };
+        Some(match self {
+            Self::Zero => return None,
+            Self::AboveZero => {
+                let draws = "left out, for only what is below is drawn".to_owned();
+                ("file with lines at Z 0", draws)
+            }
+            Self::AtZero => {
+                let draws = "drawn as those below, for G0 stays above".to_owned();
+                ("file with lines at Z 0", draws)
+            }
+            Self::BelowZero => ("file whose lines are all below Z 0", draws()),
+            Self::Rapids | Self::Lowest if lowest_mm < 0.0 => {
+                ("file whose travels are below Z 0", draws())
+            }
+            Self::Rapids | Self::Lowest => ("file that never goes below Z 0", draws()),
+        })
+    }
+}
+
 /// What the moves of a file have in common.
 #[derive(Debug, Default)]
 pub(super) struct MoveStatistics {
@@ -80,13 +109,23 @@ pub(super) struct MoveStatistics {
     burns: Heights,
     /// Heights of all moves, those along Z included.
     all: Heights,
+    /// The height so far, where it is known.
+    z_mm: Option<f64>,
+    has_feeds: bool,
+    /// Lines at a working speed lie at 0.
+    has_lines_at_zero: bool,
+    /// Lines at a working speed go up or down.
+    has_slopes: bool,
+    spindle: SpindleStatistics,
     m280: ServoStatistics,
     m300: ServoStatistics,
 }
 
 impl MoveStatistics {
     pub(super) fn count(&mut self, it: &Move) {
+        let rise_mm = self.rise_mm(it);
         self.all.count(it.z_mm);
+        self.spindle.count(it, rise_mm);
         let is_arc = matches!(it.kind, MoveKind::Arc { .. });
         if it.kind == MoveKind::Dwell {
             self.burn(it);
@@ -99,8 +138,22 @@ impl MoveStatistics {
         if it.kind == MoveKind::Rapid {
             return self.rapids.count(it.z_mm);
         }
+        self.has_feeds = true;
+        self.has_slopes |= rise_mm != 0.0;
+        self.has_lines_at_zero |= it
+            .z_mm
+            .is_some_and(|z_mm| (0.0..SAME_HEIGHT_MM).contains(&z_mm));
         self.feeds.count(it.z_mm);
         self.burn(it);
+    }
+
+    /// How far a move goes up, in mm.
+    fn rise_mm(&mut self, it: &Move) -> f64 {
+        let before = self.z_mm.or(it.z_mm);
+        self.z_mm = it.z_mm.or(before);
+        self.z_mm
+            .zip(before)
+            .map_or(0.0, |(now, before)| now - before)
     }
 
     fn burn(&mut self, it: &Move) {
@@ -114,16 +167,21 @@ impl MoveStatistics {
     pub(super) fn rule(&self, text: &[u8], end: &ToolState) -> InkRule {
         let height = self.height();
         match self.full {
-            // A mill turns its spindle all the time, and travels above its work.
-            Some(most) if height.is_none() || self.rapids.lowest <= self.burns.highest => {
+            Some(most) if height.is_none() || !self.is_mill() => {
                 let full = told_full(text).unwrap_or_else(|| scale(most));
                 InkRule::Laser {
                     full: full.max(most),
+                    is_at_heights: self.burns.lowest < self.burns.highest,
                 }
             }
             None => self.servo(text, end).or(height).unwrap_or(InkRule::Plain),
             Some(_) => height.unwrap_or(InkRule::Plain),
         }
+    }
+
+    /// A mill turns its spindle all the time, and travels above its work.
+    fn is_mill(&self) -> bool {
+        self.rapids.lowest > self.burns.highest || self.spindle.is_spindle()
     }
 
     fn servo(&self, text: &[u8], end: &ToolState) -> Option<InkRule> {
@@ -135,19 +193,43 @@ impl MoveStatistics {
     }
 
     fn height(&self) -> Option<InkRule> {
-        let lowest = self.all.lowest;
-        let highest = self.rapids.highest.max(self.feeds.highest);
+        let (lowest, rapids) = (self.all.lowest, self.rapids.lowest);
+        let of_lines = self.rapids.highest.max(self.feeds.highest);
+        let highest = if self.has_feeds {
+            of_lines
+        } else {
+            self.all.highest
+        };
         if lowest >= highest {
             return None;
         }
         let (below_mm, source) = if lowest < 0.0 && highest >= 0.0 {
-            (0.0, HeightSource::Zero)
-        } else if lowest < self.rapids.lowest && self.rapids.lowest.is_finite() {
-            (self.rapids.lowest, HeightSource::Rapids)
+            self.about_zero(of_lines)
+        } else if lowest < rapids && rapids.is_finite() {
+            (rapids, HeightSource::Rapids)
+        } else if lowest < 0.0 && self.all.highest >= 0.0 {
+            (0.0, HeightSource::BelowZero)
         } else {
             (lowest + SAME_HEIGHT_MM, HeightSource::Lowest)
         };
         Some(InkRule::Height { below_mm, source })
+    }
+
+    /// Where there are moves below 0: whether lines at 0 are travels, touch what is milled, or are drawn by a pen,
+    /// which goes neither up nor down in its lines.
+    fn about_zero(&self, highest: f64) -> (f64, HeightSource) {
+        let rapids = self.rapids.lowest;
+        if !self.has_lines_at_zero || highest < SAME_HEIGHT_MM {
+            (0.0, HeightSource::Zero)
+        } else if rapids.is_finite()
+            && rapids >= SAME_HEIGHT_MM
+            && self.full.is_none()
+            && !self.has_slopes
+        {
+            (SAME_HEIGHT_MM, HeightSource::AtZero)
+        } else {
+            (0.0, HeightSource::AboveZero)
+        }
     }
 }
 

@@ -21,6 +21,8 @@ pub(super) struct Move {
     /// The height at its end, where it is known.
     pub(super) z_mm: Option<f64>,
     pub(super) tool: ToolState,
+    /// What switched the tool is M3.
+    pub(super) is_by_m3: bool,
 }
 
 /// How the machine gets there.
@@ -84,6 +86,7 @@ pub(super) struct Machine<'a, 'w> {
     /// The coordinate system in use (G54 to G59.3), in tenths.
     system: Option<u32>,
     is_on: bool,
+    is_by_m3: bool,
     power: f64,
     tool: ToolState,
     has_ended: bool,
@@ -105,6 +108,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             feed_is_by_minute: true,
             system: None,
             is_on: false,
+            is_by_m3: false,
             power: 0.0,
             tool: ToolState::default(),
             has_ended: false,
@@ -243,7 +247,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.tool.number = block.value(b'T').or(self.tool.number);
         for &(_, code) in &block.m.0 {
             match code {
-                30 | 40 | 1060 => self.is_on = true,
+                30 | 40 | 1060 => (self.is_on, self.is_by_m3) = (true, code == 30),
                 50 | 1070 => self.is_on = false,
                 _ => {}
             }
@@ -319,6 +323,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             to,
             z_mm: self.z_mm,
             tool: self.tool,
+            is_by_m3: self.is_by_m3,
         }
     }
 
