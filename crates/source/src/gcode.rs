@@ -11,6 +11,7 @@ mod ink_rule;
 mod machine;
 mod servo;
 mod spindle;
+mod zero;
 
 use self::ink::Inker;
 use self::ink_rule::MoveStatistics;

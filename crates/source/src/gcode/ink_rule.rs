@@ -3,6 +3,7 @@
 use super::machine::{Move, MoveKind, ToolState};
 use super::servo::{ServoCode, ServoStatistics, UpSource};
 use super::spindle::SpindleStatistics;
+use super::zero::ZeroStatistics;
 
 /// Which moves leave ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +85,7 @@ impl HeightSource {
                 ("file with lines at Z 0", draws)
             }
             Self::AtZero => {
-                let draws = "drawn as those below, for G0 stays above".to_owned();
+                let draws = "drawn as those below, for the tool comes down to them".to_owned();
                 ("file with lines at Z 0", draws)
             }
             Self::BelowZero => ("file whose lines are all below Z 0", draws()),
@@ -112,10 +113,7 @@ pub(super) struct MoveStatistics {
     /// The height so far, where it is known.
     z_mm: Option<f64>,
     has_feeds: bool,
-    /// Lines at a working speed lie at 0.
-    has_lines_at_zero: bool,
-    /// Lines at a working speed go up or down.
-    has_slopes: bool,
+    zero: ZeroStatistics,
     spindle: SpindleStatistics,
     m280: ServoStatistics,
     m300: ServoStatistics,
@@ -123,9 +121,13 @@ pub(super) struct MoveStatistics {
 
 impl MoveStatistics {
     pub(super) fn count(&mut self, it: &Move) {
-        let rise_mm = self.rise_mm(it);
         self.all.count(it.z_mm);
-        self.spindle.count(it, rise_mm);
+        if let Some(to_mm) = it.z_mm {
+            let from_mm = self.z_mm.replace(to_mm).unwrap_or(to_mm);
+            self.zero.count(it, from_mm, to_mm);
+            self.spindle.count_rise(it, to_mm - from_mm);
+        }
+        self.spindle.count(it);
         let is_arc = matches!(it.kind, MoveKind::Arc { .. });
         if it.kind == MoveKind::Dwell {
             self.burn(it);
@@ -139,21 +141,8 @@ impl MoveStatistics {
             return self.rapids.count(it.z_mm);
         }
         self.has_feeds = true;
-        self.has_slopes |= rise_mm != 0.0;
-        self.has_lines_at_zero |= it
-            .z_mm
-            .is_some_and(|z_mm| (0.0..SAME_HEIGHT_MM).contains(&z_mm));
         self.feeds.count(it.z_mm);
         self.burn(it);
-    }
-
-    /// How far a move goes up, in mm.
-    fn rise_mm(&mut self, it: &Move) -> f64 {
-        let before = self.z_mm.or(it.z_mm);
-        self.z_mm = it.z_mm.or(before);
-        self.z_mm
-            .zip(before)
-            .map_or(0.0, |(now, before)| now - before)
     }
 
     fn burn(&mut self, it: &Move) {
@@ -215,17 +204,11 @@ impl MoveStatistics {
         Some(InkRule::Height { below_mm, source })
     }
 
-    /// Where there are moves below 0: whether lines at 0 are travels, touch what is milled, or are drawn by a pen,
-    /// which goes neither up nor down in its lines.
+    /// Where there are moves below 0.
     fn about_zero(&self, highest: f64) -> (f64, HeightSource) {
-        let rapids = self.rapids.lowest;
-        if !self.has_lines_at_zero || highest < SAME_HEIGHT_MM {
+        if !self.zero.has_lines || highest < SAME_HEIGHT_MM {
             (0.0, HeightSource::Zero)
-        } else if rapids.is_finite()
-            && rapids >= SAME_HEIGHT_MM
-            && self.full.is_none()
-            && !self.has_slopes
-        {
+        } else if self.zero.has_ink() && self.rapids.lowest >= SAME_HEIGHT_MM {
             (SAME_HEIGHT_MM, HeightSource::AtZero)
         } else {
             (0.0, HeightSource::AboveZero)
@@ -299,4 +282,4 @@ fn told_full(text: &[u8]) -> Option<f64> {
 }
 
 /// A sheet is no flatter.
-const SAME_HEIGHT_MM: f64 = 0.1;
+pub(super) const SAME_HEIGHT_MM: f64 = 0.1;

@@ -21,14 +21,17 @@ pub(super) struct SpindleStatistics {
 }
 
 impl SpindleStatistics {
-    /// Counts a move of any kind, in which Z rises that far.
-    pub(super) fn count(&mut self, it: &Move, rise_mm: f64) {
-        let stands = it.from == it.to;
-        self.is_off |= it.tool.power.is_none();
+    /// Counts how far a move of any kind rises.
+    pub(super) fn count_rise(&mut self, it: &Move, rise_mm: f64) {
         self.has_risen |= rise_mm > 0.0 && self.worked.is_some();
-        self.has_plunged |= rise_mm < 0.0 && stands && self.has_risen;
+        self.has_plunged |= rise_mm < 0.0 && it.from == it.to && self.has_risen;
+    }
+
+    /// Counts a move of any kind.
+    pub(super) fn count(&mut self, it: &Move) {
+        self.is_off |= it.tool.power.is_none();
         let is_line = matches!(it.kind, MoveKind::Line | MoveKind::Arc { .. });
-        if is_line && !stands && it.tool.power.is_some() {
+        if is_line && it.from != it.to && it.tool.power.is_some() {
             self.work(it);
         }
     }

@@ -207,28 +207,32 @@ fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
 }
 
 #[test]
-fn lines_of_a_pen_at_zero_are_drawn_beside_those_below_and_those_of_a_mill_are_told() {
+fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them_or_told() {
     let pen = "G0 Z5\nX10 Y10\nG1 Z0\nX20\nZ-0.2\nX30\nG0 Z5\nX60\nG1 Z0\nX70\nG0 Z5";
-    assert_eq!(
-        corners(pen),
-        [
-            vec![(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)],
-            vec![(50.0, 0.0), (60.0, 0.0)]
-        ]
-    );
     let told = |text: &str| draw(text).1.concat();
-    assert_eq!(
-        told(pen),
-        "1 file with lines at Z 0: drawn as those below, for G0 stays above"
-    );
-    let left_out = "1 file with lines at Z 0: left out, for only what is below is drawn";
-    for touches in [
-        format!("M3 S9\n{pen}"),
+    for text in [
+        pen.to_owned(),
         pen.replace("G0", "G1"),
-        pen.replace("Z-0.2\nX30", "Z-0.2\nX30 Z-0.3"),
+        format!("M3 S9\n{pen}"),
     ] {
-        assert_eq!(corners(&touches), [[(0.0, 0.0), (10.0, 0.0)]], "{touches}");
-        assert_eq!(told(&touches), left_out, "{touches}");
+        let lines = [
+            vec![(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)],
+            vec![(50.0, 0.0), (60.0, 0.0)],
+        ];
+        assert_eq!(corners(&text), lines, "{text}");
+        assert_eq!(
+            told(&text),
+            "1 file with lines at Z 0: drawn as those below, for the tool comes down to them"
+        );
+    }
+    let relief = "G0 Z5\nX-1 Y0\nG1 Z0\nX5\nX10 Z-0.2\nX20 Z0\nG0 Z5";
+    let above = "G0 Z5\nX-1 Y0\nG1 Z0\nX5\nG1 Z-0.2\nX10\nG1 Z0\nX30\nG1 Z5";
+    for text in [relief, above] {
+        assert_eq!(corners(text), [[(0.0, 0.0), (5.0, 0.0)]], "{text}");
+        assert_eq!(
+            told(text),
+            "1 file with lines at Z 0: left out, for only what is below is drawn"
+        );
     }
     // A pen that is up at 0.
     let up = "G0 Z0\nG1 X10\nZ-1\nX20\nZ0\nX30";

@@ -1,0 +1,55 @@
+//! Whether lines at Z 0 are drawn where others lie below it: by a pen whose paper is not flat, or a mill that traces.
+
+use super::ink_rule::SAME_HEIGHT_MM;
+use super::machine::{Move, MoveKind};
+
+/// What the moves of a file do at Z 0.
+#[derive(Debug, Default)]
+pub(super) struct ZeroStatistics {
+    visit: Visit,
+    /// Lines at a working speed lie there.
+    pub(super) has_lines: bool,
+    /// The tool came down there from above, drew a line, and went up again.
+    has_visits: bool,
+    /// Lines at a working speed slope to it or from it, as in a relief, where it is untouched.
+    has_slopes: bool,
+}
+
+/// How far the tool is with a line at Z 0 alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Visit {
+    #[default]
+    Away,
+    Down,
+    Drawn,
+}
+
+impl ZeroStatistics {
+    /// Counts a move of any kind between those heights, in mm.
+    pub(super) fn count(&mut self, it: &Move, from_mm: f64, to_mm: f64) {
+        let is_feed = matches!(it.kind, MoveKind::Line | MoveKind::Arc { .. });
+        let is_line = it.from != it.to;
+        let slopes = is_line && from_mm != to_mm;
+        self.has_slopes |= is_feed && slopes && (is_zero(from_mm) || is_zero(to_mm));
+        let is_above = |z_mm: f64| z_mm >= SAME_HEIGHT_MM;
+        self.visit = match self.visit {
+            Visit::Away if !is_line && is_above(from_mm) && is_zero(to_mm) => Visit::Down,
+            Visit::Down if is_line && is_feed && is_zero(to_mm) => Visit::Drawn,
+            visit if is_zero(to_mm) => visit,
+            visit => {
+                self.has_visits |= visit == Visit::Drawn && !is_line && is_above(to_mm);
+                Visit::Away
+            }
+        };
+        self.has_lines |= is_line && is_feed && is_zero(to_mm);
+    }
+
+    /// Whether lines there are drawn, and are no travels.
+    pub(super) const fn has_ink(&self) -> bool {
+        self.has_visits && !self.has_slopes
+    }
+}
+
+fn is_zero(z_mm: f64) -> bool {
+    (0.0..SAME_HEIGHT_MM).contains(&z_mm)
+}
