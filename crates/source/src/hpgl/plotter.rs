@@ -37,6 +37,8 @@ pub(super) struct Plotter<'a> {
     is_new_page: bool,
     /// The file has set P1 and P2 (IP).
     pub(super) knows_corners: bool,
+    /// The length and the width of the sheet, in plotter units (PS).
+    pub(super) sheet: Option<[f64; 2]>,
     /// Areas are filled with lines or dots (FT).
     has_pattern: bool,
     pub(super) polygon: Polygon,
@@ -70,6 +72,7 @@ impl<'a> Plotter<'a> {
             has_drawn: false,
             is_new_page: false,
             knows_corners: false,
+            sheet: None,
             has_pattern: false,
             polygon: Polygon::default(),
             labels: Labels::default(),
@@ -115,6 +118,10 @@ impl<'a> Plotter<'a> {
             b"SC" => self.set_scale(it),
             b"RO" => self.turn(it),
             b"IR" => self.relative_corners(it),
+            b"PS" => {
+                self.set_sheet(it);
+                Ok(())
+            }
             b"CI" => self.circle(it),
             b"AA" | b"AR" => self.arc(it),
             b"AT" | b"RT" => self.arc_through(it),

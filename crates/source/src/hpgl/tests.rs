@@ -43,6 +43,38 @@ fn forty_units_are_a_millimetre_and_y_points_up() {
 }
 
 #[test]
+fn corners_in_percent_need_a_sheet_unless_they_only_shift_the_scale() {
+    let text = "PS11056,7977;RO90;IP0,0,1016,-1016;IR0,100;SC0,300,0,300;SP1;PA0,0;PD300,150;";
+    let round = |mm: f64| (mm * 1e6).round() / 1e6;
+    let size = |it: &Artwork| [round(it.width_mm), round(it.height_mm)];
+    let (artwork, warnings) = draw(text);
+    assert_eq!(size(&artwork), [12.7, 25.4]);
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let (artwork, warnings) = draw(&text.replace("PS11056,7977;", ""));
+    assert_eq!(size(&artwork), [12.7, 25.4]);
+    assert_eq!(
+        warnings,
+        [
+            "1:23: 1 shift of the scale: left out, for the size of the sheet is not known (IR without PS)"
+        ]
+    );
+    // Both corners, of a sheet of 100 mm by 50.
+    let (artwork, warnings) = draw("PS4000,2000;IR10,20,60,70;SC0,1,0,1;PA0,0;PD1,1");
+    assert_eq!(size(&artwork), [50.0, 25.0]);
+    assert!(warnings.is_empty(), "{warnings:?}");
+    let unknown = error(b"IP0,0,9,9;IR10,20,60,70;SC0,1,0,1;PA0,0;PD1,1");
+    assert!(
+        unknown.contains("the size of the sheet is not known"),
+        "{unknown}"
+    );
+    let three = error(b"PS4000,2000;IR1,2,3");
+    assert!(
+        three.ends_with("found IR 1,2,3; expected x,y of P1, or of P1 and of P2, in percent"),
+        "{three}"
+    );
+}
+
+#[test]
 fn a_square_is_the_same_however_it_is_written() {
     for text in [
         "PA0,0;PD;PA40,0;PA40,40;PA0,40;PA0,0;PU;",

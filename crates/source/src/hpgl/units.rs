@@ -30,11 +30,44 @@ impl Plotter<'_> {
         Ok(())
     }
 
+    /// PS, the length and the width of the sheet.
+    pub(super) fn set_sheet(&mut self, it: &Command<'_>) {
+        if let &[length, width, ..] = it.numbers.as_slice() {
+            self.sheet = Some([length, width]);
+        }
+    }
+
+    /// IR: P1 and P2, in percent of the sheet. P1 alone takes P2 along, and so does not change how large anything is.
     pub(super) fn relative_corners(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         if it.numbers.is_empty() {
             return self.set_corners(it);
         }
-        Err(self.refused(it, "IP, for the size of the sheet is not known"))
+        let Some([length, width]) = self.sheet else {
+            if self.knows_corners && it.numbers.len() == 2 {
+                let instead = "left out, for the size of the sheet is not known (IR without PS)";
+                self.warn(it, "shift of the scale", instead);
+                return Ok(());
+            }
+            return Err(self.refused(it, "IP, for the size of the sheet is not known"));
+        };
+        if ![2, 4].contains(&it.numbers.len()) {
+            return Err(self.refused(it, "x,y of P1, or of P1 and of P2, in percent"));
+        }
+        let is_turned = self.transform.quarters % 2 == 1;
+        let sheet = if is_turned {
+            [width, length]
+        } else {
+            [length, width]
+        };
+        let shares = it.numbers.iter().zip(sheet.iter().cycle());
+        let numbers = shares.map(|(percent, side)| percent / 100.0 * side);
+        let knew_corners = self.knows_corners || it.numbers.len() > 2;
+        self.set_corners(&Command {
+            numbers: numbers.collect(),
+            ..*it
+        })?;
+        self.knows_corners = knew_corners;
+        Ok(())
     }
 
     pub(super) fn set_scale(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
