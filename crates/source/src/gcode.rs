@@ -54,10 +54,7 @@ fn run<'a>(
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
 ) -> Result<ToolState, SourceError> {
     let mut machine = Machine::new(text, warnings);
-    block::each(text, |block| match machine.handle(block)? {
-        Some(it) => hand_on(&it),
-        None => Ok(()),
-    })?;
+    block::each(text, |block| machine.handle(block, &mut hand_on))?;
     Ok(machine.tool())
 }
 

@@ -8,7 +8,7 @@
 //!    start
 //! ```
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use dobot_geometry::Point;
 
@@ -69,6 +69,28 @@ pub(super) fn sweep_rad(
         (true, false) if turn > 0.0 => turn - TAU,
         (false, false) if turn < 0.0 => turn + TAU,
         _ => turn,
+    })
+}
+
+/// Where an arc turns back along X, in their order: at its farthest to either side.
+pub(super) fn far_sides(center: Point, start: Point, sweep_rad: f64) -> [Option<f64>; 2] {
+    let from = start - center;
+    let (radius, begin) = (from.length(), from.y.atan2(from.x));
+    let end = begin + sweep_rad;
+    // In half turns from the right.
+    let (first, step) = if sweep_rad > 0.0 {
+        ((begin / PI).floor() + 1.0, 1.0)
+    } else {
+        ((begin / PI).ceil() - 1.0, -1.0)
+    };
+    [first, first + step].map(|half_turns| {
+        let is_passed = (half_turns * PI - end) * step < 0.0;
+        let side = if half_turns % 2.0 == 0.0 {
+            radius
+        } else {
+            -radius
+        };
+        is_passed.then_some(center.x + side)
     })
 }
 

@@ -14,6 +14,8 @@ pub(super) struct Block {
     pub(super) m: Codes,
     /// A `$` line, which speaks to GRBL and not of the drawing.
     pub(super) is_setting: bool,
+    /// A `?`, `!` or `~` alone, by which GRBL is asked, held and released.
+    pub(super) is_real_time: bool,
     /// It begins with `/`.
     pub(super) is_optional: bool,
     /// What stands here counts where the letter has a value.
@@ -29,7 +31,7 @@ impl Block {
         self.at = at;
         self.g.0.clear();
         self.m.0.clear();
-        (self.is_setting, self.is_optional) = (false, false);
+        (self.is_setting, self.is_real_time, self.is_optional) = (false, false, false);
         self.letters = 0;
     }
 
@@ -128,7 +130,7 @@ pub(super) fn each(
     let mut block = Block::default();
     while lines.at < text.len() {
         lines.line(&mut block)?;
-        if !block.is_empty() || block.is_setting {
+        if !block.is_empty() || block.is_setting || block.is_real_time {
             hand_on(&block)?;
         }
     }
@@ -158,6 +160,10 @@ impl BlockLexer<'_> {
                     (block.at, block.is_setting) = (self.at, true);
                     self.skip_line();
                 }
+                b'?' | b'!' | b'~' if block.is_empty() && self.is_last_word() => {
+                    (block.at, block.is_real_time) = (self.at, true);
+                    self.at += 1;
+                }
                 b'/' if block.is_empty() => {
                     block.is_optional = true;
                     self.at += 1;
@@ -184,12 +190,18 @@ impl BlockLexer<'_> {
         let begin = self.at;
         self.skip_line();
         let line = &self.text[begin..self.at];
-        let end = line.iter().position(|&byte| byte == b')');
-        let Some(end) = end else {
+        let Some(end) = comment_end(line) else {
             return Err(self.found(begin, "a comment that ends with ) in its line"));
         };
         self.at = begin + end + 1;
         Ok(())
+    }
+
+    /// Whether nothing but a comment follows this character.
+    fn is_last_word(&self) -> bool {
+        let mut rest = self.text[self.at + 1..].iter();
+        let next = rest.find(|it| !b" \t".contains(it));
+        next.is_none_or(|it| b"\r\n(;".contains(it))
     }
 
     /// `O1234` or `:1234`, alone but for a comment: the name of the program. With a word behind it, it is a subroutine.
@@ -258,6 +270,23 @@ impl BlockLexer<'_> {
     fn found(&self, at: usize, expected: &str) -> SourceError {
         SourceError::unexpected(self.text, at, expected)
     }
+}
+
+/// Where a comment ends that begins a line: at its own bracket, if those within it are in pairs.
+fn comment_end(line: &[u8]) -> Option<usize> {
+    let first = line.iter().position(|&byte| byte == b')')?;
+    let behind = line[first..].iter().position(|&byte| byte == b';');
+    let until = behind.map_or(line.len(), |length| first + length);
+    let mut depth = 0_usize;
+    let own = line[..until].iter().position(|byte| {
+        match byte {
+            b'(' => depth += 1,
+            b')' => depth -= 1,
+            _ => {}
+        }
+        depth == 0
+    });
+    own.or(Some(first))
 }
 
 const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines have to be written out by the program that made the file)";

@@ -21,7 +21,6 @@ pub(super) fn g(code: u32) -> Meaning {
         100 => Refused("offsets set by the program are not read; have the file written without"),
         120 | 130 => Refused("pockets are not read; have them written as lines or arcs"),
         160 => Refused("polar coordinates are not read; have them written as X and Y"),
-        180 | 190 => Refused("only the plane XY (G17) can be drawn"),
         310 | 380..=389 => Refused("where a probe stops is not known"),
         320 | 330 | 331 | 760 => Refused("threads are not read"),
         410 | 411 | 420 | 421 => {
@@ -31,13 +30,17 @@ pub(super) fn g(code: u32) -> Meaning {
         520 | 923 => Refused("offsets set by the program are not read; use G92"),
         650 | 660 => Refused("macros are not read; have them written out"),
         680 => Refused("rotation is not read; have the file written as it is to lie"),
-        730 | 740 | 810..=890 => {
-            Refused("canned cycles are not read; have them written as single moves")
-        }
+        870 | 880 => Refused("this canned cycle is not read; have it written as single moves"),
         930 | 950 => LeftOut("speeds are taken for those by minute"),
+        _ if is_drill(code) => Plain,
         _ if PLAIN_G.binary_search(&code).is_ok() => Plain,
         _ => LeftOut("not known, left out"),
     }
+}
+
+/// Whether a G code in tenths drills, bores or taps a hole with each place that follows.
+pub(super) const fn is_drill(g_code: u32) -> bool {
+    matches!(g_code, 730 | 740 | 810 | 820 | 830 | 840 | 850 | 860 | 890)
 }
 
 /// The meaning of an M code in tenths.
@@ -73,8 +76,8 @@ pub(super) fn name(letter: char, code: u32) -> String {
 
 /// G codes in tenths that are carried out or make no difference, in their order. G53 to G59.9 are plain too.
 const PLAIN_G: &[u32] = &[
-    0, 10, 20, 30, 40, 150, 170, 200, 210, 280, 300, 400, 430, 431, 432, 490, 500, 610, 611, 640,
-    690, 800, 900, 901, 910, 911, 920, 921, 922, 940, 970, 980, 990,
+    0, 10, 20, 30, 40, 150, 170, 180, 190, 200, 210, 280, 300, 400, 430, 431, 432, 490, 500, 610,
+    611, 640, 690, 800, 900, 901, 910, 911, 920, 921, 922, 940, 970, 980, 990,
 ];
 
 #[cfg(test)]

@@ -36,8 +36,12 @@ impl<'s, 'a> Inker<'s, 'a> {
     }
 
     pub(super) fn draw(&mut self, it: &Move) -> Result<(), SourceError> {
-        let is_arc = matches!(it.kind, MoveKind::Arc { .. });
-        let stands = it.from == it.to && !is_arc;
+        if it.kind == MoveKind::Drill && !matches!(self.rule, InkRule::Height { .. }) {
+            let instead = "left out, for the pen is not lifted by Z";
+            self.sketch.warn(it.at, "drilled hole", instead);
+            return Ok(());
+        }
+        let stands = it.stands();
         self.has_moved |= !stands;
         match (self.inks(it), stands) {
             (true, true) => {
@@ -91,7 +95,14 @@ impl<'s, 'a> Inker<'s, 'a> {
 
     fn inks(&self, it: &Move) -> bool {
         match self.rule {
-            InkRule::Laser { .. } => it.kind != MoveKind::Rapid && it.tool.power.is_some(),
+            InkRule::Laser { travel, .. } => {
+                let least = if it.kind == MoveKind::Dwell {
+                    travel
+                } else {
+                    0.0
+                };
+                it.kind != MoveKind::Rapid && it.tool.power.is_some_and(|power| power > least)
+            }
             InkRule::Height { below_mm, .. } => it.z_mm.is_some_and(|z_mm| z_mm < below_mm),
             InkRule::Servo { code, up, .. } => it.tool.angle(code).is_some_and(|angle| angle != up),
             InkRule::Plain => it.kind != MoveKind::Rapid,
@@ -141,6 +152,13 @@ impl<'s, 'a> Inker<'s, 'a> {
             MoveKind::Arc { center, sweep_rad } => {
                 let arc = Arc::between(center, it.from, sweep_rad, it.to);
                 self.sketch.arc(it.at, &arc)
+            }
+            MoveKind::UprightArc {
+                by: [first, second],
+            } => {
+                let corners = [it.from, first, second, it.to];
+                let mut lines = corners.windows(2).filter(|it| it[0] != it[1]);
+                lines.try_for_each(|it| self.sketch.line(it[0], it[1]))
             }
             _ => self.sketch.line(it.from, it.to),
         }

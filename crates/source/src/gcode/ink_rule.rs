@@ -9,8 +9,12 @@ use super::zero::ZeroStatistics;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum InkRule {
     /// A laser, or a pen that M3 lowers: G1 to G3 while M3, M4 or M106 hold with S above 0. `full`
-    /// is the S of full power.
-    Laser { full: f64, is_at_heights: bool },
+    /// is the S of full power; up to `travel` a pen is up that waits.
+    Laser {
+        full: f64,
+        travel: f64,
+        is_at_heights: bool,
+    },
     /// A pen or a mill: every move that ends below a height.
     Height { below_mm: f64, source: HeightSource },
     /// A pen lifted by a servo: every move with another angle than the one that is up.
@@ -103,18 +107,22 @@ pub(super) struct MoveStatistics {
     /// The largest S with which a laser would burn.
     full: Option<f64>,
     /// Heights of the moves along X or Y in haste, since the laser or spindle first worked.
-    rapids: Heights,
+    rapids: Range,
     /// Heights of those at a working speed.
-    feeds: Heights,
+    feeds: Range,
     /// Heights of those that a laser would burn.
-    burns: Heights,
+    burns: Range,
     /// Heights of all moves, those along Z included.
-    all: Heights,
+    all: Range,
     /// The height so far, where it is known.
     z_mm: Option<f64>,
     has_feeds: bool,
     zero: ZeroStatistics,
     spindle: SpindleStatistics,
+    /// The S above 0 of moves in haste.
+    travel_powers: Range,
+    /// And of those at a working speed.
+    line_powers: Range,
     m280: ServoStatistics,
     m300: ServoStatistics,
 }
@@ -128,18 +136,19 @@ impl MoveStatistics {
             self.spindle.count_rise(it, to_mm - from_mm);
         }
         self.spindle.count(it);
-        let is_arc = matches!(it.kind, MoveKind::Arc { .. });
         if it.kind == MoveKind::Dwell {
             self.burn(it);
         }
-        if it.kind == MoveKind::Dwell || (it.from == it.to && !is_arc) {
+        if it.stands() {
             return;
         }
         self.m280.count(it, ServoCode::M280);
         self.m300.count(it, ServoCode::M300);
         if it.kind == MoveKind::Rapid {
+            self.travel_powers.count(it.tool.power);
             return self.rapids.count(it.z_mm);
         }
+        self.line_powers.count(it.tool.power);
         self.has_feeds = true;
         self.feeds.count(it.z_mm);
         self.burn(it);
@@ -160,6 +169,7 @@ impl MoveStatistics {
                 let full = told_full(text).unwrap_or_else(|| scale(most));
                 InkRule::Laser {
                     full: full.max(most),
+                    travel: self.travel_power(),
                     is_at_heights: self.burns.lowest < self.burns.highest,
                 }
             }
@@ -171,6 +181,16 @@ impl MoveStatistics {
     /// A mill turns its spindle all the time, and travels above its work.
     fn is_mill(&self) -> bool {
         self.rapids.lowest > self.burns.highest || self.spindle.is_spindle()
+    }
+
+    /// Where all travels have less power than all lines, a servo holds the pen up with that.
+    fn travel_power(&self) -> f64 {
+        let most = self.travel_powers.highest.max(0.0);
+        if most < self.line_powers.lowest && self.line_powers.lowest.is_finite() {
+            most
+        } else {
+            0.0
+        }
     }
 
     fn servo(&self, text: &[u8], end: &ToolState) -> Option<InkRule> {
@@ -217,21 +237,21 @@ impl MoveStatistics {
 }
 
 #[derive(Debug)]
-struct Heights {
+struct Range {
     lowest: f64,
     highest: f64,
 }
 
-impl Heights {
-    fn count(&mut self, z_mm: Option<f64>) {
-        if let Some(z_mm) = z_mm {
-            self.lowest = self.lowest.min(z_mm);
-            self.highest = self.highest.max(z_mm);
+impl Range {
+    fn count(&mut self, value: Option<f64>) {
+        if let Some(value) = value {
+            self.lowest = self.lowest.min(value);
+            self.highest = self.highest.max(value);
         }
     }
 }
 
-impl Default for Heights {
+impl Default for Range {
     fn default() -> Self {
         Self {
             lowest: f64::INFINITY,

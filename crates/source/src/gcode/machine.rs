@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Vec2};
 
-use super::arc::{center_by_radius, sweep_rad};
+use super::arc::{center_by_radius, far_sides, sweep_rad};
 use super::block::Block;
 use super::codes::{self, Meaning};
 use super::servo::ServoCode;
@@ -25,6 +25,22 @@ pub(super) struct Move {
     pub(super) is_by_m3: bool,
 }
 
+impl Move {
+    /// Whether the machine moves along Z alone, or waits.
+    pub(super) fn stands(&self) -> bool {
+        let is_arc = matches!(
+            self.kind,
+            MoveKind::Arc { .. } | MoveKind::UprightArc { .. }
+        );
+        self.from == self.to && !is_arc
+    }
+
+    /// Whether it moves along X or Y at a working speed.
+    pub(super) fn is_line(&self) -> bool {
+        !self.stands() && self.kind != MoveKind::Rapid
+    }
+}
+
 /// How the machine gets there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum MoveKind {
@@ -34,6 +50,10 @@ pub(super) enum MoveKind {
     Line,
     /// G2 and G3: about a center, by an angle that is above 0 for counterclockwise.
     Arc { center: Point, sweep_rad: f64 },
+    /// Those of an upright plane (G18, G19), from above: a line by the two places where it turns back, or its end.
+    UprightArc { by: [Point; 2] },
+    /// G81 and the like: a hole, at its depth.
+    Drill,
     /// G4: it waits.
     Dwell,
 }
@@ -79,6 +99,11 @@ pub(super) struct Machine<'a, 'w> {
     origin_z_mm: f64,
     /// The motion code in force, in tenths.
     motion: u32,
+    /// Holes are drilled instead.
+    cycle: Option<DrillCycle>,
+    /// G99: behind a hole the tool stays at R.
+    stays_at_r: bool,
+    plane: Plane,
     unit_mm: f64,
     is_relative: bool,
     centers_are_absolute: bool,
@@ -102,6 +127,9 @@ impl<'a, 'w> Machine<'a, 'w> {
             origin: Point::ORIGIN,
             origin_z_mm: 0.0,
             motion: 0,
+            cycle: None,
+            stays_at_r: false,
+            plane: Plane::Xy,
             unit_mm: 1.0,
             is_relative: false,
             centers_are_absolute: false,
@@ -115,16 +143,24 @@ impl<'a, 'w> Machine<'a, 'w> {
         }
     }
 
-    /// Takes a line; what comes back is the move that it asks for.
-    pub(super) fn handle(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {
+    /// Takes a line, and hands on the moves that it asks for.
+    pub(super) fn handle(
+        &mut self,
+        block: &Block,
+        hand_on: &mut impl FnMut(&Move) -> Result<(), SourceError>,
+    ) -> Result<(), SourceError> {
         if self.has_ended {
             let instead = "left out, after the end (M2, M30 or M99)";
             self.warn(block.at, "unreached line", instead);
-            return Ok(None);
+            return Ok(());
         }
         if block.is_setting {
             self.warn(block.at, "machine setting", "left out ($)");
-            return Ok(None);
+            return Ok(());
+        }
+        if block.is_real_time {
+            self.warn(block.at, "real-time command", "left out (?, ! or ~)");
+            return Ok(());
         }
         if block.is_optional {
             self.warn(block.at, "optional line", "drawn (/)");
@@ -132,16 +168,20 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.check_codes(block)?;
         if block.g.0.is_empty() && block.m.0.iter().any(|it| codes::has_own_words(it.1)) {
             self.turn_servo(block);
-            return Ok(None);
+            return Ok(());
         }
         if block.has_any(OTHER_AXES) {
             self.warn_of_axes(block);
         }
         self.modes(block)?;
         self.set_tool(block);
-        let it = self.motion(block)?;
+        if self.drills(block) {
+            self.drill(block, hand_on)?;
+        } else if let Some(it) = self.motion(block)? {
+            hand_on(&it)?;
+        }
         self.has_ended = [20, 300, 990].into_iter().any(|it| block.m.has(it));
-        Ok(it)
+        Ok(())
     }
 
     /// The tool as it is now.
@@ -214,7 +254,19 @@ impl<'a, 'w> Machine<'a, 'w> {
                 930 | 950 => self.feed_is_by_minute = false,
                 940 => self.feed_is_by_minute = true,
                 540..=599 => self.use_system(at, code),
-                0 | 10 | 20 | 30 => self.motion = code,
+                170 => self.plane = Plane::Xy,
+                180 => self.plane = Plane::Zx,
+                190 => self.plane = Plane::Yz,
+                980 | 990 => self.stays_at_r = code == 990,
+                0 | 10 | 20 | 30 => (self.motion, self.cycle) = (code, None),
+                800 => self.cycle = None,
+                _ if codes::is_drill(code) => {
+                    let initial_mm = self.z_mm;
+                    self.cycle.get_or_insert(DrillCycle {
+                        initial_mm,
+                        ..DrillCycle::default()
+                    });
+                }
                 _ => {}
             }
         }
@@ -285,21 +337,24 @@ impl<'a, 'w> Machine<'a, 'w> {
         if let Some((at, _)) = block.g.first(&[280, 300]) {
             return Ok(Some(self.home(block, at)));
         }
-        if !block.has_any(b"XYZIJR") {
+        let is_upright = self.plane != Plane::Xy;
+        let words: &[u8] = if is_upright { b"XYZIJKR" } else { b"XYZIJR" };
+        if !block.has_any(words) {
             return Ok(None);
         }
         if block.g.has(530) {
             return self.machine_move(block).map(Some);
         }
-        self.z_mm = self
-            .target(block, b'Z', self.z_mm.unwrap_or(0.0), self.origin_z_mm)
-            .or(self.z_mm);
+        let z_mm = self.target(block, b'Z', self.z_mm.unwrap_or(0.0), self.origin_z_mm);
+        let z_mm = z_mm.or(self.z_mm);
         let to = self.target_point(block)?;
         let kind = match self.motion {
             0 => MoveKind::Rapid,
             10 => MoveKind::Line,
+            _ if is_upright => self.upright_arc(block, to, z_mm.unwrap_or(0.0))?,
             _ => self.arc(block, to)?,
         };
+        self.z_mm = z_mm;
         if self.motion < 20 && block.has_any(b"IJR") {
             let places = b"IJR".iter().filter(|it| block.value(**it).is_some());
             let at = places.map(|&it| block.place(it)).min().unwrap_or(block.at);
@@ -340,35 +395,128 @@ impl<'a, 'w> Machine<'a, 'w> {
     }
 
     fn arc(&self, block: &Block, to: Point) -> Result<MoveKind, SourceError> {
-        let clockwise = self.motion == 20;
-        let center = self.center(block, to, clockwise)?;
-        let found = |found| self.found(block.at, found, "ends that fit the arc");
-        let sweep_rad = sweep_rad(center, self.at, to, clockwise).map_err(found)?;
+        let (center, sweep_rad) = self.circle(block, [self.at, to], self.origin)?;
         checked(self.text, block.at, center)?;
+        Ok(MoveKind::Arc { center, sweep_rad })
+    }
+
+    /// G2 and G3 in the planes of G18 and G19.
+    fn upright_arc(&self, block: &Block, to: Point, to_z_mm: f64) -> Result<MoveKind, SourceError> {
+        let is_zx = self.plane == Plane::Zx;
+        // Along the plane, and across it.
+        let sides = |p: Point| if is_zx { [p.x, p.y] } else { [p.y, p.x] };
+        let [[from, across], [end, ends_across]] = [self.at, to].map(sides);
+        if across != ends_across {
+            let found = "an upright arc (G18 or G19) that goes sideways, too";
+            return Err(self.found(block.at, found, "one that stays in its plane"));
+        }
+        let ends = [
+            Point::new(from, self.z_mm.unwrap_or(0.0)),
+            Point::new(end, to_z_mm),
+        ];
+        let origin = Point::new(sides(self.origin)[0], self.origin_z_mm);
+        let (center, sweep_rad) = self.circle(block, ends, origin)?;
+        let place = |far: Option<f64>| match far {
+            Some(x) if is_zx => checked(self.text, block.at, Point::new(x, across)),
+            Some(y) => checked(self.text, block.at, Point::new(across, y)),
+            None => Ok(to),
+        };
+        let [first, second] = far_sides(center, ends[0], sweep_rad).map(place);
+        Ok(MoveKind::UprightArc {
+            by: [first?, second?],
+        })
+    }
+
+    /// The center of an arc between two points of its plane, and by what angle it goes.
+    fn circle(
+        &self,
+        block: &Block,
+        ends: [Point; 2],
+        origin: Point,
+    ) -> Result<(Point, f64), SourceError> {
+        // Z is the first axis of the plane ZX, and the second one here.
+        let clockwise = (self.motion == 20) != (self.plane == Plane::Zx);
+        let center = self.center(block, ends, origin, clockwise)?;
+        let found = |found| self.found(block.at, found, "ends that fit the arc");
+        let sweep_rad = sweep_rad(center, ends[0], ends[1], clockwise).map_err(found)?;
         if let Some(turns) = block.value(b'P').filter(|&it| it != 1.0) {
             let turns = format!("an arc of {turns} turns (P)");
             return Err(self.found(block.place(b'P'), turns, "at most one turn"));
         }
-        Ok(MoveKind::Arc { center, sweep_rad })
+        Ok((center, sweep_rad))
     }
 
-    fn center(&self, block: &Block, to: Point, clockwise: bool) -> Result<Point, SourceError> {
+    fn center(
+        &self,
+        block: &Block,
+        [from, to]: [Point; 2],
+        origin: Point,
+        clockwise: bool,
+    ) -> Result<Point, SourceError> {
         if let Some(radius) = block.value(b'R') {
-            let center = center_by_radius(self.at, to, radius * self.unit_mm, clockwise);
+            let center = center_by_radius(from, to, radius * self.unit_mm, clockwise);
             let expected = "a radius of at least half their distance";
             return center.map_err(|found| self.found(block.place(b'R'), found, expected));
         }
-        if !block.has_any(b"IJ") {
+        let letters = self.plane.center_letters();
+        if !block.has_any(&letters) {
             let found = format!("{} without a center", codes::name('G', self.motion));
-            return Err(self.found(block.at, found, "I and J, or R"));
+            let [i, j] = letters.map(char::from);
+            return Err(self.found(block.at, found, &format!("{i} and {j}, or R")));
         }
-        let [i, j] = [b'I', b'J'].map(|it| block.value(it).map(|it| it * self.unit_mm));
+        let [i, j] = letters.map(|it| block.value(it).map(|it| it * self.unit_mm));
         Ok(if self.centers_are_absolute {
-            let x = i.map_or(self.at.x, |i| self.origin.x + i);
-            Point::new(x, j.map_or(self.at.y, |j| self.origin.y + j))
+            let x = i.map_or(from.x, |i| origin.x + i);
+            Point::new(x, j.map_or(from.y, |j| origin.y + j))
         } else {
-            self.at + Vec2::new(i.unwrap_or(0.0), j.unwrap_or(0.0))
+            from + Vec2::new(i.unwrap_or(0.0), j.unwrap_or(0.0))
         })
+    }
+
+    /// Whether a line belongs to the drilling cycle in force.
+    fn drills(&self, block: &Block) -> bool {
+        let others = [40, 280, 300, 530, 920, 921, 922];
+        self.cycle.is_some() && block.has_any(b"XYZR") && block.g.first(&others).is_none()
+    }
+
+    /// G81 and the like: to the place, down to Z, and up again.
+    fn drill(
+        &mut self,
+        block: &Block,
+        hand_on: &mut impl FnMut(&Move) -> Result<(), SourceError>,
+    ) -> Result<(), SourceError> {
+        let mut cycle = self.cycle.unwrap_or_default();
+        let here_mm = self.z_mm.unwrap_or(0.0);
+        let r_mm = self.target(block, b'R', here_mm, self.origin_z_mm);
+        cycle.r_mm = r_mm.or(cycle.r_mm);
+        let from_mm = cycle.r_mm.unwrap_or(here_mm);
+        let bottom_mm = self.target(block, b'Z', from_mm, self.origin_z_mm);
+        cycle.bottom_mm = bottom_mm.or(cycle.bottom_mm);
+        self.cycle = Some(cycle);
+        let (Some(r_mm), Some(bottom_mm)) = (cycle.r_mm, cycle.bottom_mm) else {
+            let expected = "Z, where it ends, and R, where it begins";
+            return Err(self.found(block.at, "a drilling cycle without a depth", expected));
+        };
+        if let Some(times) = block.value(b'L').filter(|&it| it != 1.0) {
+            let times = format!("a drilling cycle of {times} times (L)");
+            return Err(self.found(block.place(b'L'), times, "single holes"));
+        }
+        let to = self.target_point(block)?;
+        let over_mm = |z_mm: Option<f64>| z_mm.map_or(r_mm, |z_mm| z_mm.max(r_mm));
+        let up_mm = if self.stays_at_r {
+            r_mm
+        } else {
+            over_mm(cycle.initial_mm)
+        };
+        for (kind, z_mm) in [
+            (MoveKind::Rapid, over_mm(self.z_mm)),
+            (MoveKind::Drill, bottom_mm),
+            (MoveKind::Rapid, up_mm),
+        ] {
+            self.z_mm = Some(z_mm);
+            hand_on(&self.moved(block, kind, to))?;
+        }
+        Ok(())
     }
 
     /// G92: the place where the machine stands gets other numbers; G92.1 takes them back.
@@ -416,6 +564,40 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.z_mm = None;
         Ok(self.moved(block, MoveKind::Rapid, to))
     }
+}
+
+/// The plane of arcs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Plane {
+    /// G17.
+    Xy,
+    /// G18.
+    Zx,
+    /// G19.
+    Yz,
+}
+
+impl Plane {
+    /// Those of an arc's center, Z last.
+    const fn center_letters(self) -> [u8; 2] {
+        match self {
+            Self::Xy => *b"IJ",
+            Self::Zx => *b"IK",
+            Self::Yz => *b"JK",
+        }
+    }
+}
+
+/// What a drilling cycle remembers from hole to hole: heights, in mm.
+#[derive(Clone, Copy, Debug, Default)]
+#[expect(clippy::struct_field_names, reason = "the unit of each")]
+struct DrillCycle {
+    /// Where the tool was before.
+    initial_mm: Option<f64>,
+    /// Where it begins to drill.
+    r_mm: Option<f64>,
+    /// Where it ends.
+    bottom_mm: Option<f64>,
 }
 
 /// The S of M300 where it may be the angle of a servo, or 255 for none: a beep has a higher one, and P.

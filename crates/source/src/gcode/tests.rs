@@ -241,6 +241,73 @@ fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them
 }
 
 #[test]
+fn upright_arcs_are_lines_as_far_as_they_go() {
+    let lead_in = "G0 X-1 Y0\nZ5\nG1 Z-1\nG18 G2 X0 Z-2 I1\nG1 X5\nG17 G3 X10 Y5 J5\nG0 Z5";
+    let strokes = corners(lead_in);
+    assert_eq!(strokes.len(), 1);
+    assert_eq!(strokes[0][..3], [(0.0, 5.0), (1.0, 5.0), (6.0, 5.0)]);
+    // G2 turns from Z to X, on a circle of radius 2 around X 2: the first two go by its far side.
+    for (text, width, length) in [
+        ("G18 G2 X2 Z2 I2", 4.0, 6.0),
+        ("G18 G3 X2 Z-2 I2", 4.0, 6.0),
+        ("G18 G3 X2 Z2 I2", 2.0, 2.0),
+        ("G18 G3 X4 Z0 R2", 4.0, 4.0),
+    ] {
+        let text = format!("M3 S1\nG0 X-1 Z0\nX0\n{text}\n");
+        let (artwork, _) = draw(&text);
+        let strokes = artwork.layers[0].strokes.iter();
+        let drawn: f64 = strokes.map(Stroke::length_mm).sum();
+        assert!((artwork.width_mm - width).abs() < 1e-9, "{text}");
+        assert!((drawn - length).abs() < 1e-9, "{text}: {drawn}");
+    }
+    let there_and_back = "M3 S1\nG0 X0 Y0\nG19 G3 J2 F1";
+    assert_eq!(
+        corners(there_and_back),
+        [[(0.0, 4.0), (0.0, 0.0), (0.0, 4.0)]]
+    );
+    // Without an arc the plane says nothing.
+    assert_eq!(corners("G18 M3 S1\nG1 X10\nG17\nG1 Y10").len(), 1);
+}
+
+#[test]
+fn drilled_holes_are_dots_where_z_lifts_the_pen() {
+    let holes = [(0.0, 5.0), (10.0, 5.0), (10.0, 0.0)];
+    for text in [
+        "G0 X1 Y1\nZ5\nG98 G81 X1 Y1 Z-2 R1 F50\nX11\nY6\nG80\nG0 Z5",
+        "G0 Z5\nG99 G83 X1 Y1 Z-2 R1 Q0.5 F50\nX11\nG81 Y6\nG0 X0 Y0",
+        "G0 Z5\nG91 G82 X1 Y1 Z-3 R-4 P1\nX10\nY5\nG80",
+    ] {
+        assert_eq!(corners(text), holes.map(|it| [it]), "{text}");
+    }
+    let (_, warnings) = draw("M280 S90\nG0 X1\nM280 S30\nG1 X5\nM280 S90\nG81 X9 Z-1 R1");
+    assert!(
+        warnings
+            .contains(&"6:1: 1 drilled hole: left out, for the pen is not lifted by Z".to_owned()),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn what_asks_grbl_is_left_out_and_comments_hold_comments() {
+    let text = "$I\n? ; status\n!\n~ (go on)\nG1 X5 (a (nested) one) Y5\nG1 X9 (a ( bracket)";
+    let (artwork, warnings) = draw(text);
+    assert_eq!([artwork.width_mm, artwork.height_mm], [9.0, 5.0]);
+    assert_eq!(
+        warnings[1],
+        "2:1: 3 real-time commands: left out (?, ! or ~)"
+    );
+}
+
+#[test]
+fn a_pen_that_waits_while_it_is_up_leaves_no_dot() {
+    let text = "M3S40\nG4 P0.2\nG0X10Y10\nM3S90\nG4 P0.2\nG1X50Y10F1000\nG1X50Y50\nM3S40\nG4 P0.2\nG0X0Y0\nM5";
+    let (artwork, warnings) = draw(text);
+    assert_eq!(corners(text).len(), 1);
+    assert_eq!(artwork.layers[0].name, "S90 F1000");
+    assert!(warnings.is_empty(), "{warnings:?}");
+}
+
+#[test]
 fn the_focus_of_a_laser_is_no_pen() {
     let text = "M3 S0\nG0 Z0\nG0 X1\nG1 X4 S9\nG0 Z-1\nG0 X1 S0\nG1 X4 S9\nM5";
     assert_eq!(corners(text).len(), 2);
@@ -528,16 +595,16 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
             "1:1: found G5; expected moves by G0 to G3: splines are not read; have them written as lines or arcs",
         ),
         (
-            "G18",
-            "1:1: found G18; expected moves by G0 to G3: only the plane XY (G17) can be drawn",
+            "G18 G2 X10 Y1 R5",
+            "1:1: found an upright arc (G18 or G19) that goes sideways, too; expected one that stays in its plane",
         ),
         (
             "G41 D1",
             "1:1: found G41; expected moves by G0 to G3: cutter compensation is not read; have the path written as the tool goes",
         ),
         (
-            "G81 X1 Z-1 R1",
-            "1:1: found G81; expected moves by G0 to G3: canned cycles are not read; have them written as single moves",
+            "G87 X1 Z-1 R1",
+            "1:1: found G87; expected moves by G0 to G3: this canned cycle is not read; have it written as single moves",
         ),
         (
             "M98 P1",
@@ -581,6 +648,26 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
     }
     let sum = "N1 G1 X1".bytes().fold(0, |sum, byte| sum ^ byte);
     assert_eq!(layers(&format!("N1 G1 X1*{sum}")).len(), 1);
+}
+
+#[test]
+fn an_upright_arc_without_a_center_and_a_drilling_cycle_without_a_depth_are_refused() {
+    for (text, expected) in [
+        (
+            "G19 G2 Y10 I5",
+            "1:1: found G2 without a center; expected J and K, or R",
+        ),
+        (
+            "G81 X1 Z-1",
+            "1:1: found a drilling cycle without a depth; expected Z, where it ends, and R, where it begins",
+        ),
+        (
+            "G91 G81 X1 Z-1 R1 L3",
+            "1:19: found a drilling cycle of 3 times (L); expected single holes",
+        ),
+    ] {
+        assert_eq!(error(text), expected, "{text}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Whether lines at Z 0 are drawn where others lie below it: by a pen whose paper is not flat, or a mill that traces.
 
 use super::ink_rule::SAME_HEIGHT_MM;
-use super::machine::{Move, MoveKind};
+use super::machine::Move;
 
 /// What the moves of a file do at Z 0.
 #[derive(Debug, Default)]
@@ -27,21 +27,20 @@ enum Visit {
 impl ZeroStatistics {
     /// Counts a move of any kind between those heights, in mm.
     pub(super) fn count(&mut self, it: &Move, from_mm: f64, to_mm: f64) {
-        let is_feed = matches!(it.kind, MoveKind::Line | MoveKind::Arc { .. });
-        let is_line = it.from != it.to;
+        let (stands, is_line) = (it.stands(), it.is_line());
         let slopes = is_line && from_mm != to_mm;
-        self.has_slopes |= is_feed && slopes && (is_zero(from_mm) || is_zero(to_mm));
+        self.has_slopes |= slopes && (is_zero(from_mm) || is_zero(to_mm));
         let is_above = |z_mm: f64| z_mm >= SAME_HEIGHT_MM;
         self.visit = match self.visit {
-            Visit::Away if !is_line && is_above(from_mm) && is_zero(to_mm) => Visit::Down,
-            Visit::Down if is_line && is_feed && is_zero(to_mm) => Visit::Drawn,
+            Visit::Away if stands && is_above(from_mm) && is_zero(to_mm) => Visit::Down,
+            Visit::Down if is_line && is_zero(to_mm) => Visit::Drawn,
             visit if is_zero(to_mm) => visit,
             visit => {
-                self.has_visits |= visit == Visit::Drawn && !is_line && is_above(to_mm);
+                self.has_visits |= visit == Visit::Drawn && stands && is_above(to_mm);
                 Visit::Away
             }
         };
-        self.has_lines |= is_line && is_feed && is_zero(to_mm);
+        self.has_lines |= is_line && is_zero(to_mm);
     }
 
     /// Whether lines there are drawn, and are no travels.
