@@ -638,12 +638,29 @@ fn the_colours_of_newer_css_are_those_of_the_layers() {
 }
 
 #[test]
-fn variables_that_stand_for_each_other_come_to_an_end() {
+fn styles_that_mean_nothing_or_stand_for_each_other_are_read() {
     let each: Vec<String> = (0..20)
         .map(|it| format!("--v{it}: var(--v{}) var(--v{});", it + 1, it + 1))
         .collect();
     let each = each.concat();
     let svg = format!(r#"<path d="M10 10H90" stroke="black" style="{each} fill: var(--v0)"/>"#);
+    assert_eq!(ends(&svg), LINE);
+    for odd in [
+        "fill: \u{2192}var(--a)",
+        "fill: \u{2192}2rem; x: \u{2192}rem",
+        "\u{2192}--a: b; fill: \u{2192}(var(--a, translate(1)))",
+        "font: \u{2192}/\u{2192} a",
+        "fill: var(",
+        "fill: color-mix(in srgb, \u{2192} 5%",
+        "--\u{e4}\u{2192}: \u{e4}",
+    ] {
+        let sheet = format!("<style>{odd} {{ {odd} }} @media screen {{ \u{2192} {{ {odd}</style>");
+        let svg = format!(r#"{sheet}<path d="M10 10H90" stroke="black" class="{odd}"/>"#);
+        assert_eq!(ends(&svg), LINE, "{odd}");
+    }
+    let (long, often) = ("x".repeat(100_000), "var(--long) ".repeat(10_000));
+    let svg =
+        format!(r#"<path d="M10 10H90" stroke="black" style="--long:{long}" class="{often}"/>"#);
     assert_eq!(ends(&svg), LINE);
     let open = "var(".repeat(100_000);
     assert_eq!(
