@@ -55,9 +55,8 @@ impl<'a> Variables<'a> {
 
     /// The same of a sheet.
     pub(super) fn readable_sheet<'t>(&self, css: &'t str) -> Cow<'t, str> {
-        let css = replaced(Cow::Borrowed(css), |it| {
-            it.contains('@').then(|| unwrapped(it, 0))
-        });
+        let css = replaced(Cow::Borrowed(css), without_html_signs);
+        let css = replaced(css, |it| it.contains('@').then(|| unwrapped(it, 0)));
         let css = replaced(css, |it| {
             it.contains(":root").then(|| it.replace(":root", "svg"))
         });
@@ -303,6 +302,12 @@ fn percent(channels: &str) -> String {
 fn hex(color: &str) -> Option<String> {
     let color = csscolorparser::parse(color).ok()?;
     Some(color.to_css_hex().to_string())
+}
+
+/// Comment signs of HTML, which old editors write around a sheet, mean nothing.
+fn without_html_signs(css: &str) -> Option<String> {
+    let is_marked = css.contains("<!--") || css.contains("-->");
+    is_marked.then(|| css.replace("<!--", "").replace("-->", ""))
 }
 
 /// Lengths in the font size of the page, which is 16 px.

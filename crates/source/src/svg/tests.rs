@@ -608,7 +608,7 @@ fn a_colour_in_the_words_of_newer_css_is_a_colour() {
         r#"style="stroke:color-mix(in srgb, red 50%, blue)""#,
         r#"class="a""#,
     ] {
-        let sheet = "<style>:root{--sea:light-dark(navy, white)} @media (prefers-color-scheme: dark){.a{stroke:none}} @layer x{@media screen{.a{stroke:var(--sea)}}}</style>";
+        let sheet = "<style>&lt;!-- @layer y{} :root{--sea:light-dark(navy, white)} @media (prefers-color-scheme: dark){.a{stroke:none}} @layer x{@media screen{.a{stroke:var(--sea)}}} --&gt;</style>";
         let path = format!(r#"{sheet}<path d="M10 10H90" fill="none" {style}/>"#);
         let drawn = Drawing::from_svg(&page(&path), &options());
         assert!(drawn.is_ok(), "{style}: {drawn:?}");
