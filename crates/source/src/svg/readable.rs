@@ -52,7 +52,9 @@ impl Readable {
             .collect();
         let elements = || doc.descendants().filter(Node::is_element);
         for node in elements() {
-            let attributes = node.attributes().filter(|it| !PLAIN.contains(&it.name()));
+            let attributes = node.attributes();
+            let attributes =
+                attributes.filter(|it| it.namespace().is_none() && !PLAIN.contains(&it.name()));
             edits.extend(attributes.filter_map(|it| readable(it, &variables, &ids)));
         }
         edits.extend(sized_root(doc, text, &rules));
@@ -132,7 +134,7 @@ fn made_solid(text: &str, node: Node<'_, '_>) -> Edit {
 }
 
 const DASHES: &str = "stroke-dasharray";
-/// Attributes that hold no CSS, and may be long.
-const PLAIN: [&str; 4] = ["d", "points", "transform", "href"];
+/// Attributes that hold no CSS: names, and what may be long.
+const PLAIN: [&str; 6] = ["id", "class", "href", "d", "points", "transform"];
 /// Units in which a page may be as large as styles tell.
 const UNITS: [&str; 6] = ["px", "mm", "cm", "in", "pt", "pc"];

@@ -655,17 +655,18 @@ fn styles_that_mean_nothing_or_stand_for_each_other_are_read() {
         "--\u{e4}\u{2192}: \u{e4}",
     ] {
         let sheet = format!("<style>{odd} {{ {odd} }} @media screen {{ \u{2192} {{ {odd}</style>");
-        let svg = format!(r#"{sheet}<path d="M10 10H90" stroke="black" class="{odd}"/>"#);
+        let svg = format!(r#"{sheet}<path d="M10 10H90" stroke="black" stop-color="{odd}"/>"#);
         assert_eq!(ends(&svg), LINE, "{odd}");
     }
     let (long, often) = ("x".repeat(100_000), "var(--long) ".repeat(10_000));
-    let svg =
-        format!(r#"<path d="M10 10H90" stroke="black" style="--long:{long}" class="{often}"/>"#);
+    let svg = format!(
+        r#"<path d="M10 10H90" stroke="black" style="--long:{long}" stop-color="{often}"/>"#
+    );
     assert_eq!(ends(&svg), LINE);
     let open = "var(".repeat(100_000);
     assert_eq!(
         ends(&format!(
-            r#"<path d="M10 10H90" stroke="black" class="{open}"/>"#
+            r#"<path d="M10 10H90" stroke="black" stop-color="{open}"/>"#
         )),
         LINE
     );
