@@ -228,17 +228,18 @@ fn parse(
     };
     // There is no room for two.
     drop(doc);
-    tree_of(xml::tree(&text, true)?, &text, options, tree_warnings)
+    let doc = xml::tree(&text, true)?;
+    styles::check(&doc)?;
+    tree_of(doc, &text, options, tree_warnings)
 }
 
-/// The same of a file whose words the library knows.
+/// The same of a file whose words the library knows and whose styles were checked.
 fn tree_of(
     doc: Document<'_>,
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
 ) -> Result<(Tree, HashMap<String, String>), SourceError> {
-    styles::check(&doc)?;
     let segments = check::check(&doc, &mut Budget::new(MAX_SEGMENTS))?;
     let rules = rules(&doc);
     expand::check(&doc, &rules, &segments)?;

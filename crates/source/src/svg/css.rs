@@ -170,20 +170,14 @@ fn without_custom(css: &str) -> Option<String> {
 
 /// The rules of a sheet that hold as long as nobody points at anything, but that the library does not know.
 pub(super) fn unread_rules(css: &str) -> usize {
-    let is_unread = |(prelude, body): (&str, Option<&str>)| {
-        let Some(body) = body.filter(|_| !prelude.starts_with('@')) else {
-            return false;
-        };
-        let shows = VISIBLE.iter().any(|it| body.contains(it));
-        let selectors = prelude.split(',').map(str::trim);
-        shows
-            && selectors
-                .filter(|it| !it.contains("::"))
-                .any(|it| Selector::parse(it).is_none())
-    };
-    statements(css)
-        .filter(|it| is_unread((it.prelude, it.body)))
-        .count()
+    statements(css).filter(is_unread).count()
+}
+
+fn is_unread(it: &Statement<'_>) -> bool {
+    let body = it.body.filter(|_| !it.prelude.starts_with('@'));
+    let shows = body.is_some_and(|body| VISIBLE.iter().any(|it| body.contains(it)));
+    let mut selectors = it.prelude.split(',').map(str::trim);
+    shows && selectors.any(|it| !it.contains("::") && Selector::parse(it).is_none())
 }
 
 /// A rule or an at-rule of a sheet.

@@ -35,6 +35,17 @@ fn options() -> ReadOptions {
     ReadOptions::default()
 }
 
+/// With the fonts of this machine; `None` where it has none.
+fn with_fonts() -> Option<ReadOptions> {
+    let mut fonts = usvg::fontdb::Database::new();
+    fonts.load_system_fonts();
+    let has_any = !fonts.is_empty();
+    has_any.then(|| ReadOptions {
+        fonts: Arc::new(fonts),
+        ..options()
+    })
+}
+
 fn page(content: &str) -> String {
     format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50">{content}</svg>"#
@@ -505,14 +516,8 @@ fn a_tolerance_must_be_a_positive_length() {
 
 #[test]
 fn text_that_names_a_hershey_font_is_written_in_single_lines() {
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_system_fonts();
-    if fonts.is_empty() {
+    let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
-    }
-    let options = ReadOptions {
-        fonts: Arc::new(fonts),
-        ..options()
     };
     // A name with a digit at the start of a word stands in quotes, as in CSS.
     for family in ["Hershey sans", "'Hershey Sans 1-stroke'", "HersheySans1"] {
@@ -539,14 +544,8 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
 
 #[test]
 fn text_becomes_outlines_where_fonts_are() {
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_system_fonts();
-    if fonts.is_empty() {
+    let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
-    }
-    let options = ReadOptions {
-        fonts: Arc::new(fonts),
-        ..options()
     };
     let text = page(r#"<text x="10" y="30" font-size="20">I</text>"#);
     let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
@@ -696,14 +695,8 @@ fn the_size_of_the_page_and_of_letters_are_what_the_styles_tell() {
 
 #[test]
 fn letters_are_as_large_as_newer_css_tells() {
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_system_fonts();
-    if fonts.is_empty() {
+    let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
-    }
-    let options = ReadOptions {
-        fonts: Arc::new(fonts),
-        ..options()
     };
     let high = |style: &str| {
         let svg = page(&format!(r#"<text x="10" y="40" style="{style}">H</text>"#));

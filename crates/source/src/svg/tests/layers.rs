@@ -185,14 +185,8 @@ fn one_layer_holds_all_where_nothing_divides() {
 
 #[test]
 fn letters_are_areas_too() {
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_system_fonts();
-    if fonts.is_empty() {
+    let Some(options) = super::with_fonts() else {
         return; // A machine without fonts cannot show this.
-    }
-    let options = ReadOptions {
-        fonts: Arc::new(fonts),
-        ..ReadOptions::default()
     };
     let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><text x="10" y="30" font-size="20">o</text></svg>"#;
     let (artwork, _) = read(text, &options).unwrap();
