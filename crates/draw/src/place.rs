@@ -317,6 +317,20 @@ pub enum PlaceError {
         /// Which limit of the arm says so.
         reason: String,
     },
+    /// A place that the laser passes, switched off, before a line or behind it.
+    #[error(
+        "the laser would have to run up to its line, or run out behind it, at x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; burn slower, which takes a shorter way, or place the drawing elsewhere"
+    )]
+    RunOutOfReach {
+        /// Forward, in the base frame.
+        x_mm: f64,
+        /// To the left.
+        y_mm: f64,
+        /// Up.
+        z_mm: f64,
+        /// Which limit of the arm says so.
+        reason: String,
+    },
     /// A way between two strokes that leads where the arm does not get; each stroke may be within reach.
     #[error(
         "the way from one stroke to the next leads through x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; place the drawing farther from the arm, or draw what lies on either side of it one after the other"
@@ -338,8 +352,8 @@ pub enum PlaceError {
 ///
 /// # Errors
 ///
-/// [`PlaceError::OutOfReach`] or [`PlaceError::WayOutOfReach`] with the first place that `reachable` refuses, and its
-/// reason.
+/// [`PlaceError::OutOfReach`], [`PlaceError::RunOutOfReach`] or [`PlaceError::WayOutOfReach`] with the first place that
+/// `reachable` refuses, and its reason.
 pub fn check_reach<E: fmt::Display>(
     plan: &Plan,
     paper: &Paper,
@@ -347,34 +361,52 @@ pub fn check_reach<E: fmt::Display>(
 ) -> Result<(), PlaceError> {
     let mut here = Point::new(plan.start[0], plan.start[1]);
     let lift_mm = plan.lift_mm();
-    for (vector, [x, y, _]) in plan.moves.iter().zip(plan.positions()) {
+    let check = |p: Point| {
+        let down_mm = paper.z_at(p);
+        let mut places = [down_mm, down_mm + lift_mm]
+            .map(|z_mm| Position::new(p.x, p.y, z_mm))
+            .into_iter();
+        places.try_for_each(|place| reachable(place).map_err(|reason| (place, reason.to_string())))
+    };
+    for (i, [x, y, _]) in plan.positions().enumerate() {
         let there = Point::new(x, y);
+        check(there).map_err(|it| out_of_reach(plan, i, it))?;
         for p in steps(here, there, STEP_MM) {
-            let down_mm = paper.z_at(p);
-            for z_mm in [down_mm, down_mm + lift_mm] {
-                let place = Position::new(p.x, p.y, z_mm);
-                reachable(place).map_err(|reason| {
-                    let is_way = vector.kind == MoveKind::Travel && p != there;
-                    out_of_reach(is_way, place, reason.to_string())
-                })?;
-            }
+            check(p).map_err(|it| match plan.moves[i].kind {
+                MoveKind::Travel => way_out_of_reach(it),
+                _ => out_of_reach(plan, i, it),
+            })?;
         }
         here = there;
     }
     Ok(())
 }
 
-fn out_of_reach(is_way: bool, place: Position, reason: String) -> PlaceError {
+/// What to say of a place that a vector leads to, or on the way of what leaves a trace.
+fn out_of_reach(plan: &Plan, vector: usize, (place, reason): (Position, String)) -> PlaceError {
     let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
-    if is_way {
-        return PlaceError::WayOutOfReach {
+    let kinds = plan.moves[vector..].iter().map(|it| it.kind);
+    // Where a travel ends, the next vector begins.
+    let kind = kinds.into_iter().find(|it| *it != MoveKind::Travel);
+    match kind {
+        Some(MoveKind::RunUp | MoveKind::RunOut | MoveKind::Brake) => PlaceError::RunOutOfReach {
             x_mm,
             y_mm,
             z_mm,
             reason,
-        };
+        },
+        _ => PlaceError::OutOfReach {
+            x_mm,
+            y_mm,
+            z_mm,
+            reason,
+        },
     }
-    PlaceError::OutOfReach {
+}
+
+fn way_out_of_reach((place, reason): (Position, String)) -> PlaceError {
+    let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
+    PlaceError::WayOutOfReach {
         x_mm,
         y_mm,
         z_mm,

@@ -199,6 +199,11 @@ pub enum PrepareError {
     /// It does not fit on the paper.
     #[error(transparent)]
     Place(#[from] PlaceError),
+    /// Nothing of it is on the sheet and within reach.
+    #[error(
+        "nothing is left of the drawing: all of it is beyond the sheet or out of the arm's reach; place it elsewhere, or make it smaller with --fit"
+    )]
+    AllCutOff,
     /// Its areas cannot be hatched like that.
     #[error(transparent)]
     Hatch(#[from] HatchError),
@@ -220,9 +225,12 @@ fn passes<E>(
     let mut passes = Vec::<Pass>::new();
     let Rect { x1, y1, .. } = settings.placement.area;
     let mut here = Point::new(x1, y1);
+    let mut has_lines = false;
     for mut layer in layers {
         let tool = layers::tool(&layer, settings);
-        let mut strokes = told_strokes(on_sheet(&mut layer, settings, warnings)?, tool, settings)?;
+        let lines = lines(&mut layer, settings)?;
+        has_lines |= !lines.is_empty();
+        let mut strokes = told_strokes(on_sheet(lines, settings, warnings)?, tool, settings)?;
         if settings.clips {
             let clipped = within_reach(&strokes, tool, settings, reachable);
             warnings.extend(cut_off(&clipped, "layer out of reach"));
@@ -244,16 +252,18 @@ fn passes<E>(
             message,
         });
     }
+    if has_lines && passes.is_empty() {
+        return Err(PrepareError::AllCutOff);
+    }
     Ok(passes)
 }
 
-/// The lines of a layer, cut at the edge of the sheet where that is wanted.
+/// Lines, cut at the edge of the sheet where that is wanted.
 fn on_sheet(
-    layer: &mut Layer,
+    lines: Vec<Stroke>,
     settings: &Settings,
     warnings: &mut Vec<Warning>,
-) -> Result<Vec<Stroke>, PrepareError> {
-    let lines = lines(layer, settings)?;
+) -> Result<Vec<Stroke>, PlaceError> {
     let Some(sheet) = settings.placement.sheet else {
         return Ok(lines);
     };
@@ -269,8 +279,7 @@ fn on_sheet(
             by_mm,
             x_mm: p.x,
             y_mm: p.y,
-        }
-        .into()),
+        }),
         _ => Ok(lines),
     }
 }

@@ -1,4 +1,4 @@
-//! PNG and JPEG pictures: their tones as lines or dots.
+//! Pictures: their tones as lines or dots.
 //!
 //! ```text
 //!   file -> grey pixels -> tones on a grid -> full range -> outline, lines, stipple or hatch

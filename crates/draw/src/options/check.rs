@@ -246,7 +246,7 @@ impl SourceKind {
 /// What an option is for: the kinds of sources, and how a person calls them.
 struct Purpose(&'static [SourceKind], &'static str);
 
-const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "PNG and JPEG pictures");
+const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "pictures");
 const LINED: Purpose = Purpose(
     &[SourceKind::Picture, SourceKind::Card],
     "pictures and the test card",
@@ -350,7 +350,7 @@ mod tests {
         for (json, told) in [
             (
                 r#"{"what": {"shade": "lines"}}"#,
-                "--shade is for PNG and JPEG pictures, and a.svg is an SVG file",
+                "--shade is for pictures, and a.svg is an SVG file",
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,

@@ -174,6 +174,61 @@ fn a_way_through_the_hole_around_the_base_is_told_from_a_line_through_it() {
     );
 }
 
+#[test]
+fn a_place_beyond_the_reach_is_told_as_a_place_and_not_as_a_way_however_the_pen_gets_there() {
+    let lines = [
+        line(&[(200.0, 0.0), (210.0, 0.0)]),
+        line(&[(330.0, 0.0), (210.0, 20.0)]),
+    ];
+    let pass = Pass::new(DrawingTool::default(), lines.to_vec());
+    let paper = Paper::default();
+    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+    let told = check_reach(&plan, &paper, within_320).unwrap_err();
+    assert!(
+        told.to_string()
+            .starts_with("the pen would have to go to x 330.0, y 0.0"),
+        "{told}"
+    );
+}
+
+#[test]
+fn a_laser_whose_run_leads_beyond_the_reach_is_told_to_burn_slower() {
+    // At 100 mm/s it takes some 55 mm to get there.
+    let laser = |burn_speed_mm_s| {
+        DrawingTool::Laser(dobot_plan::Laser {
+            burn_speed_mm_s,
+            ..dobot_plan::Laser::default()
+        })
+    };
+    let paper = Paper::default();
+    let check = |speed_mm_s, ends: [(f64, f64); 2]| {
+        let pass = Pass::new(laser(speed_mm_s), vec![line(&ends)]);
+        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+        check_reach(&plan, &paper, within_320)
+    };
+    let inwards = [(290.0, 0.0), (250.0, 0.0)];
+    let outwards = [inwards[1], inwards[0]];
+    for ends in [inwards, outwards] {
+        let error = check(100.0, ends).unwrap_err();
+        assert!(
+            matches!(error, PlaceError::RunOutOfReach { x_mm, .. } if x_mm > 320.0),
+            "{error}"
+        );
+        check(20.0, ends).unwrap();
+    }
+    // Where the line itself is out of reach no speed helps.
+    let error = check(20.0, [(250.0, 0.0), (330.0, 0.0)]).unwrap_err();
+    assert!(matches!(error, PlaceError::OutOfReach { .. }), "{error}");
+}
+
+fn within_320(p: Position) -> Result<(), &'static str> {
+    if p.reach().0 > 320.0 {
+        Err("too far")
+    } else {
+        Ok(())
+    }
+}
+
 /// A page with ink in one corner.
 fn page(width_mm: f64, height_mm: f64) -> Artwork {
     let layer = Layer {

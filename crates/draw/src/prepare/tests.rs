@@ -212,6 +212,18 @@ fn what_is_out_of_reach_is_refused() {
 }
 
 #[test]
+fn a_drawing_of_which_nothing_is_left_says_so_and_what_to_do() {
+    let mut settings = Settings {
+        clips: true,
+        ..Settings::default()
+    };
+    settings.placement.center = Some(Point::new(600.0, 0.0));
+    let error = prepare(&EXAMPLES[2].into(), &settings, in_reach).unwrap_err();
+    assert_eq!(error, PrepareError::AllCutOff);
+    assert!(error.to_string().contains("place it elsewhere"), "{error}");
+}
+
+#[test]
 fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within() {
     // Arcs about the axis of the arm, and waves across the border that is 321 mm from it.
     let arc = |radius: f64| move |_: f64| radius;
@@ -235,7 +247,7 @@ fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within()
         let prepared = prepare(&Source::Lines(vec![page]), &settings, in_reach);
         match prepared {
             Ok(prepared) => assert!(!prepared.warnings.is_empty()),
-            Err(error) => assert_eq!(error, PrepareError::Plan(PlanError::NoStrokes)),
+            Err(error) => assert_eq!(error, PrepareError::AllCutOff),
         }
     }
 }
