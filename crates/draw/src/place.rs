@@ -1,6 +1,6 @@
 //! Where on the paper: from the sheet into the base frame, and whether the arm gets there.
 
-use std::fmt;
+use std::{fmt, iter};
 
 use dobot_arm::Position;
 use dobot_geometry::{Point, Rect, Vec2, bounds, direction, steps};
@@ -361,25 +361,37 @@ pub fn check_reach<E: fmt::Display>(
 ) -> Result<(), PlaceError> {
     let mut here = Point::new(plan.start[0], plan.start[1]);
     let lift_mm = plan.lift_mm();
-    let check = |p: Point| {
+    let refused_at = |p: Point| {
         let down_mm = paper.z_at(p);
-        let mut places = [down_mm, down_mm + lift_mm]
-            .map(|z_mm| Position::new(p.x, p.y, z_mm))
-            .into_iter();
-        places.try_for_each(|place| reachable(place).map_err(|reason| (place, reason.to_string())))
+        [down_mm, down_mm + lift_mm].into_iter().find_map(|z_mm| {
+            let place = Position::new(p.x, p.y, z_mm);
+            Some((place, reachable(place).err()?.to_string()))
+        })
     };
-    for (i, [x, y, _]) in plan.positions().enumerate() {
+    let mut refused = plan.positions().enumerate().filter_map(|(i, [x, y, _])| {
         let there = Point::new(x, y);
-        check(there).map_err(|it| out_of_reach(plan, i, it))?;
-        for p in steps(here, there, STEP_MM) {
-            check(p).map_err(|it| match plan.moves[i].kind {
-                MoveKind::Travel => way_out_of_reach(it),
-                _ => out_of_reach(plan, i, it),
-            })?;
-        }
+        // Its end first: the way to what is out of reach is so, too.
+        let mut places = iter::once(there).chain(steps(here, there, STEP_MM));
         here = there;
-    }
-    Ok(())
+        let (p, refused) = places.find_map(|p| Some((p, refused_at(p)?)))?;
+        let is_way = plan.moves[i].kind == MoveKind::Travel && p != there;
+        Some(if is_way {
+            way_out_of_reach(refused)
+        } else {
+            out_of_reach(plan, i, refused)
+        })
+    });
+    let Some(first) = refused.next() else {
+        return Ok(());
+    };
+    let line = match &first {
+        // Because its line is?
+        PlaceError::RunOutOfReach { .. } => {
+            refused.find(|it| matches!(it, PlaceError::OutOfReach { .. }))
+        }
+        _ => None,
+    };
+    Err(line.unwrap_or(first))
 }
 
 /// What to say of a place that a vector leads to, or on the way of what leaves a trace.

@@ -100,8 +100,12 @@ pub fn prepare_together<E: fmt::Display>(
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
     settings.give_up.check()?;
+    let reach_mm = reach_mm(settings, settings.tool.lift_mm(), &reachable);
     let mut settings = settings.clone();
-    settings.placement.reach = reach_mm(&settings, settings.tool.lift_mm(), &reachable);
+    settings.placement.reach = reach_mm.map(|[near, far]| {
+        let beside_mm = beside_mm(settings.tool, &settings);
+        [near + beside_mm, far - beside_mm]
+    });
     let settings = &settings;
     let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
     settings.give_up.check()?;
@@ -112,7 +116,7 @@ pub fn prepare_together<E: fmt::Display>(
     Ok(Prepared {
         scale,
         warnings,
-        reach_mm: settings.placement.reach,
+        reach_mm,
         ..prepared
     })
 }
@@ -319,9 +323,7 @@ fn lines(layer: &mut Layer, settings: &Settings) -> Result<Vec<Stroke>, PrepareE
     Ok(lines)
 }
 
-/// What of the strokes the arm reaches, the tool on the paper and lifted, wherever it is sent for them: within the
-/// tolerance, as a line that follows the border of the reach has corners beyond it, where a laser runs up and begins its
-/// cuts, and where slack joints are taken up.
+/// What of the strokes the arm reaches, the tool on the paper and lifted, wherever it is sent for them.
 fn within_reach<E>(
     strokes: &[Stroke],
     tool: DrawingTool,
@@ -333,13 +335,17 @@ fn within_reach<E>(
         let reaches = |z_mm| reachable(Position::new(p.x, p.y, z_mm)).is_ok();
         reaches(z_mm) && reaches(z_mm + tool.lift_mm())
     };
+    let beside_mm = beside_mm(tool, settings);
+    clip_to_reach(strokes, |p| around(p, beside_mm).into_iter().all(&reaches))
+}
+
+/// How far beside its strokes the arm is sent: within the tolerance, as a line that follows the border of the reach has
+/// corners beyond it, where a laser runs up and begins its cuts, and where slack joints are taken up.
+fn beside_mm(tool: DrawingTool, settings: &Settings) -> f64 {
     let slack_mm = settings.calibration.as_ref().map(|it| most_mm(&it.arm()));
     let cutting_mm = settings.cutting.lead_in_mm + 0.5 * settings.cutting.kerf_mm.abs();
-    let margin_mm = settings.tolerance_mm
-        + tool.run_mm(&settings.machine)
-        + cutting_mm
-        + slack_mm.unwrap_or_default();
-    clip_to_reach(strokes, |p| around(p, margin_mm).into_iter().all(&reaches))
+    let run_mm = tool.run_mm(&settings.machine);
+    settings.tolerance_mm + run_mm + cutting_mm + slack_mm.unwrap_or_default()
 }
 
 /// The places beside one, towards the axis of the arm, away from it, and to both sides: the borders of the reach are arcs

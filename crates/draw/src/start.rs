@@ -173,9 +173,13 @@ fn rest_of_stroke(stroke: &Stroke, mut drawn_mm: f64) -> Stroke {
 }
 
 fn numbered(names: &[String]) -> String {
-    let numbered = (1..)
-        .zip(names)
-        .map(|(number, name)| format!("{number} ({name})"));
+    let numbered = (1..).zip(names).map(|(number, name)| {
+        if name.is_empty() {
+            number.to_string()
+        } else {
+            format!("{number} ({name})")
+        }
+    });
     numbered.collect::<Vec<_>>().join(", ")
 }
 
@@ -246,6 +250,14 @@ mod tests {
         let dots = vec![pass("dots", vec![Stroke::open(vec![Point::default()]); 3])];
         let rest = StartFrom::Percent(0.0).rest_of(dots.clone()).unwrap();
         assert_eq!(rest, dots);
+    }
+
+    #[test]
+    fn a_pass_without_a_name_is_told_by_its_number() {
+        let passes = vec![pass("", vec![Stroke::open(vec![Point::default()])])];
+        let error = StartFrom::Pass("red".to_owned()).rest_of(passes);
+        let told = "there is no pass 'red' to start from; there are: 1";
+        assert_eq!(error.unwrap_err().to_string(), told);
     }
 
     #[test]

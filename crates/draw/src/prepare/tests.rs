@@ -3,7 +3,7 @@
 use super::*;
 use crate::cutting::Cutting;
 use crate::frame::{FrameShape, frame};
-use crate::place::Size;
+use crate::place::{Placement, Size};
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Vec2, deviation};
 use dobot_plan::{Laser, Machine, MoveKind, Pace};
@@ -209,6 +209,29 @@ fn what_is_out_of_reach_is_refused() {
         matches!(error, PrepareError::Place(PlaceError::OutOfReach { .. })),
         "{error}"
     );
+}
+
+#[test]
+fn a_drawing_larger_than_the_area_leaves_room_for_the_runs_of_a_laser() {
+    let laser = DrawingTool::Laser(Laser {
+        burn_speed_mm_s: 60.0,
+        ..Laser::default()
+    });
+    // As deep as the reach is: a line that begins and ends at its borders.
+    let deep = |mm: f64| vec![Point::new(0.0, 0.0), Point::new(0.0, mm)];
+    let settings = |tool| Settings {
+        tool,
+        placement: Placement {
+            size: Size::Within,
+            ..Placement::default()
+        },
+        ..Settings::default()
+    };
+    for tool in [laser, DrawingTool::default()] {
+        let prepared = prepare(&Source::Lines(vec![deep(250.0)]), &settings(tool), in_reach);
+        let drawn_mm = prepared.unwrap().plan.summary().drawn_mm;
+        assert!((120.0..190.0).contains(&drawn_mm), "{drawn_mm} mm");
+    }
 }
 
 #[test]
