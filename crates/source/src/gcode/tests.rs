@@ -1,5 +1,8 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod heights;
+mod servo;
+
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
 
@@ -148,99 +151,6 @@ fn a_pen_that_never_goes_below_zero_draws_below_its_travels() {
 }
 
 #[test]
-fn a_mill_draws_where_it_is_down_although_its_spindle_turns_on_the_way() {
-    let text = "M3 S10000\nG0 Z5\nG0 X1 Y1\nG1 Z-1\nG1 X4\nG1 Z2\nG1 X9\nG0 Z5\nG0 X0 Y0\nM5";
-    assert_eq!(corners(text), [[(0.0, 0.0), (3.0, 0.0)]]);
-}
-
-#[test]
-fn a_spindle_that_turns_while_z_goes_up_and_down_is_no_laser() {
-    let by_g1 = "G21 G90\nM3 S1000\nG0 Z5\nG0 X5 Y5\nG1 Z-1 F100\nG1 X10\nG1 Z5\nG1 X20\nG1 Z-1\nG1 X30\nG0 Z5\nM5";
-    assert_eq!(
-        corners(by_g1),
-        [[(0.0, 0.0), (5.0, 0.0)], [(15.0, 0.0), (25.0, 0.0)]]
-    );
-    let ramps_out =
-        "M3 S9\nG0 X10 Y10 Z5\nG1 Z-1\nG1 X30\nG1 X40 Z5\nG0 X60\nG1 Z-1\nG1 X80\nG0 Z5\nM5";
-    assert_eq!(
-        corners(ramps_out),
-        [[(0.0, 0.0), (20.0, 0.0)], [(50.0, 0.0), (70.0, 0.0)]]
-    );
-    // It is off while another tool is put in.
-    let tools = format!("T1 M6\n{by_g1}\nT2 M6\n{}", ramps_out.replace("Y10", "Y5"));
-    assert_eq!(corners(&tools).len(), 4);
-}
-
-#[test]
-fn a_laser_that_is_off_on_the_way_is_one_although_its_z_moves_and_this_is_told() {
-    let switched = "M3 S255\nG0 X0 Z5\nG1 Z0\nG1 X4\nM5\nG1 Z1\nG1 X6\nM3\nG1 Z-1\nG1 X9\nG0 X0";
-    assert_eq!(
-        corners(switched),
-        [[(0.0, 0.0), (4.0, 0.0)], [(6.0, 0.0), (9.0, 0.0)]]
-    );
-    let told = "1 laser at several heights: all that M3, M4 or M106 burn is burned, at any Z";
-    assert_eq!(draw(switched).1, [told]);
-    let passes =
-        "M4 S9\nG0 X0 Z0\nG1 X4\nG0 X0\nG1 Z-1\nG1 X4\nG0 X6 Z0\nG1 X9\nG0 X6\nG1 Z-1\nG1 X9";
-    assert_eq!(corners(passes).len(), 4);
-}
-
-#[test]
-fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
-    let text = "G21 G90\nG0 X0 Y0\nG0 Z15\nG1 Z-1 F100\nX20\nZ-0.5\nX40\nZ-1\nX60\nZ15";
-    assert_eq!(
-        corners(text),
-        [[(0.0, 0.0), (20.0, 0.0), (40.0, 0.0), (60.0, 0.0)]]
-    );
-    assert_eq!(
-        draw(text).1,
-        ["1 file whose lines are all below Z 0: drawn where Z is below 0.00 mm"]
-    );
-    let machine = "G0 X1 Y0\nG0 Z0\nG0 Z-40\nX5\nG1 Z-45\nX9\nG0 Z-40\nX0\nG0 Z0";
-    assert_eq!(corners(machine), [[(0.0, 0.0), (4.0, 0.0)]]);
-    assert_eq!(
-        draw(machine).1,
-        ["1 file whose travels are below Z 0: drawn where Z is below -40.00 mm"]
-    );
-    // A hole alone has no line that could tell a height.
-    assert_eq!(corners("G0 X5 Y5\nG0 Z5\nG1 Z-1\nG0 Z5"), [[(0.0, 0.0)]]);
-}
-
-#[test]
-fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them_or_told() {
-    let pen = "G0 Z5\nX10 Y10\nG1 Z0\nX20\nZ-0.2\nX30\nG0 Z5\nX60\nG1 Z0\nX70\nG0 Z5";
-    let told = |text: &str| draw(text).1.concat();
-    for text in [
-        pen.to_owned(),
-        pen.replace("G0", "G1"),
-        format!("M3 S9\n{pen}"),
-    ] {
-        let lines = [
-            vec![(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)],
-            vec![(50.0, 0.0), (60.0, 0.0)],
-        ];
-        assert_eq!(corners(&text), lines, "{text}");
-        assert_eq!(
-            told(&text),
-            "1 file with lines at Z 0: drawn as those below, for the tool comes down to them"
-        );
-    }
-    let relief = "G0 Z5\nX-1 Y0\nG1 Z0\nX5\nX10 Z-0.2\nX20 Z0\nG0 Z5";
-    let above = "G0 Z5\nX-1 Y0\nG1 Z0\nX5\nG1 Z-0.2\nX10\nG1 Z0\nX30\nG1 Z5";
-    for text in [relief, above] {
-        assert_eq!(corners(text), [[(0.0, 0.0), (5.0, 0.0)]], "{text}");
-        assert_eq!(
-            told(text),
-            "1 file with lines at Z 0: left out, for only what is below is drawn"
-        );
-    }
-    // A pen that is up at 0.
-    let up = "G0 Z0\nG1 X10\nZ-1\nX20\nZ0\nX30";
-    assert_eq!(corners(up), [[(0.0, 0.0), (10.0, 0.0)]]);
-    assert_eq!(told(up), "");
-}
-
-#[test]
 fn upright_arcs_are_lines_as_far_as_they_go() {
     let lead_in = "G0 X-1 Y0\nZ5\nG1 Z-1\nG18 G2 X0 Z-2 I1\nG1 X5\nG17 G3 X10 Y5 J5\nG0 Z5";
     let strokes = corners(lead_in);
@@ -311,71 +221,6 @@ fn a_pen_that_waits_while_it_is_up_leaves_no_dot() {
 fn the_focus_of_a_laser_is_no_pen() {
     let text = "M3 S0\nG0 Z0\nG0 X1\nG1 X4 S9\nG0 Z-1\nG0 X1 S0\nG1 X4 S9\nM5";
     assert_eq!(corners(text).len(), 2);
-}
-
-#[test]
-fn a_servo_is_up_as_in_the_first_move() {
-    let text = "M280 P0 S90\nG1 X5 Y5\nM280 P0 S30\nG1 X8\nM280 P0 S90\nG1 X0 Y0";
-    assert_eq!(corners(text), [[(0.0, 0.0), (3.0, 0.0)]]);
-    let (_, warnings) = draw(text);
-    assert_eq!(
-        warnings,
-        ["1 pen lifted by a servo (M280): S90 taken for up, as the first move has it"]
-    );
-}
-
-#[test]
-fn a_servo_is_up_as_in_g0_where_the_file_begins_with_a_move() {
-    let text = "G0 X10 Y10\nM280 P0 S30\nG1 X40 Y10\nM280 P0 S90\nG0 X60 Y40\nM280 P0 S30\nG1 X80 Y40\nM280 P0 S90";
-    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
-    assert_eq!(corners(text), lines);
-    let told = |text: &str| draw(text).1.concat();
-    let servo = "1 pen lifted by a servo (M280): S90 taken for up, ";
-    assert_eq!(told(text), format!("{servo}as G0 has it"));
-    let only_g1 = text.replace("G0", "G1");
-    assert_eq!(corners(&only_g1), lines);
-    assert_eq!(
-        told(&only_g1),
-        format!("{servo}as the program ends with it")
-    );
-    let unlifted = only_g1.replace("Y40\nM280 P0 S90", "Y40");
-    let commented = unlifted
-        .replace("S90", "S90 ; pen UP")
-        .replace("S30", "S30 ; not up but down");
-    assert_eq!(corners(&commented), lines);
-    assert_eq!(told(&commented), format!("{servo}as a comment says"));
-    // One line is enough.
-    let single = "G1 X10 Y10\nM280 S30\nG1 X40\nM280 S90";
-    assert_eq!(corners(single), [[(0.0, 0.0), (30.0, 0.0)]]);
-}
-
-#[test]
-fn m300_turns_the_servo_of_a_pen_whose_larger_angle_is_up() {
-    let text = "G1 X10 Y10\nM300 S30\nG1 X40 Y10\nM300 S50\nG1 X60 Y40\nM300 S30\nG1 X80 Y40\nM300 S50\nM300 S255\nG1 X0 Y0";
-    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
-    assert_eq!(corners(text), lines);
-    let up = |reason: &str| format!("1 pen lifted by a servo (M300): S50 taken for up, {reason}");
-    assert_eq!(draw(text).1, [up("for it is the largest angle")]);
-    // As Inkscape's extension writes it: the pen is tried first, and Z says nothing.
-    let tried = "G92 X0 Y0 Z0\nM300 S30 (pen down)\nG4 P150\nM300 S50 (pen up)\nG4 P150\n"
-        .to_owned()
-        + text;
-    let tried = tried.replace("X40 Y10", "X40 Y10 Z1");
-    assert_eq!(corners(&tried), lines);
-    assert_eq!(
-        draw(&tried).1,
-        [
-            up("as a comment says"),
-            "3:1: 1 trial of the pen: left out, before the first move (M300)".to_owned()
-        ]
-    );
-}
-
-#[test]
-fn a_beep_is_no_servo() {
-    let text = "M300 S440 P200\nM300\nM300 S100 P50\nG0 X1\nG1 X5\nM300 S30 P50\nG1 Y5";
-    assert_eq!(corners(text), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
-    assert_eq!(draw(text).1[0], "1:1: 4 M300 codes: not known, left out");
 }
 
 #[test]

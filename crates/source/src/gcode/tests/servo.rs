@@ -1,0 +1,66 @@
+use super::*;
+
+#[test]
+fn a_servo_is_up_as_in_the_first_move() {
+    let text = "M280 P0 S90\nG1 X5 Y5\nM280 P0 S30\nG1 X8\nM280 P0 S90\nG1 X0 Y0";
+    assert_eq!(corners(text), [[(0.0, 0.0), (3.0, 0.0)]]);
+    let (_, warnings) = draw(text);
+    assert_eq!(
+        warnings,
+        ["1 pen lifted by a servo (M280): S90 taken for up, as the first move has it"]
+    );
+}
+
+#[test]
+fn a_servo_is_up_as_in_g0_where_the_file_begins_with_a_move() {
+    let text = "G0 X10 Y10\nM280 P0 S30\nG1 X40 Y10\nM280 P0 S90\nG0 X60 Y40\nM280 P0 S30\nG1 X80 Y40\nM280 P0 S90";
+    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
+    assert_eq!(corners(text), lines);
+    let told = |text: &str| draw(text).1.concat();
+    let servo = "1 pen lifted by a servo (M280): S90 taken for up, ";
+    assert_eq!(told(text), format!("{servo}as G0 has it"));
+    let only_g1 = text.replace("G0", "G1");
+    assert_eq!(corners(&only_g1), lines);
+    assert_eq!(
+        told(&only_g1),
+        format!("{servo}as the program ends with it")
+    );
+    let unlifted = only_g1.replace("Y40\nM280 P0 S90", "Y40");
+    let commented = unlifted
+        .replace("S90", "S90 ; pen UP")
+        .replace("S30", "S30 ; not up but down");
+    assert_eq!(corners(&commented), lines);
+    assert_eq!(told(&commented), format!("{servo}as a comment says"));
+    // One line is enough.
+    let single = "G1 X10 Y10\nM280 S30\nG1 X40\nM280 S90";
+    assert_eq!(corners(single), [[(0.0, 0.0), (30.0, 0.0)]]);
+}
+
+#[test]
+fn m300_turns_the_servo_of_a_pen_whose_larger_angle_is_up() {
+    let text = "G1 X10 Y10\nM300 S30\nG1 X40 Y10\nM300 S50\nG1 X60 Y40\nM300 S30\nG1 X80 Y40\nM300 S50\nM300 S255\nG1 X0 Y0";
+    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
+    assert_eq!(corners(text), lines);
+    let up = |reason: &str| format!("1 pen lifted by a servo (M300): S50 taken for up, {reason}");
+    assert_eq!(draw(text).1, [up("for it is the largest angle")]);
+    // As Inkscape's extension writes it: the pen is tried first, and Z says nothing.
+    let tried = "G92 X0 Y0 Z0\nM300 S30 (pen down)\nG4 P150\nM300 S50 (pen up)\nG4 P150\n"
+        .to_owned()
+        + text;
+    let tried = tried.replace("X40 Y10", "X40 Y10 Z1");
+    assert_eq!(corners(&tried), lines);
+    assert_eq!(
+        draw(&tried).1,
+        [
+            up("as a comment says"),
+            "3:1: 1 trial of the pen: left out, before the first move (M300)".to_owned()
+        ]
+    );
+}
+
+#[test]
+fn a_beep_is_no_servo() {
+    let text = "M300 S440 P200\nM300\nM300 S100 P50\nG0 X1\nG1 X5\nM300 S30 P50\nG1 Y5";
+    assert_eq!(corners(text), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
+    assert_eq!(draw(text).1[0], "1:1: 4 M300 codes: not known, left out");
+}
