@@ -6,6 +6,7 @@
 mod arc;
 mod block;
 mod codes;
+mod grbl_servo;
 mod ink;
 mod ink_rule;
 mod machine;

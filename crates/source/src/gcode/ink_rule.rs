@@ -1,5 +1,6 @@
 //! The rule by which moves leave ink, found from the words of the whole file.
 
+use super::grbl_servo::GrblServoStatistics;
 use super::machine::{Move, MoveKind, ToolState};
 use super::servo::{ServoCode, ServoStatistics, UpSource};
 use super::spindle::SpindleStatistics;
@@ -125,6 +126,7 @@ pub(super) struct MoveStatistics {
     line_powers: Range,
     m280: ServoStatistics,
     m300: ServoStatistics,
+    m3: GrblServoStatistics,
 }
 
 impl MoveStatistics {
@@ -136,6 +138,7 @@ impl MoveStatistics {
             self.spindle.count_rise(it, to_mm - from_mm);
         }
         self.spindle.count(it);
+        self.m3.count(it);
         if it.kind == MoveKind::Dwell {
             self.burn(it);
         }
@@ -164,6 +167,14 @@ impl MoveStatistics {
     /// `end` is the tool at the end of the program.
     pub(super) fn rule(&self, text: &[u8], end: &ToolState) -> InkRule {
         let height = self.height();
+        // A pen that is up with less than it is down with is drawn as with a laser.
+        if height.is_none()
+            && self.travel_power() == 0.0
+            && let Some((up, source)) = self.m3.up(text, end)
+        {
+            let code = ServoCode::M3;
+            return InkRule::Servo { code, up, source };
+        }
         match self.full {
             Some(most) if height.is_none() || !self.is_mill() => {
                 let full = told_full(text).unwrap_or_else(|| scale(most));
@@ -195,7 +206,7 @@ impl MoveStatistics {
 
     fn servo(&self, text: &[u8], end: &ToolState) -> Option<InkRule> {
         let of = |it: &ServoStatistics, code| {
-            let (up, source) = it.up(text, code, end)?;
+            let (up, source) = it.up(text, code, end.angle(code))?;
             Some(InkRule::Servo { code, up, source })
         };
         of(&self.m280, ServoCode::M280).or_else(|| of(&self.m300, ServoCode::M300))

@@ -69,6 +69,8 @@ pub(super) struct ToolState {
     m280: Option<f64>,
     /// And M300.
     m300: Option<f64>,
+    /// The S beside M3, in a line that does not move; M5 ends it.
+    m3: Option<f64>,
     /// F as the file has it.
     pub(super) feed: Option<f64>,
     /// The same in mm/s.
@@ -81,6 +83,7 @@ impl ToolState {
         match code {
             ServoCode::M280 => self.m280,
             ServoCode::M300 => self.m300,
+            ServoCode::M3 => self.m3,
         }
     }
 }
@@ -314,6 +317,9 @@ impl<'a, 'w> Machine<'a, 'w> {
         }
         let angle = servo_angle(block).filter(|it| *it != SERVO_OFF);
         self.tool.m300 = angle.or(self.tool.m300);
+        let is_m3 = block.m.has(30) && !block.has_any(b"XYZ");
+        let angle = block.value(b'S').filter(|_| is_m3);
+        self.tool.m3 = angle.or(self.tool.m3).filter(|_| self.is_on);
     }
 
     /// S is the power, unless it belongs to another code: a time to wait, a servo's angle.

@@ -1,6 +1,6 @@
 //! The servo that lifts a pen, and which of its angles is up.
 
-use super::machine::{Move, MoveKind, ToolState};
+use super::machine::{Move, MoveKind};
 use crate::number::decimal;
 
 /// The code that turns the servo.
@@ -9,6 +9,8 @@ pub(super) enum ServoCode {
     M280,
     /// A beep elsewhere; the angle of the pen's servo with the machines of Inkscape's extension Unicorn.
     M300,
+    /// The speed of a spindle or the power of a laser elsewhere; the angle of a pen's servo in place of the spindle of GRBL.
+    M3,
 }
 
 impl ServoCode {
@@ -16,6 +18,7 @@ impl ServoCode {
         match self {
             Self::M280 => "M280",
             Self::M300 => "M300",
+            Self::M3 => "M3",
         }
     }
 
@@ -23,6 +26,7 @@ impl ServoCode {
         match self {
             Self::M280 => "pen lifted by a servo (M280)",
             Self::M300 => "pen lifted by a servo (M300)",
+            Self::M3 => "pen lifted by a servo (M3)",
         }
     }
 }
@@ -93,15 +97,15 @@ impl ServoStatistics {
         *count = count.saturating_add(1);
     }
 
-    /// The angle that is up, unless nothing moves with another; `end` is the tool at the end of the program.
+    /// The angle that is up, unless nothing moves with another; `end` is that at the end of the program.
     pub(super) fn up(
         &self,
         text: &[u8],
         code: ServoCode,
-        end: &ToolState,
+        end: Option<f64>,
     ) -> Option<(f64, UpSource)> {
         let first = self.angles.first()?;
-        let end = end.angle(code).filter(|it| *it != first.angle);
+        let end = end.filter(|it| *it != first.angle);
         let last = end.filter(|_| self.has_moved_before);
         if self.angles.len() == 1 && last.is_none() {
             return None;
@@ -119,8 +123,8 @@ impl ServoStatistics {
         }
         Some(match (code, last) {
             (ServoCode::M300, _) => (angles().fold(0.0, f64::max), UpSource::Larger),
-            (ServoCode::M280, Some(last)) => (last, UpSource::Last),
-            (ServoCode::M280, None) => (first.angle, UpSource::First),
+            (ServoCode::M280 | ServoCode::M3, Some(last)) => (last, UpSource::Last),
+            (ServoCode::M280 | ServoCode::M3, None) => (first.angle, UpSource::First),
         })
     }
 }
@@ -146,7 +150,11 @@ fn told_up(text: &[u8], code: ServoCode) -> Option<f64> {
         let comment = line.iter().position(|byte| b"(;".contains(byte))?;
         let (words, comment) = line.split_at(comment);
         let name = code.name().as_bytes();
-        if !words.windows(name.len()).any(|it| it == name) || !calls_up(comment) {
+        let is_named = |it: &[u8]| {
+            it.strip_prefix(name)
+                .is_some_and(|it| !it.first().is_some_and(u8::is_ascii_digit))
+        };
+        if !(0..words.len()).any(|i| is_named(&words[i..])) || !calls_up(comment) {
             return None;
         }
         let s = words.iter().position(|&byte| byte == b'S')?;

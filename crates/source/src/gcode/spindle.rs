@@ -17,22 +17,32 @@ pub(super) struct SpindleStatistics {
     has_risen: bool,
     /// And came down by a move along Z alone, since something was drawn last.
     has_plunged: bool,
+    /// It turned meanwhile, and was not off since.
+    has_plunged_on: bool,
     /// It drew again after it was off, or not by M3.
     is_switched: bool,
+    /// And it did not come down since it was on.
+    is_switched_below: bool,
     /// It drew again after Z went up and came down.
     goes_up_and_down: bool,
+    /// And was not off meanwhile.
+    stays_on: bool,
 }
 
 impl SpindleStatistics {
     /// Counts how far a move of any kind rises.
     pub(super) fn count_rise(&mut self, it: &Move, rise_mm: f64) {
         self.has_risen |= rise_mm > 0.0 && self.has_worked;
-        self.has_plunged |= rise_mm < 0.0 && it.stands() && self.has_risen;
+        let plunges = rise_mm < 0.0 && it.stands() && self.has_risen;
+        self.has_plunged |= plunges;
+        self.has_plunged_on |= plunges && it.tool.power.is_some();
     }
 
     /// Counts a move of any kind.
     pub(super) fn count(&mut self, it: &Move) {
-        self.is_off |= it.tool.power.is_none();
+        if it.tool.power.is_none() {
+            (self.is_off, self.has_plunged_on) = (true, false);
+        }
         if it.is_line() && it.tool.power.is_some() {
             self.work(it);
         }
@@ -41,15 +51,20 @@ impl SpindleStatistics {
     fn work(&mut self, it: &Move) {
         let number = it.tool.number;
         // A spindle is off while its tool is changed.
-        self.is_switched |= self.has_worked && self.is_off && self.number == number;
-        self.is_switched |= !it.is_by_m3;
+        let is_same = self.has_worked && self.number == number;
+        let is_again = is_same && self.is_off;
+        self.is_switched |= is_again || !it.is_by_m3;
+        self.is_switched_below |= is_again && !self.has_plunged_on || !it.is_by_m3;
+        self.stays_on |= self.has_plunged && !self.is_off;
         self.goes_up_and_down |= self.has_plunged;
         (self.has_worked, self.number) = (true, number);
-        (self.is_off, self.has_plunged) = (false, false);
+        (self.is_off, self.has_plunged, self.has_plunged_on) = (false, false, false);
     }
 
-    /// A laser that M4 switches is off in G0 by itself.
+    /// A laser that M4 switches is off in G0 by itself. A spindle that is off between operations turns on its way down,
+    /// and from one cut to the next in at least one of them.
     pub(super) const fn is_spindle(&self) -> bool {
-        self.goes_up_and_down && !self.is_switched
+        let turns_on_its_way = self.stays_on && !self.is_switched_below;
+        self.goes_up_and_down && (!self.is_switched || turns_on_its_way)
     }
 }

@@ -92,3 +92,30 @@ fn lines_at_zero_beside_others_below_are_drawn_where_the_tool_comes_down_to_them
     assert_eq!(corners(up), [[(0.0, 0.0), (10.0, 0.0)]]);
     assert_eq!(told(up), "");
 }
+
+#[test]
+fn a_spindle_that_is_off_between_operations_is_none_the_less_one_if_it_turns_on_its_way_down() {
+    let operation = |y: u32| {
+        format!(
+            "M3 S9000\nG0 X0 Y{y}\nG0 Z0\nG1 Z-1 F100\nG1 X10\nG0 Z0\nG0 X20\nG1 Z-1\nG1 X30\nG0 Z5\nM5\n"
+        )
+    };
+    let text = format!("G21 G90\nG0 Z5\n{}{}", operation(0), operation(10));
+    assert_eq!(
+        corners(&text),
+        [
+            vec![(0.0, 10.0), (10.0, 10.0)],
+            vec![(20.0, 10.0), (30.0, 10.0)],
+            vec![(0.0, 0.0), (10.0, 0.0)],
+            vec![(20.0, 0.0), (30.0, 0.0)],
+        ]
+    );
+    assert!(!layers(&text)[0].is_burned);
+    // A travel at the height of the work does not change that.
+    let low = text.replace("G0 X20", "G0 X15\nG0 Z-1\nG0 X16\nG0 Z0\nG0 X20");
+    assert!(!layers(&low)[0].is_burned);
+    // A laser comes down before it is on.
+    let laser = low.replace("M3 S9000\n", "");
+    let laser = laser.replace("G1 Z-1 F100\n", "G1 Z-1 F100\nM3 S9\n");
+    assert!(layers(&laser)[0].is_burned);
+}

@@ -64,3 +64,44 @@ fn a_beep_is_no_servo() {
     assert_eq!(corners(text), [[(0.0, 5.0), (4.0, 5.0), (4.0, 0.0)]]);
     assert_eq!(draw(text).1[0], "1:1: 4 M300 codes: not known, left out");
 }
+
+#[test]
+fn m3_turns_the_servo_of_a_pen_where_two_angles_hold_in_all_moves_and_the_program_waits() {
+    let text = "G21 G90\nM3 S90\nG4 P0.2\nG1 X10 Y10 F3000\nM3 S30\nG4 P0.2\nG1 X40 F1000\nM3 S90\nG4 P0.2\nG1 X60 Y40 F3000\nM3 S30\nG4 P0.2\nG1 X80 F1000\nM3 S90\nG4 P0.2\nG1 X0 Y0\nM5\nG0 X5";
+    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
+    assert_eq!(corners(text), lines);
+    let told = |text: &str| draw(text).1.concat();
+    let up = |reason: &str| format!("1 pen lifted by a servo (M3): S90 taken for up, {reason}");
+    assert_eq!(told(text), up("as the first move has it"));
+    assert!(!layers(text)[0].is_burned);
+    // In haste where it is up: it need not wait then.
+    let in_haste = text.replace("G1 X60", "G0 X60").replace("G1 X10", "G0 X10");
+    let in_haste = in_haste.replace("G1 X0", "G0 X0");
+    for text in [&in_haste, &in_haste.replace("G4 P0.2\n", "")] {
+        assert_eq!(corners(text), lines);
+        assert_eq!(told(text), up("as G0 has it"));
+    }
+    // The file begins with a move.
+    let begun = text.replace("M3 S90\nG4 P0.2\nG1 X10 Y10 F3000", "G1 X10 Y10 F3000");
+    assert_eq!(corners(&begun), lines);
+    assert_eq!(told(&begun), up("as the program ends with it"));
+    let commented = text.replace("S30", "S30 (pen up)");
+    assert!(told(&commented).contains("S30 taken for up, as a comment says"));
+}
+
+#[test]
+fn m3_is_the_power_of_a_laser_that_goes_off_on_its_way_or_is_set_beside_the_moves() {
+    let lines = "M3 S90\nG4 P1\nG1 X9\nM3 S30\nG4 P1\nG1 X19\nM3 S90\nG4 P1\nG1 X29\nM5";
+    let off_between = lines.replace("G1 X19", "M5\nG0 X12\nM3 S30\nG4 P1\nG1 X19");
+    let hasty = lines.replace("G4 P1\n", "");
+    let beside = lines.replace("G1 X19", "G1 X19 S60");
+    let three = lines.replace("G1 X29", "G1 X29\nM3 S60\nG4 P1\nG1 X39");
+    let twice = "M3 S90\nG4 P1\nG1 X9\nM3 S30\nG4 P1\nG1 X19\nM5";
+    let waits_before = "M3 S90\nG4 P1\nG1 X9\nG4 P1\nM3 S30\nG1 X19\nG4 P1\nM3 S90\nG1 X29\nM5";
+    for text in [&off_between, &hasty, &beside, &three, twice, waits_before] {
+        assert!(layers(text).iter().all(|it| it.is_burned), "{text}");
+        let told = draw(text).1.concat();
+        assert!(!told.contains("servo"), "{told}");
+    }
+    assert_eq!(draw(lines).1.len(), 1);
+}
