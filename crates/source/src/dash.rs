@@ -28,6 +28,67 @@ pub(crate) fn dash(
     Ok(cutter.dashes)
 }
 
+/// Cuts a stroke into dashes that are fitted to each of its lines: from corner to corner there are whole turns, longer or
+/// shorter than asked for, and half of the first dash at both ends. A line whose turn would be shorter than `least`, or
+/// that would have more than `most` of them, stays whole.
+///
+/// ```text
+///   --  ----  ----  --.      Two lines of three turns and one.
+///                     |
+///
+///                     |
+/// ```
+pub(crate) fn fitted_dashes(
+    stroke: Stroke,
+    lengths: &[f64],
+    [least, most]: [f64; 2],
+    budget: &mut Budget,
+) -> Result<Vec<Stroke>, OverBudget> {
+    let period: f64 = lengths.iter().sum();
+    if stroke.points.len() < 2 || period <= 0.0 || !period.is_finite() {
+        return Ok(vec![stroke]);
+    }
+    let mut dashes: Vec<Stroke> = Vec::new();
+    for line in lines_between_corners(&stroke.points) {
+        let line = Stroke::open(line.to_vec());
+        let length = line.length_mm();
+        let turns = (length / period).round().max(1.0);
+        let turn = length / turns;
+        let pieces = if turn < least || turns > most {
+            vec![line]
+        } else {
+            let fitted: Vec<f64> = lengths.iter().map(|it| it * turn / period).collect();
+            dash(line, &fitted, 0.5 * fitted[0], budget)?
+        };
+        // The half dashes at a corner are one.
+        let mut pieces = pieces.into_iter().peekable();
+        if let (Some(last), Some(first)) = (dashes.last_mut(), pieces.peek())
+            && last.last() == Some(first.points[0])
+        {
+            last.points.extend_from_slice(&first.points[1..]);
+            pieces.next();
+        }
+        dashes.extend(pieces);
+    }
+    Ok(dashes)
+}
+
+/// The parts of a line between its corners; where it turns by less it is a curve.
+fn lines_between_corners(points: &[Point]) -> Vec<&[Point]> {
+    let mut lines = Vec::new();
+    let mut from = 0;
+    for i in 1..points.len() - 1 {
+        let (before, after) = (points[i] - points[i - 1], points[i + 1] - points[i]);
+        let turn_rad = before.cross(after).atan2(before.dot(after)).abs();
+        if turn_rad > CORNER_RAD {
+            lines.push(&points[from..=i]);
+            from = i;
+        }
+    }
+    lines.push(&points[from..]);
+    lines
+}
+
 struct Cutter<'a> {
     lengths: &'a [f64],
     /// Which length is being used up; even turns draw.
@@ -92,6 +153,9 @@ impl<'a> Cutter<'a> {
     }
 }
 
+/// Curves are made of lines that turn by less: plotters have 5 degrees from one to the next.
+const CORNER_RAD: f64 = 0.2;
+
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
@@ -135,6 +199,34 @@ mod tests {
             dashes(&[0.0, 4.0], 0.0),
             [(0.0, 0.0), (4.0, 4.0), (8.0, 8.0)]
         );
+    }
+
+    #[test]
+    fn fitted_dashes_have_whole_turns_from_corner_to_corner_and_lines_that_are_too_short_stay_whole()
+     {
+        let fitted = |points: &[(f64, f64)]| {
+            let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
+            let limits = [0.5, 1000.0];
+            let budget = &mut Budget::new(1000);
+            fitted_dashes(Stroke::open(points), &[4.0, 2.0], limits, budget).unwrap()
+        };
+        let ends = |it: &Stroke| [it.points[0], it.last().unwrap()].map(|p| (p.x, p.y));
+        let found: Vec<_> = fitted(&[(0.0, 0.0), (6.0, 0.3), (12.0, 0.0), (12.0, 3.0)])
+            .iter()
+            .map(ends)
+            .map(|it| it.map(|(x, y)| (x.round(), y.round())))
+            .collect();
+        assert_eq!(
+            found,
+            [
+                [(0.0, 0.0), (2.0, 0.0)],
+                [(4.0, 0.0), (8.0, 0.0)],
+                [(10.0, 0.0), (12.0, 1.0)],
+                [(12.0, 2.0), (12.0, 3.0)],
+            ]
+        );
+        assert_eq!(fitted(&[(0.0, 0.0), (0.4, 0.0)]).len(), 1);
+        assert_eq!(fitted(&[(1.0, 1.0)]).len(), 1);
     }
 
     #[test]

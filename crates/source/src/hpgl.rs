@@ -11,6 +11,7 @@ mod polygon;
 mod shapes;
 mod transform;
 mod units;
+mod window;
 
 use self::command::commands;
 use self::plotter::Plotter;

@@ -10,7 +10,7 @@ use dobot_geometry::{Area, CubicBez, FillRule, ParamCurve, Point, Stroke, bounds
 use crate::arc::{Arc, SAME_MM};
 use crate::artwork::{Artwork, Layer};
 use crate::clip::{ClipArea, Region};
-use crate::dash::dash;
+use crate::dash::{dash, fitted_dashes};
 use crate::error::SourceError;
 use crate::hidden::UNKNOWN;
 use crate::limits::{Budget, LIMIT_MM, MAX_SEGMENTS, OverBudget, checked_tolerance_mm};
@@ -269,6 +269,18 @@ impl<'a> Sketch<'a> {
         })
     }
 
+    /// The same, where each straight line has whole turns, and begins and ends with half of the first dash. What has shorter
+    /// ones than anybody could see is drawn whole.
+    pub(super) fn fit_dashes_since(
+        &mut self,
+        mark: &SketchMark,
+        lengths: &[f64],
+    ) -> Result<(), SourceError> {
+        self.change_since(mark, |stroke, budget| {
+            fitted_dashes(stroke, lengths, [LEAST_TURN_MM, MOST_DASHES], budget)
+        })
+    }
+
     /// Puts other lines in the places of those that came since there.
     fn change_since(
         &mut self,
@@ -459,6 +471,8 @@ pub(super) struct SketchMark {
 
 /// With more turns of its dashes a line is drawn whole.
 const MOST_DASHES: f64 = 2000.0;
+/// Nor what dashes are that return after less than that, in mm.
+const LEAST_TURN_MM: f64 = 0.5;
 
 /// The edge of an area.
 #[derive(Debug)]

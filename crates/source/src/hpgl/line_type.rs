@@ -23,7 +23,7 @@ pub(super) struct LineTypes {
 struct LineType {
     /// From 0 on.
     pattern: usize,
-    /// It begins and ends with half a dash.
+    /// A straight line has whole patterns, and begins and ends with half a dash.
     is_adaptive: bool,
 }
 
@@ -79,15 +79,10 @@ impl Plotter<'_> {
             Some(number) => line_type(number),
         };
         types.previous = before.or(types.previous);
-        match (it.number(0), types.current) {
-            (Some(number), None) if number != PREVIOUS => {
-                self.warn(it, "line type without a pattern", "drawn solid (LT)");
-            }
-            (_, Some(LineType { is_adaptive, .. })) if is_adaptive => {
-                let instead = "its dashes are not fitted to each line (LT)";
-                self.warn(it, "adaptive line type", instead);
-            }
-            _ => {}
+        if let (Some(number), None) = (it.number(0), types.current)
+            && number != PREVIOUS
+        {
+            self.warn(it, "line type without a pattern", "drawn solid (LT)");
         }
         Ok(())
     }
@@ -142,12 +137,10 @@ impl Plotter<'_> {
         let shares = &types.patterns[line_type.pattern];
         let factor = types.length.mm(&self.transform) / shares.iter().sum::<f64>();
         let lengths: Vec<f64> = shares.iter().map(|it| it * factor).collect();
-        let offset = if line_type.is_adaptive {
-            0.5 * lengths[0]
-        } else {
-            0.0
-        };
-        self.sketch.dash_since(&mark, &lengths, offset)
+        if line_type.is_adaptive {
+            return self.sketch.fit_dashes_since(&mark, &lengths);
+        }
+        self.sketch.dash_since(&mark, &lengths, 0.0)
     }
 }
 

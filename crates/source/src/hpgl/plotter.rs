@@ -9,6 +9,7 @@ use super::line_type::LineTypes;
 use super::names::left_out;
 use super::polygon::Polygon;
 use super::transform::PlotTransform;
+use super::window::Window;
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::place::excerpt;
@@ -44,6 +45,7 @@ pub(super) struct Plotter<'a> {
     pub(super) polygon: Polygon,
     pub(super) labels: Labels,
     pub(super) line_types: LineTypes,
+    pub(super) window: Option<Window>,
 }
 
 /// What the plotter holds.
@@ -77,6 +79,7 @@ impl<'a> Plotter<'a> {
             polygon: Polygon::default(),
             labels: Labels::default(),
             line_types: LineTypes::default(),
+            window: None,
         }
     }
 
@@ -88,7 +91,7 @@ impl<'a> Plotter<'a> {
             bytes: &[],
         };
         self.lift(&end)?;
-        self.end_dashes()?;
+        self.end_window()?;
         Ok(self.sketch)
     }
 
@@ -134,10 +137,11 @@ impl<'a> Plotter<'a> {
             | b"LO" | b"SM" | b"CS" | b"CA" | b"SD" | b"AD" | b"DV" | b"TD" => self.text(it),
             b"LT" => self.set_line_type(it),
             b"UL" => self.define_line_type(it),
-            b"FT" | b"IW" => {
-                self.style(it);
+            b"FT" => {
+                self.fill_type(it);
                 Ok(())
             }
+            b"IW" => self.set_window(it),
             b"PG" => {
                 self.is_new_page = true;
                 Ok(())
@@ -162,6 +166,7 @@ impl<'a> Plotter<'a> {
     /// IN forgets everything, DF keeps the corners and the turn.
     fn reset(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
         self.lift(it)?;
+        self.end_window()?;
         self.is_relative = false;
         self.has_pattern = false;
         self.polygon = Polygon::default();
@@ -366,18 +371,11 @@ impl<'a> Plotter<'a> {
         Ok(())
     }
 
-    /// Fill patterns and clip windows: nothing of them is drawn.
-    fn style(&mut self, it: &Command<'_>) {
-        if &it.name == b"FT" {
-            // Without a number it is filled, as in the beginning.
-            self.has_pattern = it.number(0).is_some_and(|kind| kind > 2.0);
-        }
-        match (&it.name, it.number(0)) {
-            (b"FT", Some(kind)) if kind > 2.0 => {
-                self.warn(it, "fill pattern", "filled as all areas are (FT)");
-            }
-            (b"IW", Some(_)) => self.warn(it, "clip window", "nothing is cut off by it (IW)"),
-            _ => {}
+    /// A pattern is not drawn. Without a number areas are filled, as in the beginning.
+    fn fill_type(&mut self, it: &Command<'_>) {
+        self.has_pattern = it.number(0).is_some_and(|kind| kind > 2.0);
+        if self.has_pattern {
+            self.warn(it, "fill pattern", "filled as all areas are (FT)");
         }
     }
 

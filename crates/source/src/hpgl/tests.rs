@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod labels;
+mod windows;
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -421,7 +422,8 @@ fn line_types_can_be_defined_and_letters_are_never_dashed() {
 
 #[test]
 fn what_is_left_out_is_named_with_its_place_and_count() {
-    let text = "IN;LT0;PD40,0;\nLBSP1;text;\u{3}LT;DT$;LBmore$PU;ZZ1,2;\nIW0,0,9,9;FT3;PG;PD0,0;SI.2,.3;RO90;";
+    let text =
+        "IN;LT0;PD40,0;\nLBSP1;text;\u{3}LT;DT$;LBmore$PU;ZZ1,2;\nFT3;PG;PD0,0;SI.2,.3;RO90;";
     let (_, warnings) = draw(text);
     assert_eq!(
         warnings,
@@ -429,10 +431,9 @@ fn what_is_left_out_is_named_with_its_place_and_count() {
             "1:4: 1 line type without a pattern: drawn solid (LT)",
             "2:1: 2 sizeless texts: written as on a sheet of A4, 1.87 mm wide, 2.69 mm tall (no SI or SR)",
             "2:30: 1 ZZ command: not known, left out",
-            "3:1: 1 clip window: nothing is cut off by it (IW)",
-            "3:11: 1 fill pattern: filled as all areas are (FT)",
-            "3:18: 1 further page: drawn onto the same sheet (PG)",
-            "3:32: 1 late turn: turned about the origin, not on its sheet, whose size is not known (RO)",
+            "3:1: 1 fill pattern: filled as all areas are (FT)",
+            "3:8: 1 further page: drawn onto the same sheet (PG)",
+            "3:22: 1 late turn: turned about the origin, not on its sheet, whose size is not known (RO)",
         ]
     );
 }

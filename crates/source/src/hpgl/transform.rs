@@ -47,9 +47,13 @@ impl PlotTransform {
 
     /// A point, in millimetres.
     pub(super) fn point(&self, p: Point) -> Point {
+        (self.turned(self.plotter_units(p)) * UNIT_MM).to_point()
+    }
+
+    /// A point in plotter units, before RO turns it.
+    pub(super) fn plotter_units(&self, p: Point) -> Vec2 {
         let (factor, shift) = self.factor_and_shift();
-        let units = Vec2::new(p.x * factor.x, p.y * factor.y) + shift;
-        (self.turned(units) * UNIT_MM).to_point()
+        Vec2::new(p.x * factor.x, p.y * factor.y) + shift
     }
 
     /// The way from one point to another.

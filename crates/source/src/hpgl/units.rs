@@ -96,6 +96,7 @@ impl Plotter<'_> {
             self.warn(it, "late turn", instead);
         }
         self.labels.margin_mm = None;
+        self.renew_window()?;
         self.use_transform(PlotTransform {
             quarters,
             ..self.transform

@@ -1,0 +1,72 @@
+//! The window in which a plot shows: IW.
+
+use dobot_geometry::{Point, Vec2};
+
+use super::command::Command;
+use super::plotter::Plotter;
+use super::transform::UNIT_MM;
+use crate::error::SourceError;
+use crate::sketch::SketchMark;
+
+/// What is drawn from a place on shows in it alone.
+#[derive(Debug)]
+pub(super) struct Window {
+    /// Opposite corners, in plotter units; RO turns them.
+    corners: [Point; 2],
+    since: SketchMark,
+}
+
+impl Plotter<'_> {
+    /// IW: opposite corners in the units in force. Without them all shows again.
+    pub(super) fn set_window(&mut self, it: &Command<'_>) -> Result<(), SourceError> {
+        let corners = match it.numbers.as_slice() {
+            [] => None,
+            &[x1, y1, x2, y2] => Some([Point::new(x1, y1), Point::new(x2, y2)]),
+            _ => return Err(self.refused(it, "x,y of two opposite corners")),
+        };
+        self.end_window()?;
+        let Some([a, b]) = corners else {
+            return Ok(());
+        };
+        if a.x == b.x || a.y == b.y {
+            self.warn(it, "flat window", "nothing is cut off by it (IW)");
+            return Ok(());
+        }
+        if self.transform.scale.is_some() {
+            let instead = "taken for one in the units of SC, as in HP-GL/2 (IW)";
+            self.warn(it, "window in a scale", instead);
+        }
+        let corners = [a, b].map(|p| self.transform.plotter_units(p).to_point());
+        for p in corners {
+            self.sketch
+                .check(it.at, (p.to_vec2() * UNIT_MM).to_point())?;
+        }
+        self.sketch.lift();
+        let since = self.sketch.mark();
+        self.window = Some(Window { corners, since });
+        Ok(())
+    }
+
+    /// Cuts what was drawn up to here: before the window changes, and before all is turned.
+    pub(super) fn end_window(&mut self) -> Result<(), SourceError> {
+        self.end_dashes()?;
+        let Some(Window { corners, since }) = self.window.take() else {
+            return Ok(());
+        };
+        let [a, b] = corners;
+        let ring = [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y)];
+        let on_paper = |p: Point| (self.transform.turned(p.to_vec2()) * UNIT_MM).to_point();
+        self.sketch.cut_since(&since, ring.map(on_paper).to_vec())
+    }
+
+    /// Cuts what was drawn up to here, and goes on with the same window.
+    pub(super) fn renew_window(&mut self) -> Result<(), SourceError> {
+        let corners = self.window.as_ref().map(|it| it.corners);
+        self.end_window()?;
+        self.window = corners.map(|corners| Window {
+            corners,
+            since: self.sketch.mark(),
+        });
+        Ok(())
+    }
+}
