@@ -106,7 +106,8 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
 
 /// Pairs of lines: a section or a comment comes first.
 fn is_dxf(start: &str) -> bool {
-    let mut lines = start.lines().map(str::trim);
+    let lines = start.split(['\r', '\n']).map(str::trim);
+    let mut lines = lines.filter(|it| !it.is_empty());
     let first = (lines.next(), lines.next());
     let is_binary = start.starts_with("AutoCAD Binary DXF") || start.starts_with("AC10");
     is_binary || first == (Some("0"), Some("SECTION")) || first.0 == Some("999")
@@ -173,6 +174,7 @@ mod tests {
             ("{\"strokes\": []}", Some(TextKind::Json)),
             ("  0\r\nSECTION\r\n", Some(TextKind::Dxf)),
             ("999\nmade by hand\n0\nSECTION", Some(TextKind::Dxf)),
+            ("  0\rSECTION\r  2\rHEADER\r", Some(TextKind::Dxf)),
             ("AutoCAD Binary DXF\r\n\u{1a}", Some(TextKind::Dxf)),
             ("0,0\n1,1", Some(TextKind::Csv)),
             ("-1.5;2e3\n", Some(TextKind::Csv)),

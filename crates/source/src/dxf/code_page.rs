@@ -48,16 +48,15 @@ pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
         return (Cow::Borrowed(text), None);
     }
     let header = Header::read(text);
-    let told = header.code_page.map_or(Some(WINDOWS_1252), encoding);
-    let encoding = told.unwrap_or(WINDOWS_1252);
-    let may_stay = header.is_in_utf8() || encoding.is_single_byte();
+    let told = header.code_page.map_or(Some(WESTERN), CodePage::of);
+    let code_page = told.unwrap_or(WESTERN);
+    let may_stay = header.is_in_utf8() || code_page.is_single_byte();
     let mut decoded = Vec::with_capacity(text.len());
     for line in text.split_inclusive(|&byte| byte == b'\n') {
         if line.is_ascii() || may_stay && std::str::from_utf8(line).is_ok() {
             decoded.extend_from_slice(line);
         } else {
-            let (letters, _) = encoding.decode_without_bom_handling(line);
-            decoded.extend_from_slice(letters.as_bytes());
+            decoded.extend_from_slice(code_page.decode(line).as_bytes());
         }
     }
     let unknown = header.code_page.filter(|_| told.is_none());
@@ -65,12 +64,51 @@ pub(super) fn in_utf8(text: &[u8]) -> (Cow<'_, [u8]>, Option<String>) {
     (Cow::Owned(decoded), unknown)
 }
 
-/// What a code page is called elsewhere.
-fn encoding(code_page: &[u8]) -> Option<&'static Encoding> {
-    let name = code_page.to_ascii_lowercase();
+/// What the letters of a file are.
+#[derive(Clone, Copy, Debug)]
+enum CodePage {
+    Known(&'static Encoding),
+    /// The letters of the bytes from 128 on.
+    Dos(&'static str),
+}
+
+impl CodePage {
+    fn of(name: &[u8]) -> Option<Self> {
+        let name = name.to_ascii_lowercase();
+        let dos = DOS.iter().find(|it| name == it.0.as_bytes());
+        match dos {
+            Some(&(_, letters)) => Some(Self::Dos(letters)),
+            None => encoding(&name).map(Self::Known),
+        }
+    }
+
+    fn is_single_byte(self) -> bool {
+        match self {
+            Self::Known(encoding) => encoding.is_single_byte(),
+            Self::Dos(_) => true,
+        }
+    }
+
+    fn decode(self, line: &[u8]) -> Cow<'_, str> {
+        match self {
+            Self::Known(encoding) => encoding.decode_without_bom_handling(line).0,
+            Self::Dos(letters) => {
+                let letters: Vec<char> = letters.chars().collect();
+                let letter = |byte: &u8| match byte.checked_sub(128) {
+                    Some(number) => letters[usize::from(number)],
+                    None => char::from(*byte),
+                };
+                line.iter().map(letter).collect()
+            }
+        }
+    }
+}
+
+/// What a code page, in small letters, is called elsewhere.
+fn encoding(name: &[u8]) -> Option<&'static Encoding> {
     let number = name.strip_prefix(b"ansi_");
     let Some(number) = number.or_else(|| name.strip_prefix(b"dos")) else {
-        return Encoding::for_label(&name).filter(|it| it.is_ascii_compatible());
+        return Encoding::for_label(name).filter(|it| it.is_ascii_compatible());
     };
     match number {
         b"874" => Encoding::for_label(b"windows-874"),
@@ -79,5 +117,36 @@ fn encoding(code_page: &[u8]) -> Option<&'static Encoding> {
         b"949" => Some(EUC_KR),
         b"950" => Some(BIG5),
         _ => Encoding::for_label(&[b"cp", number].concat()),
+    }
+}
+
+const WESTERN: CodePage = CodePage::Known(WINDOWS_1252);
+
+/// Code pages of DOS: the letters of their bytes from 128 on.
+const DOS: [(&str, &str); 3] = [
+    (
+        "dos437",
+        "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u{A0}",
+    ),
+    (
+        "dos850",
+        "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜø£Ø×ƒáíóúñÑªº¿®¬½¼¡«»░▒▓│┤ÁÂÀ©╣║╗╝¢¥┐└┴┬├─┼ãÃ╚╔╩╦╠═╬¤ðÐÊËÈıÍÎÏ┘┌█▄¦Ì▀ÓßÔÒõÕµþÞÚÛÙýÝ¯´\u{AD}±‗¾¶§÷¸°¨·¹³²■\u{A0}",
+    ),
+    (
+        "dos852",
+        "ÇüéâäůćçłëŐőîŹÄĆÉĹĺôöĽľŚśÖÜŤťŁ×čáíóúĄąŽžĘę¬źČş«»░▒▓│┤ÁÂĚŞ╣║╗╝Żż┐└┴┬├─┼Ăă╚╔╩╦╠═╬¤đĐĎËďŇÍÎě┘┌█▄ŢŮ▀ÓßÔŃńňŠšŔÚŕŰýÝţ´\u{AD}˝˛ˇ˘§÷¸°¨˙űŘř■\u{A0}",
+    ),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_byte_of_dos_is_a_letter() {
+        for (name, letters) in DOS {
+            assert_eq!(letters.chars().count(), 128, "{name}");
+            assert!(letters.chars().all(|it| !it.is_ascii()), "{name}");
+        }
     }
 }
