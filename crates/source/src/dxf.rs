@@ -27,6 +27,7 @@ mod xclip;
 use dobot_geometry::{Affine, Vec2};
 
 use self::file::File;
+use self::pairs::MOST_COORDINATE;
 use self::renderer::EntityRenderer;
 use crate::artwork::Artwork;
 use crate::error::SourceError;
@@ -51,7 +52,11 @@ pub(crate) fn read(
     }
     let code_page = unknown_code_page.as_deref();
     let (far, from_origin) = match draw(&file, options, code_page, Vec2::ZERO) {
-        Err(error @ SourceError::TooFar { x_mm, y_mm, .. }) => (Vec2::new(x_mm, y_mm), error),
+        Err(error @ SourceError::TooFar { x_mm, y_mm, .. })
+            if x_mm.hypot(y_mm) <= 2.0 * MOST_COORDINATE =>
+        {
+            (Vec2::new(x_mm, y_mm), error)
+        }
         drawn => return drawn,
     };
     match draw(&file, options, code_page, far) {

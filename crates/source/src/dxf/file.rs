@@ -23,7 +23,7 @@ pub(super) struct File<'a> {
     pub(super) line_scale: f64,
     pub(super) blocks: Named<Block<'a>>,
     pub(super) entities: Vec<Span<'a>>,
-    /// Dictionaries and filters, by their handles.
+    /// Dictionaries, filters and styles of multilines, by their handles.
     pub(super) objects: HashMap<&'a [u8], Span<'a>>,
 }
 
@@ -319,7 +319,7 @@ impl<'a> SectionReader<'a> {
         }
         if matches!(
             pair.value,
-            b"DICTIONARY" | b"SPATIAL_FILTER" | b"SORTENTSTABLE"
+            b"DICTIONARY" | b"SPATIAL_FILTER" | b"SORTENTSTABLE" | b"MLINESTYLE"
         ) {
             self.entity_pair(pair);
         }

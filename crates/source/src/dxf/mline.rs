@@ -1,5 +1,7 @@
 //! MLINE: lines side by side.
 
+use std::f64::consts::PI;
+
 use dobot_geometry::{Affine, Point, Vec2};
 
 use super::entity::Entity;
@@ -21,9 +23,22 @@ struct Corner {
     offsets: Vec<f64>,
 }
 
-impl EntityRenderer<'_, '_> {
-    /// Each of its lines; their ends are open.
-    pub(super) fn multiline(&mut self, it: &Entity<'_>, frame: Affine) -> Result<(), SourceError> {
+impl Corner {
+    /// The places of the lines that lie farthest to each side.
+    fn sides(&self) -> [Point; 2] {
+        let least = self.offsets.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = self
+            .offsets
+            .iter()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max);
+        [least, most].map(|it| self.at + self.mitre * it)
+    }
+}
+
+impl<'a> EntityRenderer<'_, 'a> {
+    /// Each of its lines, and what its style has at their ends.
+    pub(super) fn multiline(&mut self, it: &Entity<'a>, frame: Affine) -> Result<(), SourceError> {
         let (corners, has_gaps) = corners(it)?;
         if has_gaps {
             self.left_out(it, "drawn without its gaps");
@@ -38,7 +53,95 @@ impl EntityRenderer<'_, '_> {
             let points = self.places(it, frame, &points)?;
             self.sketch.stroke(points)?;
         }
+        self.caps(it, frame, &corners, lines.unwrap_or(0))
+    }
+
+    /// What lies across: straight or round caps at both ends, and the mitres of the corners.
+    ///
+    /// ```text
+    ///      ,----------------
+    ///    ,' ,---------------   a round cap is an arc of the outer lines, and arcs
+    ///    ', '---------------   of pairs of the inner ones
+    ///      '----------------
+    /// ```
+    fn caps(
+        &mut self,
+        it: &Entity<'a>,
+        frame: Affine,
+        corners: &[Corner],
+        lines: usize,
+    ) -> Result<(), SourceError> {
+        let (Some(handle), [first, middle @ .., last]) = (it.find(340), corners) else {
+            return Ok(());
+        };
+        let style = match self.object(handle)? {
+            Some(style) if style.kind == b"MLINESTYLE" => style.flags(70)?,
+            _ => return Ok(()),
+        };
+        let flags = it.flags(71)?;
+        let is_closed = flags & CLOSED != 0;
+        if style & MITRES != 0 && lines > 1 {
+            let ends = [first, last].into_iter().filter(|_| is_closed);
+            for corner in middle.iter().chain(ends) {
+                self.across(it, frame, corner.sides())?;
+            }
+        }
+        let [second, before] = [corners[1].at, corners[corners.len() - 2].at];
+        let ends = [
+            (first, first.at - second, NO_START, START_CAPS),
+            (last, last.at - before, NO_END, END_CAPS),
+        ];
+        for (end, outward, suppressed, [straight, inner, outer]) in ends {
+            if is_closed || flags & suppressed != 0 || lines < 2 {
+                continue;
+            }
+            if style & straight != 0 {
+                self.across(it, frame, end.sides())?;
+            }
+            if style & outer != 0 {
+                self.half_circle(it, frame, end.sides(), outward)?;
+            }
+            if style & inner != 0 {
+                let mut inner: Vec<Point> = (end.offsets.iter().take(lines))
+                    .map(|it| end.at + end.mitre * *it)
+                    .collect();
+                inner.sort_by(|a, b| {
+                    let along = |p: &Point| (*p - end.at).dot(end.mitre);
+                    along(a).total_cmp(&along(b))
+                });
+                for i in 1..lines / 2 {
+                    let pair = [inner[i], inner[lines - 1 - i]];
+                    self.half_circle(it, frame, pair, outward)?;
+                }
+            }
+        }
         Ok(())
+    }
+
+    fn across(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Affine,
+        ends: [Point; 2],
+    ) -> Result<(), SourceError> {
+        let points = self.places(it, frame, &ends)?;
+        self.sketch.stroke(points)
+    }
+
+    /// Half a circle from one point to another, to the side of a way.
+    fn half_circle(
+        &mut self,
+        it: &Entity<'_>,
+        frame: Affine,
+        [from, to]: [Point; 2],
+        side: Vec2,
+    ) -> Result<(), SourceError> {
+        let center = from.midpoint(to);
+        let across = from - center;
+        let along = Vec2::new(-across.y, across.x);
+        let along = if along.dot(side) < 0.0 { -along } else { along };
+        self.sketch.lift();
+        self.round(it, frame, center, [across, along], [0.0, PI])
     }
 }
 
@@ -73,3 +176,11 @@ fn corners(it: &Entity<'_>) -> Result<(Vec<Corner>, bool), SourceError> {
 
 /// Flag of a line that ends where it begins.
 const CLOSED: u32 = 2;
+/// Flags of a line whose ends have no caps.
+const NO_START: u32 = 4;
+const NO_END: u32 = 8;
+/// Flags of a style: the mitres of corners are drawn.
+const MITRES: u32 = 2;
+/// A straight cap, arcs of pairs of inner lines, and an arc of the outer ones.
+const START_CAPS: [u32; 3] = [16, 32, 64];
+const END_CAPS: [u32; 3] = [256, 512, 1024];

@@ -29,13 +29,18 @@ impl<'a> Pair<'a> {
         self.code == code && self.value == value
     }
 
-    /// The value as a number.
+    /// The value as a number. That of a coordinate may be as large as it is in a plan in millimetres, in the
+    /// coordinates of the country.
     pub(super) fn number(&self) -> Result<f64, SourceError> {
+        let (most, expected) = match self.code {
+            10..=39 => (MOST_COORDINATE, "a number from -1e12 to 1e12"),
+            _ => (MAX_NUMBER, "a number from -1e9 to 1e9"),
+        };
         let number = std::str::from_utf8(self.value)
             .ok()
             .and_then(|it| it.parse().ok());
-        let number = number.filter(|it: &f64| it.abs() <= MAX_NUMBER);
-        number.ok_or_else(|| self.refused("a number from -1e9 to 1e9"))
+        let number = number.filter(|it: &f64| it.abs() <= most);
+        number.ok_or_else(|| self.refused(expected))
     }
 
     pub(super) fn refused(&self, expected: &str) -> SourceError {
@@ -114,3 +119,6 @@ fn next_line<'a>(text: &'a [u8], at: &mut usize) -> &'a [u8] {
     *at += length.map_or(rest.len(), |length| length + 1);
     rest[..length.unwrap_or(rest.len())].trim_ascii()
 }
+
+/// Beyond that two places 0.0001 apart are the same.
+pub(super) const MOST_COORDINATE: f64 = 1e12;

@@ -36,6 +36,8 @@ struct Copy<'l> {
     depth: u32,
     /// The layer of the INSERT, which is that of entities on layer 0.
     layer: &'l str,
+    /// The line type of the INSERT in capitals, which is that of entities that have their block's.
+    line_type: &'l str,
 }
 
 impl<'s, 'a> EntityRenderer<'s, 'a> {
@@ -55,6 +57,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
             frame,
             depth: 0,
             layer: "0",
+            line_type: "",
         };
         self.entities(&self.file.entities, copy)
     }
@@ -109,7 +112,12 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         if self.is_hidden(&it, layer)? {
             return Ok(false);
         }
-        let copy = Copy { layer, ..copy };
+        let line_type = self.line_type_name(&it, layer, copy.line_type);
+        let copy = Copy {
+            layer,
+            line_type: &line_type,
+            ..copy
+        };
         match it.kind {
             b"INSERT" => self.insert(&it, parts, copy),
             b"ACAD_TABLE" => self.table(&it, copy),
@@ -138,7 +146,7 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.use_layer(copy.layer)?;
         self.sketch.lift();
         let copy = Copy { frame, ..copy };
-        if let Some(line_type) = self.line_type(it, frame)? {
+        if let Some(line_type) = self.line_type(it, copy)? {
             let mark = self.sketch.mark();
             self.shape(it, parts, copy)?;
             let LineType { lengths, offset } = line_type;
@@ -147,19 +155,28 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.shape(it, parts, copy)
     }
 
+    /// The name in capitals of an entity's line type, which may be that of its layer or of its block.
+    fn line_type_name(&self, it: &Entity<'_>, layer: &str, of_block: &str) -> String {
+        let own = it.find(6).map(|it| it.text().to_uppercase());
+        match own.as_deref() {
+            None | Some("BYLAYER") => {
+                let info = self.file.layers.get(layer);
+                info.map(|it| it.line_type.clone()).unwrap_or_default()
+            }
+            Some("BYBLOCK") => of_block.to_owned(),
+            Some(own) => own.to_owned(),
+        }
+    }
+
     /// The dashes of an entity, in mm; `None` where it is solid.
-    fn line_type(&self, it: &Entity<'_>, frame: Affine) -> Result<Option<LineType>, SourceError> {
-        if !LINES.contains(&it.kind) || self.file.line_types.is_empty() {
+    fn line_type(&self, it: &Entity<'_>, copy: Copy<'_>) -> Result<Option<LineType>, SourceError> {
+        if !LINES.contains(&it.kind) {
             return Ok(None);
         }
-        let own = it.find(6).map(|it| it.text().to_uppercase());
-        let own = own.filter(|it| it != "BYLAYER");
-        let of_layer = || self.layer_info().map(|it| it.line_type.clone());
-        let name = own.or_else(of_layer).unwrap_or_default();
-        let Some(line_type) = self.file.line_types.get(&name) else {
+        let Some(line_type) = self.file.line_types.get(copy.line_type) else {
             return Ok(None);
         };
-        let larger = frame.determinant().abs().sqrt();
+        let larger = copy.frame.determinant().abs().sqrt();
         Ok(line_type.scaled(self.file.line_scale * it.number_or(48, 1.0)? * larger))
     }
 

@@ -75,7 +75,8 @@ impl EntityRenderer<'_, '_> {
         self.round(it, frame, center, [across, along], [from_rad, sweep_rad])
     }
 
-    fn round(
+    /// A part of a circle or an ellipse by two ways from its center, from an angle on, by an angle.
+    pub(super) fn round(
         &mut self,
         it: &Entity<'_>,
         frame: Affine,

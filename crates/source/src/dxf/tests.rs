@@ -1,7 +1,10 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod blocks;
+mod dashes;
+mod far;
 mod hiding;
+mod multilines;
 mod patterns;
 mod text;
 
@@ -671,11 +674,11 @@ fn what_cannot_be_drawn_is_refused_with_its_place() {
         ),
         (
             in_text("0 LINE 10 0 20 zero 11 1 21 1"),
-            "32:1: found \"zero\" for group 20; expected a number from -1e9 to 1e9",
+            "32:1: found \"zero\" for group 20; expected a number from -1e12 to 1e12",
         ),
         (
             in_text("0 LINE 10 nan 20 0 11 1 21 1"),
-            "30:1: found \"nan\" for group 10; expected a number from -1e9 to 1e9",
+            "30:1: found \"nan\" for group 10; expected a number from -1e12 to 1e12",
         ),
         (
             in_text("0 TEXT 10 0 20 0 1 a"),
@@ -788,6 +791,9 @@ fn names_are_in_the_code_page_of_the_header_before_2007() {
         ("ANSI_950", b"\xa4\xa4", "中"),
         ("ANSI_874", b"\xa1", "ก"),
         ("dos866", b"\x84", "Д"),
+        ("dos437", b"K\x81che \xe1", "Küche ß"),
+        ("DOS850", b"\x9dre, \xb5", "Øre, Á"),
+        ("dos852", b"\x88\xa2d\xab", "łódź"),
         ("ISO8859-2", b"\xb3", "ł"),
         // Written by programs that tell another code page than they use.
         ("ANSI_1252", "Küche".as_bytes(), "Küche"),
@@ -806,10 +812,10 @@ fn names_from_2007_on_are_in_utf8_and_those_without_a_code_page_western() {
     for header in ["", "9 $ACADVER 1 AC1009"] {
         assert_eq!(layer_name(header, b"5 \x80").0, "5 €");
     }
-    let unknown = "9 $ACADVER 1 AC1009 9 $DWGCODEPAGE 3 dos850";
+    let unknown = "9 $ACADVER 1 AC1009 9 $DWGCODEPAGE 3 dos863";
     let (name, warnings) = layer_name(unknown, b"Fr\xe4ser");
     assert_eq!(name, "Fräser");
-    let told = "1 file in an unknown code page: its letters taken for western ones; its header tells \"dos850\"";
+    let told = "1 file in an unknown code page: its letters taken for western ones; its header tells \"dos863\"";
     assert_eq!(warnings, [told]);
     assert_eq!(layer_name(unknown, b"wall").1, [""; 0]);
 }
@@ -822,7 +828,7 @@ fn lines_may_end_as_on_old_macs() {
     let marked = format!("\u{FEFF}{}", returns(&text));
     assert_eq!(draw_text(&marked), draw_text(&text));
     let broken = text.replace("21\n0", "21\nzero");
-    let told = "38:1: found \"zero\" for group 21; expected a number from -1e9 to 1e9";
+    let told = "38:1: found \"zero\" for group 21; expected a number from -1e12 to 1e12";
     assert_eq!(error(returns(&broken).as_bytes()), told);
 }
 

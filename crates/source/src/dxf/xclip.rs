@@ -47,7 +47,8 @@ impl<'a> EntityRenderer<'_, 'a> {
         Ok(entries.find(|it| matches!(it.code, 350 | 360)).copied())
     }
 
-    fn object(&mut self, handle: &Pair<'a>) -> Result<Option<Entity<'a>>, SourceError> {
+    /// What has a handle.
+    pub(super) fn object(&mut self, handle: &Pair<'a>) -> Result<Option<Entity<'a>>, SourceError> {
         let Some(&span) = self.file.objects.get(handle.value) else {
             return Ok(None);
         };
