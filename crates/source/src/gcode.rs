@@ -7,11 +7,13 @@ mod arc;
 mod block;
 mod codes;
 mod grbl_servo;
+mod high_pen;
 mod ink;
 mod ink_rule;
 mod machine;
 mod servo;
 mod spindle;
+mod switch;
 mod zero;
 
 use self::ink::Inker;

@@ -56,7 +56,8 @@ impl GrblServoStatistics {
             return;
         };
         // That of a laser at work may be told beside the moves.
-        self.is_none |= it.tool.power != Some(angle) || self.is_off;
+        let own = (angle > 0.0).then_some(angle);
+        self.is_none |= it.tool.power != own || self.is_off;
         match self.held.replace(angle) {
             Some(held) if held != angle => self.turn(held, angle),
             _ => {}
@@ -81,7 +82,11 @@ impl GrblServoStatistics {
         let has_both = self.rapids.first.is_some() && self.feeds.first.is_some();
         let is_told_by_haste = has_both && !is_mixed && self.rapids.first != self.feeds.first;
         let fits = self.turns >= LEAST_TURNS && (!self.is_hasty || is_told_by_haste);
-        if self.is_none || !fits {
+        let is_zero = |it: Option<f64>| it == Some(0.0);
+        // A laser that is off at 0 draws the same; at 0 a pen is down only where nothing else is told.
+        let has_zero = is_zero(self.held) || is_zero(self.other);
+        let is_laser = has_zero && (!is_told_by_haste || is_zero(self.rapids.first));
+        if self.is_none || !fits || is_laser {
             return None;
         }
         // M5 lets it rest in the end.

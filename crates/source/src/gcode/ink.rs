@@ -104,6 +104,8 @@ impl<'s, 'a> Inker<'s, 'a> {
                 it.kind != MoveKind::Rapid && it.tool.power.is_some_and(|power| power > least)
             }
             InkRule::Height { below_mm, .. } => it.z_mm.is_some_and(|z_mm| z_mm < below_mm),
+            InkRule::HighPen { above_mm } => it.z_mm.is_some_and(|z_mm| z_mm > above_mm),
+            InkRule::Switch => it.kind != MoveKind::Rapid && it.tool.is_on_without_power,
             InkRule::Servo { code, up, .. } => it.tool.angle(code).is_some_and(|angle| angle != up),
             InkRule::Plain => it.kind != MoveKind::Rapid,
         }
@@ -113,7 +115,8 @@ impl<'s, 'a> Inker<'s, 'a> {
     fn stand(&mut self, it: &Move) {
         let laser = matches!(self.rule, InkRule::Laser { .. });
         let waits = it.kind == MoveKind::Dwell;
-        let is_nothing = self.rule == InkRule::Plain || (laser && !waits);
+        let is_unlifted = matches!(self.rule, InkRule::Plain | InkRule::Switch);
+        let is_nothing = is_unlifted || (laser && !waits);
         if !is_nothing && !self.sketch.ends_at(it.to) {
             // A stroke from here may follow: then the wait is only for the pen to come down.
             self.lowered = Some(*it);

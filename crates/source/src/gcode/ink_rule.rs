@@ -1,9 +1,11 @@
 //! The rule by which moves leave ink, found from the words of the whole file.
 
 use super::grbl_servo::GrblServoStatistics;
+use super::high_pen::HighStatistics;
 use super::machine::{Move, MoveKind, ToolState};
 use super::servo::{ServoCode, ServoStatistics, UpSource};
 use super::spindle::SpindleStatistics;
+use super::switch::SwitchStatistics;
 use super::zero::ZeroStatistics;
 
 /// Which moves leave ink.
@@ -18,6 +20,10 @@ pub(super) enum InkRule {
     },
     /// A pen or a mill: every move that ends below a height.
     Height { below_mm: f64, source: HeightSource },
+    /// A pen whose Z points down: every move that ends above a height.
+    HighPen { above_mm: f64 },
+    /// A laser or a pen that M3 switches, without S: G1 to G3 meanwhile.
+    Switch,
     /// A pen lifted by a servo: every move with another angle than the one that is up.
     Servo {
         code: ServoCode,
@@ -54,6 +60,14 @@ impl InkRule {
                 is_at_heights.then_some(("laser at several heights", draws))
             }
             Self::Height { below_mm, source } => source.assumed(below_mm),
+            Self::HighPen { above_mm } => {
+                let draws = format!("drawn where Z is above {above_mm:.2} mm");
+                Some(("file whose travels (G0) are below its lines", draws))
+            }
+            Self::Switch => {
+                let draws = "G1, G2 and G3 draw while M3, M4 or M106 hold".to_owned();
+                Some(("file without powers (S)", draws))
+            }
             Self::Servo { code, up, source } => {
                 let draws = format!("S{up} taken for up, {}", source.reason());
                 Some((code.what(), draws))
@@ -69,7 +83,8 @@ impl InkRule {
     pub(super) const fn nothing(self) -> &'static str {
         match self {
             Self::Laser { .. } => "no move with the laser on",
-            Self::Height { .. } => "no move with the pen down",
+            Self::Height { .. } | Self::HighPen { .. } => "no move with the pen down",
+            Self::Switch => "no move with the laser on",
             Self::Servo { .. } => "no move with the servo down",
             Self::Plain => "no moves by G1, G2 or G3",
         }
@@ -127,6 +142,8 @@ pub(super) struct MoveStatistics {
     m280: ServoStatistics,
     m300: ServoStatistics,
     m3: GrblServoStatistics,
+    high: HighStatistics,
+    switch: SwitchStatistics,
 }
 
 impl MoveStatistics {
@@ -145,6 +162,8 @@ impl MoveStatistics {
         if it.stands() {
             return;
         }
+        self.high.count(it);
+        self.switch.count(it);
         self.m280.count(it, ServoCode::M280);
         self.m300.count(it, ServoCode::M300);
         if it.kind == MoveKind::Rapid {
@@ -184,7 +203,10 @@ impl MoveStatistics {
                     is_at_heights: self.burns.lowest < self.burns.highest,
                 }
             }
-            None => self.servo(text, end).or(height).unwrap_or(InkRule::Plain),
+            None => {
+                let by_pen = self.servo(text, end).or(self.high.rule()).or(height);
+                by_pen.unwrap_or_else(|| self.switch.rule())
+            }
             Some(_) => height.unwrap_or(InkRule::Plain),
         }
     }

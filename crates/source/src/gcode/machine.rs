@@ -65,6 +65,8 @@ pub(super) struct ToolState {
     pub(super) number: Option<f64>,
     /// The S in force where M3, M4 or M106 hold and it is above 0.
     pub(super) power: Option<f64>,
+    /// M3, M4 or M106 hold, and the program tells no S so far.
+    pub(super) is_on_without_power: bool,
     /// The angle that M280 gave a servo.
     m280: Option<f64>,
     /// And M300.
@@ -115,7 +117,7 @@ pub(super) struct Machine<'a, 'w> {
     system: Option<u32>,
     is_on: bool,
     is_by_m3: bool,
-    power: f64,
+    power: Option<f64>,
     tool: ToolState,
     has_ended: bool,
 }
@@ -140,7 +142,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             system: None,
             is_on: false,
             is_by_m3: false,
-            power: 0.0,
+            power: None,
             tool: ToolState::default(),
             has_ended: false,
         }
@@ -327,10 +329,11 @@ impl<'a, 'w> Machine<'a, 'w> {
         if let Some(s) = block.value(b'S') {
             let is_others = |code: u32| code > 90 && code != 1060;
             if !block.g.has(40) && !block.m.0.iter().any(|it| is_others(it.1)) {
-                self.power = s;
+                self.power = Some(s);
             }
         }
-        self.tool.power = (self.is_on && self.power > 0.0).then_some(self.power);
+        self.tool.power = self.power.filter(|it| self.is_on && *it > 0.0);
+        self.tool.is_on_without_power = self.is_on && self.power.is_none();
     }
 
     fn motion(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {

@@ -119,3 +119,19 @@ fn a_spindle_that_is_off_between_operations_is_none_the_less_one_if_it_turns_on_
     let laser = laser.replace("G1 Z-1 F100\n", "G1 Z-1 F100\nM3 S9\n");
     assert!(layers(&laser)[0].is_burned);
 }
+
+#[test]
+fn a_pen_is_down_where_z_is_high_if_all_travels_lie_below_the_lines() {
+    let text = "G21 G90\nG1 Z0.5 F5000\nG0 X10 Y10\nG1 Z5\nG1 X40\nG1 Z0.5\nG0 X60 Y40\nG1 Z5\nG1 X80\nG1 Z0.5\nG0 X0 Y0";
+    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
+    assert_eq!(corners(text), lines);
+    let told = "1 file whose travels (G0) are below its lines: drawn where Z is above 2.75 mm";
+    assert_eq!(draw(text).1, [told]);
+    // The way home may be lower.
+    let home = format!("G28\n{text}\nG1 Z0\nG1 X-9");
+    assert_eq!(corners(&home), lines);
+    // One travel at the start says nothing where there are travels by G1 above.
+    let by_g1 =
+        "G0 Z0\nG0 X1\nG1 Z5\nG1 X10 Y10\nG1 Z1\nG1 X40\nG1 Z5\nG1 X60 Y40\nG1 Z1\nG1 X80\nG1 Z5";
+    assert!(!draw(by_g1).1.concat().contains("above"));
+}

@@ -105,3 +105,32 @@ fn m3_is_the_power_of_a_laser_that_goes_off_on_its_way_or_is_set_beside_the_move
     }
     assert_eq!(draw(lines).1.len(), 1);
 }
+
+#[test]
+fn a_servo_may_be_down_at_zero_if_it_is_up_in_all_of_g0() {
+    let text = "M3 S90\nG4 P0.3\nG0 X10 Y10\nM3 S0\nG4 P0.3\nG1 X40 F900\nM3 S90\nG4 P0.3\nG0 X60 Y40\nM3 S0\nG4 P0.3\nG1 X80\nM3 S90\nG0 X0 Y0";
+    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
+    assert_eq!(corners(text), lines);
+    let told = "1 pen lifted by a servo (M3): S90 taken for up, as G0 has it";
+    assert_eq!(draw(text).1, [told]);
+    // It is a laser that is off at 0.
+    let laser = text
+        .replace("S90", "S9")
+        .replace("S0", "S90")
+        .replace("S9\n", "S0\n");
+    assert_eq!(corners(&laser), lines);
+    assert!(layers(&laser)[0].is_burned);
+    assert!(layers(&text.replace("G0", "G1"))[0].is_burned);
+}
+
+#[test]
+fn m3_and_m5_switch_what_draws_where_no_power_is_told_and_the_first_way_is_off() {
+    let text = "G21\nG1 X10 Y10 F900\nM3\nG1 X40\nM5\nG1 X60 Y40\nM3\nG1 X80\nM5\nG1 X0 Y0";
+    let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
+    assert_eq!(corners(text), lines);
+    let told = "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 hold";
+    assert_eq!(draw(text).1, [told]);
+    // Some pens are up while M3 holds.
+    let pen = "M3\nG0 X10 Y10\nM5\nG1 X40\nM3\nG0 X60 Y40\nM5\nG1 X80\nM3\nG0 X0 Y0";
+    assert_eq!(corners(pen), lines);
+}
