@@ -1,7 +1,7 @@
 //! The commands of a plot file: two letters, and what belongs to them.
 
 use crate::error::SourceError;
-use crate::number::decimal;
+use crate::number::{decimal, real};
 
 /// A command with its parameters.
 #[derive(Debug)]
@@ -48,6 +48,12 @@ pub(super) fn commands(text: &[u8]) -> impl Iterator<Item = Result<Command<'_>, 
         }
         command
     })
+}
+
+/// The number that a text begins with; some programs write exponents, with which no command can begin.
+fn number(text: &[u8]) -> Option<(f64, usize)> {
+    let plain = decimal(text)?;
+    Some(real(text).filter(|it| it.1 > plain.1).unwrap_or(plain))
 }
 
 struct CommandLexer<'a> {
@@ -168,7 +174,7 @@ impl<'a> CommandLexer<'a> {
             match byte {
                 b',' | b' ' | b'\t' | b'\r' | b'\n' => self.at += 1,
                 b'0'..=b'9' | b'.' | b'+' | b'-' => {
-                    let number = decimal(&self.text[self.at..]);
+                    let number = number(&self.text[self.at..]);
                     let (number, length) = number.ok_or_else(|| self.found(NUMBER))?;
                     numbers.push(number);
                     self.at += length;

@@ -676,3 +676,12 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn numbers_may_have_exponents_but_commands_that_begin_with_e_are_none() {
+    // A turned label of pstoedit.
+    let label = |way: &str| corners(&format!("SI.5,.7;PU0,0;DI{way};LBHO\u{3}"));
+    assert_eq!(label("4.48966e-09,100"), label("0,1"));
+    let text = "PU0,0;PD4E2,0PU0,0EA400,400;";
+    assert_eq!(corners(text).len(), 2);
+}

@@ -1,6 +1,6 @@
 //! The window in which a plot shows: IW.
 
-use dobot_geometry::{Point, Vec2};
+use dobot_geometry::Point;
 
 use super::command::Command;
 use super::plotter::Plotter;
