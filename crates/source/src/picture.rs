@@ -9,6 +9,7 @@ mod contour;
 mod decode;
 mod exif;
 mod flow;
+mod frames;
 mod hatch;
 mod levels;
 mod others;
@@ -123,8 +124,9 @@ fn check_size(page: Point, spacing_mm: f64, scale: f64) -> Result<(), ImageError
 }
 
 fn warnings(header: Header) -> Vec<Warning> {
-    let animation = Warning::new("animation", "only its first picture is drawn", 1);
-    header.animated.then_some(animation).into_iter().collect()
+    let instead = "only its first picture is drawn";
+    let further = header.series.map(|what| Warning::new(what, instead, 1));
+    further.into_iter().collect()
 }
 
 /// Cells of the grid to a spacing.

@@ -11,6 +11,7 @@ use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
 use super::exif::Orientation;
+use super::frames::ANIMATION;
 use super::others;
 use crate::error::ImageError;
 
@@ -22,8 +23,8 @@ pub(super) struct Header {
     /// A pixel's width and height, in millimetres.
     pub(super) pixel: Point,
     pub(super) orientation: Orientation,
-    /// It is an animation; its first picture counts.
-    pub(super) animated: bool,
+    /// What it is where there are further pictures in the file; the first one counts.
+    pub(super) series: Option<&'static str>,
 }
 
 impl Header {
@@ -117,12 +118,12 @@ fn png(bytes: &[u8]) -> Result<PngFile<'_>, ImageError> {
         height,
         pixel: Point::new(PIXEL_MM, PIXEL_MM),
         orientation: Orientation::default(),
-        animated: false,
+        series: None,
     }
     .check(MOST_PIXELS)?;
     let reader = decoder.read_info().map_err(bad_png)?;
     let info = reader.info();
-    header.animated = info.is_animated();
+    header.series = info.is_animated().then_some(ANIMATION);
     if let Some(exif) = &info.exif_metadata {
         header.orientation = Orientation::of_exif(exif);
     }
@@ -198,7 +199,7 @@ fn jpeg(bytes: &[u8]) -> Result<JpegFile<'_>, ImageError> {
         height,
         pixel: Point::new(PIXEL_MM, PIXEL_MM),
         orientation: Orientation::of_exif(exif),
-        animated: false,
+        series: None,
     };
     let header = header.check(MOST_PIXELS)?;
     Ok(JpegFile { decoder, header })

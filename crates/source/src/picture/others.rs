@@ -7,6 +7,7 @@ use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
 use super::decode::{Header, PIXEL_MM, on_paper};
 use super::exif::Orientation;
+use super::frames::series;
 use crate::error::ImageError;
 
 /// The format that a file of one of these kinds begins with.
@@ -63,7 +64,7 @@ fn decoder(
         height: height as usize,
         pixel: Point::new(PIXEL_MM, PIXEL_MM),
         orientation: Orientation::numbered(turned.to_exif().into()),
-        animated: false,
+        series: series(bytes, format),
     };
     Ok((decoder, header.check(MOST_PIXELS)?))
 }
