@@ -292,6 +292,7 @@ impl<'a> Plotter<'a> {
         if !self.is_selected {
             self.select_layer(it)?;
         }
+        self.begin_window();
         Ok(true)
     }
 

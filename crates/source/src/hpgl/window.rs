@@ -8,12 +8,12 @@ use super::transform::UNIT_MM;
 use crate::error::SourceError;
 use crate::sketch::SketchMark;
 
-/// What is drawn from a place on shows in it alone.
+/// What is drawn from its first line on shows in it alone.
 #[derive(Debug)]
 pub(super) struct Window {
     /// Opposite corners, in plotter units; RO turns them.
     corners: [Point; 2],
-    since: SketchMark,
+    since: Option<SketchMark>,
 }
 
 impl Plotter<'_> {
@@ -42,15 +42,28 @@ impl Plotter<'_> {
                 .check(it.at, (p.to_vec2() * UNIT_MM).to_point())?;
         }
         self.sketch.lift();
-        let since = self.sketch.mark();
-        self.window = Some(Window { corners, since });
+        self.window = Some(Window {
+            corners,
+            since: None,
+        });
         Ok(())
+    }
+
+    /// Something is about to be drawn: all from here on lies in the window.
+    pub(super) fn begin_window(&mut self) {
+        if let Some(window) = self.window.as_mut().filter(|it| it.since.is_none()) {
+            window.since = Some(self.sketch.mark());
+        }
     }
 
     /// Cuts what was drawn up to here: before the window changes, and before all is turned.
     pub(super) fn end_window(&mut self) -> Result<(), SourceError> {
         self.end_dashes()?;
-        let Some(Window { corners, since }) = self.window.take() else {
+        let Some(Window {
+            corners,
+            since: Some(since),
+        }) = self.window.take()
+        else {
             return Ok(());
         };
         let [a, b] = corners;
@@ -65,7 +78,7 @@ impl Plotter<'_> {
         self.end_window()?;
         self.window = corners.map(|corners| Window {
             corners,
-            since: self.sketch.mark(),
+            since: None,
         });
         Ok(())
     }
