@@ -82,9 +82,8 @@ impl InkRule {
     /// Why there is no ink.
     pub(super) const fn nothing(self) -> &'static str {
         match self {
-            Self::Laser { .. } => "no move with the laser on",
+            Self::Laser { .. } | Self::Switch => "no move with the laser on",
             Self::Height { .. } | Self::HighPen { .. } => "no move with the pen down",
-            Self::Switch => "no move with the laser on",
             Self::Servo { .. } => "no move with the servo down",
             Self::Plain => "no moves by G1, G2 or G3",
         }
