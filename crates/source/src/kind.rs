@@ -93,6 +93,11 @@ pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
             "save it as JPEG or PNG: phones can be told to take JPEG",
         ),
         (
+            start.starts_with(b"version https://git-lfs.github.com/spec/"),
+            "a pointer of Git LFS, which only stands for the file,",
+            "`git lfs pull` in its folder fetches the file itself",
+        ),
+        (
             start.starts_with(b"PK\x03\x04"),
             "a packed folder (zip)",
             "unpack it, and give the drawing in it",

@@ -181,6 +181,10 @@ fn what_other_programs_make_a_drawing_of_is_told_with_the_way() {
             b"PK\x03\x04\x14\x00",
             "a packed folder (zip) is not drawn; unpack it",
         ),
+        (
+            b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n",
+            "a pointer of Git LFS, which only stands for the file, is not drawn; `git lfs pull` in its folder fetches",
+        ),
     ] {
         let error = Source::of_file("a.gcode", bytes.to_vec())
             .unwrap_err()
