@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use usvg::roxmltree::{Document, Error, ParsingOptions};
 
 use crate::error::{SourceError, SvgError};
-use crate::place::printable;
+use crate::place::{Place, place, printable};
 
 /// Reads a text as a tree.
 ///
@@ -26,19 +26,95 @@ pub(crate) fn tree(text: &str, allow_dtd: bool) -> Result<Document<'_>, SourceEr
                 "an element: nothing there needs a DOCTYPE",
             )
         }
-        other => malformed(&other).into(),
+        other => unclosed(text, &other)
+            .unwrap_or_else(|| malformed(&other))
+            .into(),
     })
 }
 
 /// Tells where XML goes wrong.
 pub(crate) fn malformed(error: &Error) -> SvgError {
-    let place = error.pos();
+    let at = error.pos();
     let problem = error.to_string();
-    let suffix = format!(" at {place}");
+    let suffix = format!(" at {at}");
     SvgError::Malformed {
-        place: place.into(),
+        place: at.into(),
         problem: printable(problem.strip_suffix(&suffix).unwrap_or(&problem)),
     }
+}
+
+/// The innermost element that a text does not close, if that is what is wrong with it.
+fn unclosed(text: &str, error: &Error) -> Option<SvgError> {
+    let mut open = Vec::new();
+    let mut at = 0;
+    let ends = matches!(
+        error,
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream
+    );
+    let mut is_cut = ends;
+    while let Some(start) = text[at..].find('<').map(|it| at + it) {
+        let tag = &text[start..];
+        let Some(end) = tag_end(tag) else {
+            let begins = place(text.as_bytes(), start);
+            let is_tag = !tag.starts_with("<!") && !tag.starts_with("<?");
+            // A quote that is missing leads to the next tag.
+            is_cut = !(is_tag && tag[1..].contains('<'));
+            is_cut &= ends || begins <= Place::from(error.pos());
+            if !tag.starts_with("</") {
+                open.push(start);
+            }
+            break;
+        };
+        at = start + end;
+        if tag.starts_with("</") {
+            open.pop();
+        } else if !tag[1..].starts_with(['!', '?']) && !tag[..end].ends_with("/>") {
+            open.push(start);
+        }
+    }
+    if !is_cut {
+        return None;
+    }
+    let start = *open.last()?;
+    let part = match &text[start + 1..] {
+        // What its brackets hold is not looked into.
+        doctype if doctype.starts_with("!DOCTYPE") => return None,
+        mark if mark.starts_with("!--") => "a comment".to_owned(),
+        mark if mark.starts_with(['!', '?']) => "<".to_owned() + &mark[..1],
+        tag => {
+            let end = tag.find(|it: char| it.is_whitespace() || "<>/".contains(it));
+            format!("<{}>", printable(&tag[..end.unwrap_or(tag.len())]))
+        }
+    };
+    let place = place(text.as_bytes(), start);
+    Some(SvgError::EndsTooSoon { place, part })
+}
+
+/// Where a tag ends, or a comment or whatever else a text begins with.
+fn tag_end(text: &str) -> Option<usize> {
+    let behind = |mark: &str| text.find(mark).map(|it| it + mark.len());
+    if text.starts_with("<!--") {
+        return behind("-->");
+    }
+    if text.starts_with("<![CDATA[") {
+        return behind("]]>");
+    }
+    if text.starts_with("<?") {
+        return behind("?>");
+    }
+    // A DOCTYPE holds declarations between brackets.
+    let (mut quote, mut depth) = (None, 0_usize);
+    for (at, sign) in text.bytes().enumerate() {
+        match (quote, sign) {
+            (Some(begun), _) if begun == sign => quote = None,
+            (None, b'"' | b'\'') => quote = Some(sign),
+            (None, b'[') => depth += 1,
+            (None, b']') => depth = depth.saturating_sub(1),
+            (None, b'>') if depth == 0 => return Some(at + 1),
+            _ => {}
+        }
+    }
+    None
 }
 
 /// Counts what becomes of a text, comments included: at least as much as there is.
@@ -217,6 +293,67 @@ mod tests {
         assert_eq!(tree(text, false).expect("XML").descendants().count(), 4);
         let many = format!("<!-- {} --><a/>", "= ".repeat(1000));
         assert!(tree(&many, false).is_ok());
+    }
+
+    #[test]
+    fn a_text_that_ends_too_soon_names_the_innermost_element_that_is_not_closed() {
+        for (text, told) in [
+            (
+                "<a>\n <b><c/></b><d e='>'>",
+                "2:13: not well-formed XML: the file ends too soon, <d> begins here and is not closed",
+            ),
+            (
+                "<a>\n  <b c=\"M0 0",
+                "2:3: not well-formed XML: the file ends too soon, <b> begins",
+            ),
+            (
+                "<?x <a>?><a><!-- <b> --><![CDATA[<c>]]>",
+                "1:10: not well-formed XML: the file ends too soon, <a>",
+            ),
+            (
+                "<a>\n  <b c=",
+                "2:3: not well-formed XML: the file ends too soon, <b>",
+            ),
+            (
+                "<a>\n  <b c/",
+                "2:3: not well-formed XML: the file ends too soon, <b>",
+            ),
+            (
+                "<a>\n  <b",
+                "2:3: not well-formed XML: the file ends too soon, <b>",
+            ),
+            (
+                "<a>b",
+                "1:1: not well-formed XML: the file ends too soon, <a>",
+            ),
+            (
+                "<a><b></b",
+                "1:4: not well-formed XML: the file ends too soon, <b>",
+            ),
+            (
+                "<a>\n<",
+                "2:1: not well-formed XML: the file ends too soon, <>",
+            ),
+            (
+                "<a><!-- b",
+                "1:4: not well-formed XML: the file ends too soon, a comment begins",
+            ),
+            (
+                "<a><![CDATA[",
+                "1:4: not well-formed XML: the file ends too soon, <! begins",
+            ),
+        ] {
+            refused(text, &[told]);
+        }
+    }
+
+    #[test]
+    fn a_quote_that_is_missing_is_not_taken_for_an_end_that_is() {
+        for text in ["<a>\n  <b c='>\n<d e=''></b></a>", "<a b='&c;'><d"] {
+            let told = tree(text, false).expect_err("no XML").to_string();
+            assert!(told.contains("not well-formed XML"), "{told}");
+            assert!(!told.contains("too soon"), "{told}");
+        }
     }
 
     #[test]

@@ -19,6 +19,16 @@ pub enum SvgError {
         /// What the XML parser found.
         problem: String,
     },
+    /// XML of which the end is missing, as after a broken download.
+    #[error(
+        "{place}: not well-formed XML: the file ends too soon, {part} begins here and is not closed"
+    )]
+    EndsTooSoon {
+        /// Where the innermost part begins that is not closed.
+        place: Place,
+        /// What it is: an element, as far as its name is there, or a comment.
+        part: String,
+    },
     /// XML, but something else.
     #[error("{place}: the outermost element is <{found}>, not <svg>")]
     NotSvg {
