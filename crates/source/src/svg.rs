@@ -9,9 +9,12 @@ mod entities;
 mod expand;
 mod flatten;
 mod groups;
+mod handles;
 mod ink;
 mod layers;
+mod letters;
 mod page;
+mod page_size;
 mod readable;
 mod renderer;
 mod single_line;
@@ -91,6 +94,7 @@ struct TreeWarnings<'a> {
     clipped: AtomicUsize,
     linked: AtomicUsize,
     rules: AtomicUsize,
+    unread_sizes: AtomicUsize,
     solid: AtomicUsize,
     fontless: AtomicUsize,
     missing_glyphs: AtomicUsize,
@@ -108,6 +112,7 @@ impl<'a> TreeWarnings<'a> {
             clipped: AtomicUsize::new(0),
             linked: AtomicUsize::new(0),
             rules: AtomicUsize::new(0),
+            unread_sizes: AtomicUsize::new(0),
             solid: AtomicUsize::new(0),
             fontless: AtomicUsize::new(0),
             missing_glyphs: AtomicUsize::new(0),
@@ -188,6 +193,7 @@ impl<'a> TreeWarnings<'a> {
             (WarningKind::ClippedByStyle, &self.clipped),
             (WarningKind::LinkedShape, &self.linked),
             (WarningKind::UnreadRule, &self.rules),
+            (WarningKind::UnreadSize, &self.unread_sizes),
             (WarningKind::SolidPath, &self.solid),
             (WarningKind::TextWithoutFont, &self.fontless),
             (WarningKind::MissingGlyph, &self.missing_glyphs),
@@ -222,6 +228,9 @@ fn parse(
     tree_warnings
         .rules
         .store(readable.unread_rules, Ordering::Relaxed);
+    tree_warnings
+        .unread_sizes
+        .store(readable.unread_sizes, Ordering::Relaxed);
     tree_warnings.solid.store(readable.solid, Ordering::Relaxed);
     let Some(text) = readable.text else {
         return tree_of(doc, text, options, tree_warnings);

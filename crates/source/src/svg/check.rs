@@ -139,7 +139,8 @@ fn is_sane(t: Transform) -> bool {
     [t.a, t.b, t.c, t.d, t.e, t.f].into_iter().all(is_small)
 }
 
-fn is_length(element: &str, name: &str) -> bool {
+/// Whether an attribute of an element is a length.
+pub(super) fn is_length(element: &str, name: &str) -> bool {
     let has_lengths = matches!(
         element,
         "rect" | "circle" | "ellipse" | "line" | "svg" | "use" | "symbol" | "image"

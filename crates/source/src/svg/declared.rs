@@ -59,6 +59,31 @@ pub(super) fn value_of<'a>(
     own.next_back().or_else(|| declared.into_iter().next())
 }
 
+/// What a property of an element is: by the styles, and else by its attribute.
+pub(super) fn property_of<'a>(
+    sheet: &'a StyleSheet<'a>,
+    node: Node<'a, '_>,
+    name: &str,
+) -> Option<&'a str> {
+    let value = value_of(sheet, node, name).or_else(|| node.attribute(name))?;
+    value.split('!').next().map(str::trim)
+}
+
+/// What a property is on each element, by the number of its node: its own, and else that of what holds it.
+pub(super) fn inherited<'a>(
+    sheet: &'a StyleSheet<'a>,
+    doc: &'a Document<'_>,
+    name: &str,
+) -> Vec<Option<&'a str>> {
+    let mut values = vec![None; doc.descendants().count()];
+    for node in doc.descendants().filter(Node::is_element) {
+        let own = property_of(sheet, node, name).filter(|it| *it != "inherit");
+        let outer = node.parent().and_then(|it| values[it.id().get_usize()]);
+        values[node.id().get_usize()] = own.or(outer);
+    }
+    values
+}
+
 /// An element as the rules of a sheet see it.
 struct Element<'a, 'input>(Node<'a, 'input>);
 

@@ -22,6 +22,59 @@ impl Edit {
     }
 }
 
+/// What an element is to have besides.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Additions {
+    attributes: String,
+    declarations: String,
+}
+
+impl Additions {
+    pub(super) fn attribute(&mut self, name: &str, value: &str) {
+        for part in [" ", name, "=\"", &escaped(value), "\""] {
+            self.attributes += part;
+        }
+    }
+
+    /// One more declaration of its style, which comes before all others.
+    pub(super) fn declaration(&mut self, name: &str, value: &str) {
+        for part in [";", name, ":", value] {
+            self.declarations += part;
+        }
+    }
+
+    pub(super) fn append(&mut self, other: &Self) {
+        self.attributes += &other.attributes;
+        self.declarations += &other.declarations;
+    }
+
+    /// The changes that give them to an element of the text: one at each place.
+    pub(super) fn edits(mut self, text: &str, node: Node<'_, '_>) -> Vec<Edit> {
+        let mut edits = Vec::new();
+        let declarations = std::mem::take(&mut self.declarations);
+        if let Some(first) = declarations.strip_prefix(';') {
+            match node.attribute_node("style") {
+                Some(it) => {
+                    let end = it.range_value().end;
+                    edits.push(Edit {
+                        range: end..end,
+                        words: escaped(&declarations),
+                    });
+                }
+                None => self.attribute("style", first),
+            }
+        }
+        if !self.attributes.is_empty() {
+            let at = after_tag(text, node.range().start);
+            edits.push(Edit {
+                range: at..at,
+                words: self.attributes,
+            });
+        }
+        edits
+    }
+}
+
 /// The text with all changes made. What an entity holds stands in the text once, wherever it is used: of several changes of one
 /// part the first is made.
 pub(super) fn edited(text: &str, mut edits: Vec<Edit>) -> String {

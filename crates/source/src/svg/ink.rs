@@ -50,6 +50,8 @@ pub(crate) struct LinePaint {
 pub(crate) struct Dashes {
     pub(crate) lengths: Vec<f64>,
     pub(crate) offset: f64,
+    /// They are as long on the page as they are told, in pixels, however the line is scaled.
+    pub(crate) on_page: bool,
 }
 
 /// A painted inside.
@@ -61,4 +63,6 @@ pub(crate) struct FillPaint {
     pub(crate) is_opaque: bool,
 }
 
+/// A limit of mitres, which no pen draws, that marks lines whose strokes do not scale: the library reads nothing else of them.
+pub(super) const SCREEN_DASHES: f32 = 9_876_543.0;
 pub(super) const PAPER: [u8; 3] = [255; 3];

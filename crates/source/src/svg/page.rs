@@ -5,8 +5,9 @@ use std::rc::Rc;
 
 use dobot_geometry::{Affine, Area, FillRule, Point, Rect, Stroke, bounds};
 
-use super::ink::{FillPaint, Ink, InkColor};
+use super::ink::{Dashes, FillPaint, Ink, InkColor};
 use super::layers::Layers;
+use super::renderer::MM_PER_PX;
 use super::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
 use crate::clip::{ClipArea, Region};
@@ -113,7 +114,8 @@ impl SvgPage {
             outlines.iter_mut().for_each(close);
         }
         for outline in outlines {
-            for piece in self.dashes(outline, ink)? {
+            let (pieces, transform) = self.dashes(outline, transform, ink)?;
+            for piece in pieces {
                 if ink.has_ends() || has_length(&piece) {
                     self.stroke(piece, transform, color, clips)?;
                 }
@@ -140,11 +142,26 @@ impl SvgPage {
         Ok(())
     }
 
-    fn dashes(&mut self, outline: Stroke, ink: &Ink) -> Result<Vec<Stroke>, SvgError> {
-        match ink.line.as_ref().and_then(|line| line.dashes.as_ref()) {
-            Some(it) => Ok(dash(outline, &it.lengths, it.offset, &mut self.budget)?),
-            None => Ok(vec![outline]),
+    /// The dashes of an outline, and what brings them to the page.
+    fn dashes(
+        &mut self,
+        mut outline: Stroke,
+        transform: Affine,
+        ink: &Ink,
+    ) -> Result<(Vec<Stroke>, Affine), SvgError> {
+        let dashes = ink.line.as_ref().and_then(|line| line.dashes.as_ref());
+        let Some(dashes) = dashes else {
+            return Ok((vec![outline], transform));
+        };
+        let mut rest = transform;
+        if dashes.on_page {
+            rest = Affine::scale(MM_PER_PX);
+            place(&mut outline.points, rest.inverse() * transform)?;
         }
+        let Dashes {
+            lengths, offset, ..
+        } = dashes;
+        Ok((dash(outline, lengths, *offset, &mut self.budget)?, rest))
     }
 
     /// Puts a stroke on the page, as far as it shows.

@@ -2,13 +2,20 @@
 
 use std::borrow::Cow;
 use std::collections::HashSet;
+use std::str::FromStr;
 
 use simplecss::StyleSheet;
+use svgtypes::Length;
 use usvg::roxmltree::{Attribute, Document, Node};
 
+use super::check::is_length;
 use super::css::{Variables, unread_rules};
-use super::declared::{rules, value_of};
-use super::edits::{Edit, edited, escaped};
+use super::declared::{Declared, property_of, rules, value_of};
+use super::edits::{Additions, Edit, edited, escaped};
+use super::handles::freed;
+use super::ink::SCREEN_DASHES;
+use super::letters::{anchors, undisplayed};
+use super::page_size::PageSize;
 use super::styles::sheets;
 
 /// What is written otherwise in a file, and what of it is still not read as a browser does.
@@ -18,6 +25,8 @@ pub(super) struct Readable {
     pub(super) text: Option<String>,
     /// How many rules of sheets are not read.
     pub(super) unread_rules: usize,
+    /// How many sizes of the page are not read.
+    pub(super) unread_sizes: usize,
     /// How many lines are solid whose dashes are told in shares of a path.
     pub(super) solid: usize,
 }
@@ -50,26 +59,105 @@ impl Readable {
             .descendants()
             .filter_map(|it| it.attribute("id"))
             .collect();
-        let elements = || doc.descendants().filter(Node::is_element);
-        for node in elements() {
+        let PageSize {
+            edits: of_page,
+            added: of_root,
+            unread: unread_sizes,
+        } = PageSize::of(doc, &rules);
+        edits.extend(of_page);
+        edits.extend(undisplayed(doc, &rules));
+        let mut rewriter = Rewriter::of(doc, text, &rules);
+        for node in doc.descendants().filter(Node::is_element) {
             let attributes = node.attributes();
             let attributes =
                 attributes.filter(|it| it.namespace().is_none() && !PLAIN.contains(&it.name()));
+            edits.extend(attributes.clone().filter_map(|it| trimmed(node, it)));
             edits.extend(attributes.filter_map(|it| readable(it, &variables, &ids)));
+            edits.extend(rewriter.path(node));
+            let mut added = rewriter.additions(node);
+            if node == doc.root_element() {
+                added.append(&of_root);
+            }
+            edits.extend(added.edits(text, node));
         }
-        edits.extend(sized_root(doc, text, &rules));
-        let dashed = |it: &Node<'_, '_>| {
-            it.has_attribute("pathLength")
-                && (it.has_attribute(DASHES) || value_of(&rules, *it, DASHES).is_some())
-        };
-        let solid: Vec<Node<'_, '_>> = elements().filter(dashed).collect();
-        edits.extend(solid.iter().map(|it| made_solid(text, *it)));
         Self {
             text: (!edits.is_empty()).then(|| edited(text, edits)),
             unread_rules: unread,
-            solid: solid.len(),
+            unread_sizes,
+            solid: rewriter.solid,
         }
     }
+}
+
+/// Tells what elements need besides, so that the library draws them as a browser does.
+struct Rewriter<'a> {
+    rules: &'a StyleSheet<'a>,
+    /// Whether anything has dashes.
+    dashes: bool,
+    /// What has markers, by the numbers of the nodes; empty where nothing has.
+    marked: Vec<bool>,
+    /// How texts are anchored from now on, by the numbers of their nodes; empty where they stay.
+    anchors: Vec<Option<&'static str>>,
+    /// How many lines have become solid.
+    solid: usize,
+}
+
+impl<'a> Rewriter<'a> {
+    fn of(doc: &'a Document<'_>, text: &str, rules: &'a StyleSheet<'a>) -> Self {
+        Self {
+            rules,
+            dashes: text.contains(DASHES),
+            marked: marked(doc, rules),
+            anchors: anchors(doc, rules),
+            solid: 0,
+        }
+    }
+
+    /// The path of an element in other words, where it needs them.
+    fn path(&self, node: Node<'_, '_>) -> Option<Edit> {
+        let is_marked = self.marked.get(node.id().get_usize()) == Some(&true);
+        let freed = || freed(node);
+        (is_marked && node.tag_name().name() == "path")
+            .then(freed)
+            .flatten()
+    }
+
+    fn additions(&mut self, node: Node<'_, '_>) -> Additions {
+        let mut added = Additions::default();
+        let anchor = self.anchors.get(node.id().get_usize()).copied();
+        if let Some(anchor) = anchor.flatten() {
+            added.declaration("text-anchor", anchor);
+        }
+        if !self.dashes {
+            return added;
+        }
+        let is_dashed = node.has_attribute(DASHES) || value_of(self.rules, node, DASHES).is_some();
+        if node.has_attribute("pathLength") && is_dashed {
+            added.declaration(DASHES, "none");
+            self.solid += 1;
+        }
+        if property_of(self.rules, node, "vector-effect") == Some("non-scaling-stroke") {
+            added.declaration("stroke-miterlimit", &SCREEN_DASHES.to_string());
+        }
+        added
+    }
+}
+
+/// Which elements have markers, their own or those of what holds them, by their numbers; empty where none has.
+fn marked(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<bool> {
+    let is_marker = |it: Node<'_, '_>| it.tag_name().name() == "marker";
+    if !doc.descendants().any(is_marker) {
+        return Vec::new();
+    }
+    let markers = Declared::of(rules, |name, _| name.starts_with("marker"));
+    let mut marked = vec![false; doc.descendants().count()];
+    for node in doc.descendants().filter(Node::is_element) {
+        let mut own = node.attributes();
+        let own = own.any(|it| it.name().starts_with("marker")) || markers.of_element(node);
+        let outer = node.parent().is_some_and(|it| marked[it.id().get_usize()]);
+        marked[node.id().get_usize()] = own || outer;
+    }
+    marked
 }
 
 /// An attribute in words that the library knows. A filter that is not in the file would hide what has it.
@@ -95,46 +183,22 @@ fn readable(
     }
 }
 
+/// A length without the blanks around it, which the library does not read.
+fn trimmed(node: Node<'_, '_>, attribute: Attribute<'_, '_>) -> Option<Edit> {
+    let (name, value) = (attribute.name(), attribute.value());
+    let has_blanks = value.trim() != value && Length::from_str(value.trim()).is_ok();
+    (has_blanks && is_length(node.tag_name().name(), name)).then(|| Edit {
+        range: attribute.range_value(),
+        words: escaped(value.trim()),
+    })
+}
+
 /// The element of this file that is meant by `url(#name)`.
 fn linked(value: &str) -> Option<&str> {
     let inner = value.trim().strip_prefix("url(")?.strip_suffix(')')?;
     inner.trim_matches(['"', '\'', ' ']).strip_prefix('#')
 }
 
-/// The width and the height of the page as the styles have them: they come before the attributes.
-fn sized_root(doc: &Document<'_>, text: &str, rules: &StyleSheet<'_>) -> Vec<Edit> {
-    let root = doc.root_element();
-    let sized = ["width", "height"].into_iter().filter_map(|name| {
-        let value = value_of(rules, root, name)?;
-        let has_unit = UNITS.iter().any(|it| value.ends_with(it));
-        has_unit.then(|| match root.attribute_node(name) {
-            Some(it) => Edit {
-                range: it.range_value(),
-                words: escaped(value),
-            },
-            None => Edit::attribute(text, root, name, value),
-        })
-    });
-    sized.collect()
-}
-
-/// An element whose line has no dashes.
-fn made_solid(text: &str, node: Node<'_, '_>) -> Edit {
-    let solid = format!("{DASHES}:none");
-    match node.attribute_node("style") {
-        None => Edit::attribute(text, node, "style", &solid),
-        Some(it) => {
-            let end = it.range_value().end;
-            Edit {
-                range: end..end,
-                words: format!(";{solid}"),
-            }
-        }
-    }
-}
-
 const DASHES: &str = "stroke-dasharray";
 /// Attributes that hold no CSS: names, and what may be long.
 const PLAIN: [&str; 6] = ["id", "class", "href", "d", "points", "transform"];
-/// Units in which a page may be as large as styles tell.
-const UNITS: [&str; 6] = ["px", "mm", "cm", "in", "pt", "pc"];

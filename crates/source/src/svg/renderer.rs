@@ -7,7 +7,7 @@ use dobot_geometry::{Affine, FillRule, Stroke};
 use usvg::{BlendMode, ClipPath, Group, LineCap, Node, Paint, Path, Stop, Text, Tree};
 
 use super::flatten::flatten;
-use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER};
+use super::ink::{Dashes, FillPaint, Ink, InkColor, LinePaint, PAPER, SCREEN_DASHES};
 use super::page::{SvgPage, place};
 use super::single_line::{self, Written};
 use super::warning_count::WarningKind;
@@ -266,6 +266,7 @@ fn read_line(line: &usvg::Stroke) -> LinePaint {
     let dashes = line.dasharray().map(|lengths| Dashes {
         lengths: lengths.iter().copied().map(f64::from).collect(),
         offset: f64::from(line.dashoffset()),
+        on_page: line.miterlimit().get() == SCREEN_DASHES,
     });
     LinePaint {
         color: InkColor(rgb(line.paint())),

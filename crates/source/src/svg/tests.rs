@@ -1,5 +1,6 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod browsers;
 mod hiding;
 mod layers;
 

@@ -52,6 +52,8 @@ pub(crate) enum WarningKind {
     LinkedShape,
     /// A rule of a sheet that is not read.
     UnreadRule,
+    /// A width or a height of the page that is no length.
+    UnreadSize,
     /// A line whose dashes are told in shares of its path.
     SolidPath,
     /// A piece of text and no font at all.
@@ -106,6 +108,10 @@ impl WarningKind {
             Self::UnreadRule => (
                 "CSS rule",
                 "not read, for its selector is not known; save the file as plain SVG",
+            ),
+            Self::UnreadSize => (
+                "page size",
+                "(width or height of <svg>) not read, for it is no length such as 200mm; taken from the viewBox, or from what is drawn, in pixels",
             ),
             Self::SolidPath => ("dashed line", "with pathLength: drawn solid"),
             Self::TextWithoutFont => (

@@ -1,0 +1,82 @@
+//! Handles of curves that lie on an end of them: markers there look along the other handle, which the library does not look for.
+
+use svgtypes::{SimplePathSegment as Segment, SimplifyingPathParser};
+use usvg::roxmltree::Node;
+
+use super::edits::Edit;
+
+/// A path with each handle that lies on its end moved a little along the curve; `None` where there is none.
+pub(super) fn freed(node: Node<'_, '_>) -> Option<Edit> {
+    let attribute = node.attribute_node("d")?;
+    let path: Result<Vec<Segment>, _> = SimplifyingPathParser::from(attribute.value()).collect();
+    let mut path = path.ok()?;
+    let mut here = [0.0; 2];
+    let mut start = here;
+    let mut moved = false;
+    for segment in &mut path {
+        moved |= free(here, segment);
+        here = match *segment {
+            Segment::MoveTo { x, y } => {
+                start = [x, y];
+                start
+            }
+            Segment::ClosePath => start,
+            Segment::LineTo { x, y }
+            | Segment::CurveTo { x, y, .. }
+            | Segment::Quadratic { x, y, .. } => [x, y],
+        };
+    }
+    moved.then(|| Edit {
+        range: attribute.range_value(),
+        words: path.iter().map(words).collect(),
+    })
+}
+
+/// Moves the handles of a curve that lie on its ends, and tells whether there were any.
+fn free(from: [f64; 2], segment: &mut Segment) -> bool {
+    let Segment::CurveTo {
+        x1,
+        y1,
+        x2,
+        y2,
+        x,
+        y,
+    } = segment
+    else {
+        return false;
+    };
+    let (first, second, to) = ([*x1, *y1], [*x2, *y2], [*x, *y]);
+    let begins = first == from && second != from && second != to;
+    let ends = second == to && first != to && first != from;
+    if begins {
+        [*x1, *y1] = towards(first, second);
+    }
+    if ends {
+        [*x2, *y2] = towards(second, first);
+    }
+    begins || ends
+}
+
+fn towards(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|it| from[it] + SHARE * (to[it] - from[it]))
+}
+
+fn words(segment: &Segment) -> String {
+    match segment {
+        Segment::MoveTo { x, y } => format!("M{x} {y}"),
+        Segment::LineTo { x, y } => format!("L{x} {y}"),
+        Segment::CurveTo {
+            x1,
+            y1,
+            x2,
+            y2,
+            x,
+            y,
+        } => format!("C{x1} {y1} {x2} {y2} {x} {y}"),
+        Segment::Quadratic { x1, y1, x, y } => format!("Q{x1} {y1} {x} {y}"),
+        Segment::ClosePath => "Z".to_owned(),
+    }
+}
+
+/// Enough to tell a direction; the curve moves by less than half of that share of the handle.
+const SHARE: f64 = 0.001;

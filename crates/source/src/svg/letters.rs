@@ -1,0 +1,47 @@
+//! Texts that the library would draw otherwise than a browser.
+
+use simplecss::StyleSheet;
+use usvg::roxmltree::{Document, Node};
+
+use super::declared::{inherited, property_of};
+use super::edits::Edit;
+
+/// Takes the parts of texts out that are not displayed: the library draws what is nested in them.
+pub(super) fn undisplayed(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Edit> {
+    let spans = doc.descendants().filter(|it| is_named(*it, &PARTS));
+    let hidden = spans.filter(|it| property_of(rules, *it, "display") == Some("none"));
+    let edits = hidden.map(|it| Edit {
+        range: it.range(),
+        words: String::new(),
+    });
+    edits.collect()
+}
+
+/// Where texts are anchored that run from right to left: the library takes their left ends for their beginnings. By the numbers of
+/// their nodes; empty where there are none.
+pub(super) fn anchors(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Vec<Option<&'static str>> {
+    let directions = inherited(rules, doc, "direction");
+    if !directions.contains(&Some("rtl")) {
+        return Vec::new();
+    }
+    let anchors = inherited(rules, doc, "text-anchor");
+    let mut turned = vec![None; directions.len()];
+    for text in doc.descendants().filter(|it| is_named(*it, &TEXTS)) {
+        let number = text.id().get_usize();
+        if directions[number] == Some("rtl") {
+            turned[number] = match anchors[number] {
+                Some("middle") => None,
+                Some("end") => Some("start"),
+                _ => Some("end"),
+            };
+        }
+    }
+    turned
+}
+
+fn is_named(node: Node<'_, '_>, names: &[&str]) -> bool {
+    node.is_element() && names.contains(&node.tag_name().name())
+}
+
+const PARTS: [&str; 2] = ["tspan", "textPath"];
+const TEXTS: [&str; 3] = ["text", "tspan", "textPath"];

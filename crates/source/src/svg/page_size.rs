@@ -1,0 +1,60 @@
+//! The size of the page: what the root says of it, in units that the library knows.
+
+use std::str::FromStr;
+
+use simplecss::StyleSheet;
+use svgtypes::Length;
+use usvg::roxmltree::{Attribute, Document};
+
+use super::declared::value_of;
+use super::edits::{Additions, Edit, escaped};
+
+/// What of the root is written otherwise, and how many of its sizes are not read.
+#[derive(Debug, Default)]
+pub(super) struct PageSize {
+    pub(super) edits: Vec<Edit>,
+    pub(super) added: Additions,
+    pub(super) unread: usize,
+}
+
+impl PageSize {
+    /// The width and the height as the styles have them, which come before the attributes. One that a browser ignores, or for which it
+    /// looks at its window, is the whole of the page.
+    pub(super) fn of(doc: &Document<'_>, rules: &StyleSheet<'_>) -> Self {
+        let root = doc.root_element();
+        let mut size = Self::default();
+        for name in ["width", "height"] {
+            let attribute = root.attribute_node(name);
+            let styled = value_of(rules, root, name);
+            let styled = styled.filter(|it| UNITS.iter().any(|unit| it.ends_with(unit)));
+            match (styled.filter(|it| is_length(it)), attribute) {
+                (Some(value), Some(it)) => size.edits.push(replaced(&it, value)),
+                (Some(value), None) => size.added.attribute(name, value),
+                (None, Some(it)) if !is_read(it.value().trim()) => {
+                    size.edits.push(replaced(&it, "100%"));
+                    size.unread += 1;
+                }
+                _ => {}
+            }
+        }
+        size
+    }
+}
+
+fn replaced(attribute: &Attribute<'_, '_>, value: &str) -> Edit {
+    Edit {
+        range: attribute.range_value(),
+        words: escaped(value),
+    }
+}
+
+fn is_read(value: &str) -> bool {
+    value == "auto" || is_length(value)
+}
+
+fn is_length(value: &str) -> bool {
+    Length::from_str(value).is_ok()
+}
+
+/// Units in which a page may be as large as styles tell.
+const UNITS: [&str; 6] = ["px", "mm", "cm", "in", "pt", "pc"];

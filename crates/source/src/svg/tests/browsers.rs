@@ -1,0 +1,135 @@
+//! What browsers show and the library would draw otherwise.
+
+use super::*;
+
+/// A page of which the root has these attributes, with a line from its corner to (100, 50).
+fn with_root(attributes: &str) -> (Drawing, Vec<Warning>) {
+    let svg = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" {attributes}><path d="M0 0L100 50" stroke="red"/></svg>"#
+    );
+    Drawing::from_svg(&svg, &options()).unwrap_or_else(|error| panic!("{attributes}: {error}"))
+}
+
+#[test]
+fn a_size_of_the_page_that_browsers_ignore_is_told_and_the_view_box_decides() {
+    for size in ["200 mm", "", "100vw", "calc(100% - 2px)", "wide", "1e3 1"] {
+        let (drawing, warnings) = with_root(&format!(
+            r#"viewBox="0 0 100 50" width="{size}" height="{size}""#
+        ));
+        let expected_mm = 100.0 * 25.4 / 96.0;
+        assert!((drawing.width_mm - expected_mm).abs() < 1e-3, "{size}");
+        assert_eq!(
+            warnings[0].to_string(),
+            "2 page sizes: (width or height of <svg>) not read, for it is no length such as 200mm; \
+             taken from the viewBox, or from what is drawn, in pixels"
+        );
+    }
+    for size in ["100%", "auto", "200mm", " 200mm "] {
+        let (_, warnings) = with_root(&format!(r#"viewBox="0 0 100 50" width="{size}""#));
+        assert_eq!(warnings, [], "{size}");
+    }
+    let (drawing, warnings) = with_root(r#"width="20 cm" height="""#);
+    assert_eq!((drawing.strokes.len(), warnings.len()), (1, 1));
+}
+
+#[test]
+fn width_and_height_of_the_styles_are_both_read() {
+    let (drawing, warnings) = with_root(r#"viewBox="0 0 100 50" style="width:100mm;height:50mm""#);
+    let end = drawing.strokes[0].last().unwrap();
+    assert!(close(end, 100.0, 50.0), "{end:?}");
+    assert_eq!(warnings, []);
+}
+
+#[test]
+fn a_length_with_blanks_around_it_is_read() {
+    let (strokes, _) = draw(r#"<rect x=" 5" y="5 " width=" 20mm " height="10" fill="red"/>"#);
+    let ink = bounds_of_strokes(&strokes);
+    assert!((ink.x0 - 5.0).abs() < 1e-3 && ink.width() > 70.0, "{ink:?}");
+}
+
+#[test]
+fn a_marker_looks_along_the_other_handle_where_one_lies_on_its_end() {
+    let marker = |d: &str, which: &str| {
+        let ends = ends(&format!(
+            r##"<marker id="m" orient="auto" markerUnits="userSpaceOnUse" markerWidth="9" markerHeight="9" overflow="visible">
+                <path d="M0 0H5" stroke="red"/></marker>
+            <g marker-{which}="url(#m)"><path d="{d}" stroke="blue" fill="none"/></g>"##
+        ));
+        let [from, to] = *ends.last().unwrap();
+        let round = |it: f64| (10.0 * it).round() / 10.0 + 0.0;
+        (round(to.0 - from.0), round(to.1 - from.1))
+    };
+    // It begins downwards and ends to the right.
+    assert_eq!(marker("M10 10C10 10 10 40 40 40", "start"), (0.0, 5.0));
+    assert_eq!(marker("M10 10C10 40 40 40 40 40", "end"), (5.0, 0.0));
+    assert_eq!(marker("M10 10c0 0 0 30 30 30 M9 9H5", "start"), (0.0, 5.0));
+    assert_eq!(marker("M10 10C10 10 40 40 40 40", "start"), (3.5, 3.5));
+    // In the middle, along both curves, which go to the right there.
+    let both = "M10 10C10 30 40 30 40 30C40 30 60 30 60 10";
+    assert_eq!(marker(both, "mid"), (5.0, 0.0));
+}
+
+#[test]
+fn dashes_of_a_line_that_does_not_scale_are_as_long_as_on_a_screen() {
+    let dashes = |attributes: &str| {
+        let (strokes, _) = draw(&format!(
+            r#"<path transform="scale(2 1)" d="M0 5H20" stroke="red" {attributes}/>"#
+        ));
+        let lengths = strokes.iter().map(|it| (10.0 * it.length_mm()).round());
+        lengths.collect::<Vec<f64>>()
+    };
+    let px = 25.4 / 96.0;
+    let long = (100.0 * px * 10.0_f64).round();
+    for still in [
+        r#"vector-effect="non-scaling-stroke" stroke-dasharray="100 20""#,
+        r#"style="vector-effect: non-scaling-stroke; stroke-dasharray: 100 20""#,
+    ] {
+        let rest = (10.0 * (40.0 - 120.0 * px)).round();
+        assert_eq!(dashes(still), [long, rest], "{still}");
+    }
+    assert_eq!(dashes(r#"stroke-dasharray="5 5""#), [100.0, 100.0]);
+}
+
+/// How wide and how far to the left and right the ink of a text lies.
+fn ink(content: &str, options: &ReadOptions) -> dobot_geometry::Rect {
+    let (drawing, _) = Drawing::from_svg(&page(content), options).unwrap();
+    bounds_of_strokes(&drawing.strokes)
+}
+
+#[test]
+fn a_part_of_a_text_that_is_not_displayed_is_left_out_with_what_is_nested_in_it() {
+    let Some(options) = with_fonts() else {
+        return; // A machine without fonts cannot show this.
+    };
+    let expected = ink(r#"<text x="10" y="30">II</text>"#, &options);
+    for hidden in [
+        r#"<tspan display="none">M<tspan>M</tspan>M</tspan>"#,
+        r#"<tspan style="display: none">M<tspan style="display:inline">M</tspan></tspan>"#,
+        r#"<tspan class="h"><tspan>M</tspan></tspan>"#,
+    ] {
+        let svg =
+            format!(r#"<style>.h{{display:none}}</style><text x="10" y="30">I{hidden}I</text>"#);
+        assert_eq!(ink(&svg, &options), expected, "{hidden}");
+    }
+}
+
+#[test]
+fn a_text_from_right_to_left_begins_at_its_right_end() {
+    let Some(options) = with_fonts() else {
+        return; // A machine without fonts cannot show this.
+    };
+    let sides = |attributes: &str| {
+        let svg = format!(r#"<g {attributes}><text x="50" y="30">III</text></g>"#);
+        let ink = ink(&svg, &options);
+        (ink.x1 < 51.0, ink.x0 > 49.0)
+    };
+    for (attributes, expected) in [
+        (r#"direction="rtl""#, (true, false)),
+        (r#"direction="rtl" text-anchor="start""#, (true, false)),
+        (r#"style="direction: rtl; text-anchor: end""#, (false, true)),
+        (r#"direction="rtl" text-anchor="middle""#, (false, false)),
+        (r#"direction="ltr" text-anchor="end""#, (true, false)),
+    ] {
+        assert_eq!(sides(attributes), expected, "{attributes}");
+    }
+}
