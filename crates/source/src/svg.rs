@@ -17,6 +17,8 @@ mod page;
 mod page_size;
 mod readable;
 mod renderer;
+mod selectors;
+mod sheets;
 mod single_line;
 mod styles;
 mod substitutes;

@@ -1,19 +1,16 @@
-//! CSS that is newer than what the library reads, in words that it knows.
+//! Values of CSS that are newer than what the library reads, in words that it knows.
 //!
 //! ```text
 //!   stroke: light-dark(black, white)        stroke: black
 //!   fill: var(--sea, blue)                  fill: blue
 //!   fill: oklch(0.63 0.26 29)               fill: #ff0000
 //!   font: bold 1rem/1.5 serif               font: bold 16px serif
-//!   @media screen { .a { fill: red } }      .a { fill: red }
 //! ```
 
 use std::borrow::Cow;
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::ops::Range;
-
-use simplecss::Selector;
 
 /// What custom properties stand for, by their names (`--sea`). Of several values the first counts: the others are for a dark screen,
 /// or for another part of the page.
@@ -51,19 +48,6 @@ impl<'a> Variables<'a> {
         replaced(css, |it| {
             it.contains("font").then(|| without_line_heights(it))
         })
-    }
-
-    /// The same of a sheet.
-    pub(super) fn readable_sheet<'t>(&self, css: &'t str) -> Cow<'t, str> {
-        let css = replaced(Cow::Borrowed(css), without_html_signs);
-        let css = replaced(css, |it| it.contains('@').then(|| unwrapped(it, 0)));
-        let css = replaced(css, |it| {
-            it.contains(":root").then(|| it.replace(":root", "svg"))
-        });
-        match css {
-            Cow::Borrowed(css) => self.readable(css),
-            Cow::Owned(css) => Cow::Owned(self.readable(&css).into_owned()),
-        }
     }
 
     /// Puts the values of functions in their places.
@@ -168,95 +152,8 @@ fn without_custom(css: &str) -> Option<String> {
     (done > 0).then(|| whole + &css[done..])
 }
 
-/// The rules of a sheet that hold as long as nobody points at anything, but that the library does not know.
-pub(super) fn unread_rules(css: &str) -> usize {
-    statements(css).filter(is_unread).count()
-}
-
-fn is_unread(it: &Statement<'_>) -> bool {
-    let body = it.body.filter(|_| !it.prelude.starts_with('@'));
-    let shows = body.is_some_and(|body| VISIBLE.iter().any(|it| body.contains(it)));
-    let mut selectors = it.prelude.split(',').map(str::trim);
-    shows && selectors.any(|it| !it.contains("::") && Selector::parse(it).is_none())
-}
-
-/// A rule or an at-rule of a sheet.
-struct Statement<'a> {
-    /// What stands before its block, or all of it where it has none.
-    prelude: &'a str,
-    /// What its braces hold.
-    body: Option<&'a str>,
-    whole: &'a str,
-}
-
-/// The outermost statements of a sheet, comments before them among their preludes.
-fn statements(css: &str) -> impl Iterator<Item = Statement<'_>> {
-    let mut rest = css;
-    std::iter::from_fn(move || {
-        let before = rest;
-        rest = without_comments(rest);
-        if rest.is_empty() {
-            return None;
-        }
-        let skipped = before.len() - rest.len();
-        let end = rest.find(['{', ';']).unwrap_or(rest.len());
-        let block = rest[end..].starts_with('{');
-        let whole = if block {
-            end + closed(&rest[end..], ['{', '}'])
-        } else {
-            (end + 1).min(rest.len())
-        };
-        let statement = Statement {
-            prelude: rest[..end].trim(),
-            body: block.then(|| inside(&rest[end + 1..whole])),
-            whole: &before[..skipped + whole],
-        };
-        rest = &rest[whole..];
-        Some(statement)
-    })
-}
-
-/// A block without the brace that closes it.
-fn inside(block: &str) -> &str {
-    block.strip_suffix('}').unwrap_or(block)
-}
-
-fn without_comments(mut css: &str) -> &str {
-    loop {
-        css = css.trim_start();
-        let Some(comment) = css.strip_prefix("/*") else {
-            return css;
-        };
-        css = comment.split_once("*/").map_or("", |it| it.1);
-    }
-}
-
-/// The sheet with the rules that stand in blocks of at-rules which hold for a page on a light screen.
-fn unwrapped(css: &str, depth: u32) -> String {
-    let unwrap = |it: Statement<'_>| match it.body {
-        Some(body) if depth < MOST_DEPTH && holds(it.prelude) => unwrapped(body, depth + 1),
-        _ => it.whole.to_owned(),
-    };
-    statements(css).map(unwrap).collect()
-}
-
-fn holds(prelude: &str) -> bool {
-    let (rule, condition) = prelude.split_once([' ', '(']).unwrap_or((prelude, ""));
-    let condition = condition.trim().trim_start_matches("only ");
-    match rule {
-        "@layer" => true,
-        "@supports" => !condition.starts_with("not"),
-        "@media" => {
-            let of_light =
-                condition.contains("prefers-color-scheme") && condition.contains("light");
-            matches!(condition, "" | "all" | "screen") || of_light
-        }
-        _ => false,
-    }
-}
-
 /// Where the brackets with which a text begins are closed, behind them.
-fn closed(text: &str, [open, close]: [char; 2]) -> usize {
+pub(super) fn closed(text: &str, [open, close]: [char; 2]) -> usize {
     let mut depth = 0_usize;
     for (at, sign) in text.char_indices() {
         if sign == open {
@@ -296,12 +193,6 @@ fn percent(channels: &str) -> String {
 fn hex(color: &str) -> Option<String> {
     let color = csscolorparser::parse(color).ok()?;
     Some(color.to_css_hex().to_string())
-}
-
-/// Comment signs of HTML, which old editors write around a sheet, mean nothing.
-fn without_html_signs(css: &str) -> Option<String> {
-    let is_marked = css.contains("<!--") || css.contains("-->");
-    is_marked.then(|| css.replace("<!--", "").replace("-->", ""))
 }
 
 /// Lengths in the font size of the page, which is 16 px.
@@ -345,7 +236,7 @@ fn without_line_heights(css: &str) -> String {
     whole + rest
 }
 
-fn replaced(css: Cow<'_, str>, by: impl Fn(&str) -> Option<String>) -> Cow<'_, str> {
+pub(super) fn replaced(css: Cow<'_, str>, by: impl Fn(&str) -> Option<String>) -> Cow<'_, str> {
     match by(&css) {
         Some(new) => Cow::Owned(new),
         None => css,
@@ -361,7 +252,7 @@ fn is_of_name(sign: char) -> bool {
 }
 
 /// What variables stand for may hold others, to that depth.
-const MOST_DEPTH: u32 = 8;
+pub(super) const MOST_DEPTH: u32 = 8;
 /// More would fill the memory.
 const MOST_BYTES: usize = 20_000_000;
 /// The functions whose values are put in their places.
@@ -381,67 +272,3 @@ const FUNCTIONS: [&str; 13] = [
     "var",
 ];
 const REM_PX: f64 = 16.0;
-/// What of a rule changes the drawing.
-const VISIBLE: [&str; 8] = [
-    "display",
-    "visibility",
-    "fill",
-    "stroke",
-    "opacity",
-    "transform",
-    "font",
-    "clip",
-];
-
-#[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::*;
-
-    const PARTS: [&str; 30] = [
-        "var(",
-        "--a",
-        "--ä→",
-        ":",
-        ";",
-        ")",
-        "(",
-        "rgb(",
-        "light-dark(",
-        "→",
-        "ä",
-        " ",
-        ",",
-        "2rem",
-        "rem",
-        ".",
-        "font",
-        "/",
-        "@media screen",
-        "@layer",
-        "{",
-        "}",
-        "/*",
-        "*/",
-        "5%",
-        "color-mix(in srgb,",
-        "color(srgb ",
-        "oklch(",
-        ":root",
-        "1 2 3",
-    ];
-
-    proptest! {
-        #[test]
-        fn whatever_stands_in_a_style_is_read(parts in prop::collection::vec(prop::sample::select(&PARTS[..]), 0..40)) {
-            let css = parts.concat();
-            let mut variables = Variables::new();
-            variables.read(&css);
-            let sheet = variables.readable_sheet(&css).into_owned();
-            unread_rules(&sheet);
-            let once = variables.readable(&css).into_owned();
-            prop_assert!(once.len() <= 1_000_000, "{css}");
-        }
-    }
-}

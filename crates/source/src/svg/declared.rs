@@ -85,7 +85,7 @@ pub(super) fn inherited<'a>(
 }
 
 /// An element as the rules of a sheet see it.
-struct Element<'a, 'input>(Node<'a, 'input>);
+pub(super) struct Element<'a, 'input>(pub(super) Node<'a, 'input>);
 
 impl simplecss::Element for Element<'_, '_> {
     fn parent_element(&self) -> Option<Self> {

@@ -9,13 +9,15 @@ use svgtypes::Length;
 use usvg::roxmltree::{Attribute, Document, Node};
 
 use super::check::is_length;
-use super::css::{Variables, unread_rules};
+use super::css::Variables;
 use super::declared::{Declared, property_of, rules, value_of};
 use super::edits::{Additions, Edit, edited, escaped};
 use super::handles::freed;
 use super::ink::SCREEN_DASHES;
 use super::letters::{anchors, undisplayed};
 use super::page_size::PageSize;
+use super::selectors::Marks;
+use super::sheets::{readable_sheet, unread_rules};
 use super::styles::sheets;
 
 /// What is written otherwise in a file, and what of it is still not read as a browser does.
@@ -40,12 +42,13 @@ impl Readable {
         }
         let mut edits = Vec::new();
         let mut unread = 0;
+        let mut marks = Marks::default();
         for sheet in sheets(doc) {
             let (Some(begin), Some(end)) = (sheet.first_child(), sheet.last_child()) else {
                 continue;
             };
             let css = sheet.text().unwrap_or_default();
-            let new = variables.readable_sheet(css);
+            let new = readable_sheet(css, &variables, &mut marks);
             unread += unread_rules(&new);
             if let Cow::Owned(new) = new {
                 edits.push(Edit {
@@ -66,6 +69,7 @@ impl Readable {
         } = PageSize::of(doc, &rules);
         edits.extend(of_page);
         edits.extend(undisplayed(doc, &rules));
+        let marks = marks.of(doc);
         let mut rewriter = Rewriter::of(doc, text, &rules);
         for node in doc.descendants().filter(Node::is_element) {
             let attributes = node.attributes();
@@ -75,6 +79,9 @@ impl Readable {
             edits.extend(attributes.filter_map(|it| readable(it, &variables, &ids)));
             edits.extend(rewriter.path(node));
             let mut added = rewriter.additions(node);
+            for mark in marks.get(node.id().get_usize()).into_iter().flatten() {
+                added.attribute(mark, "");
+            }
             if node == doc.root_element() {
                 added.append(&of_root);
             }

@@ -133,3 +133,29 @@ fn a_text_from_right_to_left_begins_at_its_right_end() {
         assert_eq!(sides(attributes), expected, "{attributes}");
     }
 }
+
+#[test]
+fn rules_mean_elements_by_parts_of_their_attributes_and_by_their_places() {
+    for selector in [
+        "[id^='hidden-']",
+        "path[id$=two]",
+        "path[id*=-]",
+        "path:nth-child(2n+3)",
+        "path:last-child",
+        "path:not(.shown)",
+        "g > path:nth-of-type(2), circle:first-of-type",
+    ] {
+        let lines = ends(&format!(
+            r#"<style>.shown{{fill:none}} {selector}{{display:none}}</style>
+            <g><rect/><path class="shown" d="M10 10H90" stroke="red"/>
+            <path id="hidden-two" d="M10 20H90" stroke="red"/></g>"#
+        ));
+        assert_eq!(lines, LINE, "{selector}");
+    }
+    // A mark counts as much as what it stands for.
+    let lines = ends(
+        r#"<style>path[id^=a]{display:inline} path{display:none}</style>
+        <path id="a" d="M10 10H90" stroke="red"/>"#,
+    );
+    assert_eq!(lines, LINE);
+}

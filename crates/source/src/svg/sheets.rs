@@ -1,0 +1,211 @@
+//! Sheets of styles in words that the library knows.
+//!
+//! ```text
+//!   @media screen { .a { fill: red } }      .a { fill: red }
+//!   :root { --sea: blue }                   svg { }
+//!   [id^=a] { fill: red }                   [marked-1] { fill: red }
+//! ```
+
+use std::borrow::Cow;
+
+use simplecss::Selector;
+
+use super::css::{MOST_DEPTH, Variables, closed, replaced};
+use super::selectors::Marks;
+
+/// A sheet in words that the library knows.
+pub(super) fn readable_sheet<'t>(
+    css: &'t str,
+    variables: &Variables<'_>,
+    marks: &mut Marks,
+) -> Cow<'t, str> {
+    let css = replaced(Cow::Borrowed(css), without_html_signs);
+    let css = replaced(css, |it| it.contains('@').then(|| unwrapped(it, 0)));
+    let css = replaced(css, |it| {
+        it.contains(":root").then(|| it.replace(":root", "svg"))
+    });
+    let css = match css {
+        Cow::Borrowed(css) => variables.readable(css),
+        Cow::Owned(css) => Cow::Owned(variables.readable(&css).into_owned()),
+    };
+    let has_unread = unread_rules(&css) > 0;
+    if has_unread {
+        Cow::Owned(marked(&css, marks))
+    } else {
+        css
+    }
+}
+
+/// A sheet with marks for the selectors that the library does not know.
+fn marked(css: &str, marks: &mut Marks) -> String {
+    let rule = |it: Statement<'_>| {
+        let selectors = if is_unread(&it) {
+            marks.readable(it.prelude)
+        } else {
+            None
+        };
+        match (selectors, it.body) {
+            (Some(selectors), Some(body)) => format!("{selectors}{{{body}}}"),
+            _ => it.whole.to_owned(),
+        }
+    };
+    statements(css).map(rule).collect()
+}
+
+/// The rules of a sheet that hold as long as nobody points at anything, but that the library does not know.
+pub(super) fn unread_rules(css: &str) -> usize {
+    statements(css).filter(is_unread).count()
+}
+
+fn is_unread(it: &Statement<'_>) -> bool {
+    let body = it.body.filter(|_| !it.prelude.starts_with('@'));
+    let shows = body.is_some_and(|body| VISIBLE.iter().any(|it| body.contains(it)));
+    let mut selectors = it.prelude.split(',').map(str::trim);
+    shows && selectors.any(|it| !it.contains("::") && Selector::parse(it).is_none())
+}
+
+/// A rule or an at-rule of a sheet.
+struct Statement<'a> {
+    /// What stands before its block, or all of it where it has none.
+    prelude: &'a str,
+    /// What its braces hold.
+    body: Option<&'a str>,
+    whole: &'a str,
+}
+
+/// The outermost statements of a sheet, comments before them among their preludes.
+fn statements(css: &str) -> impl Iterator<Item = Statement<'_>> {
+    let mut rest = css;
+    std::iter::from_fn(move || {
+        let before = rest;
+        rest = without_comments(rest);
+        if rest.is_empty() {
+            return None;
+        }
+        let skipped = before.len() - rest.len();
+        let end = rest.find(['{', ';']).unwrap_or(rest.len());
+        let block = rest[end..].starts_with('{');
+        let whole = if block {
+            end + closed(&rest[end..], ['{', '}'])
+        } else {
+            (end + 1).min(rest.len())
+        };
+        let statement = Statement {
+            prelude: rest[..end].trim(),
+            body: block.then(|| inside(&rest[end + 1..whole])),
+            whole: &before[..skipped + whole],
+        };
+        rest = &rest[whole..];
+        Some(statement)
+    })
+}
+
+/// A block without the brace that closes it.
+fn inside(block: &str) -> &str {
+    block.strip_suffix('}').unwrap_or(block)
+}
+
+fn without_comments(mut css: &str) -> &str {
+    loop {
+        css = css.trim_start();
+        let Some(comment) = css.strip_prefix("/*") else {
+            return css;
+        };
+        css = comment.split_once("*/").map_or("", |it| it.1);
+    }
+}
+
+/// The sheet with the rules that stand in blocks of at-rules which hold for a page on a light screen.
+fn unwrapped(css: &str, depth: u32) -> String {
+    let unwrap = |it: Statement<'_>| match it.body {
+        Some(body) if depth < MOST_DEPTH && holds(it.prelude) => unwrapped(body, depth + 1),
+        _ => it.whole.to_owned(),
+    };
+    statements(css).map(unwrap).collect()
+}
+
+fn holds(prelude: &str) -> bool {
+    let (rule, condition) = prelude.split_once([' ', '(']).unwrap_or((prelude, ""));
+    let condition = condition.trim().trim_start_matches("only ");
+    match rule {
+        "@layer" => true,
+        "@supports" => !condition.starts_with("not"),
+        "@media" => {
+            let of_light =
+                condition.contains("prefers-color-scheme") && condition.contains("light");
+            matches!(condition, "" | "all" | "screen") || of_light
+        }
+        _ => false,
+    }
+}
+
+/// Comment signs of HTML, which old editors write around a sheet, mean nothing.
+fn without_html_signs(css: &str) -> Option<String> {
+    let is_marked = css.contains("<!--") || css.contains("-->");
+    is_marked.then(|| css.replace("<!--", "").replace("-->", ""))
+}
+
+/// What of a rule changes the drawing.
+const VISIBLE: [&str; 8] = [
+    "display",
+    "visibility",
+    "fill",
+    "stroke",
+    "opacity",
+    "transform",
+    "font",
+    "clip",
+];
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const PARTS: [&str; 30] = [
+        "var(",
+        "--a",
+        "--ä→",
+        ":",
+        ";",
+        ")",
+        "(",
+        "rgb(",
+        "light-dark(",
+        "→",
+        "ä",
+        " ",
+        ",",
+        "2rem",
+        "rem",
+        ".",
+        "font",
+        "/",
+        "@media screen",
+        "@layer",
+        "{",
+        "}",
+        "/*",
+        "*/",
+        "5%",
+        "color-mix(in srgb,",
+        "color(srgb ",
+        "oklch(",
+        ":root",
+        "1 2 3",
+    ];
+
+    proptest! {
+        #[test]
+        fn whatever_stands_in_a_style_is_read(parts in prop::collection::vec(prop::sample::select(&PARTS[..]), 0..40)) {
+            let css = parts.concat();
+            let mut variables = Variables::new();
+            variables.read(&css);
+            let sheet = readable_sheet(&css, &variables, &mut Marks::default()).into_owned();
+            unread_rules(&sheet);
+            let once = variables.readable(&css).into_owned();
+            prop_assert!(once.len() <= 1_000_000, "{css}");
+        }
+    }
+}
