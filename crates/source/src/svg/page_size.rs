@@ -53,7 +53,7 @@ fn is_read(value: &str) -> bool {
 }
 
 fn is_length(value: &str) -> bool {
-    Length::from_str(value).is_ok()
+    Length::from_str(value).is_ok_and(|it| it.number >= 0.0)
 }
 
 /// Units in which a page may be as large as styles tell.

@@ -60,8 +60,10 @@ pub(super) fn unread_rules(css: &str) -> usize {
 fn is_unread(it: &Statement<'_>) -> bool {
     let body = it.body.filter(|_| !it.prelude.starts_with('@'));
     let shows = body.is_some_and(|body| VISIBLE.iter().any(|it| body.contains(it)));
+    let nests = body.is_some_and(|body| body.contains('{'));
     let mut selectors = it.prelude.split(',').map(str::trim);
-    shows && selectors.any(|it| !it.contains("::") && Selector::parse(it).is_none())
+    let mut is_unknown = || selectors.any(|it| !it.contains("::") && Selector::parse(it).is_none());
+    shows && (nests || is_unknown())
 }
 
 /// A rule or an at-rule of a sheet.

@@ -107,7 +107,7 @@ impl WarningKind {
             ),
             Self::UnreadRule => (
                 "CSS rule",
-                "not read, for its selector is not known; save the file as plain SVG",
+                "not read, for its selector is not known, or it holds other rules; save the file as plain SVG",
             ),
             Self::UnreadSize => (
                 "page size",

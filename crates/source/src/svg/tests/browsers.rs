@@ -12,7 +12,15 @@ fn with_root(attributes: &str) -> (Drawing, Vec<Warning>) {
 
 #[test]
 fn a_size_of_the_page_that_browsers_ignore_is_told_and_the_view_box_decides() {
-    for size in ["200 mm", "", "100vw", "calc(100% - 2px)", "wide", "1e3 1"] {
+    for size in [
+        "200 mm",
+        "",
+        "100vw",
+        "calc(100% - 2px)",
+        "wide",
+        "1e3 1",
+        "-5mm",
+    ] {
         let (drawing, warnings) = with_root(&format!(
             r#"viewBox="0 0 100 50" width="{size}" height="{size}""#
         ));
@@ -51,9 +59,9 @@ fn a_length_with_blanks_around_it_is_read() {
 fn a_marker_looks_along_the_other_handle_where_one_lies_on_its_end() {
     let marker = |d: &str, which: &str| {
         let ends = ends(&format!(
-            r##"<marker id="m" orient="auto" markerUnits="userSpaceOnUse" markerWidth="9" markerHeight="9" overflow="visible">
+            r#"<marker id="m" orient="auto" markerUnits="userSpaceOnUse" markerWidth="9" markerHeight="9" overflow="visible">
                 <path d="M0 0H5" stroke="red"/></marker>
-            <g marker-{which}="url(#m)"><path d="{d}" stroke="blue" fill="none"/></g>"##
+            <g marker-{which}="url(#m)"><path d="{d}" stroke="blue" fill="none"/></g>"#
         ));
         let [from, to] = *ends.last().unwrap();
         let round = |it: f64| (10.0 * it).round() / 10.0 + 0.0;
@@ -158,4 +166,17 @@ fn rules_mean_elements_by_parts_of_their_attributes_and_by_their_places() {
         <path id="a" d="M10 10H90" stroke="red"/>"#,
     );
     assert_eq!(lines, LINE);
+}
+
+#[test]
+fn rules_inside_a_rule_are_told_as_not_read() {
+    let (strokes, warnings) =
+        draw(r#"<style>g { path { stroke: blue } }</style><g><path d="M1 1H9" stroke="red"/></g>"#);
+    assert_eq!(strokes.len(), 1);
+    assert!(
+        warnings[0]
+            .to_string()
+            .starts_with("1 CSS rule: not read, for its selector is not known, or it holds other"),
+        "{warnings:?}"
+    );
 }
