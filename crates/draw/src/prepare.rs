@@ -418,8 +418,8 @@ fn finished(
     warnings.extend(counted(gone, "hole narrower than the beam", "left out"));
     warnings.extend(counted(
         small,
-        "shape without room for its tabs",
-        "cut all around",
+        "shape",
+        "too small for tabs: cut all around",
     ));
     all
 }

@@ -20,8 +20,10 @@ impl Planner<'_> {
         };
         let mut it = InTicks::new(begin, ticker, &self.chain);
         let mut attempt = self.attempt(&it, Breadth::ONE);
-        if self.aim == Aim::Soon && !attempt.is_good() {
-            attempt = self.search(&mut it);
+        match self.aim {
+            Aim::Soon if !attempt.is_good() => attempt = self.search(&mut it),
+            Aim::Evenly if attempt.creeps() => attempt = self.attempt(&it, Breadth::MANY),
+            Aim::Soon | Aim::Evenly => {}
         }
         it.ticker
             .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
@@ -241,6 +243,12 @@ impl Attempt {
         self.shares[i + 1] = 0.0;
     }
 
+    /// Whether any vector takes ever so long: behind what one left the next cannot speed up, as a laser's that is off.
+    fn creeps(&self) -> bool {
+        let mut both = self.fits.iter().zip(&self.speeds);
+        both.any(|(fit, wanted)| fit.duration_s() > CREEPS * wanted.duration_s)
+    }
+
     /// Whether more acceleration is seen than allowed.
     fn is_sharp(&self) -> bool {
         self.shares.iter().any(|it| *it < 1.0)
@@ -259,6 +267,8 @@ impl Attempt {
     }
 }
 
+/// A vector creeps if it takes so many times as long as wanted.
+const CREEPS: f64 = 3.0;
 /// What takes no longer than this beyond what is wanted is not worth a search.
 const MOST_LATE_SHARE: f64 = 0.01;
 /// How often a chain is planned again for the ticks of a stock arm at the most.
