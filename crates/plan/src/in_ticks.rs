@@ -243,10 +243,13 @@ impl Attempt {
         self.shares[i + 1] = 0.0;
     }
 
-    /// Whether any vector takes ever so long: behind what one left the next cannot speed up, as a laser's that is off.
+    /// Whether any vector takes much longer than wanted: behind what one left the next cannot speed up, as a laser's that is off,
+    /// or one that burns slower than a tick's change.
     fn creeps(&self) -> bool {
         let mut both = self.fits.iter().zip(&self.speeds);
-        both.any(|(fit, wanted)| fit.duration_s() > CREEPS * wanted.duration_s)
+        let most_s =
+            |wanted: &Speeds| CREEPS * wanted.duration_s + CREEPING_TICKS * f64::from(TICK_S);
+        both.any(|(fit, wanted)| fit.duration_s() > most_s(wanted))
     }
 
     /// Whether more acceleration is seen than allowed.
@@ -267,8 +270,9 @@ impl Attempt {
     }
 }
 
-/// A vector creeps if it takes so many times as long as wanted.
-const CREEPS: f64 = 3.0;
+/// A vector creeps if it takes so many times as long as wanted, and so many ticks.
+const CREEPS: f64 = 1.2;
+const CREEPING_TICKS: f64 = 2.0;
 /// What takes no longer than this beyond what is wanted is not worth a search.
 const MOST_LATE_SHARE: f64 = 0.01;
 /// How often a chain is planned again for the ticks of a stock arm at the most.

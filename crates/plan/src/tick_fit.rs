@@ -210,7 +210,7 @@ impl TickTarget {
         if !cut.is_true() || cut.ticks() < self.least_ticks || creeps || is_endless {
             return;
         }
-        let cost = self.cost(stored_mm_s, &cut);
+        let cost = self.cost(stored_mm_s, &cut) + self.burns_too_long(max_mm_s);
         let fit = TickFit {
             end_mm_s,
             max_mm_s,
@@ -235,6 +235,17 @@ impl TickTarget {
                 };
                 f64::from(cut.ticks()) + self.wish.over * kept + ABOVE * above * above
             }
+        }
+    }
+
+    /// What it costs to burn slower than any laser should, where that is not wanted.
+    fn burns_too_long(&self, max_mm_s: f32) -> f64 {
+        let is_wanted =
+            self.wish.aim == Aim::Soon || self.speeds.peak_mm_s < f64::from(LEAST_BURN_MM_S);
+        if is_wanted || max_mm_s >= LEAST_BURN_MM_S {
+            0.0
+        } else {
+            BURNS_TOO_LONG
         }
     }
 
@@ -325,6 +336,10 @@ const FREE_AT_REST_STEPS: f64 = 0.3;
 const OVER_AT_REST: f64 = 26.0;
 /// The same for a top speed above what is allowed.
 const ABOVE: f64 = 2.0;
+/// A laser that burns slower sets fire to things: what the policy allows at the least, unless told otherwise, and a little more.
+const LEAST_BURN_MM_S: f32 = 1.001;
+/// More than anything else that a vector can have.
+const BURNS_TOO_LONG: f64 = 10_000.0;
 /// A stock arm counts to no more (note N51).
 const MOST_TICKS: f64 = 32_000.0;
 /// So many choices are told.

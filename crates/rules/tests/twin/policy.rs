@@ -44,7 +44,7 @@ fn tool() -> impl Strategy<Value = DrawingTool> {
                 ..Pen::default()
             })
         }),
-        (prop_oneof![3.0..6.0_f64, 5.0..60.0_f64], speed()).prop_map(|(burn, travel)| {
+        (prop_oneof![1.5..6.0_f64, 5.0..60.0_f64], speed()).prop_map(|(burn, travel)| {
             DrawingTool::Laser(Laser {
                 burn_speed_mm_s: burn,
                 travel_speed_mm_s: travel,
