@@ -385,7 +385,7 @@ pub fn check_reach<E: fmt::Display>(
         return Ok(());
     };
     let line = match &first {
-        // Because its line is?
+        // Where the line itself is out of reach, to burn slower does not help.
         PlaceError::RunOutOfReach { .. } => {
             refused.find(|it| matches!(it, PlaceError::OutOfReach { .. }))
         }
