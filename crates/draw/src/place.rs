@@ -397,10 +397,9 @@ pub fn check_reach<E: fmt::Display>(
 /// What to say of a place that a vector leads to, or on the way of what leaves a trace.
 fn out_of_reach(plan: &Plan, vector: usize, (place, reason): (Position, String)) -> PlaceError {
     let [x_mm, y_mm, z_mm] = [place.x, place.y, place.z].map(|it| it.0);
-    let kinds = plan.moves[vector..].iter().map(|it| it.kind);
+    let mut kinds = plan.moves[vector..].iter().map(|it| it.kind);
     // Where a travel ends, the next vector begins.
-    let kind = kinds.into_iter().find(|it| *it != MoveKind::Travel);
-    match kind {
+    match kinds.find(|it| *it != MoveKind::Travel) {
         Some(MoveKind::RunUp | MoveKind::RunOut | MoveKind::Brake) => PlaceError::RunOutOfReach {
             x_mm,
             y_mm,
