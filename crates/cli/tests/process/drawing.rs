@@ -195,6 +195,19 @@ fn a_timeline_tells_every_moment_of_the_drawing() {
 }
 
 #[test]
+fn a_drawing_that_the_policy_refuses_is_told_with_what_a_person_can_do_about_a_drawing() {
+    let square = example("square.svg");
+    // Within reach, and beyond where the laser may burn.
+    let beyond = ["--at", "180", "-198", "--scale", "0.3", "--dry-run"];
+    let draw = ["draw", &square, "--laser", "paper-engrave", "--no-defaults"];
+    let told = dobot(&[&draw[..], &beyond].concat());
+    told.fails(
+        1,
+        &["laser.area allows -200 to 200 mm", "--at", "dobot policy"],
+    );
+}
+
+#[test]
 fn the_laser_burns_materials_and_the_pen_does_not() {
     let square = example("square.svg");
     // A stock arm switches the laser at a tick of 20 ms: where the last tick before that is not as

@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_api::State;
+use dobot_api::{RemoteError, State, problem_kinds};
 use dobot_client::position;
 use dobot_plan::Plan;
 use dobot_rules::{StationClient, drawing_job};
@@ -87,7 +87,19 @@ async fn submit(
     // Nothing is queued that cannot be started.
     take_control(station).await?;
     arm_laser(station, armed_for).await?;
-    Ok(station.submit(drawing_job(plan, title)).await?)
+    let submitted = station.submit(drawing_job(plan, title)).await;
+    submitted.map_err(refused)
+}
+
+/// Nobody changes a command of a drawing.
+fn refused(error: RemoteError) -> Failure {
+    if error.kind() == Some(problem_kinds::BAD_JOB.name) {
+        return Failure::new(
+            error,
+            "place it elsewhere or make it smaller (`--at`, `--fit`, `--scale`); `dobot policy` shows the rules",
+        );
+    }
+    error.into()
 }
 
 /// Whether a frame has its person; that of a virtual arm in this process needs none.
