@@ -102,27 +102,36 @@ fn packet_mm(speed_mm_s: f64, machine: &Machine) -> f64 {
     speed_mm_s * machine.link.period_s * RUN_SPARE
 }
 
-/// The corners of a stroke as a laser can burn them: two or more, none nearer to the next than half of its
-/// spot. The link takes as long for a shorter vector as for any other, and burns a hole. What is shorter than
-/// the spot is a line as long as that, from its beginning on.
-pub(super) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
-    let first = stroke.points[0];
-    let mut points = vec![first];
-    for &p in &stroke.points[1..] {
-        if p.distance(points[points.len() - 1]) >= LEAST_BURN_MM {
+/// The corners of a stroke that a laser burns, none nearer to the next than half of its spot: the link takes as long for a
+/// shorter vector as for any other, and burns a hole. Of a stroke that is shorter than that, its beginning alone.
+#[must_use]
+pub fn burned_corners(stroke: &Stroke) -> Vec<Point> {
+    let mut points = Vec::with_capacity(stroke.points.len());
+    for &p in &stroke.points {
+        if points
+            .last()
+            .is_none_or(|last: &Point| p.distance(*last) >= LEAST_BURN_MM)
+        {
             points.push(p);
         }
     }
-    let last = stroke.points[stroke.points.len() - 1];
-    let is_dot = stroke.length_mm() < DOT_MM;
-    if is_dot {
+    if let ([.., before, end], Some(&last)) = (points.as_mut_slice(), stroke.points.last())
+        && last.distance(*before) >= LEAST_BURN_MM
+    {
+        *end = last;
+    }
+    points
+}
+
+/// The corners of a stroke as a laser can burn them, two or more. What is shorter than the spot is a line as long as that,
+/// from its beginning on.
+pub(super) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
+    let first = stroke.points[0];
+    let mut points = burned_corners(stroke);
+    if stroke.length_mm() < DOT_MM {
         points.truncate(1);
     }
-    if let [.., before, end] = points.as_mut_slice() {
-        if last.distance(*before) >= LEAST_BURN_MM {
-            *end = last;
-        }
-    } else {
+    if points.len() == 1 {
         let come = first - Point::new(here[0], here[1]);
         let into = way_of(stroke.segments()).or_else(|| unit(come));
         points.push(first + into.unwrap_or(Vec2::new(1.0, 0.0)) * DOT_MM);

@@ -1,8 +1,8 @@
 //! The vectors of a pass.
 
 use dobot_arm::TICK_S;
-use dobot_geometry::Stroke;
-use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, acceleration};
+use dobot_geometry::{Stroke, deviation};
+use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, acceleration, burned_corners};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
@@ -66,7 +66,9 @@ pub(super) fn simplified(
     let strokes = pass.strokes.iter().map(|it| {
         settings.give_up.check()?;
         let fewest = fewest_at(it, tolerance_mm);
-        let simple = if pass.tool.burns() || fewest.stroke.points.len() == it.points.len() {
+        let simple = if pass.tool.burns() {
+            burned(it, fewest.stroke, tolerance_mm)
+        } else if fewest.stroke.points.len() == it.points.len() {
             fewest.stroke
         } else {
             faster(it, fewest, pass.tool, settings, trials)
@@ -81,6 +83,31 @@ pub(super) fn simplified(
         strokes: strokes?,
         message: pass.message.clone(),
     })
+}
+
+/// The fewest vectors of a stroke that keep within the tolerance without the corners that a laser leaves out, since they lie too
+/// near to others: those within less than the tolerance lie elsewhere. If none do, those that come nearest to it.
+fn burned(stroke: &Stroke, fewest: Stroke, tolerance_mm: f64) -> Stroke {
+    let off_mm = |it: &Stroke| {
+        let corners = burned_corners(it);
+        if corners.len() == it.points.len() {
+            return 0.0;
+        }
+        let both = [stroke.clone(), Stroke::open(corners)];
+        deviation(&both[..1], &both[1..]).largest_mm()
+    };
+    let mut best = (off_mm(&fewest), fewest);
+    for share in BURNED_WITHIN {
+        if best.0 <= tolerance_mm {
+            break;
+        }
+        let other = fewest_at(stroke, share * tolerance_mm).stroke;
+        let off_mm = off_mm(&other);
+        if off_mm < best.0 {
+            best = (off_mm, other);
+        }
+    }
+    best.1
 }
 
 /// A stroke of a pen with the vectors that the plan takes the least time for: those of its pace, those that take whole
@@ -179,6 +206,9 @@ const MOST_OF_ONE: usize = 400_000;
 const TICKS_COUNT: usize = 9;
 /// So many times the acceleration may be seen in ticks.
 const SHARP: f64 = 1.01;
+
+/// Shares of the tolerance to try where a laser leaves out corners.
+const BURNED_WITHIN: [f64; 7] = [0.93, 0.86, 0.79, 0.72, 0.65, 0.5, 0.35];
 
 #[cfg(test)]
 mod tests {
