@@ -1,7 +1,7 @@
 // A person without an arm takes the tour, and the arm does what the tour promises.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { open, passed, rest } from "./bench.mjs";
+import { answered, open, passed, rest } from "./bench.mjs";
 
 let bench, page;
 
@@ -23,6 +23,8 @@ async function steps(axis, times) {
     const before = (await state()).arm;
     await page.click(`[data-axis=${axis}]`);
     while (JSON.stringify((await state()).arm) === JSON.stringify(before)) await passed(page, 0.1);
+    // What the page says may be from before it moved.
+    await answered(page, "api/v1/state", ({ arm, queue }) => !arm.moving && queue.waiting + queue.under_way === 0);
     await rest(page);
     await passed(page, 0.4);
   }
