@@ -138,7 +138,7 @@ impl<'a> EntityRenderer<'_, 'a> {
     ) -> Result<(), SourceError> {
         let center = from.midpoint(to);
         let across = from - center;
-        let along = Vec2::new(-across.y, across.x);
+        let along = across.turn_90();
         let along = if along.dot(side) < 0.0 { -along } else { along };
         self.sketch.lift();
         self.round(it, frame, center, [across, along], [0.0, PI])

@@ -155,8 +155,11 @@ impl<'s, 'a> EntityRenderer<'s, 'a> {
         self.shape(it, parts, copy)
     }
 
-    /// The name in capitals of an entity's line type, which may be that of its layer or of its block.
+    /// The name in capitals of an entity's line type, which may be that of its layer or of its block; empty in a file without any.
     fn line_type_name(&self, it: &Entity<'_>, layer: &str, of_block: &str) -> String {
+        if self.file.line_types.is_empty() {
+            return String::new();
+        }
         let own = it.find(6).map(|it| it.text().to_uppercase());
         match own.as_deref() {
             None | Some("BYLAYER") => {
