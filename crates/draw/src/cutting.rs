@@ -1,8 +1,8 @@
 //! Cutting through with a laser: what lies inside comes first, the beam has a width, parts are held by tabs.
 
-use dobot_geometry::{Point, Rect, SegmentIndex, Stroke, Vec2, bounds};
-use i_overlay::mesh::float::outline::offset::OutlineOffset;
-use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
+use dobot_geometry::{FillRule, Point, Rect, SegmentIndex, Stroke, Vec2, bounds};
+
+use crate::offset::{SimpleArea, closed};
 
 /// How shapes are cut out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -157,25 +157,9 @@ fn depths(strokes: &[Stroke]) -> Vec<usize> {
 
 /// A closed stroke with its edge moved outwards, or inwards where below 0: in several parts, or gone.
 fn moved(stroke: &Stroke, by_mm: f64, tolerance_mm: f64) -> Vec<Stroke> {
-    let mut ring: Vec<[f64; 2]> = stroke.points.iter().map(|p| [p.x, p.y]).collect();
-    ring.pop();
-    if area(&stroke.points) < 0.0 {
-        ring.reverse();
-    }
-    let share = (2.0 * tolerance_mm / by_mm.abs()).sqrt().clamp(0.02, 1.0);
-    let style = OutlineStyle::new(by_mm).line_join(LineJoin::Round(share));
-    let shapes = vec![ring].outline(&style);
-    let closed = |ring: &Vec<[f64; 2]>| {
-        let points = ring
-            .iter()
-            .chain(ring.first())
-            .map(|&[x, y]| Point::new(x, y));
-        Stroke {
-            points: points.collect(),
-            closed: true,
-        }
-    };
-    shapes.iter().flatten().map(closed).collect()
+    let ring = &stroke.points[1..];
+    let rings = SimpleArea::of([ring], FillRule::NonZero).offset(by_mm, tolerance_mm);
+    rings.into_iter().map(closed).collect()
 }
 
 /// The part of a path from one length to another, both in mm.
@@ -267,6 +251,37 @@ mod tests {
         let (left, gone) =
             cutting.offset(vec![square(0.0, 0.0, 9.0), square(4.0, 4.0, 0.15)], 0.005);
         assert_eq!((left.len(), gone), (1, 1));
+    }
+
+    #[test]
+    fn of_a_shape_that_crosses_itself_all_parts_become_larger() {
+        // Two squares of 10 mm, one to the left and one to the right, and the same once more.
+        let eight = [
+            (0.0, 0.0),
+            (10.0, 0.0),
+            (10.0, 10.0),
+            (0.0, 10.0),
+            (0.0, -10.0),
+            (-10.0, -10.0),
+            (-10.0, 0.0),
+            (0.0, 0.0),
+        ];
+        let twice = [&eight[..], &eight[1..]].concat();
+        for points in [eight.to_vec(), twice] {
+            let shape = Stroke {
+                points: points.into_iter().map(Point::from).collect(),
+                closed: true,
+            };
+            let cutting = Cutting {
+                kerf_mm: 0.2,
+                ..Cutting::default()
+            };
+            let (offset, gone) = cutting.offset(vec![shape], 0.005);
+            let areas: Vec<f64> = offset.iter().map(|it| area(&it.points).abs()).collect();
+            // Both meet in a corner, and become one.
+            assert_eq!((areas.len(), gone), (1, 0), "{areas:?}");
+            assert!((areas[0] - 208.0).abs() < 0.1, "{areas:?}");
+        }
     }
 
     #[test]

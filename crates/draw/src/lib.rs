@@ -46,6 +46,7 @@ mod hatch;
 mod ink;
 mod material;
 mod merge;
+mod offset;
 mod options;
 mod order;
 mod picture;

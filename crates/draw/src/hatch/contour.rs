@@ -1,14 +1,9 @@
 //! Areas filled with their own outline, farther and farther inside.
 
-use dobot_geometry::{
-    Area, FillRule, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds,
-};
-use i_overlay::core::fill_rule::FillRule as Rule;
-use i_overlay::float::simplify::SimplifyShape;
-use i_overlay::mesh::float::outline::offset::OutlineOffset;
-use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
+use dobot_geometry::{Area, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds};
 
 use super::{Hatch, HatchError};
+use crate::offset::{SimpleArea, closed};
 
 /// Closed lines inside of each other, so far apart. The edge of the area is drawn already: where no
 /// inset is asked for, the first lies one spacing inside.
@@ -82,37 +77,19 @@ fn levels(area: &Area, first_mm: f64, spacing_mm: f64) -> Result<Vec<Vec<Vec<Poi
         let most = MOST_CORNERS;
         return Err(HatchError::TooManyCorners { corners, most });
     }
-    let rule = match area.rule {
-        FillRule::NonZero => Rule::NonZero,
-        FillRule::EvenOdd => Rule::EvenOdd,
-    };
-    let plain = |ring: &Vec<Point>| ring.iter().map(|p| [p.x, p.y]).collect();
-    let rings: Vec<Vec<[f64; 2]>> = area.rings.iter().map(plain).collect();
-    let whole = rings.simplify_shape_as::<i64>(rule);
+    let whole = SimpleArea::of(area.rings.iter().map(Vec::as_slice), area.rule);
     let (mut levels, mut round) = (Vec::new(), 0.0);
     // The narrower side is used up after so many, whatever becomes of tips that are thinner than numbers tell.
     while round <= rounds + 1.0 {
         // Each from the area itself: corners that are rounded again and again have ever more points.
-        let by_mm = first_mm + round * spacing_mm;
-        let shapes = if by_mm > 0.0 {
-            whole.outline_as::<i64>(&inwards(by_mm))
-        } else {
-            whole.clone()
-        };
-        if shapes.is_empty() {
+        let rings = whole.offset(-(first_mm + round * spacing_mm), ROUND_MM);
+        if rings.is_empty() {
             break;
         }
-        let point = |&[x, y]: &[f64; 2]| Point::new(x, y);
-        let rings = shapes.iter().flatten();
-        levels.push(rings.map(|ring| ring.iter().map(point).collect()).collect());
+        levels.push(rings);
         round += 1.0;
     }
     Ok(levels)
-}
-
-fn inwards(by_mm: f64) -> OutlineStyle<f64> {
-    let share = (2.0 * ROUND_MM / by_mm).sqrt().clamp(0.02, 1.0);
-    OutlineStyle::new(-by_mm).line_join(LineJoin::Round(share))
 }
 
 /// For each ring the one of the next level that is its only follower, and that follows no other.
@@ -189,14 +166,6 @@ fn nearest_on((a, b): (Point, Point), p: Point) -> (Point, f64) {
 fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     let ends = ring.iter().cycle().skip(1);
     ring.iter().copied().zip(ends.copied())
-}
-
-fn closed(mut ring: Vec<Point>) -> Stroke {
-    ring.extend(ring.first().copied());
-    Stroke {
-        points: ring,
-        closed: true,
-    }
 }
 
 /// How far a rounded corner may be from round, in mm.
