@@ -75,6 +75,13 @@ impl Way {
     }
 }
 
+/// The fewest vectors of a stroke within `tolerance_mm` none of which is shorter than `least_mm`; `None` if it found no such way.
+pub(crate) fn fewest_long_at(stroke: &Stroke, tolerance_mm: f64, least_mm: f64) -> Option<Stroke> {
+    let corridor = corridor(stroke, tolerance_mm - SLACK_MM).of_vectors(least_mm);
+    let path = fewest(&corridor)?;
+    Some(joined(stroke, places(&path)))
+}
+
 /// The way with the fewest vectors within `tolerance_mm`.
 pub(crate) fn fewest_at(stroke: &Stroke, tolerance_mm: f64) -> Way {
     let radius_mm = tolerance_mm - SLACK_MM;

@@ -177,8 +177,8 @@ fn unit(way: Vec2) -> Option<Vec2> {
 
 /// A laser burns a dot as a line, as long as its spot is wide.
 const DOT_MM: f64 = 0.2;
-/// No vector of a longer stroke is shorter: the link would have the laser burn a hole there.
-const LEAST_BURN_MM: f64 = 0.16;
+/// No vector that a laser burns is shorter, but of a stroke that is: the link would have it burn a hole there.
+pub const LEAST_BURN_MM: f64 = 0.16;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;

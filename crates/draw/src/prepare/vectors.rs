@@ -2,11 +2,13 @@
 
 use dobot_arm::TICK_S;
 use dobot_geometry::{Stroke, deviation};
-use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, acceleration, burned_corners};
+use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, LEAST_BURN_MM, acceleration, burned_corners};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;
-use crate::simplify::{PlannedWay, Way, fast_ways_at, fewest_at, seemingly_fastest_at, spliced_at};
+use crate::simplify::{
+    PlannedWay, Way, fast_ways_at, fewest_at, fewest_long_at, seemingly_fastest_at, spliced_at,
+};
 
 /// How much of a drawing may still be planned to find the fastest vectors.
 #[derive(Debug)]
@@ -67,7 +69,8 @@ pub(super) fn simplified(
         settings.give_up.check()?;
         let fewest = fewest_at(it, tolerance_mm);
         let simple = if pass.tool.burns() {
-            burned(it, fewest.stroke, tolerance_mm)
+            fewest_long_at(it, tolerance_mm, LEAST_BURN_MM)
+                .unwrap_or_else(|| burned(it, fewest.stroke, tolerance_mm))
         } else if fewest.stroke.points.len() == it.points.len() {
             fewest.stroke
         } else {

@@ -1,6 +1,10 @@
 //! One vector, the corners it joins and the points it has to pass.
 
+use std::f64::consts::TAU;
+
 use dobot_geometry::{Point, Vec2};
+
+use super::MIN_VECTOR_MM;
 
 /// A place where one vector ends and the next begins.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +25,8 @@ pub(super) struct Corridor<'a> {
     pub(super) closed: bool,
     /// The radii of the discs around the points that have to be hit in order.
     pub(super) radii: Vec<f64>,
+    /// No vector is shorter, in mm.
+    pub(super) least_mm: f64,
     /// For each point the direction across the stroke, of length 1 or 0.
     across: Vec<Vec2>,
 }
@@ -42,15 +48,27 @@ impl<'a> Corridor<'a> {
         Self {
             across: across.collect(),
             radii: vec![radius; points.len()],
+            least_mm: MIN_VECTOR_MM,
             points,
             closed,
         }
+    }
+
+    /// The same with longer vectors, the shortest of which is as long as this.
+    pub(super) fn of_vectors(self, least_mm: f64) -> Self {
+        Self { least_mm, ..self }
     }
 
     /// The two places beside a point, across the stroke.
     pub(super) fn beside(&self, i: usize) -> [Point; 2] {
         let (here, off) = (self.points[i], self.across[i] * self.radii[i]);
         [here + off, here - off]
+    }
+
+    /// Eight places around a point, as far away as a vector may pass.
+    pub(super) fn around(&self, i: usize) -> impl Iterator<Item = Point> + use<'_> {
+        let eighths = (0..8).map(|n| Vec2::from_angle(f64::from(n) * TAU / 8.0));
+        eighths.map(move |it| self.points[i] + it * self.radii[i])
     }
 
     /// Whether the vector from `a` to `b` hits the discs of the points `first..=last` in order.

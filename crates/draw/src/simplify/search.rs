@@ -2,7 +2,8 @@
 //!
 //! Breadth first: from all corners that `n` vectors reach, all that one more does. A corner is one
 //! of five for each point of the stroke: the point itself, the tolerance to its left and right, and
-//! the two farthest places that vectors get to which miss the disc of the next point.
+//! the two farthest places that vectors get to which miss the disc of the next point. Where vectors have to be long, eight more
+//! around the point: a step that is too short may lead farther, or not be made at all.
 //!
 //! The farthest corners of a layer come first. Once an allowance of work is used up, which grows
 //! with the way done, only those follow that could spoil the promise to be no worse than the best
@@ -10,6 +11,7 @@
 
 use dobot_geometry::Point;
 
+use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 use super::snap::snap_to_points;
 use super::visibility::Visibility;
@@ -42,7 +44,7 @@ struct Search<'a> {
     /// What the next layer goes on from.
     next: Vec<Corner>,
     /// For each point a bit for each of its corners that was reached.
-    reached: Vec<u8>,
+    reached: Vec<u16>,
     /// No point before this one is left to be reached.
     gap: usize,
     /// How many points were looked at.
@@ -136,14 +138,24 @@ impl<'a> Search<'a> {
     }
 
     fn note_corners(&mut self, visibility: &mut Visibility<'_>, i: usize) {
-        let here = self.corridor.points[i];
-        let [left, right] = self.corridor.beside(i);
-        let places = [(1, here), (2, left), (4, right)];
-        // Far off, where each has to be looked at, the point itself has to do.
-        let count = if visibility.is_tedious(i) { 1 } else { 3 };
-        for (bit, at) in places.into_iter().take(count) {
+        let corridor = self.corridor;
+        let [left, right] = corridor.beside(i);
+        let is_tedious = visibility.is_tedious(i);
+        let mut look = |bit: u16, at: Point| {
             if self.reached[i] & bit == 0 && visibility.reaches(at, i) {
                 self.note(at, i, bit);
+            }
+        };
+        look(1, corridor.points[i]);
+        // Far off, where each has to be looked at, the point itself has to do.
+        if is_tedious {
+            return;
+        }
+        look(2, left);
+        look(4, right);
+        if corridor.least_mm > MIN_VECTOR_MM {
+            for (n, at) in corridor.around(i).enumerate() {
+                look(32 << n, at);
             }
         }
     }
@@ -162,7 +174,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn note(&mut self, at: Point, passed: usize, bit: u8) {
+    fn note(&mut self, at: Point, passed: usize, bit: u16) {
         self.reached[passed] |= bit;
         self.next.push(Corner {
             at,

@@ -1,6 +1,5 @@
 //! Moves corners back to points of the stroke where that costs no vector.
 
-use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
 
 /// Moves corners of a path to the points of the stroke they stand for: as many as can be without
@@ -53,7 +52,7 @@ impl Choice {
         let found = !self.moved && !next.moved;
         found
             || from.passed < to.passed
-                && from.at.distance(to.at) >= MIN_VECTOR_MM
+                && from.at.distance(to.at) >= corridor.least_mm
                 && corridor.passes(from.at, to.at, from.passed + 1, to.passed)
     }
 }

@@ -2,7 +2,6 @@
 
 use dobot_geometry::{Point, Vec2};
 
-use super::MIN_VECTOR_MM;
 use super::cone::Cone;
 use super::corridor::{Corner, Corridor};
 
@@ -84,7 +83,7 @@ impl<'a> Visibility<'a> {
     pub(super) fn reaches(&mut self, at: Point, i: usize) -> bool {
         let way = at - self.from.at;
         let length2 = way.hypot2();
-        if length2.is_nan() || length2 < MIN_VECTOR_MM * MIN_VECTOR_MM {
+        if length2.is_nan() || length2 < self.corridor.least_mm * self.corridor.least_mm {
             return false;
         }
         if self.cone.is_some_and(|cone| !cone.holds(way)) {
@@ -99,7 +98,7 @@ impl<'a> Visibility<'a> {
 
     /// The same for a place on an edge of the view.
     pub(super) fn reaches_exit(&mut self, at: Point, i: usize) -> bool {
-        at.distance(self.from.at) >= MIN_VECTOR_MM && (!self.wavering || self.in_order(at, i))
+        at.distance(self.from.at) >= self.corridor.least_mm && (!self.wavering || self.in_order(at, i))
     }
 
     fn in_order(&mut self, at: Point, i: usize) -> bool {
