@@ -1,6 +1,6 @@
 //! The way of a laser through a stroke: it gets to its speed before, and loses it behind.
 
-use dobot_geometry::{Point, Stroke, Vec2};
+use dobot_geometry::{Point, Stroke, Vec2, bounds};
 
 use crate::planner::LEAST_VECTOR_MM;
 use crate::tick::TICK_S;
@@ -102,8 +102,8 @@ fn packet_mm(speed_mm_s: f64, machine: &Machine) -> f64 {
     speed_mm_s * machine.link.period_s * RUN_SPARE
 }
 
-/// The corners of a stroke that a laser burns, none nearer to the next than half of its spot: the link takes as long for a
-/// shorter vector as for any other, and burns a hole. Of a stroke that is shorter than that, its beginning alone.
+/// The corners of a stroke that a laser burns, none nearer to the next than [`LEAST_BURN_MM`]: the link takes as long for a shorter
+/// vector as for any other, and burns a hole. Of a stroke that is shorter than that, its beginning alone.
 #[must_use]
 pub fn burned_corners(stroke: &Stroke) -> Vec<Point> {
     let mut points = Vec::with_capacity(stroke.points.len());
@@ -123,20 +123,18 @@ pub fn burned_corners(stroke: &Stroke) -> Vec<Point> {
     points
 }
 
-/// The corners of a stroke as a laser can burn them, two or more. What is shorter than the spot is a line as long as that,
-/// from its beginning on.
+/// The corners of a stroke as a laser can burn them, two or more. What is shorter than the spot is a line as long as that, as far to
+/// one side of it as to the other.
 pub(super) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
-    let first = stroke.points[0];
-    let mut points = burned_corners(stroke);
-    if stroke.length_mm() < DOT_MM {
-        points.truncate(1);
+    let points = burned_corners(stroke);
+    if points.len() > 1 && stroke.length_mm() >= DOT_MM {
+        return points;
     }
-    if points.len() == 1 {
-        let come = first - Point::new(here[0], here[1]);
-        let into = way_of(stroke.segments()).or_else(|| unit(come));
-        points.push(first + into.unwrap_or(Vec2::new(1.0, 0.0)) * DOT_MM);
-    }
-    points
+    let middle = bounds(stroke.points.iter().copied()).center();
+    let come = middle - Point::new(here[0], here[1]);
+    let into = way_of(stroke.segments()).or_else(|| unit(come));
+    let half = into.unwrap_or(Vec2::new(1.0, 0.0)) * (0.5 * DOT_MM);
+    vec![middle - half, middle + half]
 }
 
 /// The speed at which a laser burns a path: a stock arm switches it between ticks, so that what is
@@ -178,7 +176,7 @@ fn unit(way: Vec2) -> Option<Vec2> {
 /// A laser burns a dot as a line, as long as its spot is wide.
 const DOT_MM: f64 = 0.2;
 /// No vector that a laser burns is shorter, but of a stroke that is: the link would have it burn a hole there.
-pub const LEAST_BURN_MM: f64 = 0.16;
+pub const LEAST_BURN_MM: f64 = 0.08;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;

@@ -319,6 +319,30 @@ mod tests {
     }
 
     #[test]
+    fn a_laser_burns_a_dot_around_its_place() {
+        let ring = [
+            (220.0, 10.0),
+            (220.05, 10.0),
+            (220.05, 10.05),
+            (220.0, 10.0),
+        ];
+        for (stroke, middle) in [
+            (line(&[(200.0, 5.0)]), Point::new(200.0, 5.0)),
+            (line(&ring), Point::new(220.025, 10.025)),
+        ] {
+            let plan = burned(vec![stroke], 1);
+            let [burned] = &plan.paths(MoveKind::Burn)[..] else {
+                panic!("one line");
+            };
+            let [from, to] = burned.points[..] else {
+                panic!("{burned:?}");
+            };
+            assert!(from.midpoint(to).distance(middle) < 1e-4, "{burned:?}");
+            assert!((from.distance(to) - 0.2).abs() < 1e-4, "{burned:?}");
+        }
+    }
+
+    #[test]
     fn a_laser_on_a_slope_and_a_laser_beside_a_pen_are_refused() {
         let strokes = vec![line(&[(200.0, 0.0), (210.0, 0.0)])];
         let laser = Pass::new(DrawingTool::Laser(Laser::default()), strokes.clone());

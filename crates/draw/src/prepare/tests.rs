@@ -7,6 +7,7 @@ use crate::place::{Placement, Size};
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Vec2, deviation};
 use dobot_plan::{Laser, Machine, MoveKind, Pace};
+use dobot_random::Random;
 
 const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/drawings/harbour.svg"),
@@ -63,6 +64,42 @@ fn a_laser_burns_within_tolerance_though_it_burns_nothing_shorter_than_its_spot(
         let burned = prepared.plan.paths(MoveKind::Burn);
         let worst = deviation(&prepared.wanted(), &burned);
         assert!(worst.largest_mm() <= 0.05, "{i}: {worst:?}");
+    }
+}
+
+#[test]
+fn a_laser_burns_within_a_fine_tolerance_along_steps_of_any_length() {
+    let tool = DrawingTool::Laser(Laser {
+        burn_speed_mm_s: 3.0,
+        ..Laser::default()
+    });
+    let mut random = Random::new(5);
+    for i in 0..300 {
+        let settings = Settings {
+            tool,
+            tolerance_mm: if i % 2 == 0 { 0.05 } else { 0.025 },
+            ..Settings::default()
+        };
+        // Up and down in steps from 0.02 to 0.4 mm between lines of 2 mm, as serifs and teeth are.
+        let mut at = Point::ORIGIN;
+        let mut line = vec![at];
+        for n in 0..9 {
+            let step_mm = 0.02 + 0.38 * random.share();
+            let side = if n % 2 == 0 { 1.0 } else { -1.0 };
+            for way in [Vec2::new(2.0, 0.0), Vec2::new(0.0, side * step_mm)] {
+                at += way;
+                line.push(at);
+            }
+        }
+        at += Vec2::new(2.0, 0.0);
+        line.push(at);
+        let prepared = prepare(&Source::Lines(vec![line]), &settings, in_reach).unwrap();
+        let burned = prepared.plan.paths(MoveKind::Burn);
+        let worst = deviation(&prepared.wanted(), &burned);
+        assert!(
+            worst.largest_mm() <= settings.tolerance_mm,
+            "{i}: {worst:?}"
+        );
     }
 }
 

@@ -2,7 +2,9 @@
 
 use dobot_arm::TICK_S;
 use dobot_geometry::{Stroke, deviation};
-use dobot_plan::{DrawingTool, MoveKind, Pace, Pass, Plan, LEAST_BURN_MM, acceleration, burned_corners};
+use dobot_plan::{
+    DrawingTool, LEAST_BURN_MM, MoveKind, Pace, Pass, Plan, acceleration, burned_corners,
+};
 
 use super::{PrepareError, Settings};
 use crate::calibrated::shortened;

@@ -98,7 +98,8 @@ impl<'a> Visibility<'a> {
 
     /// The same for a place on an edge of the view.
     pub(super) fn reaches_exit(&mut self, at: Point, i: usize) -> bool {
-        at.distance(self.from.at) >= self.corridor.least_mm && (!self.wavering || self.in_order(at, i))
+        at.distance(self.from.at) >= self.corridor.least_mm
+            && (!self.wavering || self.in_order(at, i))
     }
 
     fn in_order(&mut self, at: Point, i: usize) -> bool {
