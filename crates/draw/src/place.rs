@@ -305,7 +305,7 @@ pub enum PlaceError {
     },
     /// A point where the arm does not get.
     #[error(
-        "the pen would have to go to x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; fit the drawing into the area with --fit, or place it elsewhere"
+        "the pen would have to go to x {x_mm:.1}, y {y_mm:.1}, z {z_mm:.1} mm: {reason}; make the drawing smaller, or place it elsewhere"
     )]
     OutOfReach {
         /// Forward, in the base frame.

@@ -139,7 +139,7 @@ impl OptionsError {
                 "`--landscape` or `--rotate 90` where the page lies the other way round; `--fit`; `--clip`".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
-                "`--clip` draws what is within reach; `--fit` places it inside, but for `--at` and `--paper-size`; `--pen-down` and `--lift` set the heights".into(),
+                "`--clip` draws what is within reach; `--fit` without `--at` and `--paper-size` makes all of it fit; on a sheet, a smaller one or one that lies nearer (`--corner`); `--pen-down` and `--lift` set the heights".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::RunOutOfReach { .. })) => {
                 Some("a lower `--speed`; `--clip` leaves room for the ways of the laser".into())
