@@ -21,6 +21,11 @@ pub struct Cutting {
 }
 
 impl Cutting {
+    /// Whether anything is done to closed shapes.
+    pub(crate) fn is_asked_for(&self) -> bool {
+        self.kerf_mm != 0.0 || self.lead_in_mm > 0.0 || self.overcut_mm > 0.0 || self.tabs > 0
+    }
+
     /// Closed shapes as much larger or smaller as the beam takes: parts and holes in turn, the outermost a
     /// part. What vanishes is counted.
     pub(crate) fn offset(&self, strokes: Vec<Stroke>, tolerance_mm: f64) -> (Vec<Stroke>, usize) {
@@ -42,58 +47,59 @@ impl Cutting {
         (all, gone)
     }
 
-    /// Strokes in their order, closed ones with their way in, what they overlap, or their tabs. Shapes too
-    /// small for tabs are counted: they have none.
-    pub(crate) fn finished(&self, strokes: Vec<Stroke>) -> (Vec<Stroke>, usize) {
+    /// Strokes in their order, closed ones with their way in, what they overlap, or their tabs.
+    pub(crate) fn finished(&self, strokes: Vec<Stroke>) -> Cut {
+        let mut waste = Waste::between(&strokes, self.lead_in_mm);
         let depths = if self.lead_in_mm > 0.0 {
             depths(&strokes)
         } else {
             vec![0; strokes.len()]
         };
-        let (mut all, mut small) = (Vec::new(), 0);
-        for (stroke, depth) in strokes.into_iter().zip(depths) {
+        let (mut all, mut too_small) = (Vec::new(), 0);
+        for (number, (stroke, depth)) in strokes.into_iter().zip(depths).enumerate() {
             if !is_loop(&stroke) {
                 all.push(stroke);
-            } else if self.tabs > 0 && stroke.length_mm() > 3.0 * self.tab_mm * f64::from(self.tabs)
-            {
-                all.extend(self.between_tabs(&stroke));
+                continue;
+            }
+            let has_room = stroke.length_mm() > 3.0 * self.tab_mm * f64::from(self.tabs);
+            let (cuts, before) = if self.tabs > 0 && has_room {
+                (self.between_tabs(&stroke), Vec2::ZERO)
             } else {
-                small += usize::from(self.tabs > 0);
-                all.push(self.led(stroke, depth % 2 == 0));
+                too_small += usize::from(self.tabs > 0);
+                let last = stroke.points.len() - 1;
+                let before = unit(stroke.points[last] - stroke.points[last - 1]);
+                (vec![self.overcut(&stroke)], before)
+            };
+            // Of a ring that goes counterclockwise the inside is on the left.
+            let is_left = (area(&stroke.points) > 0.0) != (depth % 2 == 0);
+            for mut cut in cuts {
+                // In a corner half way between both sides: straight behind one it would lie on the other.
+                let left = (before + unit(cut.points[1] - cut.points[0])).turn_90();
+                waste.lead_in(&mut cut, if is_left { left } else { -left }, number);
+                all.push(cut);
             }
         }
-        (all, small)
+        Cut {
+            strokes: all,
+            too_small,
+            short_of_room: waste.short_of_room,
+        }
     }
 
-    /// ```text
-    ///        .---->----.
-    ///        |         |          lead-in from the waste, once around, and on over the beginning
-    ///   ---> *=>-------'
-    /// ```
-    fn led(&self, stroke: Stroke, is_part: bool) -> Stroke {
-        if self.lead_in_mm <= 0.0 && self.overcut_mm <= 0.0 {
-            return stroke;
+    /// Once around, and on over the beginning.
+    fn overcut(&self, stroke: &Stroke) -> Stroke {
+        if self.overcut_mm <= 0.0 {
+            return stroke.clone();
         }
-        // In a corner half way between both sides: straight behind one it would lie on the other.
-        let unit = |way: Vec2| way / way.length().max(f64::MIN_POSITIVE);
-        let last = stroke.points.len() - 1;
-        let into = unit(stroke.points[last] - stroke.points[last - 1]);
-        let ways = into + unit(stroke.points[1] - stroke.points[0]);
-        let left = unit(ways).turn_90();
-        // Of a ring that goes counterclockwise the inside is on the left.
-        let inside = left * area(&stroke.points).signum();
-        let waste = if is_part { -inside } else { inside };
-        let mut points = Vec::with_capacity(stroke.points.len() + 2);
-        if self.lead_in_mm > 0.0 {
-            points.push(stroke.points[0] + waste * self.lead_in_mm);
-        }
-        points.extend(&stroke.points);
-        points.extend(
-            along(&stroke.points, 0.0, self.overcut_mm)
-                .into_iter()
-                .skip(1),
-        );
-        Stroke::open(points)
+        let over = along(&stroke.points, 0.0, self.overcut_mm);
+        Stroke::open(
+            stroke
+                .points
+                .iter()
+                .copied()
+                .chain(over.into_iter().skip(1))
+                .collect(),
+        )
     }
 
     /// The parts between the tabs, which lie evenly around.
@@ -106,6 +112,79 @@ impl Cutting {
             Stroke::open(along(&twice, tab_mm + half_mm, tab_mm + each_mm - half_mm))
         };
         (0..self.tabs).map(piece).collect()
+    }
+}
+
+/// How shapes are cut.
+#[derive(Debug)]
+pub(crate) struct Cut {
+    pub strokes: Vec<Stroke>,
+    /// So many shapes are too small for tabs: they have none.
+    pub too_small: usize,
+    /// So many cuts begin nearer to their edge than they should, since the waste is that narrow.
+    pub short_of_room: usize,
+}
+
+/// What lies between the strokes.
+///
+/// ```text
+///        .---->----.
+///        |         |          lead-in from the waste, once around, and on over the beginning
+///   ---> *=>-------'
+/// ```
+#[derive(Debug)]
+struct Waste {
+    lines: SegmentIndex,
+    /// Of which stroke each line is.
+    owners: Vec<usize>,
+    lead_in_mm: f64,
+    short_of_room: usize,
+}
+
+impl Waste {
+    fn between(strokes: &[Stroke], lead_in_mm: f64) -> Self {
+        let strokes = strokes.iter().enumerate().filter(|_| lead_in_mm > 0.0);
+        let lines = strokes.flat_map(|(number, it)| it.segments().map(move |line| (number, line)));
+        let (owners, lines) = lines.unzip();
+        Self {
+            lines: SegmentIndex::new(lines),
+            owners,
+            lead_in_mm,
+            short_of_room: 0,
+        }
+    }
+
+    /// Lets a cut of a stroke begin to this side of its beginning, at most half way to what is cut there.
+    fn lead_in(&mut self, cut: &mut Stroke, side: Vec2, stroke: usize) {
+        if self.lead_in_mm <= 0.0 {
+            return;
+        }
+        let (first, way) = (cut.points[0], unit(side));
+        let room_mm = 0.5 * self.room_mm(first, way, stroke);
+        self.short_of_room += usize::from(room_mm < self.lead_in_mm);
+        let lead_in_mm = self.lead_in_mm.min(room_mm);
+        if lead_in_mm > LEAST_LEAD_IN_MM {
+            cut.points.insert(0, first + way * lead_in_mm);
+            cut.closed = false;
+        }
+    }
+
+    /// How far it is from the beginning of a stroke to what is cut next, in mm.
+    fn room_mm(&self, from: Point, way: Vec2, stroke: usize) -> f64 {
+        let ahead = from + way * (2.0 * self.lead_in_mm);
+        let mut room_mm = f64::INFINITY;
+        self.lines
+            .touching(Rect::from_points(from, ahead), &mut |line| {
+                let (a, b) = self.lines.segment(line);
+                let across = way.cross(b - a);
+                let mm = (a - from).cross(b - a) / across;
+                let share = (a - from).cross(way) / across;
+                let is_own = self.owners[line as usize] == stroke && mm < LEAST_LEAD_IN_MM;
+                if (0.0..=1.0).contains(&share) && mm > -LEAST_LEAD_IN_MM && !is_own {
+                    room_mm = room_mm.min(mm.max(0.0));
+                }
+            });
+        room_mm
     }
 }
 
@@ -163,7 +242,7 @@ fn moved(stroke: &Stroke, by_mm: f64, tolerance_mm: f64) -> Vec<Stroke> {
 }
 
 /// The part of a path from one length to another, both in mm.
-fn along(points: &[Point], from_mm: f64, to_mm: f64) -> Vec<Point> {
+pub(crate) fn along(points: &[Point], from_mm: f64, to_mm: f64) -> Vec<Point> {
     let (mut part, mut here_mm) = (Vec::new(), 0.0);
     for pair in points.windows(2) {
         let length_mm = pair[0].distance(pair[1]);
@@ -187,9 +266,16 @@ fn area(ring: &[Point]) -> f64 {
     ends.map(part).sum::<f64>() / 2.0
 }
 
+fn unit(way: Vec2) -> Vec2 {
+    way / way.length().max(f64::MIN_POSITIVE)
+}
+
 fn is_loop(stroke: &Stroke) -> bool {
     stroke.points.len() > 3 && stroke.points.first() == stroke.points.last()
 }
+
+/// No way in is shorter.
+const LEAST_LEAD_IN_MM: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {
@@ -291,7 +377,7 @@ mod tests {
             overcut_mm: 1.0,
             ..Cutting::default()
         };
-        let (cut, _) = cutting.finished(nest());
+        let Cut { strokes: cut, .. } = cutting.finished(nest());
         let first = |i: usize| (cut[i].points[0].x, cut[i].points[0].y);
         // Outside of the part, inside of the hole.
         let diagonal = 2.0_f64.sqrt();
@@ -302,6 +388,66 @@ mod tests {
     }
 
     #[test]
+    fn a_cut_begins_no_farther_off_than_the_waste_has_room() {
+        let cutting = Cutting {
+            lead_in_mm: 4.0,
+            ..Cutting::default()
+        };
+        // A hole of 3 mm, a part 1 mm beside another one, and one that touches it.
+        let shapes = vec![
+            square(0.0, 0.0, 60.0),
+            square(5.0, 5.0, 3.0),
+            square(61.0, 0.0, 20.0),
+            square(81.0, 0.0, 20.0),
+        ];
+        let begins = [(0, 4.0), (1, 1.5 * 2.0_f64.sqrt()), (2, 0.5), (3, 0.0)];
+        let mut turned = shapes.clone();
+        // From the middle of the side that faces the neighbour.
+        for shape in &mut turned[2..] {
+            let (x, side) = (shape.points[0].x, 20.0);
+            let corners = [(x, 10.0), (x, 0.0), (x + side, 0.0), (x + side, side)];
+            let corners = corners.into_iter().chain([(x, side), (x, 10.0)]);
+            shape.points = corners.map(Point::from).collect();
+        }
+        let cut = cutting.finished(turned.clone());
+        assert_eq!(cut.short_of_room, 3);
+        for (i, mm) in begins {
+            let begin = cut.strokes[i].points[0];
+            let found_mm = begin.distance(turned[i].points[0]);
+            assert!((found_mm - mm).abs() < 1e-9, "{i}: {found_mm}");
+        }
+    }
+
+    #[test]
+    fn each_cut_between_tabs_begins_in_the_waste() {
+        let cutting = Cutting {
+            lead_in_mm: 2.0,
+            overcut_mm: 1.0,
+            tabs: 2,
+            tab_mm: 1.0,
+            ..Cutting::default()
+        };
+        let cut = cutting.finished(vec![square(0.0, 0.0, 60.0), square(20.0, 20.0, 20.0)]);
+        let begins: Vec<Point> = cut.strokes.iter().map(|it| it.points[0]).collect();
+        let (part, hole) = ([0.0, 60.0], [20.0, 40.0]);
+        let is_within = |p: &Point, [low, high]: [f64; 2]| {
+            (low..=high).contains(&p.x) && (low..=high).contains(&p.y)
+        };
+        assert_eq!(cut.strokes.len(), 4);
+        assert!(
+            begins[..2].iter().all(|it| !is_within(it, part)),
+            "{begins:?}"
+        );
+        assert!(
+            begins[2..].iter().all(|it| is_within(it, hole)),
+            "{begins:?}"
+        );
+        for (piece, mm) in cut.strokes.iter().zip([121.0, 121.0, 41.0, 41.0]) {
+            assert!((piece.length_mm() - mm).abs() < 1e-9, "{piece:?}");
+        }
+    }
+
+    #[test]
     fn tabs_stay_uncut_and_lie_evenly_around() {
         let cutting = Cutting {
             tabs: 4,
@@ -309,9 +455,12 @@ mod tests {
             ..Cutting::default()
         };
         let line = Stroke::open(vec![Point::ORIGIN, Point::new(9.0, 0.0)]);
-        let (cut, small) =
-            cutting.finished(vec![square(0.0, 0.0, 20.0), square(5.0, 5.0, 2.0), line]);
-        assert_eq!((cut.len(), small), (6, 1));
+        let Cut {
+            strokes: cut,
+            too_small,
+            ..
+        } = cutting.finished(vec![square(0.0, 0.0, 20.0), square(5.0, 5.0, 2.0), line]);
+        assert_eq!((cut.len(), too_small), (6, 1));
         for piece in &cut[..4] {
             assert!((piece.length_mm() - 19.0).abs() < 1e-9, "{piece:?}");
         }

@@ -2,29 +2,193 @@
 
 use std::collections::HashSet;
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
-/// Strokes without those that lie on another one from end to end, whichever way they go, and how many
-/// these were. What differs by less than the tolerance may be the same.
-pub(crate) fn without_doubles(strokes: Vec<Stroke>, tolerance_mm: f64) -> (Vec<Stroke>, usize) {
+use crate::cutting::along;
+
+/// Strokes without what lies on another one, whichever way it goes, and how many parts that were. Where shapes have to stay whole, only
+/// strokes that lie on others from end to end are left out. Of two the longer one stays.
+pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<Stroke>, usize) {
     let before = strokes.len();
     let mut seen = HashSet::new();
-    let mut kept = strokes;
-    kept.retain(|it| seen.insert(corners(&it.points, tolerance_mm)));
-    let count = before - kept.len();
-    (kept, count)
+    let mut strokes = strokes;
+    strokes.retain(|it| seen.insert(edges(&it.points)));
+    let mut count = before - strokes.len();
+    let mut drawn = Drawn::new(&strokes);
+    let mut by_length: Vec<usize> = (0..strokes.len()).collect();
+    by_length.sort_by(|&a, &b| drawn.length_mm[a].total_cmp(&drawn.length_mm[b]));
+    let mut left: Vec<Option<Vec<Stroke>>> = vec![None; strokes.len()];
+    for stroke in by_length {
+        let length_mm = drawn.length_mm[stroke];
+        let mut spans = drawn.covered(stroke);
+        let is_whole = matches!(spans[..], [(from, to)] if from == 0.0 && to == length_mm);
+        if !is_whole {
+            spans.retain(|&(from, to)| !stay_whole && to - from >= LEAST_MM);
+        }
+        if !spans.is_empty() {
+            count += spans.len();
+            drawn.remove(stroke, &spans);
+            left[stroke] = Some(beside(&strokes[stroke], &spans, length_mm));
+        }
+    }
+    let all = strokes
+        .into_iter()
+        .zip(left)
+        .flat_map(|(it, left)| left.unwrap_or_else(|| vec![it]));
+    (all.collect(), count)
 }
 
-/// The corners in an order of their own: those of a line there and back, or around from anywhere, are the same.
-fn corners(points: &[Point], tolerance_mm: f64) -> Vec<[i64; 2]> {
+/// The edges in an order of their own: those of a line there and back, or around from anywhere, are the same.
+fn edges(points: &[Point]) -> Vec<[[i64; 2]; 2]> {
     #[expect(clippy::cast_possible_truncation, reason = "on a table")]
-    let rounded = |mm: f64| (mm / tolerance_mm).round() as i64;
-    let corners = points.iter().map(|p| [rounded(p.x), rounded(p.y)]);
-    let mut corners: Vec<_> = corners.collect();
-    corners.sort_unstable();
-    corners.dedup();
-    corners
+    let rounded = |mm: f64| (mm / SAME_MM).round() as i64;
+    let corner = |p: &Point| [rounded(p.x), rounded(p.y)];
+    let pairs = points.windows(2).map(|it| [corner(&it[0]), corner(&it[1])]);
+    let mut edges: Vec<_> = if let [dot] = points {
+        vec![[corner(dot); 2]]
+    } else {
+        pairs.collect()
+    };
+    for edge in &mut edges {
+        edge.sort_unstable();
+    }
+    edges.sort_unstable();
+    edges
 }
+
+/// What of a stroke lies beside these spans of its length.
+fn beside(stroke: &Stroke, spans: &[(f64, f64)], length_mm: f64) -> Vec<Stroke> {
+    let ends = spans.iter().map(|it| it.1);
+    let begins = spans.iter().map(|it| it.0);
+    let gaps = [0.0].into_iter().chain(ends);
+    let gaps = gaps.zip(begins.chain([length_mm]));
+    let gaps: Vec<(f64, f64)> = gaps.filter(|(from, to)| to > from).collect();
+    let part = |&(from, to): &(f64, f64)| along(&stroke.points, from, to);
+    let mut parts: Vec<Vec<Point>> = gaps.iter().map(part).collect();
+    let goes_around = stroke.points.first() == stroke.points.last()
+        && gaps.len() > 1
+        && gaps[0].0 == 0.0
+        && gaps[gaps.len() - 1].1 == length_mm;
+    if goes_around && let Some(mut last) = parts.pop() {
+        last.extend(parts[0].drain(..).skip(1));
+        parts[0] = last;
+    }
+    parts.into_iter().map(Stroke::open).collect()
+}
+
+/// The strokes in short pieces, by place.
+#[derive(Debug)]
+struct Drawn {
+    index: SegmentIndex,
+    /// Of which stroke each piece is, and at which length of it it begins, in mm.
+    pieces: Vec<(usize, f64)>,
+    /// The first piece of each stroke, and behind the last one of all.
+    first: Vec<u32>,
+    length_mm: Vec<f64>,
+}
+
+impl Drawn {
+    fn new(strokes: &[Stroke]) -> Self {
+        let (mut pieces, mut segments) = (Vec::new(), Vec::new());
+        let (mut first, mut length_mm) = (vec![0], Vec::new());
+        for (stroke, it) in strokes.iter().enumerate() {
+            let mut here_mm = 0.0;
+            for (a, b) in it.segments() {
+                let whole_mm = a.distance(b);
+                let count = (whole_mm / PIECE_MM).ceil().max(1.0);
+                let mut from = 0.0;
+                while from < count && whole_mm > 0.0 {
+                    let [begin, end] = [from, from + 1.0].map(|it| a.lerp(b, it / count));
+                    pieces.push((stroke, here_mm + whole_mm * from / count));
+                    segments.push((begin, end));
+                    from += 1.0;
+                }
+                here_mm += whole_mm;
+            }
+            length_mm.push(here_mm);
+            first.push(u32::try_from(segments.len()).expect("no more than an index holds"));
+        }
+        Self {
+            index: SegmentIndex::new(segments),
+            pieces,
+            first,
+            length_mm,
+        }
+    }
+
+    /// The spans of a stroke's length that lie on others.
+    fn covered(&self, stroke: usize) -> Vec<(f64, f64)> {
+        let mut spans = Vec::new();
+        for piece in self.first[stroke]..self.first[stroke + 1] {
+            let (a, b) = self.index.segment(piece);
+            let from_mm = self.pieces[piece as usize].1;
+            let around = Rect::from_points(a, b).inflate(SAME_MM, SAME_MM);
+            self.index.touching(around, &mut |other| {
+                if self.pieces[other as usize].0 != stroke
+                    && let Some((from, to)) = on((a, b), self.index.segment(other))
+                {
+                    spans.push((from_mm + from, from_mm + to));
+                }
+            });
+        }
+        joined(spans, self.length_mm[stroke])
+    }
+
+    /// From now on nothing lies on these spans of a stroke, nor on pieces of which only a part is in one.
+    fn remove(&mut self, stroke: usize, spans: &[(f64, f64)]) {
+        for piece in self.first[stroke]..self.first[stroke + 1] {
+            let (a, b) = self.index.segment(piece);
+            let from_mm = self.pieces[piece as usize].1;
+            let to_mm = from_mm + a.distance(b);
+            if spans.iter().any(|it| it.0 < to_mm && from_mm < it.1) {
+                self.index.remove(piece);
+            }
+        }
+    }
+}
+
+/// From where to where on a line another one lies beside it, in mm, if it does not leave it on the way.
+fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
+    let length_mm = a.distance(b);
+    let along = (b - a) / length_mm;
+    let [c, d] = [c, d].map(|p| ((p - a).dot(along), (p - a).cross(along)));
+    let (near, far) = if c.0 < d.0 { (c, d) } else { (d, c) };
+    let (from, to) = (near.0.max(0.0), far.0.min(length_mm));
+    if from >= to {
+        return None;
+    }
+    let slope = (far.1 - near.1) / (far.0 - near.0);
+    let is_near = |mm: f64| (near.1 + (mm - near.0) * slope).abs() <= SAME_MM;
+    (is_near(from) && is_near(to)).then_some((from, to))
+}
+
+/// Spans in order, those that are as good as one joined, up to both ends.
+fn joined(mut spans: Vec<(f64, f64)>, length_mm: f64) -> Vec<(f64, f64)> {
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut joined: Vec<(f64, f64)> = Vec::new();
+    for (from, to) in spans {
+        let from = if from < NO_GAP_MM { 0.0 } else { from };
+        let to = if to > length_mm - NO_GAP_MM {
+            length_mm
+        } else {
+            to
+        };
+        match joined.last_mut() {
+            Some(last) if from < last.1 + NO_GAP_MM => last.1 = last.1.max(to),
+            _ => joined.push((from, to)),
+        }
+    }
+    joined
+}
+
+/// Lines so near to each other are one to see, and narrower than any pen or beam.
+const SAME_MM: f64 = 0.05;
+/// No line is left between two spans so near to each other.
+const NO_GAP_MM: f64 = 2.0 * SAME_MM;
+/// Shorter spans, as where two lines cross, stay.
+const LEAST_MM: f64 = 1.0;
+/// Of long lines that cross many others, each part is looked at by itself.
+const PIECE_MM: f64 = 4.0;
 
 #[cfg(test)]
 mod tests {
@@ -32,6 +196,18 @@ mod tests {
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&it| Point::from(it)).collect())
+    }
+
+    fn square(x: f64, side: f64) -> Stroke {
+        let corners = [(x, 0.0), (x + side, 0.0), (x + side, side), (x, side)];
+        Stroke {
+            closed: true,
+            ..line(&[&corners[..], &corners[..1]].concat())
+        }
+    }
+
+    fn length_mm(strokes: &[Stroke]) -> f64 {
+        strokes.iter().map(Stroke::length_mm).sum()
     }
 
     #[test]
@@ -44,9 +220,79 @@ mod tests {
             line(&square),
             line(&from_elsewhere),
             line(&[(0.0, 0.0), (5.0, 5.2)]),
+            line(&[(3.0, 1.0)]),
+            line(&[(3.0, 1.0)]),
         ];
-        let (kept, count) = without_doubles(strokes.clone(), 0.05);
+        for stay_whole in [false, true] {
+            let (kept, count) = without_doubles(strokes.clone(), stay_whole);
+            assert_eq!(count, 3);
+            let left = [0, 2, 4, 5].map(|i: usize| strokes[i].clone());
+            assert!((length_mm(&kept) - length_mm(&left)).abs() < 0.02);
+            assert_eq!(kept.len(), 4);
+        }
+    }
+
+    #[test]
+    fn lines_with_the_same_corners_are_no_doubles_where_they_go_elsewhere() {
+        let bow_tie = line(&[
+            (0.0, 0.0),
+            (20.0, 20.0),
+            (20.0, 0.0),
+            (0.0, 20.0),
+            (0.0, 0.0),
+        ]);
+        let open = line(&[(0.0, 0.0), (0.0, 20.0), (20.0, 20.0), (20.0, 0.0)]);
+        // An open one lies on the square, whole, in either order.
+        for strokes in [
+            vec![open.clone(), square(0.0, 20.0)],
+            vec![square(0.0, 20.0), open],
+        ] {
+            assert_eq!(without_doubles(strokes, true), (vec![square(0.0, 20.0)], 1));
+        }
+        let both = vec![square(0.0, 20.0), bow_tie];
+        assert_eq!(without_doubles(both.clone(), true), (both.clone(), 0));
+        // Both of its sides lie on the square, its diagonals do not.
+        let (kept, count) = without_doubles(both, false);
+        let diagonals_mm = 2.0 * 20.0 * 2.0_f64.sqrt();
         assert_eq!(count, 2);
-        assert_eq!(kept, [0, 2, 4].map(|i: usize| strokes[i].clone()));
+        assert!(
+            (length_mm(&kept) - 80.0 - diagonals_mm).abs() < 0.5,
+            "{kept:?}"
+        );
+    }
+
+    #[test]
+    fn a_part_of_a_line_is_dropped_and_the_edge_that_two_shapes_share() {
+        let long = line(&[(0.0, 0.0), (40.0, 0.0)]);
+        let short = line(&[(20.0, 0.01), (10.0, 0.0)]);
+        assert_eq!(
+            without_doubles(vec![short, long.clone()], true),
+            (vec![long.clone()], 1)
+        );
+        let overlapping = line(&[(30.0, 0.0), (60.0, 0.0)]);
+        let (kept, count) = without_doubles(vec![long, overlapping], false);
+        assert_eq!(count, 1);
+        assert!((length_mm(&kept) - 60.0).abs() < 0.01, "{kept:?}");
+        let (kept, count) = without_doubles(vec![square(0.0, 20.0), square(20.0, 20.0)], false);
+        assert_eq!((kept.len(), count), (2, 1));
+        assert!((length_mm(&kept) - 140.0).abs() < 0.5, "{kept:?}");
+    }
+
+    #[test]
+    fn a_circle_of_other_points_is_the_same_and_lines_that_cross_are_not() {
+        let circle = |count: u32| {
+            let at = |i: u32| f64::from(i % count) * std::f64::consts::TAU / f64::from(count);
+            let points = (0..=count).map(|i| (9.0 * at(i).cos(), 9.0 * at(i).sin()));
+            line(&points.collect::<Vec<_>>())
+        };
+        let (kept, count) = without_doubles(vec![circle(100), circle(173)], true);
+        assert_eq!((kept.len(), count), (1, 1));
+        let star: Vec<Stroke> = (0..18)
+            .map(|i| {
+                let (sin, cos) = (f64::from(i) * std::f64::consts::PI / 18.0).sin_cos();
+                line(&[(-30.0 * cos, -30.0 * sin), (30.0 * cos, 30.0 * sin)])
+            })
+            .collect();
+        assert_eq!(without_doubles(star.clone(), false), (star, 0));
     }
 }

@@ -380,7 +380,7 @@ fn finished(
     warnings: &mut Vec<Warning>,
 ) -> Vec<Stroke> {
     let (strokes, doubles) = if settings.drops_doubles {
-        without_doubles(strokes, settings.tolerance_mm)
+        without_doubles(strokes, settings.cutting.is_asked_for())
     } else {
         (strokes, 0)
     };
@@ -414,14 +414,19 @@ fn finished(
         });
         here = all.last().and_then(Stroke::last).unwrap_or(here);
     }
-    let (all, small) = settings.cutting.finished(all);
+    let cut = settings.cutting.finished(all);
     warnings.extend(counted(gone, "hole narrower than the beam", "left out"));
     warnings.extend(counted(
-        small,
+        cut.too_small,
         "shape",
         "too small for tabs: cut all around",
     ));
-    all
+    warnings.extend(counted(
+        cut.short_of_room,
+        "cut with a shorter lead-in",
+        "the waste beside it has no room for more",
+    ));
+    cut.strokes
 }
 
 fn counted(count: usize, what: &str, instead: &str) -> Option<Warning> {

@@ -17,7 +17,7 @@ pub struct PathOptions {
     /// Join strokes whose ends lie so near to each other, in mm (default: the tolerance)
     #[arg(long, value_name = "MM")]
     pub join: Option<f64>,
-    /// Leave out lines that lie on others from end to end
+    /// Leave out what lies on other lines, and of shapes to cut out only whole ones
     #[arg(long)]
     pub drop_doubles: bool,
     /// Draw in the order of the file

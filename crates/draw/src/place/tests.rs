@@ -144,7 +144,11 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
             .starts_with("the pen would have to go to x 0.0, y 1"),
         "{error}"
     );
-    assert!(error.to_string().contains("mm: too near; fit the drawing"));
+    assert!(
+        error
+            .to_string()
+            .contains("mm: too near; make the drawing smaller")
+    );
     check_reach(&plan, &paper, |_| Ok::<(), String>(())).unwrap();
 }
 

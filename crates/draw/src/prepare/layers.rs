@@ -27,7 +27,7 @@ pub(super) fn chosen(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Laye
     Ok(layers.into_iter().filter(wanted).collect())
 }
 
-/// Neighbours of the same speed become one.
+/// Neighbours of the same speed become one, whose name and colour are those that all of them have.
 fn merged(layers: Vec<Layer>) -> Vec<Layer> {
     let mut merged: Vec<Layer> = Vec::new();
     for mut layer in layers {
@@ -35,6 +35,10 @@ fn merged(layers: Vec<Layer>) -> Vec<Layer> {
             Some(last) if last.speed_mm_s == layer.speed_mm_s => {
                 last.strokes.append(&mut layer.strokes);
                 last.areas.append(&mut layer.areas);
+                last.color = last.color.filter(|it| layer.color == Some(*it));
+                if last.name != layer.name {
+                    last.name.clear();
+                }
             }
             _ => merged.push(layer),
         }

@@ -202,6 +202,27 @@ fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
 }
 
 #[test]
+fn a_drawing_of_many_colours_that_is_drawn_as_one_has_none_of_them() {
+    let svg = |colors: [&str; 2]| {
+        let lines = colors.map(|it| format!(r#"<path d="M5 5H25V9" stroke="{it}"/>"#));
+        format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
+            <g fill="none">{}</g></svg>"#,
+            lines.concat()
+        )
+    };
+    let pass = |colors| {
+        let svg = svg(colors);
+        let prepared = prepare(&svg.as_str().into(), &Settings::default(), anywhere).unwrap();
+        assert_eq!(prepared.passes.len(), 1);
+        let pass = &prepared.passes[0];
+        (pass.name.clone(), pass.color.is_some())
+    };
+    assert_eq!(pass(["red", "blue"]), (String::new(), false));
+    assert_eq!(pass(["red", "red"]), ("red".to_owned(), true));
+}
+
+#[test]
 fn a_material_that_is_cut_through_is_cut_inside_first() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80">
         <g fill="none" stroke="red"><rect x="10" y="10" width="100" height="60"/><circle cx="30" cy="30" r="8"/>
