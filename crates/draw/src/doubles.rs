@@ -1,6 +1,7 @@
 //! Lines that are drawn twice.
 
 use std::collections::HashSet;
+use std::ops::ControlFlow;
 
 use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
@@ -20,10 +21,15 @@ pub(crate) fn without_doubles(strokes: Vec<Stroke>, stay_whole: bool) -> (Vec<St
     let mut left: Vec<Option<Vec<Stroke>>> = vec![None; strokes.len()];
     for stroke in by_length {
         let length_mm = drawn.length_mm[stroke];
-        let mut spans = drawn.covered(stroke);
+        let mut spans = drawn.covered(stroke, MOST_SLOPE);
         let is_whole = matches!(spans[..], [(from, to)] if from == 0.0 && to == length_mm);
         if !is_whole {
-            spans.retain(|&(from, to)| !stay_whole && to - from >= LEAST_MM);
+            spans = if stay_whole {
+                Vec::new()
+            } else {
+                drawn.covered(stroke, MOST_PARALLEL_SLOPE)
+            };
+            spans.retain(|&(from, to)| to - from >= LEAST_MM);
         }
         if !spans.is_empty() {
             count += spans.len();
@@ -116,20 +122,31 @@ impl Drawn {
         }
     }
 
-    /// The spans of a stroke's length that lie on others.
-    fn covered(&self, stroke: usize) -> Vec<(f64, f64)> {
+    /// The spans of a stroke's length that lie on others of so much another direction.
+    fn covered(&self, stroke: usize, most_slope: f64) -> Vec<(f64, f64)> {
         let mut spans = Vec::new();
         for piece in self.first[stroke]..self.first[stroke + 1] {
             let (a, b) = self.index.segment(piece);
             let from_mm = self.pieces[piece as usize].1;
+            let length_mm = a.distance(b);
             let around = Rect::from_points(a, b).inflate(SAME_MM, SAME_MM);
-            self.index.touching(around, &mut |other| {
-                if self.pieces[other as usize].0 != stroke
-                    && let Some((from, to)) = on((a, b), self.index.segment(other))
-                {
-                    spans.push((from_mm + from, from_mm + to));
+            let mut here = Vec::new();
+            self.index.touching_until(around, &mut |other| {
+                if self.pieces[other as usize].0 != stroke {
+                    let span = on((a, b), self.index.segment(other), most_slope);
+                    here.extend(span);
+                }
+                if here.len() > FEW {
+                    here = joined(std::mem::take(&mut here), length_mm);
+                }
+                let is_whole = matches!(here[..], [(from, to)] if from == 0.0 && to == length_mm);
+                if is_whole {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
                 }
             });
+            spans.extend(here.iter().map(|it| (from_mm + it.0, from_mm + it.1)));
         }
         joined(spans, self.length_mm[stroke])
     }
@@ -148,7 +165,7 @@ impl Drawn {
 }
 
 /// From where to where on a line another one lies beside it, in mm, if it does not leave it on the way.
-fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
+fn on((a, b): (Point, Point), (c, d): (Point, Point), most_slope: f64) -> Option<(f64, f64)> {
     let length_mm = a.distance(b);
     let along = (b - a) / length_mm;
     let [c, d] = [c, d].map(|p| ((p - a).dot(along), (p - a).cross(along)));
@@ -159,7 +176,7 @@ fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
     }
     let slope = (far.1 - near.1) / (far.0 - near.0);
     let is_near = |mm: f64| (near.1 + (mm - near.0) * slope).abs() <= SAME_MM;
-    (is_near(from) && is_near(to)).then_some((from, to))
+    (slope.abs() <= most_slope && is_near(from) && is_near(to)).then_some((from, to))
 }
 
 /// Spans in order, those that are as good as one joined, up to both ends.
@@ -185,8 +202,14 @@ fn joined(mut spans: Vec<(f64, f64)>, length_mm: f64) -> Vec<(f64, f64)> {
 const SAME_MM: f64 = 0.05;
 /// No line is left between two spans so near to each other.
 const NO_GAP_MM: f64 = 2.0 * SAME_MM;
+/// How far the pieces of a curve may turn away from those of the same curve through other points, and those of two lines of which only
+/// parts are the same.
+const MOST_SLOPE: f64 = 1.0;
+const MOST_PARALLEL_SLOPE: f64 = 0.01;
 /// Shorter spans, as where two lines cross, stay.
 const LEAST_MM: f64 = 1.0;
+/// So many spans of a piece are looked at before they are joined.
+const FEW: usize = 4;
 /// Of long lines that cross many others, each part is looked at by itself.
 const PIECE_MM: f64 = 4.0;
 
