@@ -379,12 +379,18 @@ fn finished(
     settings: &Settings,
     warnings: &mut Vec<Warning>,
 ) -> Vec<Stroke> {
-    let (strokes, doubles) = if settings.drops_doubles {
-        without_doubles(strokes, settings.cutting.is_asked_for())
+    let strokes = if settings.drops_doubles {
+        let single = without_doubles(strokes, settings.cutting.is_asked_for());
+        warnings.extend(counted(single.doubles, "double line", "drawn once"));
+        warnings.extend(counted(
+            single.unknown,
+            "line",
+            "not compared with the others: there are too many in one place",
+        ));
+        single.strokes
     } else {
-        (strokes, 0)
+        strokes
     };
-    warnings.extend(counted(doubles, "double line", "drawn once"));
     let strokes = merge(strokes, settings.join_mm.unwrap_or(settings.tolerance_mm));
     let DrawingTool::Laser(laser) = tool else {
         let strokes = ordered(strokes, here, tool, settings);

@@ -1,6 +1,6 @@
 //! A binary tree of boxes around items.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 use kurbo::{Point, Rect};
 
@@ -85,30 +85,22 @@ impl BoxTree {
         }
     }
 
-    /// Calls `visit` for the items of the leaves whose box touches `area`, as long as it goes on.
-    pub fn touching(
-        &self,
-        area: Rect,
-        visit: &mut impl FnMut(Range<u32>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        self.touching_in(0, area, visit)
+    /// Calls `visit` for the items of every leaf whose box touches `area`.
+    pub fn touching(&self, area: Rect, visit: &mut impl FnMut(Range<u32>)) {
+        self.touching_in(0, area, visit);
     }
 
-    fn touching_in(
-        &self,
-        id: u32,
-        area: Rect,
-        visit: &mut impl FnMut(Range<u32>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
+    fn touching_in(&self, id: u32, area: Rect, visit: &mut impl FnMut(Range<u32>)) {
         let node = self.node(id);
         if !node.bounds.overlaps(area) {
-            return ControlFlow::Continue(());
+            return;
         }
         if node.right == NONE {
-            return visit(node.items.clone());
+            visit(node.items.clone());
+        } else {
+            self.touching_in(id + 1, area, visit);
+            self.touching_in(node.right, area, visit);
         }
-        self.touching_in(id + 1, area, visit)?;
-        self.touching_in(node.right, area, visit)
     }
 
     fn node(&self, id: u32) -> &Node {

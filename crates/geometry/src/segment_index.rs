@@ -1,6 +1,6 @@
 //! Segments by place: which is nearest, which lie here.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 use kurbo::{Line, ParamCurveNearest, Point, Rect};
 
@@ -105,35 +105,16 @@ impl SegmentIndex {
     /// Calls `visit` for every item whose box touches `area`, and tells how many items were looked at for that.
     pub fn touching(&self, area: Rect, visit: &mut impl FnMut(u32)) -> usize {
         let mut looks = 0;
-        let all = self.tree.touching(area, &mut |items| {
+        self.tree.touching(area, &mut |items| {
             looks += items.len();
-            self.touching_of(items, area, &mut |item| {
-                visit(item);
-                ControlFlow::Continue(())
-            })
-        });
-        debug_assert!(all.is_continue());
-        looks
-    }
-
-    /// Calls `visit` for the items whose box touches `area`, as long as it goes on.
-    pub fn touching_until(&self, area: Rect, visit: &mut impl FnMut(u32) -> ControlFlow<()>) {
-        let look = |items| self.touching_of(items, area, visit);
-        let _ = self.tree.touching(area, &mut { look });
-    }
-
-    fn touching_of(
-        &self,
-        items: Range<u32>,
-        area: Rect,
-        visit: &mut impl FnMut(u32) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        self.alive(items)
-            .filter(|&item| {
+            for item in self.alive(items) {
                 let (a, b) = self.segment(item);
-                Rect::from_points(a, b).overlaps(area)
-            })
-            .try_for_each(visit)
+                if Rect::from_points(a, b).overlaps(area) {
+                    visit(item);
+                }
+            }
+        });
+        looks
     }
 
     /// All items, in the order given.
