@@ -30,7 +30,7 @@ pub(crate) use self::defaults::read;
 use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
 use self::input::asked;
 pub(crate) use self::input::materials;
-use self::output_files::{check_writable, write};
+use self::output_files::{check_apart, check_writable, write};
 use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
 use crate::control::{self, check_pose};
@@ -45,6 +45,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 }
 
 async fn draw(args: Args) -> Result<(), Failure> {
+    check_apart(&args)?;
     let results = &args.result;
     let files = [&results.picture, &results.timeline, &results.export];
     for file in files.into_iter().flatten() {

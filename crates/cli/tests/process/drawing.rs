@@ -298,6 +298,41 @@ fn a_file_that_cannot_be_written_is_told_before_anything_is_drawn() {
 }
 
 #[test]
+fn no_output_is_written_over_the_drawing_or_over_another_one() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let named = |name: &str| {
+        let file = folder.path().join(name);
+        file.to_str().expect("the path is text").to_owned()
+    };
+    let text = page(r#"<path d="M10 10H40" stroke="black"/>"#);
+    let (drawing, new) = (named("self.svg"), named("new.svg"));
+    fs::write(&drawing, &text).expect("there is room");
+    let other = folder.path().join(".").join("self.svg");
+    let mut names = vec![drawing.clone(), other.to_str().expect("text").to_owned()];
+    #[cfg(unix)]
+    {
+        let (soft, hard) = (named("soft.svg"), named("hard.svg"));
+        std::os::unix::fs::symlink(&drawing, &soft).expect("there is room");
+        fs::hard_link(&drawing, &hard).expect("there is room");
+        names.extend([soft, hard]);
+    }
+    let draw = ["draw", drawing.as_str(), "--dry-run"];
+    for name in &names {
+        for option in ["--export", "--picture", "--timeline"] {
+            let refused = dobot(&[&draw[..], &[option, name]].concat());
+            let told = format!("{option} would write over {name}, which is the drawing, too");
+            refused.fails(1, &[&told, "a name of its own"]);
+        }
+    }
+    let both = ["--picture", &new, "--export", &new];
+    let told = format!("--export would write over {new}, which is --picture, too");
+    dobot(&[&draw[..], &both].concat()).fails(1, &[&told]);
+    let kept = fs::read_to_string(&drawing).expect("it is there");
+    assert_eq!(kept, text);
+    assert!(!Path::new(&new).exists());
+}
+
+#[test]
 fn an_option_that_does_not_fit_the_source_is_refused() {
     let (square, photo) = (example("square.svg"), example("still-life.jpg"));
     let (square, photo) = (&[square.as_str()][..], &[photo.as_str()][..]);

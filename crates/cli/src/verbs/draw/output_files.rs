@@ -2,11 +2,86 @@
 
 use std::fs::{self, OpenOptions};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 
+use super::args::Args;
 use crate::failure::Failure;
+
+/// Refuses to write over what is read, and two files over each other, under whatever names.
+pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
+    let Args { result, to, .. } = args;
+    let drawings = args.files.iter().map(|it| ("the drawing", it));
+    let others = [
+        ("--materials", &args.materials),
+        ("--defaults", &args.defaults),
+        ("--calibration", &args.calibration),
+        ("--policy", &to.policy),
+    ];
+    let others = others
+        .into_iter()
+        .filter_map(|(what, it)| Some((what, it.as_ref()?)));
+    let outputs = [
+        ("--picture", &result.picture),
+        ("--timeline", &result.timeline),
+        ("--export", &result.export),
+    ];
+    let mut taken: Vec<(&str, FileIdentity)> = drawings
+        .chain(others)
+        .filter_map(|(what, it)| Some((what, FileIdentity::of(it)?)))
+        .collect();
+    for (option, file) in outputs {
+        let Some((file, identity)) = file
+            .as_ref()
+            .and_then(|it| Some((it, FileIdentity::of(it)?)))
+        else {
+            continue;
+        };
+        if let Some((what, _)) = taken.iter().find(|it| it.1 == identity) {
+            let file = file.display();
+            return Err(anyhow!(
+                "{option} would write over {file}, which is {what}, too: give it a name of its own"
+            )
+            .into());
+        }
+        taken.push((option, identity));
+    }
+    Ok(())
+}
+
+/// What two names of one file have in common, where it keeps what is written.
+#[derive(Debug, PartialEq, Eq)]
+enum FileIdentity {
+    /// The device and the number of a file there: a hard link is no other file.
+    #[cfg(unix)]
+    Number(u64, u64),
+    /// One that is not there yet.
+    Path(PathBuf),
+}
+
+impl FileIdentity {
+    fn of(file: &Path) -> Option<Self> {
+        match fs::metadata(file) {
+            Ok(it) if !it.is_file() => None,
+            #[cfg(unix)]
+            Ok(it) => {
+                use std::os::unix::fs::MetadataExt;
+                Some(Self::Number(it.dev(), it.ino()))
+            }
+            #[cfg(not(unix))]
+            Ok(_) => file.canonicalize().ok().map(Self::Path),
+            Err(_) => {
+                let folder = match file.parent()? {
+                    it if it.as_os_str().is_empty() => Path::new("."),
+                    it => it,
+                };
+                let folder = folder.canonicalize().ok()?;
+                Some(Self::Path(folder.join(file.file_name()?)))
+            }
+        }
+    }
+}
 
 /// Finds out whether a file can be written, and leaves all as it was.
 pub(super) fn check_writable(file: &Path) -> Result<(), Failure> {
