@@ -25,7 +25,7 @@ use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
-use dobot_plan::{DrawingTool, Machine, MoveKind, Pass, Plan, PlanError};
+use dobot_plan::{DrawingTool, Machine, Pass, Plan, PlanError};
 use dobot_source::{Layer, Source, SourceError, Warning};
 
 /// A drawing, ready to be sent.
@@ -50,13 +50,6 @@ impl Prepared {
     pub fn wanted(&self) -> Vec<Stroke> {
         let strokes = self.passes.iter().flat_map(|it| &it.strokes);
         strokes.cloned().collect()
-    }
-
-    /// The path that becomes ink, as planned.
-    #[must_use]
-    pub fn planned(&self) -> Vec<Stroke> {
-        let paths = [MoveKind::Draw, MoveKind::Burn].map(|kind| self.plan.paths(kind));
-        paths.concat()
     }
 }
 

@@ -1,13 +1,14 @@
 //! A drawing in time as it is planned, before any arm has carried it out.
 
 use dobot_arm::{Position, TICK_S};
-use dobot_geometry::{PathDistance, Point};
+use dobot_geometry::{PathDistance, Point, Stroke};
 use dobot_plan::MoveKind;
 
 use crate::estimate::PassFigures;
+use crate::ink::InkLine;
 use crate::prepare::Prepared;
 use crate::timeline::{MILLI, Moves, Path, Timeline, bounds_mm, figures, rounded};
-use crate::trace::{Ink, TracePoint};
+use crate::trace::{Ink, TracePoint, lines};
 
 impl Prepared {
     /// The drawing in time by the plan alone, one row for each vector: at once, where a
@@ -15,7 +16,7 @@ impl Prepared {
     /// told where vectors end.
     #[must_use]
     pub fn timeline(&self) -> Timeline {
-        let moments = self.moments();
+        let moments = self.measured();
         let mut passes: Vec<PassFigures> = self.plan.passes.iter().map(PassFigures::of).collect();
         self.measure(&moments, &mut passes);
         Timeline {
@@ -29,10 +30,33 @@ impl Prepared {
         }
     }
 
-    /// Where the plan begins, and where each vector ends.
-    fn moments(&self) -> Vec<TracePoint> {
+    /// The path that becomes ink, by the plan alone: lines and dots, with their passes.
+    #[must_use]
+    pub fn ink(&self) -> Vec<InkLine> {
+        self.lines(&self.measured())
+    }
+
+    /// The same without how far it lies from what is wanted.
+    #[must_use]
+    pub fn planned(&self) -> Vec<Stroke> {
+        let lines = self.lines(&self.moments(|_| 0.0));
+        lines.into_iter().map(|it| it.stroke).collect()
+    }
+
+    fn lines(&self, moments: &[TracePoint]) -> Vec<InkLine> {
+        let passes = self.plan.moves.iter().map(|it| it.pass);
+        // Nothing is left where the plan begins.
+        lines(moments[1..].iter().zip(passes))
+    }
+
+    fn measured(&self) -> Vec<TracePoint> {
         let wanted = self.wanted();
         let mut near = PathDistance::new(&wanted);
+        self.moments(|it| near.distance_mm(it))
+    }
+
+    /// Where the plan begins, and where each vector ends; `error_mm` measures what lies on the paper.
+    fn moments(&self, mut error_mm: impl FnMut(Point) -> f64) -> Vec<TracePoint> {
         let moves = &self.plan.moves;
         let begins_ink = |index: usize| moves.get(index).is_some_and(|it| it.kind.marks());
         let mut t_s = 0.0;
@@ -51,7 +75,7 @@ impl Prepared {
             };
             let error_mm = match ink {
                 Ink::None => 0.0,
-                Ink::Line | Ink::Begin => near.distance_mm(Point::new(there[0], there[1])),
+                Ink::Line | Ink::Begin => error_mm(Point::new(there[0], there[1])),
             };
             moments.push(moment(t_s, there, ink, error_mm));
         }
@@ -90,7 +114,7 @@ const fn moment(t_s: f64, [x, y, z]: [f64; 3], ink: Ink, error_mm: f64) -> Trace
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_source::Source;
+    use dobot_source::{LayersBy, Source};
 
     use crate::{Settings, prepare};
 
@@ -106,6 +130,22 @@ mod tests {
         let begins = ink.iter().position(|&it| it == 2).unwrap();
         assert!(ink[begins + 1..].contains(&1), "{ink:?}");
         assert_eq!(timeline.path.t_s.last(), Some(&timeline.duration_s));
+    }
+
+    #[test]
+    fn the_ink_of_a_plan_has_its_dots_and_its_layers() {
+        let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40" stroke-linecap="round"><path d="M10 10H30" stroke="black"/><path d="M20 20h0M20 30h0" stroke="red"/></svg>"#;
+        let all = |_| Ok::<(), String>(());
+        let settings = Settings {
+            layers: Some(LayersBy::Color),
+            ..Settings::default()
+        };
+        let prepared = prepare(&Source::Svg(svg.to_owned()), &settings, all).unwrap();
+        let ink = prepared.ink();
+        let points = ink.iter().map(|it| (it.pass, it.stroke.points.len()));
+        assert_eq!(points.collect::<Vec<_>>(), [(0, 2), (1, 1), (1, 1)]);
+        let errors = ink.iter().flat_map(|it| &it.errors_mm);
+        assert!(errors.copied().fold(0.0, f64::max) < 0.05);
     }
 
     #[test]

@@ -102,21 +102,7 @@ impl<'a> Trace<'a> {
     /// The lines on the paper.
     #[must_use]
     pub fn ink(&self) -> Vec<InkLine> {
-        let mut lines: Vec<InkLine> = Vec::new();
-        for (moment, pass) in self.moments.iter().zip(self.passes()) {
-            if moment.ink == Ink::Begin {
-                lines.push(InkLine {
-                    stroke: Stroke::default(),
-                    errors_mm: Vec::new(),
-                    pass,
-                });
-            }
-            if let Some(line) = lines.last_mut().filter(|_| moment.ink != Ink::None) {
-                line.stroke.points.push(point(moment.position));
-                line.errors_mm.push(moment.error_mm);
-            }
-        }
-        lines
+        lines(self.moments.iter().zip(self.passes()))
     }
 
     /// When it began, by the clock of the arm.
@@ -157,6 +143,25 @@ pub struct StartNotReached {
     pub start: [f64; 3],
     /// How near the samples come, in mm; infinite where there are none.
     pub nearest_mm: f64,
+}
+
+/// The lines on the paper, of moments with their passes.
+pub(crate) fn lines<'a>(moments: impl Iterator<Item = (&'a TracePoint, u32)>) -> Vec<InkLine> {
+    let mut lines: Vec<InkLine> = Vec::new();
+    for (moment, pass) in moments {
+        if moment.ink == Ink::Begin {
+            lines.push(InkLine {
+                stroke: Stroke::default(),
+                errors_mm: Vec::new(),
+                pass,
+            });
+        }
+        if let Some(line) = lines.last_mut().filter(|_| moment.ink != Ink::None) {
+            line.stroke.points.push(point(moment.position));
+            line.errors_mm.push(moment.error_mm);
+        }
+    }
+    lines
 }
 
 /// What the tool leaves at each sample: a pen where it is down, a laser where it is on.

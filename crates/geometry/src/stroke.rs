@@ -25,7 +25,9 @@ impl Stroke {
     /// How long the line is, in millimetres.
     #[must_use]
     pub fn length_mm(&self) -> f64 {
-        self.segments().map(|(a, b)| a.distance(b)).sum()
+        let lengths = self.segments().map(|(a, b)| a.distance(b));
+        // The sum of nothing is the zero with a minus.
+        lengths.sum::<f64>() + 0.0
     }
 
     /// The straight pieces of the line; a dot has none.

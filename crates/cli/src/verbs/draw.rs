@@ -332,11 +332,11 @@ impl Drawn {
     }
 
     fn planned(prepared: &Prepared) -> Self {
-        let wanted = prepared.wanted();
-        let planned = prepared.planned();
+        let ink = prepared.ink();
+        let planned: Vec<Stroke> = ink.iter().map(|it| it.stroke.clone()).collect();
         Self {
-            deviation: deviation(&wanted, &planned),
-            ink: InkLine::measured(planned, &wanted),
+            deviation: deviation(&prepared.wanted(), &planned),
+            ink,
             from: MeasuredFrom::Plan,
         }
     }

@@ -478,6 +478,15 @@ fn what_takes_days_is_told_before_it_begins_and_not_rehearsed() {
 }
 
 #[test]
+fn dots_alone_are_no_less_than_nothing_long() {
+    let dots = page(r#"<path d="M50 30h0M60 30h0" stroke="red" stroke-linecap="round"/>"#);
+    let outcome = dobot_reading(&["draw", "-", "--dry-run", "--json"], dots.as_bytes());
+    let stdout = outcome.succeeds().stdout;
+    assert!(stdout.contains(r#""length_mm":0.0"#), "{stdout}");
+    assert!(!stdout.contains("-0.0"), "{stdout}");
+}
+
+#[test]
 fn what_is_out_of_reach_is_cut_off_where_that_is_wanted() {
     let svg = page(r#"<path d="M0 0H100" stroke="black"/>"#);
     let far = ["draw", "-", "--at", "300", "0", "--rotate", "90"];
