@@ -24,6 +24,7 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
         let trajectory = model.trajectory(command).map_err(|error| Refusal::BadJob {
             index,
             why: error.to_string(),
+            rule: None,
         })?;
         for (place, after_s) in trajectory.corners() {
             let position = model.true_place(&place).pose.position;

@@ -114,6 +114,7 @@ impl DryRun {
                 return Err(Refusal::BadJob {
                     index: completed,
                     why: "the twin does not get beyond it in two days".to_owned(),
+                    rule: None,
                 });
             }
         }

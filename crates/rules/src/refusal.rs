@@ -133,6 +133,8 @@ pub enum Refusal {
         index: usize,
         /// What is wrong with it.
         why: String,
+        /// The key of the rule of the policy that says so, where one does.
+        rule: Option<String>,
     },
     /// Another job was asked for with the same key.
     #[error("the key {key:?} was that of a request for job {job}, which is another one")]
@@ -315,6 +317,9 @@ impl From<&Refusal> for Problem {
         let (kind, hint) = refusal.row();
         let mut problem = kind.problem(refusal.to_string());
         problem.hint = hint.map(Cow::into_owned);
+        if let Refusal::BadJob { rule, .. } = refusal {
+            problem.rule.clone_from(rule);
+        }
         if let Refusal::Policy(violation) = refusal {
             problem.rule = Some(violation.rule.clone());
             problem.nearest_mm = violation.nearest;

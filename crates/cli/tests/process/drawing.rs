@@ -205,6 +205,32 @@ fn a_drawing_that_the_policy_refuses_is_told_with_what_a_person_can_do_about_a_d
         1,
         &["laser.area allows -200 to 200 mm", "--at", "dobot policy"],
     );
+    // Elsewhere it would be as fast.
+    let policy = tempfile::NamedTempFile::new().expect("there is room");
+    fs::write(&policy, "[speed]\nwriting_mm_s = 20\n").expect("there is room");
+    let policy = policy.path().to_str().expect("the path is text");
+    for (options, rule, helps) in [
+        (
+            &["--acceleration", "1000"][..],
+            "acceleration.writing allows 0 to 500 mm/s²",
+            "another `--acceleration`",
+        ),
+        (
+            &["--laser", "felt-cut", "--speed", "0.2"],
+            "laser.least_speed allows 1 to 200 mm/s",
+            "another `--speed`",
+        ),
+        (
+            &["--policy", policy],
+            "speed.writing allows 0 to 20 mm/s",
+            "another `--speed` or `--travel-speed`",
+        ),
+    ] {
+        let draw = ["draw", &square, "--no-defaults", "--dry-run"];
+        let told = dobot(&[&draw[..], options].concat());
+        let told = told.fails(1, &[rule, helps, "dobot policy"]);
+        assert!(!told.stderr.contains("--at"), "{}", told.stderr);
+    }
 }
 
 #[test]

@@ -71,6 +71,7 @@ fn check_place(job: &NewJob, before: usize, least: usize) -> Result<(), Refusal>
                     "a pause stands before it, and the vector before ends at {} mm/s; allowed is 0",
                     it.end_speed_mm_s
                 ),
+                rule: None,
             })
         }
         _ => Ok(()),

@@ -413,7 +413,11 @@ impl PlanWalk<'_> {
     }
 
     fn step(&mut self, index: usize, command: &Command) -> Result<Step, Refusal> {
-        let bad = |why: String| Refusal::BadJob { index, why };
+        let bad = |why: String| Refusal::BadJob {
+            index,
+            why,
+            rule: None,
+        };
         let trajectory = if self.unjudged == Some(index) {
             // To stand there already is no reason to refuse what is done.
             self.model.place = somewhere(self.model.tool);
@@ -421,7 +425,11 @@ impl PlanWalk<'_> {
             trajectory.map_err(|error| bad(error.to_string()))?
         } else {
             let checked = self.policy.check(&self.model, command);
-            checked.map_err(|violation| bad(violation.to_string()))?
+            checked.map_err(|violation| Refusal::BadJob {
+                index,
+                why: violation.to_string(),
+                rule: Some(violation.rule),
+            })?
         };
         let takes_s = trajectory.duration_s().ok_or_else(|| {
             bad("a jog goes on until it is released; a job may not hold one".into())
@@ -496,6 +504,7 @@ fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
         Err(Refusal::BadJob {
             index,
             why: why.to_owned(),
+            rule: None,
         })
     };
     match first.map(|index| (index, &commands[index])) {
@@ -523,6 +532,7 @@ fn no_references(commands: &[Command]) -> Result<(), Refusal> {
         Some(index) => Err(Refusal::BadJob {
             index,
             why: "initial angles are set by hand, not in a job".into(),
+            rule: None,
         }),
     }
 }

@@ -93,13 +93,30 @@ async fn submit(
 
 /// Nobody changes a command of a drawing.
 fn refused(error: RemoteError) -> Failure {
-    if error.kind() == Some(problem_kinds::BAD_JOB.name) {
-        return Failure::new(
-            error,
-            "place it elsewhere or make it smaller (`--at`, `--fit`, `--scale`); `dobot policy` shows the rules",
-        );
+    if error.kind() != Some(problem_kinds::BAD_JOB.name) {
+        return error.into();
     }
-    error.into()
+    let rule = match &error {
+        RemoteError::Refused(problem) => problem.rule.clone(),
+        _ => None,
+    };
+    let helps = what_helps(&rule.unwrap_or_default());
+    Failure::new(error, format!("{helps}; `dobot policy` shows the rules"))
+}
+
+/// What of a drawing has to be otherwise, where this rule of the policy refuses it.
+fn what_helps(rule: &str) -> &'static str {
+    match rule.split_once('.') {
+        Some(("acceleration", _)) => "another `--acceleration`",
+        Some(("laser", "least_speed")) => {
+            "another `--speed`, or a material that is burned at another one (`dobot materials`)"
+        }
+        Some(("speed", _)) => {
+            "another `--speed` or `--travel-speed`, or a pen or material with others (`dobot materials`)"
+        }
+        Some(("laser", "allowed" | "standing")) => "a policy that lets the laser burn (`--policy`)",
+        _ => "place it elsewhere or make it smaller (`--at`, `--fit`, `--scale`)",
+    }
 }
 
 /// Whether a frame has its person; that of a virtual arm in this process needs none.
