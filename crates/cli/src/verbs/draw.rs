@@ -30,7 +30,7 @@ pub(crate) use self::defaults::read;
 use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute};
 use self::input::asked;
 pub(crate) use self::input::materials;
-use self::output_files::{check_apart, check_writable, write};
+use self::output_files::{check_apart, check_writable, write, write_json};
 use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
 use crate::control::{self, check_pose};
@@ -153,11 +153,9 @@ impl<'a> Drawing<'a> {
         print(self.args, &report)
     }
 
-    /// Whether it takes so long that a rehearsal would keep a person waiting: what is planned is as good, but
-    /// for what happens when.
+    /// Whether it takes so long that a rehearsal would keep a person waiting: what is planned is as good.
     fn is_long(&self) -> bool {
-        let hours = self.prepared.plan.duration_s() / 3600.0;
-        hours > LONG_HOURS && self.args.result.timeline.is_none()
+        self.prepared.plan.duration_s() / 3600.0 > LONG_HOURS
     }
 
     /// What is planned as ink, for a picture: to measure it takes as long as it is.
@@ -250,8 +248,11 @@ impl<'a> Drawing<'a> {
             let ink = drawn.map_or(&[][..], |it| &it.ink);
             write(file, &self.picture(file, ink, &report)?)?;
         }
-        if let (Some(file), Some(carried)) = (&results.timeline, carried) {
-            write(file, &serde_json::to_vec(&carried.timeline)?)?;
+        if let Some(file) = &results.timeline {
+            match carried {
+                Some(carried) => write_json(file, &carried.timeline)?,
+                None => write_json(file, &self.prepared.timeline())?,
+            }
         }
         Ok(report)
     }

@@ -504,6 +504,40 @@ fn what_takes_days_is_told_before_it_begins_and_not_rehearsed() {
 }
 
 #[test]
+fn a_long_drawing_has_its_dots_in_the_picture_and_its_timeline_without_a_rehearsal() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let [picture, timeline] = ["a.svg", "a.json"].map(|name| {
+        let file = folder.path().join(name);
+        file.to_str().expect("the path is text").to_owned()
+    });
+    let inside = r#"<path d="M0 0H90M50 50h0" stroke="red" stroke-linecap="round"/>"#;
+    // Five hours.
+    let slow = [
+        "draw", "-", "--speed", "0.5", "--passes", "100", "--at", "210", "0",
+    ];
+    let files = ["--picture", &picture, "--timeline", &timeline];
+    let outcome = dobot_reading(
+        &[&slow[..], &["--dry-run", "--json"], &files].concat(),
+        page(inside).as_bytes(),
+    );
+    let report = report(&outcome.succeeds().stdout);
+    assert_eq!(report["estimated_s"], Value::Null, "{report}");
+    assert_eq!(report["measured_from"], "the plan");
+    let picture = fs::read_to_string(&picture).expect("it was written");
+    assert!(picture.contains("h.001"), "{picture}");
+    let timeline = fs::read_to_string(&timeline).expect("it was written");
+    let timeline: Value = serde_json::from_str(&timeline).expect("it is JSON");
+    let ink = timeline["path"]["ink"].as_array().expect("a column");
+    assert_eq!(
+        ink.iter().filter(|it| **it == 2).count(),
+        2,
+        "a line and a dot"
+    );
+    let late_s = number(&timeline, "duration_s") - number(&report, "planned_s");
+    assert!(late_s.abs() < 0.01, "{late_s}");
+}
+
+#[test]
 fn dots_alone_are_no_less_than_nothing_long() {
     let dots = page(r#"<path d="M50 30h0M60 30h0" stroke="red" stroke-linecap="round"/>"#);
     let outcome = dobot_reading(&["draw", "-", "--dry-run", "--json"], dots.as_bytes());

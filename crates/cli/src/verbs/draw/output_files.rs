@@ -1,10 +1,11 @@
 //! The files that a drawing leaves: whether they can be written is known before it begins.
 
-use std::fs::{self, OpenOptions};
-use std::io;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
+use serde::Serialize;
 
 use super::args::Args;
 use crate::failure::Failure;
@@ -98,6 +99,16 @@ pub(super) fn check_writable(file: &Path) -> Result<(), Failure> {
 
 pub(super) fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     told(file, fs::write(file, bytes))
+}
+
+/// Writes a long document piece by piece.
+pub(super) fn write_json(file: &Path, document: &impl Serialize) -> Result<(), Failure> {
+    let write = || {
+        let mut writer = BufWriter::new(File::create(file)?);
+        serde_json::to_writer(&mut writer, document)?;
+        writer.flush()
+    };
+    told(file, write())
 }
 
 fn try_new(file: &Path) -> io::Result<()> {
