@@ -23,6 +23,18 @@ pub(crate) async fn start(
     station: &mut StationClient,
     job: u64,
     burns: bool,
+    see: impl FnMut(&State),
+) -> Result<Duration, Failure> {
+    let bar = progress_bar(station);
+    start_shown(station, job, burns, &bar, see).await
+}
+
+/// The same with another bar.
+pub(crate) async fn start_shown(
+    station: &mut StationClient,
+    job: u64,
+    burns: bool,
+    bar: &ProgressBar,
     mut see: impl FnMut(&State),
 ) -> Result<Duration, Failure> {
     loop {
@@ -31,7 +43,7 @@ pub(crate) async fn start(
         if !burns {
             station.request(Request::ReleaseLease).await?;
         }
-        let ended = follow(station, job, &mut see).await?;
+        let ended = follow(station, job, bar, &mut see).await?;
         if matches!(ended, End::Paused(_) | End::Interrupted) {
             // What the arm has got already it does, and it lifts the tool.
             station.idle().await?;
@@ -49,7 +61,8 @@ pub(crate) async fn start(
 pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Failure> {
     take_control(station).await?;
     station.request_at_rest(Request::StepJob { job }).await?;
-    let ended = follow(station, job, |_| {}).await?;
+    let bar = progress_bar(station);
+    let ended = follow(station, job, &bar, |_| {}).await?;
     station.idle().await?;
     match ended {
         End::Over(text) => Err(anyhow!(text).into()),
@@ -126,9 +139,12 @@ enum PausedChoice {
 async fn follow(
     station: &mut StationClient,
     job: u64,
+    bar: &ProgressBar,
     mut see: impl FnMut(&State),
 ) -> Result<End, Failure> {
-    let bar = progress_bar();
+    bar.reset();
+    // In this process the time of the arm is not that of whoever waits.
+    let is_virtual = station.virtual_arm().is_some();
     let mut interrupt = std::pin::pin!(interrupt());
     let mut interrupted = false;
     let mut watch = JobWatch::new(job);
@@ -144,7 +160,7 @@ async fn follow(
         match heard {
             StationEvent::State(state) => {
                 if let Some(view) = state.job.as_ref().filter(|it| it.job == job) {
-                    show(&bar, view);
+                    show(bar, view, is_virtual);
                 }
                 see(&state);
             }
@@ -216,16 +232,39 @@ fn answer(line: &str) -> PausedChoice {
     }
 }
 
-fn progress_bar() -> ProgressBar {
-    let style = ProgressStyle::with_template("{wide_bar:.cyan/dim} {pos}/{len} commands, {msg}");
-    ProgressBar::new(1).with_style(style.expect("the template is well-formed"))
+/// A bar for a job of this arm.
+pub(crate) fn progress_bar(station: &StationClient) -> ProgressBar {
+    match station.virtual_arm() {
+        Some(_) => share_bar(),
+        None => ProgressBar::new(1)
+            .with_style(style("{wide_bar:.cyan/dim} {pos}/{len} commands, {msg}")),
+    }
 }
 
-fn show(bar: &ProgressBar, job: &JobView) {
+/// A bar that tells which share is done, for what does not last as long as the arm would.
+pub(crate) fn share_bar() -> ProgressBar {
+    ProgressBar::new(1).with_style(share_style())
+}
+
+/// The look of such a bar: what is being done stands in front.
+pub(crate) fn share_style() -> ProgressStyle {
+    style("{wide_bar:.cyan/dim} {prefix}{msg}")
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).expect("the template is well-formed")
+}
+
+fn show(bar: &ProgressBar, job: &JobView, is_virtual: bool) {
     bar.set_length(job.commands as u64);
     bar.set_position(job.completed as u64);
     let place = job.program.as_ref().map(place);
-    let left = job.left_s.map(|it| time_left(Some(it)));
+    let left = if is_virtual {
+        let percent = 100 * job.completed / job.commands.max(1);
+        Some(format!("{percent} %"))
+    } else {
+        job.left_s.map(|it| time_left(Some(it)))
+    };
     let parts: Vec<String> = [place, left].into_iter().flatten().collect();
     bar.set_message(parts.join(", "));
 }

@@ -54,6 +54,7 @@ mod place;
 mod prepare;
 mod preview;
 mod program_files;
+mod progress;
 mod sheet;
 mod simplify;
 mod start;
@@ -85,6 +86,7 @@ pub use prepare::{
     NamedSource, PrepareError, Prepared, Settings, prepare, prepare_passes, prepare_together,
 };
 pub use program_files::ProgramFiles;
+pub use progress::{PrepareStep, Progress};
 pub use sheet::{PaperSize, SheetPlace};
 pub use simplify::{MIN_VECTOR_MM, simplify, simplify_at};
 pub use start::{StartError, StartFrom};

@@ -23,6 +23,7 @@ use crate::hatch::{HatchError, hatch};
 use crate::merge::merge;
 use crate::order::order;
 use crate::place::{PlaceError, Placed, check_reach};
+use crate::progress::PrepareStep;
 use crate::start::StartError;
 use dobot_geometry::{Point, Rect, Stroke};
 use dobot_plan::{DrawingTool, Machine, Pass, Plan, PlanError};
@@ -100,6 +101,7 @@ pub fn prepare_together<E: fmt::Display>(
         [near + beside_mm, far - beside_mm]
     });
     let settings = &settings;
+    settings.progress.begin(PrepareStep::Reading, 0);
     let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
     settings.give_up.check()?;
     let layers = layers::chosen(layers, settings)?;
@@ -138,6 +140,13 @@ fn plan_passes<E: fmt::Display>(
         Some(from) => from.rest_of(passes)?,
         None => passes,
     };
+    let progress = &settings.progress;
+    let strokes = passes.iter().flat_map(|it| &it.strokes);
+    progress.expect(&passes, &settings.machine);
+    progress.begin(
+        PrepareStep::Vectors,
+        strokes.map(|it| it.points.len()).sum(),
+    );
     let mut trials = Trials::new(&passes);
     let simple = passes
         .iter()
@@ -153,6 +162,7 @@ fn plan_passes<E: fmt::Display>(
         nearest_mm: reach_mm.map_or(0.0, |it| it[0]),
         ..settings.machine
     };
+    progress.begin(PrepareStep::Planning, 0);
     let plan = Plan::new(&simple, &settings.paper, &machine)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
@@ -220,6 +230,8 @@ fn passes<E>(
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<Pass>, PrepareError> {
     let mut passes = Vec::<Pass>::new();
+    let several = if layers.len() > 1 { layers.len() } else { 0 };
+    settings.progress.begin(PrepareStep::Ordering, several);
     let Rect { x1, y1, .. } = settings.placement.area;
     let mut here = Point::new(x1, y1);
     let mut has_lines = false;
@@ -239,6 +251,7 @@ fn passes<E>(
         }
         settings.give_up.check()?;
         let strokes = finished(strokes, here, tool, settings, warnings);
+        settings.progress.advance(1);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let message = layers::message(&layer, passes.last(), settings);
         passes.push(Pass {

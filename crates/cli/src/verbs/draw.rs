@@ -6,6 +6,7 @@ mod estimates;
 mod execute;
 mod input;
 mod output_files;
+mod planning;
 mod rehearse;
 mod report;
 
@@ -22,6 +23,7 @@ use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
 use dobot_rules::{PlannedFor, StationClient};
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
+use indicatif::ProgressBar;
 
 pub(crate) use self::args::Args;
 use self::args::export_format;
@@ -31,10 +33,12 @@ use self::execute::{Executed, ask_about_frame, check_frame, check_laser, execute
 use self::input::asked;
 pub(crate) use self::input::materials;
 use self::output_files::{check_apart, check_writable, write, write_json};
+use self::planning::{Shown, shown};
 use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
 use crate::control::{self, check_pose};
 use crate::failure::Failure;
+use crate::follow::{progress_bar, share_bar};
 use crate::output;
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
@@ -53,7 +57,13 @@ async fn draw(args: Args) -> Result<(), Failure> {
     }
     let (args, mut asked) = asked(args)?;
     // What is wrong with it is told before any arm is touched.
-    let mut drawing = Drawing::new(&args, &asked, args.to.dialect, WITHOUT_ARM_Z_MM)?;
+    let mut drawing = Drawing::new(
+        &args,
+        &asked,
+        args.to.dialect,
+        WITHOUT_ARM_Z_MM,
+        Shown::StepsAndHours,
+    )?;
     for warning in &drawing.prepared.warnings {
         eprintln!("warning: {warning}");
     }
@@ -74,7 +84,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
             let arm = control::planned_for(station, &args.to.policy()?).await?;
             asked = asked.clone().calibrated(calibration(&args, &arm)?);
             let status = arm.status.unwrap_or(Status::AT_ZERO);
-            drawing = Drawing::new(&args, &asked, arm.dialect, status.z_mm.into())?;
+            drawing = Drawing::new(&args, &asked, arm.dialect, status.z_mm.into(), Shown::Steps)?;
             drawing.from = Some(status);
         }
         let plan = &drawing.prepared.plan;
@@ -119,8 +129,16 @@ impl<'a> Drawing<'a> {
         asked: &DrawingRequest,
         dialect: Option<Dialect>,
         standing_z_mm: f64,
+        on_terminal: Shown,
     ) -> Result<Self, Failure> {
-        let prepared = asked.prepare(dialect, standing_z_mm);
+        let on_terminal = if args.result.json {
+            Shown::Nothing
+        } else {
+            on_terminal
+        };
+        let prepared = shown(asked.progress(), on_terminal, || {
+            asked.prepare(dialect, standing_z_mm)
+        });
         let (prepared, settings) = prepared.with_context(|| asked.title.clone())?;
         Ok(Self {
             args,
@@ -168,7 +186,17 @@ impl<'a> Drawing<'a> {
         let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
         let policy = self.args.to.policy()?;
         let from = self.from.as_ref();
-        rehearse(&self.prepared, &self.settings, dialect, policy, from).await
+        let bar = self.bar(share_bar).with_prefix("rehearsing ");
+        rehearse(&self.prepared, &self.settings, dialect, policy, from, &bar).await
+    }
+
+    /// A bar that nobody sees where a program reads what comes out.
+    fn bar(&self, bar: impl FnOnce() -> ProgressBar) -> ProgressBar {
+        if self.args.result.json {
+            ProgressBar::hidden()
+        } else {
+            bar()
+        }
     }
 
     /// Goes around it, and asks whether that is the place.
@@ -182,7 +210,8 @@ impl<'a> Drawing<'a> {
         )?;
         let title = format!("frame of {}", self.title);
         let armed_for = self.args.arm_laser;
-        let executed = execute(station, &plan, &title, armed_for).await;
+        let bar = self.bar(|| progress_bar(station));
+        let executed = execute(station, &plan, &title, armed_for, &bar).await;
         executed.outcome?;
         ask_about_frame(station).await
     }
@@ -201,7 +230,9 @@ impl<'a> Drawing<'a> {
             arm.record(RECORDING_PERIOD);
         }
         let armed_for = self.args.arm_laser;
-        let executed = execute(station, &self.prepared.plan, &self.title, armed_for).await;
+        let bar = self.bar(|| progress_bar(station));
+        let plan = &self.prepared.plan;
+        let executed = execute(station, plan, &self.title, armed_for, &bar).await;
         let times = Times {
             planned_s: executed.planned_s,
             estimated,

@@ -9,6 +9,8 @@ use serde_json::Value;
 #[cfg(unix)]
 use crate::program::{Outcome, command};
 use crate::program::{dobot, dobot_reading, example};
+#[cfg(target_os = "linux")]
+use crate::terminal::Terminal;
 
 fn report(text: &str) -> Value {
     serde_json::from_str(text).expect("the report is JSON")
@@ -501,6 +503,33 @@ fn what_takes_days_is_told_before_it_begins_and_not_rehearsed() {
     let report = report(&outcome.stdout);
     assert_eq!(report["measured_from"], "nothing");
     assert!(number(&report, "planned_s") > 400_000.0);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_is_told_what_is_done_and_hours_before_they_are_planned() {
+    let lines = (0..500).map(|i| format!("M0 {}H90", f64::from(i) * 0.1));
+    let lines = page(&format!(
+        r#"<path d="{}" stroke="red"/>"#,
+        lines.collect::<String>()
+    ));
+    let file = tempfile::NamedTempFile::with_suffix(".svg").expect("there is room");
+    fs::write(file.path(), lines).expect("there is room");
+    let file = file.path().to_str().expect("the path is text");
+    let draw = ["draw", file, "--dry-run", "--speed", "20", "--passes", "20"];
+    let mut terminal = Terminal::with_errors(&command(&draw));
+    terminal.shows("hours of drawing, by a rough estimate before it is planned");
+    terminal.shows("warning: this takes about");
+    terminal.shows("h planned");
+    assert!(terminal.ends().success());
+    // A program is told the time when it is known, and nothing before.
+    let outcome = dobot(&draw).succeeds();
+    assert!(
+        outcome.stderr.starts_with("warning: this takes about"),
+        "{}",
+        outcome.stderr
+    );
+    assert_eq!(outcome.stderr.lines().count(), 1, "{}", outcome.stderr);
 }
 
 #[test]

@@ -31,6 +31,17 @@ pub(crate) struct Terminal {
 
 impl Terminal {
     pub(crate) fn new(command: &Command, keyboard: Keyboard) -> Self {
+        Self::showing(command, keyboard, |_| Stdio::null())
+    }
+
+    /// The same, which shows errors, warnings and progress, too.
+    pub(crate) fn with_errors(command: &Command) -> Self {
+        Self::showing(command, Keyboard::Plain, |inside| {
+            inside.try_clone().expect("a handle").into()
+        })
+    }
+
+    fn showing(command: &Command, keyboard: Keyboard, errors: impl FnOnce(&File) -> Stdio) -> Self {
         let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a terminal is free");
         grantpt(&master).expect("it is ours");
         unlockpt(&master).expect("it is ours");
@@ -47,8 +58,8 @@ impl Terminal {
         let child = alone(command)
             .env("TERM", "xterm-256color")
             .stdin(inside.try_clone().expect("a handle"))
+            .stderr(errors(&inside))
             .stdout(inside)
-            .stderr(Stdio::null())
             .spawn()
             .expect("the program starts");
         let keys = File::from(master);

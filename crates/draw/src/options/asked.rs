@@ -19,6 +19,7 @@ use crate::hatch::Hatch;
 use crate::material::{Material, Materials, UnknownMaterial};
 use crate::place::{AREA, Placement, Size};
 use crate::prepare::{NamedSource, Prepared, Settings, prepare_passes, prepare_together};
+use crate::progress::Progress;
 use crate::sheet::SheetPlace;
 
 /// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
@@ -188,6 +189,12 @@ impl DrawingRequest {
     pub fn until(mut self, give_up: GiveUp) -> Self {
         self.settings.give_up = give_up;
         self
+    }
+
+    /// How far its planning is, also for others than who plans it.
+    #[must_use]
+    pub const fn progress(&self) -> &Progress {
+        &self.settings.progress
     }
 
     /// Plans it for an arm that speaks this dialect, if that is known, and stands at this height

@@ -15,6 +15,7 @@ use crate::give_up::GiveUp;
 use crate::hatch::{Hatch, hatch};
 use crate::order::{Search, Travel};
 use crate::place::Placement;
+use crate::progress::Progress;
 use crate::simplify::MIN_VECTOR_MM;
 use crate::start::StartFrom;
 
@@ -80,6 +81,8 @@ pub struct Settings {
     pub fonts: Arc<fontdb::Database>,
     /// Ends the preparation before it is done.
     pub give_up: GiveUp,
+    /// Tells how far it is.
+    pub progress: Progress,
 }
 
 impl Settings {
@@ -154,6 +157,7 @@ impl Default for Settings {
             from: None,
             fonts: Arc::default(),
             give_up: GiveUp::default(),
+            progress: Progress::default(),
         }
     }
 }

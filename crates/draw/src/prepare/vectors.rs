@@ -78,6 +78,7 @@ pub(super) fn simplified(
         } else {
             faster(it, fewest, pass.tool, settings, trials)
         };
+        settings.progress.advance(it.points.len());
         Ok(shortened(simple, &settings.paper))
     });
     let strokes: Result<_, PrepareError> = strokes.collect();

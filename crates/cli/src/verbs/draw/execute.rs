@@ -9,6 +9,7 @@ use dobot_client::position;
 use dobot_plan::Plan;
 use dobot_rules::{StationClient, drawing_job};
 use dobot_trajectory::Model;
+use indicatif::ProgressBar;
 
 use crate::control::{self, arm_laser, first_state, line_entered, take_control};
 use crate::failure::Failure;
@@ -47,6 +48,7 @@ pub(super) async fn execute(
     plan: &Plan,
     title: &str,
     armed_for: Option<Duration>,
+    bar: &ProgressBar,
 ) -> Executed {
     let mut seen = Vec::new();
     let see = |state: &State| {
@@ -55,7 +57,7 @@ pub(super) async fn execute(
     let planned_s = way_s(station, plan).await.map(|it| it + plan.duration_s());
     let outcome = match submit(station, plan, title, armed_for).await {
         Ok(job) => {
-            let outcome = follow::start(station, job, plan.burns(), see).await;
+            let outcome = follow::start_shown(station, job, plan.burns(), bar, see).await;
             if outcome.is_err() {
                 station.forget_unbegun(job).await;
             }

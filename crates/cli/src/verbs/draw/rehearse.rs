@@ -11,6 +11,7 @@ use dobot_rules::StationClient;
 use dobot_safety::Policy;
 use dobot_sim::{RECORDING_PERIOD, VirtualArm};
 use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};
+use indicatif::ProgressBar;
 
 use super::execute::execute;
 use crate::connect::speaker;
@@ -61,6 +62,7 @@ pub(super) async fn rehearse(
     dialect: Dialect,
     policy: Policy,
     from: Option<&Status>,
+    bar: &ProgressBar,
 ) -> Result<Rehearsed, Failure> {
     let power_up = PowerUp::new(speaker(dialect));
     let name = client_name("draw");
@@ -76,7 +78,7 @@ pub(super) async fn rehearse(
     if let Some(arm) = station.virtual_arm_mut() {
         arm.record(RECORDING_PERIOD);
     }
-    let executed = execute(&mut station, &prepared.plan, "estimate", None).await;
+    let executed = execute(&mut station, &prepared.plan, "estimate", None, bar).await;
     let arm = station.virtual_arm();
     Ok(Rehearsed {
         time: executed.outcome?,

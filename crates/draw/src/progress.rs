@@ -1,0 +1,178 @@
+//! How far a preparation is, seen from another thread.
+
+use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+
+use dobot_geometry::Point;
+use dobot_plan::{DrawingTool, Machine, Pass};
+
+use crate::order::Travel;
+
+/// How far a preparation is: whoever asked for it looks from another thread.
+#[derive(Clone, Debug, Default)]
+pub struct Progress(Arc<Told>);
+
+#[derive(Debug, Default)]
+struct Told {
+    /// An index in [`STEPS`].
+    step: AtomicUsize,
+    done: AtomicUsize,
+    /// Nothing where nobody knows how much there is to do.
+    all: AtomicUsize,
+    /// The bits of how many seconds the arm will need; nothing where that is not known yet.
+    roughly_s: AtomicU64,
+}
+
+/// What a preparation is at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PrepareStep {
+    /// The source becomes lines on the paper.
+    #[default]
+    Reading,
+    /// A good order of the strokes is looked for.
+    Ordering,
+    /// The fastest vectors are chosen.
+    Vectors,
+    /// The speeds are planned.
+    Planning,
+}
+
+impl Progress {
+    /// What it is at.
+    #[must_use]
+    pub fn step(&self) -> PrepareStep {
+        STEPS[self.0.step.load(Ordering::Relaxed)]
+    }
+
+    /// How much of that is done, from 0 to 1, where that is known.
+    #[must_use]
+    pub fn share(&self) -> Option<f64> {
+        let [done, all] = [&self.0.done, &self.0.all].map(|it| it.load(Ordering::Relaxed));
+        #[expect(clippy::cast_precision_loss, reason = "only a share")]
+        (all > 0).then(|| (done as f64 / all as f64).min(1.0))
+    }
+
+    /// How long the arm will need, in seconds: a rough estimate by the ways with and without ink, known before the
+    /// vectors are chosen.
+    #[must_use]
+    pub fn roughly_s(&self) -> Option<f64> {
+        let roughly_s = f64::from_bits(self.0.roughly_s.load(Ordering::Relaxed));
+        (roughly_s > 0.0).then_some(roughly_s)
+    }
+
+    /// A step begins that has so much to do; 0 where nobody knows.
+    pub(crate) fn begin(&self, step: PrepareStep, all: usize) {
+        self.0.all.store(0, Ordering::Relaxed);
+        self.0.done.store(0, Ordering::Relaxed);
+        self.0.step.store(step as usize, Ordering::Relaxed);
+        self.0.all.store(all, Ordering::Relaxed);
+    }
+
+    /// So much more of the step is done.
+    pub(crate) fn advance(&self, by: usize) {
+        self.0.done.fetch_add(by, Ordering::Relaxed);
+    }
+
+    /// These strokes are to be drawn, by an arm that can do so much.
+    pub(crate) fn expect(&self, passes: &[Pass], machine: &Machine) {
+        let bits = roughly_s(passes, machine).to_bits();
+        self.0.roughly_s.store(bits, Ordering::Relaxed);
+    }
+}
+
+impl fmt::Display for PrepareStep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Reading => "reading",
+            Self::Ordering => "ordering the strokes",
+            Self::Vectors => "choosing vectors",
+            Self::Planning => "planning",
+        })
+    }
+}
+
+/// How long passes take by their ways: each stroke and each way to the next from rest to rest.
+fn roughly_s(passes: &[Pass], machine: &Machine) -> f64 {
+    let mut here: Option<Point> = None;
+    let mut all_s = 0.0;
+    for Pass { tool, strokes, .. } in passes {
+        let at = |speed_mm_s| Travel::Time {
+            speed_mm_s,
+            acceleration_mm_s2: machine.acceleration_mm_s2,
+            least_s: machine.link.period_s,
+        };
+        let (travel, ink) = (at(tool.travel_speed_mm_s()), at(tool.speed_mm_s()));
+        let mut pass_s = 0.0;
+        for stroke in strokes {
+            let (Some(&first), Some(last)) = (stroke.points.first(), stroke.last()) else {
+                continue;
+            };
+            let way_mm = here.map_or(0.0, |it| it.distance(first));
+            // Down and up again.
+            pass_s += travel.cost(way_mm) + 2.0 * travel.cost(tool.lift_mm());
+            pass_s += ink.cost(stroke.length_mm());
+            here = Some(last);
+        }
+        let times = match tool {
+            DrawingTool::Pen(_) => 1,
+            DrawingTool::Laser(it) => it.times,
+        };
+        all_s += pass_s * f64::from(times);
+    }
+    all_s
+}
+
+const STEPS: [PrepareStep; 4] = [
+    PrepareStep::Reading,
+    PrepareStep::Ordering,
+    PrepareStep::Vectors,
+    PrepareStep::Planning,
+];
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_source::Source;
+
+    use super::*;
+    use crate::{Settings, prepare};
+
+    #[test]
+    fn a_rough_estimate_is_known_from_the_ways_alone() {
+        let lines: Vec<String> = (0..200)
+            .map(|i| format!("M5 {}H95", 5.0 + 0.25 * f64::from(i)))
+            .collect();
+        let lines = lines.concat();
+        let svg = format!(
+            r#"<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60"><path d="{lines}" stroke="black"/></svg>"#
+        );
+        let settings = Settings::default();
+        assert_eq!(settings.progress.roughly_s(), None);
+        let prepared = prepare(&Source::Svg(svg), &settings, |_| Ok::<(), String>(())).unwrap();
+        let (roughly_s, planned_s) = (
+            settings.progress.roughly_s().unwrap(),
+            prepared.plan.duration_s(),
+        );
+        assert!(
+            (0.8..1.25).contains(&(roughly_s / planned_s)),
+            "{roughly_s} and {planned_s} s"
+        );
+        assert_eq!(settings.progress.step(), PrepareStep::Planning);
+    }
+
+    #[test]
+    fn the_share_of_a_step_is_told_where_it_is_known() {
+        let progress = Progress::default();
+        assert_eq!(progress.share(), None);
+        progress.begin(PrepareStep::Vectors, 40);
+        progress.advance(10);
+        assert_eq!(
+            (progress.step(), progress.share()),
+            (PrepareStep::Vectors, Some(0.25))
+        );
+        progress.begin(PrepareStep::Planning, 0);
+        assert_eq!(progress.share(), None);
+    }
+}
