@@ -106,6 +106,7 @@ pub fn prepare_together<E: fmt::Display>(
     settings.give_up.check()?;
     let layers = layers::chosen(layers, settings)?;
     warnings.extend(layers::pen_speeds(&layers, settings));
+    warnings.extend(layers::unhatched(&layers, settings));
     let passes = passes(layers, settings, &reachable, &mut warnings)?;
     let prepared = plan_passes(passes, settings, reachable)?;
     Ok(Prepared {

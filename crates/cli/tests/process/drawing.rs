@@ -576,6 +576,55 @@ fn dots_alone_are_no_less_than_nothing_long() {
 }
 
 #[test]
+fn a_file_behind_an_option_that_takes_numbers_is_told_as_that() {
+    let square = example("square.svg");
+    let laser = ["--laser", "felt-cut"];
+    for (arguments, parts) in [
+        (
+            &["draw", "--card", &square][..],
+            &["expected speeds in mm/s", "2,5,10", "without a file"][..],
+        ),
+        (
+            &["draw", "--card", "5", &square],
+            &["FILE", "cannot be used with", "--card"],
+        ),
+        (
+            &["draw", "--hatch", &square],
+            &["expected a number of millimetres", "a file stands before"],
+        ),
+    ] {
+        dobot(&[arguments, &laser].concat()).fails(2, parts);
+    }
+    let card = ["draw", "--card", "5,10", "--dry-run"];
+    dobot(&[&card[..], &laser].concat()).succeeds();
+}
+
+#[test]
+fn what_does_nothing_is_told() {
+    let square = example("square.svg");
+    let hatched = dobot(&["draw", &square, "--hatch", "--dry-run"]).succeeds();
+    let told = "warning: 1 hatching without filled areas: nothing is hatched";
+    assert!(hatched.stderr.contains(told), "{}", hatched.stderr);
+    let photo = example("still-life.jpg");
+    for (arguments, told) in [
+        (
+            &["draw", &square, "--gap", "9"][..],
+            "--gap does nothing without --grid or --text",
+        ),
+        (
+            &["draw", "--text", "arm", "--gap", "9"],
+            "--gap does nothing without --grid, or a file above the text",
+        ),
+        (
+            &["draw", &photo, "--shade", "stipple", "--levels", "3"],
+            "--levels does nothing without --shade hatch or outline",
+        ),
+    ] {
+        dobot(arguments).fails(1, &[told]);
+    }
+}
+
+#[test]
 fn what_is_out_of_reach_is_cut_off_where_that_is_wanted() {
     let svg = page(r#"<path d="M0 0H100" stroke="black"/>"#);
     let far = ["draw", "-", "--at", "300", "0", "--rotate", "90"];

@@ -1,8 +1,8 @@
 //! Checks that the options fit the source and each other. An option that would do nothing is refused.
 
-use dobot_source::Source;
+use dobot_source::{Shading, ShadingStyle, Source};
 
-use super::{Options, OptionsError};
+use super::{Options, OptionsError, PlaceOptions};
 use crate::prepare::NamedSource;
 
 /// Refuses the first option that would do nothing for any of these sources, which have this title together.
@@ -23,6 +23,13 @@ pub(super) fn check(
         return Err(OptionsError::Both {
             option: "--card",
             other: "FILE",
+        });
+    }
+    let apart = options.place.gap != PlaceOptions::default().gap;
+    if apart && options.place.grid.is_none() && matches!(kinds[..], [SourceKind::Text]) {
+        return Err(OptionsError::Alone {
+            option: "--gap",
+            needs: "--grid, or a file above the text",
         });
     }
     let misfit = given(options)
@@ -170,6 +177,7 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     }
     let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
     let sheet = place.paper_size.is_some();
+    let shade = what.shade.unwrap_or(Shading::default().style);
     let apart = place.gap != defaults.place.gap;
     let dependent = [
         ("--landscape", place.landscape, "--paper-size", sheet),
@@ -179,6 +187,12 @@ fn together(options: &Options) -> Result<(), OptionsError> {
             apart,
             "--grid or --text",
             place.grid.is_some() || what.text.is_some(),
+        ),
+        (
+            "--levels",
+            what.levels.is_some(),
+            "--shade hatch or outline",
+            matches!(shade, ShadingStyle::Hatch | ShadingStyle::Outline),
         ),
         ("--layer", !what.layer.is_empty(), "--layers", layered),
         ("--only", !what.only.is_empty(), "--layers", layered),
@@ -363,6 +377,14 @@ mod tests {
             (
                 r#"{"what": {"cross": true}}"#,
                 "--cross does nothing without --hatch",
+            ),
+            (
+                r#"{"place": {"gap": 9}}"#,
+                "--gap does nothing without --grid or --text",
+            ),
+            (
+                r#"{"what": {"shade": "stipple", "levels": 3}}"#,
+                "--levels does nothing without --shade hatch or outline",
             ),
             (
                 r#"{"place": {"at": [200]}}"#,

@@ -31,7 +31,7 @@ pub struct ContentOptions {
     #[arg(long, value_name = "SIDE")]
     pub align: Option<Align>,
     /// A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
-    #[arg(long, value_name = "SPEEDS", num_args = 1.., value_delimiter = ',')]
+    #[arg(long, value_name = "SPEED,...", value_delimiter = ',', value_parser = card_speed)]
     pub card: Option<Vec<f64>>,
     /// How often the lowest row of the test card is burned (default: 3)
     #[arg(long, value_name = "N")]
@@ -172,6 +172,12 @@ impl FromStr for LayerTool {
     }
 }
 
+fn card_speed(text: &str) -> Result<f64, &'static str> {
+    text.parse().map_err(|_| {
+        "expected speeds in mm/s with commas between them, as in 2,5,10; a test card is drawn without a file"
+    })
+}
+
 /// How far apart the lines of a hatching are: `auto` or millimetres.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "expected \"auto\" or a number of millimetres")]
@@ -198,6 +204,8 @@ impl FromStr for Spacing {
             return Ok(Self::OfTool(Auto::Auto));
         }
         let spacing_mm = text.parse().map(Self::Millimeters);
-        spacing_mm.map_err(|_| "expected a number of millimetres")
+        spacing_mm.map_err(|_| {
+            "expected a number of millimetres; a file stands before the option, or the option has `=auto` behind it"
+        })
     }
 }

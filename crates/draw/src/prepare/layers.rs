@@ -71,6 +71,18 @@ pub(super) fn pen_speeds(layers: &[Layer], settings: &Settings) -> Option<Warnin
     )
 }
 
+/// Tells that there is nothing to hatch.
+pub(super) fn unhatched(layers: &[Layer], settings: &Settings) -> Option<Warning> {
+    let has_areas = layers.iter().any(|it| !it.areas.is_empty());
+    (settings.hatch.is_some() && !has_areas).then(|| Warning {
+        file: None,
+        place: None,
+        what: "hatching without filled areas".to_owned(),
+        instead: "nothing is hatched".to_owned(),
+        count: 1,
+    })
+}
+
 /// What a person has to do before a layer: between layers that are drawn each for itself, the pen
 /// is changed. A laser needs nobody.
 pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings) -> Option<String> {
