@@ -625,6 +625,34 @@ fn what_does_nothing_is_told() {
 }
 
 #[test]
+fn the_options_stand_in_groups() {
+    let help = dobot(&["draw", "--help"]).succeeds().stdout;
+    let is_heading = |it: &&str| it.ends_with(':') && !it.starts_with(' ');
+    let headings: Vec<&str> = help.lines().filter(is_heading).collect();
+    let groups = ["Source:", "Paper:", "Pen:", "Laser:", "Run:"];
+    assert_eq!(
+        headings[..7],
+        [&["Arguments:", "Options:"], &groups[..]].concat()
+    );
+    let group = |name: &str| {
+        let begin = help.find(&format!("\n{name}\n")).expect("it is there");
+        let group = &help[begin + name.len() + 2..];
+        let end = group.lines().take_while(|it| !is_heading(it));
+        end.collect::<Vec<_>>().join("\n")
+    };
+    assert!(!group("Options:").contains("--policy"));
+    for (name, options) in [
+        ("Pen:", ["--pen ", "--lift "]),
+        ("Laser:", ["--laser ", "--kerf "]),
+        ("Run:", ["--to ", "--speed "]),
+    ] {
+        for option in options {
+            assert!(group(name).contains(option), "{option} of {name}");
+        }
+    }
+}
+
+#[test]
 fn what_is_out_of_reach_is_cut_off_where_that_is_wanted() {
     let svg = page(r#"<path d="M0 0H100" stroke="black"/>"#);
     let far = ["draw", "-", "--at", "300", "0", "--rotate", "90"];

@@ -14,7 +14,7 @@ use crate::hatch::HatchStyle;
     clippy::struct_excessive_bools,
     reason = "each is an option of its own"
 )]
-#[command(next_help_heading = "What to draw")]
+#[command(next_help_heading = "Source")]
 #[serde(default, deny_unknown_fields)]
 pub struct ContentOptions {
     /// A text, alone or below the files; \n begins a new line

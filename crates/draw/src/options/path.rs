@@ -8,7 +8,7 @@ use crate::start::StartFrom;
 
 /// How it is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
-#[command(next_help_heading = "How it is drawn")]
+#[command(next_help_heading = "Run")]
 #[serde(default, deny_unknown_fields)]
 pub struct PathOptions {
     /// How far the drawn path may leave the wanted one, in mm

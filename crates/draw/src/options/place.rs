@@ -12,7 +12,7 @@ use crate::sheet::PaperSize;
     clippy::struct_excessive_bools,
     reason = "each is an option of its own"
 )]
-#[command(next_help_heading = "Where on the paper")]
+#[command(next_help_heading = "Paper")]
 #[serde(default, deny_unknown_fields)]
 pub struct PlaceOptions {
     /// The sheet that it goes on: a3, a4, a5, a6, letter, legal, or `210x148` in mm; the page of the file

@@ -47,40 +47,40 @@ pub(crate) struct Args {
     #[arg(value_name = "FILE", required_unless_present_any = ["text", "card"], conflicts_with = "card")]
     pub(crate) files: Vec<PathBuf>,
     #[command(flatten)]
-    pub(crate) to: To,
-    #[command(flatten)]
     pub(crate) options: Options,
+    #[command(flatten, next_help_heading = "Run")]
+    pub(crate) to: To,
     /// A TOML file with more pens and materials; `dobot materials` prints those that are known
-    #[arg(long, value_name = "FILE", help_heading = "Pen or laser")]
+    #[arg(long, value_name = "FILE", help_heading = "Pen")]
     pub(crate) materials: Option<PathBuf>,
     /// Draw where the sheet of a calibration says, with an arm of which `dobot calibrate` found what is
     /// wrong; the paper lies where it was touched, unless told otherwise
-    #[arg(long, value_name = "ARM.toml", help_heading = "Where on the paper")]
+    #[arg(long, value_name = "ARM.toml", help_heading = "Paper")]
     pub(crate) calibration: Option<PathBuf>,
     /// Let the laser be switched on for so many seconds: everybody's goggles are on
     #[arg(
         long,
         value_name = "SECONDS",
-        help_heading = "Pen or laser",
+        help_heading = "Laser",
         value_parser = laser_seconds,
         requires = "laser"
     )]
     pub(crate) arm_laser: Option<Duration>,
     /// First go around the drawing, pen up and laser off, to see where it will be
-    #[arg(long, help_heading = "How it is drawn")]
+    #[arg(long, help_heading = "Run")]
     pub(crate) frame: bool,
     /// Move nothing: a virtual arm tells what it would be
-    #[arg(long, help_heading = "How it is drawn")]
+    #[arg(long, help_heading = "Run")]
     pub(crate) dry_run: bool,
     /// A TOML file with options for every drawing, as in pen = "marker"; what the command line gives wins (default:
     /// draw.toml in the data folder, if there is one)
-    #[arg(long, value_name = "FILE", help_heading = "How it is drawn")]
+    #[arg(long, value_name = "FILE", help_heading = "Run")]
     pub(crate) defaults: Option<PathBuf>,
     /// Leave that file out, or these options of it: several with commas between them
     #[arg(
         long,
         value_name = "OPTION",
-        help_heading = "How it is drawn",
+        help_heading = "Run",
         value_parser = default_option,
         num_args = 0..,
         require_equals = true,
@@ -97,7 +97,7 @@ pub(crate) struct Args {
 
 /// What comes out.
 #[derive(Debug, clap::Args)]
-#[command(next_help_heading = "What comes out")]
+#[command(next_help_heading = "Run")]
 pub(crate) struct Results {
     /// Make a picture of the commanded and the drawn path, in a file that ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = picture_file)]
