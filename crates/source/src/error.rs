@@ -110,6 +110,14 @@ pub enum SourceError {
         "{place}: leads to ({x_mm:.0}, {y_mm:.0}) mm; at most {limit_mm:.0} mm from the origin are allowed"
     )]
     TooFar {
+    /// The same of straight lines, which no tolerance makes fewer.
+    #[error(
+        "the drawing has more than {limit} line segments, most of them straight; simplify it, or draw it in parts"
+    )]
+    TooManyCorners {
+        /// How many are allowed.
+        limit: usize,
+    },
         /// Where it is said.
         place: Place,
         /// To the right.

@@ -21,6 +21,7 @@ use self::ink_rule::MoveStatistics;
 use self::machine::{Machine, Move, ToolState};
 use crate::artwork::Artwork;
 use crate::error::SourceError;
+use crate::limits::MAX_SEGMENTS;
 use crate::options::ReadOptions;
 use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
@@ -36,7 +37,14 @@ pub(crate) fn read(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
+    let mut moves = 0;
     let end = run(text, sketch.warnings(), |it| {
+        moves += 1;
+        if moves > MOST_MOVES {
+            let found = format!("more than {MOST_MOVES} moves");
+            let expected = "no more in a drawing; simplify it, or draw it in parts";
+            return Err(SourceError::found(text, it.at, found, expected));
+        }
         statistics.count(it);
         Ok(())
     })?;
@@ -60,6 +68,9 @@ fn run<'a>(
     block::each(text, |block| machine.handle(block, &mut hand_on))?;
     Ok(machine.tool())
 }
+
+/// Those of as many lines as a drawing may have, and travels: all are looked at before the first is drawn.
+const MOST_MOVES: usize = MAX_SEGMENTS / 2 * 3;
 
 #[cfg(test)]
 mod tests;

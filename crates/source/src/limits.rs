@@ -1,5 +1,7 @@
 //! How large a drawing may be.
 
+use std::cell::Cell;
+
 use crate::error::{SourceError, SvgError};
 
 /// How many segments may still come, and how often an edge may be looked at: the guard against drawings that would fill
@@ -9,6 +11,8 @@ pub(crate) struct Budget {
     limit: usize,
     left: usize,
     looks_left: usize,
+    /// How many of them curves became, which a larger tolerance makes fewer.
+    curved: Cell<usize>,
 }
 
 impl Budget {
@@ -17,14 +21,28 @@ impl Budget {
             limit,
             left: limit,
             looks_left: MAX_LOOKS,
+            curved: Cell::new(0),
         }
     }
 
     pub(crate) fn spend(&mut self, segments: usize) -> Result<(), OverBudget> {
-        let limit = self.limit;
         let left = self.left.checked_sub(segments);
-        self.left = left.ok_or(OverBudget::Segments { limit })?;
+        self.left = left.ok_or_else(|| self.over())?;
         Ok(())
+    }
+
+    /// Notes how many segments a curve became; they are spent by themselves.
+    pub(crate) fn note_curve(&self, segments: usize) {
+        self.curved.set(self.curved.get().saturating_add(segments));
+    }
+
+    fn over(&self) -> OverBudget {
+        let limit = self.limit;
+        if self.curved.get() > limit / LEAST_CURVED {
+            OverBudget::Segments { limit }
+        } else {
+            OverBudget::Corners { limit }
+        }
     }
 
     /// Takes looks at edges from those that are left; `false` where they do not reach, and none is left then.
@@ -55,9 +73,10 @@ impl Budget {
 /// What a drawing has more of than its budget.
 #[derive(Debug)]
 pub(crate) enum OverBudget {
-    Segments {
-        limit: usize,
-    },
+    /// Segments, many of them of curves.
+    Segments { limit: usize },
+    /// Segments that the file has one by one.
+    Corners { limit: usize },
     /// Looks at edges.
     Looks,
 }
@@ -66,6 +85,9 @@ impl From<OverBudget> for SvgError {
     fn from(over: OverBudget) -> Self {
         match over {
             OverBudget::Segments { limit } => Self::TooManySegments {
+                limit: limit as u64,
+            },
+            OverBudget::Corners { limit } => Self::TooManyCorners {
                 limit: limit as u64,
             },
             OverBudget::Looks => Self::TooManyCuts,
@@ -77,6 +99,7 @@ impl From<OverBudget> for SourceError {
     fn from(over: OverBudget) -> Self {
         match over {
             OverBudget::Segments { limit } => Self::TooManySegments { limit },
+            OverBudget::Corners { limit } => Self::TooManyCorners { limit },
             OverBudget::Looks => Self::TooManyCuts,
         }
     }
@@ -96,5 +119,7 @@ pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
 const MAX_LOOKS: usize = 150_000_000;
 /// No drawing leads farther than that, in mm.
 pub(crate) const LIMIT_MM: f64 = 1_000_000.0;
+/// Where less than one of so many is of a curve, a larger tolerance hardly helps.
+const LEAST_CURVED: usize = 10;
 /// Larger numbers are a mistake, and would overflow further on.
 pub(crate) const MAX_NUMBER: f64 = 1e9;

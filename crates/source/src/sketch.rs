@@ -126,11 +126,16 @@ impl<'a> Sketch<'a> {
     /// A whole stroke.
     pub(super) fn stroke(&mut self, points: Vec<Point>) -> Result<(), SourceError> {
         self.spend(points.len())?;
+        self.counted_stroke(points);
+        Ok(())
+    }
+
+    /// The same, where each point was [counted](Self::spend) as it came.
+    pub(super) fn counted_stroke(&mut self, points: Vec<Point>) {
         if !points.is_empty() {
             self.layer().strokes.push(Stroke::open(points));
         }
         self.goes_on = false;
-        Ok(())
     }
 
     /// An area to be filled, whose edges are drawn; rings of fewer than three corners hold nothing.
@@ -223,6 +228,7 @@ impl<'a> Sketch<'a> {
             reason = "a whole number from 1 to what is left"
         )]
         let count = chords as u32;
+        self.note_curve(count as usize);
         let points = (0..=count).map(|i| point(f64::from(i) / chords));
         points.map(|p| self.check(at, p)).collect()
     }
@@ -376,6 +382,11 @@ impl<'a> Sketch<'a> {
 
     pub(super) fn found(&self, at: usize, found: impl Into<String>, expected: &str) -> SourceError {
         SourceError::found(self.text, at, found, expected)
+    }
+
+    /// Notes that so many segments come from a curve.
+    pub(super) fn note_curve(&self, segments: usize) {
+        self.budget.note_curve(segments);
     }
 
     /// Counts what will be kept.

@@ -206,7 +206,9 @@ impl EntityRenderer<'_, '_> {
         let spline = spline.map_err(|found| it.refused(found, expected))?;
         let points = spline.points(self.sketch.tolerance_mm(), MAX_SEGMENTS);
         let limit = MAX_SEGMENTS;
-        points.ok_or(SourceError::TooManySegments { limit })
+        let points = points.ok_or(SourceError::TooManySegments { limit })?;
+        self.sketch.note_curve(points.len());
+        Ok(points)
     }
 
     /// Four corners, the last two crossed over.

@@ -106,6 +106,14 @@ pub enum SvgError {
         /// How many are allowed.
         limit: u64,
     },
+    /// The same where no tolerance makes them fewer.
+    #[error(
+        "the drawing has more than {limit} line segments; simplify its paths, or draw it in parts"
+    )]
+    TooManyCorners {
+        /// How many are allowed.
+        limit: u64,
+    },
     /// Clip paths that cut so often that it takes for ever.
     #[error(
         "cutting lines and areas at the clip paths takes for ever; simplify the clip paths, or draw it in parts"

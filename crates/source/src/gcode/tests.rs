@@ -551,6 +551,11 @@ fn strokes() -> impl Strategy<Value = Vec<Vec<(i32, i32)>>> {
     prop::collection::vec(prop::collection::vec(corner, 2..9), 1..9)
 }
 
+    let travels = "G0X1\nG0X2\n".repeat(1_500_001) + "oops";
+    assert_eq!(
+        error(&travels),
+        "3000001:1: found more than 3000000 moves; expected no more in a drawing; simplify it, or draw it in parts"
+    );
 proptest! {
     #[test]
     fn strokes_come_back_as_they_were_written(strokes in strokes()) {

@@ -221,6 +221,11 @@ impl<'a> CommandLexer<'a> {
                 expected,
             ));
         }
+        if text.len() > MOST_LETTERS {
+            let found = format!("a label of {} letters", text.len());
+            let expected = format!("at most {MOST_LETTERS}; divide it");
+            return Err(SourceError::found(self.text, at, found, expected));
+        }
         let length = text.len() + usize::from(self.writes_end);
         Ok(&self.text[begin..begin + length])
     }
@@ -245,6 +250,8 @@ impl<'a> CommandLexer<'a> {
     }
 }
 
+/// Nobody reads a longer label, and it would be kept three times over.
+const MOST_LETTERS: usize = 100_000;
 const ESC: u8 = 0x1B;
 const ETX: u8 = 3;
 const COMMAND: &str = "a command of two letters such as PD";

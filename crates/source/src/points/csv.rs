@@ -27,14 +27,14 @@ pub(crate) fn read(
         text,
         columns: None,
         points: Vec::new(),
-        key: Vec::new(),
+        key: [None; 2],
     };
     let mut at = beginning(text.as_bytes());
     for line in text[at..].split_inclusive('\n') {
         reader.line(at, line.trim_end_matches(['\r', '\n']))?;
         at += line.len();
     }
-    reader.end_stroke()?;
+    reader.end_stroke();
     reader.sketch.finish(Y::Down, "no points in the file")
 }
 
@@ -45,8 +45,11 @@ struct CsvReader<'a> {
     /// Of the stroke in hand.
     points: Vec<Point>,
     /// Its values in the columns `stroke` and `pen`.
-    key: Vec<&'a str>,
+    key: Key<'a>,
 }
+
+/// The values of a line in the columns `stroke` and `pen`, where there are such.
+type Key<'a> = [Option<&'a str>; 2];
 
 /// Which column holds what.
 struct Columns {
@@ -61,27 +64,40 @@ struct Columns {
 impl<'a> CsvReader<'a> {
     fn line(&mut self, at: usize, line: &'a str) -> Result<(), SourceError> {
         if line.trim().is_empty() {
-            return self.end_stroke();
+            self.end_stroke();
+            return Ok(());
         }
         let Some(columns) = &self.columns else {
             return self.first_line(at, line);
         };
-        let fields: Vec<&str> = line.split(columns.separator).collect();
-        if fields.len() != columns.count {
-            let found = format!("{} fields", fields.len());
+        let (mut x, mut y) = ("", "");
+        let mut key: Key<'a> = [None; 2];
+        let mut count = 0;
+        for field in line.split(columns.separator) {
+            let is = |column: Option<usize>| column == Some(count);
+            match () {
+                () if is(Some(columns.x)) => x = field,
+                () if is(Some(columns.y)) => y = field,
+                () if is(columns.stroke) => key[0] = Some(field.trim()),
+                () if is(columns.pen) => key[1] = Some(field.trim()),
+                () => {}
+            }
+            count += 1;
+        }
+        if count != columns.count {
+            let found = format!("{count} fields");
             let expected = format!("{} fields, decimals with a point", columns.count);
             return Err(self.sketch.found(at, found, &expected));
         }
-        let [x, y] = [columns.x, columns.y].map(|i| self.number(fields[i]));
-        let point = self.sketch.check(at, Point::new(x?, y?))?;
-        let key = [columns.stroke, columns.pen].into_iter().flatten();
-        let key: Vec<&str> = key.map(|i| fields[i].trim()).collect();
-        let pen = columns.pen.map(|i| fields[i].trim());
+        let point = Point::new(self.number(x)?, self.number(y)?);
+        let point = self.sketch.check(at, point)?;
         if self.points.is_empty() || key != self.key {
-            self.end_stroke()?;
+            self.end_stroke();
             self.key = key;
-            self.use_pen(pen)?;
+            self.use_pen(key[1])?;
         }
+        // Before the rest of them fills the memory.
+        self.sketch.spend(1)?;
         self.points.push(point);
         Ok(())
     }
@@ -155,8 +171,10 @@ impl<'a> CsvReader<'a> {
         }
     }
 
-    fn end_stroke(&mut self) -> Result<(), SourceError> {
-        let points = std::mem::take(&mut self.points);
-        self.sketch.stroke(points)
+    fn end_stroke(&mut self) {
+        let mut points = std::mem::take(&mut self.points);
+        // There may be millions of strokes, each with room for more.
+        points.shrink_to_fit();
+        self.sketch.counted_stroke(points);
     }
 }

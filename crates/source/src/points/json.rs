@@ -16,7 +16,7 @@ use serde_path_to_error::Track;
 
 use crate::artwork::{Artwork, Layer};
 use crate::error::SourceError;
-use crate::limits::LIMIT_MM;
+use crate::limits::{LIMIT_MM, MAX_SEGMENTS};
 use crate::options::ReadOptions;
 use crate::place::Place;
 use crate::place::{excerpt, printable};
@@ -231,13 +231,37 @@ struct Points(Vec<JsonPoint>);
 
 impl<'de> Deserialize<'de> for Points {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let points = Vec::deserialize(deserializer)?;
+        deserializer.deserialize_seq(PointList)
+    }
+}
+
+/// The list of points in a stroke.
+struct PointList;
+
+impl<'de> Visitor<'de> for PointList {
+    type Value = Points;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a sequence")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Points, A::Error> {
+        let mut points = Vec::new();
+        while let Some(point) = list.next_element()? {
+            // Before the rest of them fills the memory.
+            if points.len() == MAX_SEGMENTS {
+                return Err(A::Error::custom(format!(
+                    "a stroke of more than {MAX_SEGMENTS} points, expected no more in a drawing; simplify it"
+                )));
+            }
+            points.push(point);
+        }
         if points.is_empty() {
-            return Err(D::Error::custom(
+            return Err(A::Error::custom(
                 "a stroke without points, expected at least one point",
             ));
         }
-        Ok(Self(points))
+        Ok(Points(points))
     }
 }
 

@@ -277,3 +277,21 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_stroke_of_more_points_than_a_drawing_has_is_refused_before_what_is_wrong_behind() {
+    let lines = "1,1\n2,2\n".repeat(1_000_001) + "oops";
+    let error = read_csv(&lines, &ReadOptions::default()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "the drawing has more than 2000000 line segments, most of them straight; simplify it, or draw it in parts"
+    );
+    // Read once more with a larger tolerance it would have as many.
+    assert!(!error.is_too_fine());
+    let points = format!("[[{}oops", "[1,1],[2,2],".repeat(1_000_001));
+    let error = read_json(&points, &ReadOptions::default()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "1:12000008: found a stroke of more than 2000000 points in [0]; expected no more in a drawing; simplify it"
+    );
+}

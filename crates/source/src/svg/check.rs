@@ -6,7 +6,7 @@ use svgtypes::{Length, NumberListParser, PathParser, PathSegment, Transform, Vie
 use usvg::roxmltree::{Attribute, Document, Node};
 
 use crate::error::SvgError;
-use crate::limits::{Budget, MAX_NUMBER};
+use crate::limits::{Budget, MAX_NUMBER, OverBudget};
 
 /// Reads every path, point list, length, transform and viewBox of the document, and tells as how many
 /// line segments each node counts, by its number in the document.
@@ -15,17 +15,36 @@ pub(crate) fn check(doc: &Document<'_>, budget: &mut Budget) -> Result<Vec<u64>,
     let mut segments = vec![0; doc.descendants().count()];
     for node in doc.descendants().filter(Node::is_element) {
         for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
-            match check_value(node, attribute.name(), attribute.value()) {
+            match check_value(node, attribute.name(), attribute.value(), budget) {
                 Ok(0) => {}
-                Ok(count) => {
-                    budget.spend(count)?;
-                    segments[node.id().get_usize()] = count as u64;
+                Ok(count) => segments[node.id().get_usize()] = count as u64,
+                Err(Refused::Value(problem)) => {
+                    return Err(bad_value(doc, node, &attribute, &problem));
                 }
-                Err(problem) => return Err(bad_value(doc, node, &attribute, &problem)),
+                Err(Refused::Over(over)) => return Err(over.into()),
             }
         }
     }
     Ok(segments)
+}
+
+/// Why a value is not read to its end.
+enum Refused {
+    Value(ValueProblem),
+    /// It has more segments than a drawing.
+    Over(OverBudget),
+}
+
+impl From<ValueProblem> for Refused {
+    fn from(problem: ValueProblem) -> Self {
+        Self::Value(problem)
+    }
+}
+
+impl From<OverBudget> for Refused {
+    fn from(over: OverBudget) -> Self {
+        Self::Over(over)
+    }
 }
 
 struct ValueProblem {
@@ -34,11 +53,19 @@ struct ValueProblem {
     expected: &'static str,
 }
 
-fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, ValueProblem> {
-    let whole = |ok: bool, expected| ok.then_some(0).ok_or(ValueProblem { at: 0, expected });
+fn check_value(
+    node: Node<'_, '_>,
+    name: &str,
+    value: &str,
+    budget: &mut Budget,
+) -> Result<usize, Refused> {
+    let whole = |ok: bool, expected| {
+        let problem = ValueProblem { at: 0, expected };
+        ok.then_some(0).ok_or(Refused::Value(problem))
+    };
     match name {
-        "d" if node.tag_name().name() == "path" => check_path(value),
-        "points" => check_points(value),
+        "d" if node.tag_name().name() == "path" => check_path(value, budget),
+        "points" => check_points(value, budget),
         "transform" | "gradientTransform" | "patternTransform" => whole(
             Transform::from_str(value).is_ok_and(is_sane) || value.trim() == "none",
             "a transform such as translate(10 20) or rotate(45)",
@@ -55,7 +82,7 @@ fn check_value(node: Node<'_, '_>, name: &str, value: &str) -> Result<usize, Val
     }
 }
 
-fn check_path(value: &str) -> Result<usize, ValueProblem> {
+fn check_path(value: &str, budget: &mut Budget) -> Result<usize, Refused> {
     let expected = "path data: commands MLHVCSQTAZ and finite numbers";
     if value.trim() == "none" {
         return Ok(0);
@@ -68,8 +95,10 @@ fn check_path(value: &str) -> Result<usize, ValueProblem> {
         })?;
         if !numbers(segment).into_iter().all(is_small) {
             let expected = "coordinates of at most 1e9";
-            return Err(ValueProblem { at: 0, expected });
+            return Err(ValueProblem { at: 0, expected }.into());
         }
+        // One by one: a path may have millions of them.
+        budget.spend(weight(segment))?;
         count += weight(segment);
     }
     Ok(count)
@@ -87,7 +116,7 @@ const fn weight(segment: PathSegment) -> usize {
     }
 }
 
-fn check_points(value: &str) -> Result<usize, ValueProblem> {
+fn check_points(value: &str, budget: &mut Budget) -> Result<usize, Refused> {
     let mut count = 0;
     for number in NumberListParser::from(value) {
         let number = number.map_err(|error| ValueProblem {
@@ -96,15 +125,16 @@ fn check_points(value: &str) -> Result<usize, ValueProblem> {
         })?;
         if !is_small(number) {
             let expected = "coordinates of at most 1e9";
-            return Err(ValueProblem { at: 0, expected });
+            return Err(ValueProblem { at: 0, expected }.into());
         }
+        budget.spend(count % 2)?;
         count += 1;
     }
     let expected = "an even count of numbers: x and y of each point";
-    let is_even = count % 2 == 0;
-    is_even
-        .then_some(count / 2)
-        .ok_or(ValueProblem { at: 0, expected })
+    if count % 2 == 0 {
+        return Ok(count / 2);
+    }
+    Err(ValueProblem { at: 0, expected }.into())
 }
 
 fn numbers(segment: PathSegment) -> [f64; 6] {

@@ -41,7 +41,7 @@ pub(crate) fn check(
     }
     if cost.segments > MAX_COPIED_SEGMENTS {
         let limit = MAX_COPIED_SEGMENTS;
-        return Err(SvgError::TooManySegments { limit });
+        return Err(SvgError::TooManyCorners { limit });
     }
     Ok(())
 }

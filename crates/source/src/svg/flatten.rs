@@ -53,6 +53,7 @@ impl PathFlattener<'_> {
         // The cast saturates, and the budget refuses what is too much.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let count = chords(curve, self.tolerance) as u32;
+        self.budget.note_curve(count as usize);
         self.budget.spend(count as usize)?;
         self.current().points.extend(corners(curve, count));
         Ok(())

@@ -365,8 +365,7 @@ fn ten_million_segments_are_refused() {
     let path = "l1 1".repeat(10_000_000);
     assert_eq!(
         error(&page(&format!(r#"<path d="M0 0{path}" stroke="red"/>"#))),
-        "the drawing has more than 2000000 line segments; \
-         simplify its paths or allow a larger tolerance"
+        "the drawing has more than 2000000 line segments; simplify its paths, or draw it in parts"
     );
 }
 

@@ -72,6 +72,7 @@ impl Lettering {
         let unit_mm = pose.across.length().max(pose.up.length());
         let tolerance = sketch.tolerance_mm() / unit_mm;
         for points in letter.rounded(StrokeFont::Sans, tolerance).strokes {
+            sketch.note_curve(points.len());
             let place = |p: &Point| pose.at + pose.across * p.x - pose.up * p.y;
             let points: Vec<Point> = points.iter().map(place).collect();
             points

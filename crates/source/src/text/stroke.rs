@@ -78,6 +78,7 @@ impl Writer {
             };
             let (advance, lines) = (letter.advance, letter.strokes.clone());
             for points in lines {
+                self.budget.note_curve(points.len());
                 self.budget.spend(points.len())?;
                 let points = points.iter().map(|p| at + p.to_vec2() * scale).collect();
                 self.strokes.push(stroke(points));
