@@ -11,6 +11,7 @@ use dobot_rules::{LocalArm, StationClient};
 use dobot_safety::Policy;
 use dobot_wire::Dialect;
 
+use crate::bounded;
 use crate::control::first_state;
 use crate::failure::Failure;
 use crate::reach::{Station, client_name, folders};
@@ -188,7 +189,7 @@ pub(crate) fn speaker(dialect: Dialect) -> Personality {
 
 /// Reads a policy file.
 pub(crate) fn read_policy(file: &Path) -> Result<Policy, Failure> {
-    let text = fs::read_to_string(file)
+    let text = bounded::settings(file)
         .with_context(|| format!("the policy {} cannot be read", file.display()))?;
     Policy::from_toml(&text).map_err(|error| {
         Failure::new(

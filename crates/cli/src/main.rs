@@ -1,5 +1,6 @@
 //! The `dobot` program: everything that a person needs to use the original Dobot Arm.
 
+mod bounded;
 mod connect;
 mod control;
 mod failure;

@@ -39,6 +39,16 @@ pub enum SourceError {
         /// What is wrong with it.
         problem: String,
     },
+    /// A file of more bytes than a drawing has, unpacked.
+    #[error(
+        "the file has more than {} MB, and one of its kind may have {} MB; draw it in parts, or leave out detail that no pen shows",
+        most / 1_000_000,
+        most / 1_000_000
+    )]
+    TooLarge {
+        /// How many bytes are allowed.
+        most: u64,
+    },
     /// A file that other programs make a drawing of.
     #[error("{what} is not drawn; {way}")]
     Foreign {
@@ -100,6 +110,14 @@ pub enum SourceError {
         /// How many are allowed.
         limit: usize,
     },
+    /// The same of straight lines, which no tolerance makes fewer.
+    #[error(
+        "the drawing has more than {limit} line segments, most of them straight; simplify it, or draw it in parts"
+    )]
+    TooManyCorners {
+        /// How many are allowed.
+        limit: usize,
+    },
     /// Outlines that cut so often that it takes for ever.
     #[error(
         "cutting lines and areas at the outlines in which they show takes for ever; simplify clip paths and hatched areas, or draw it in parts"
@@ -110,14 +128,6 @@ pub enum SourceError {
         "{place}: leads to ({x_mm:.0}, {y_mm:.0}) mm; at most {limit_mm:.0} mm from the origin are allowed"
     )]
     TooFar {
-    /// The same of straight lines, which no tolerance makes fewer.
-    #[error(
-        "the drawing has more than {limit} line segments, most of them straight; simplify it, or draw it in parts"
-    )]
-    TooManyCorners {
-        /// How many are allowed.
-        limit: usize,
-    },
         /// Where it is said.
         place: Place,
         /// To the right.

@@ -113,13 +113,17 @@ pub(crate) fn checked_tolerance_mm(found_mm: f64) -> Result<f64, SvgError> {
     Err(SvgError::Tolerance { found_mm, least_mm })
 }
 
+/// No file but a picture has more bytes, unpacked: a million points have some twenty million.
+pub(crate) const MOST_BYTES: u64 = 64_000_000;
+/// Nor a picture: a sheet that is scanned as finely as any, and not packed.
+pub(crate) const MOST_PICTURE_BYTES: u64 = 256_000_000;
 /// No drawing has more line segments: the arm takes two days for it.
 pub(crate) const MAX_SEGMENTS: usize = 2_000_000;
+/// Where less than one of so many is of a curve, a larger tolerance hardly helps.
+const LEAST_CURVED: usize = 10;
 /// How many edges may be looked at where lines and areas are cut: a second or two.
 const MAX_LOOKS: usize = 150_000_000;
 /// No drawing leads farther than that, in mm.
 pub(crate) const LIMIT_MM: f64 = 1_000_000.0;
-/// Where less than one of so many is of a curve, a larger tolerance hardly helps.
-const LEAST_CURVED: usize = 10;
 /// Larger numbers are a mistake, and would overflow further on.
 pub(crate) const MAX_NUMBER: f64 = 1e9;

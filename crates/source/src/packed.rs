@@ -5,8 +5,9 @@ use std::io::Read;
 use flate2::read::MultiGzDecoder;
 
 use crate::error::SourceError;
+use crate::limits::MOST_BYTES;
 
-/// Unpacks a file that begins as gzip does; any other stays as it is.
+/// Unpacks a file that begins as gzip does; any other stays as it is. Some small files hold terabytes.
 pub(crate) fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
     if !bytes.starts_with(GZIP) {
         return Ok(bytes);
@@ -18,16 +19,12 @@ pub(crate) fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
         problem: error.to_string(),
     })?;
     if unpacked.len() as u64 > MOST_BYTES {
-        return Err(SourceError::Packed {
-            problem: format!("it holds more than {} MB", MOST_BYTES / 1_000_000),
-        });
+        return Err(SourceError::TooLarge { most: MOST_BYTES });
     }
     Ok(unpacked)
 }
 
 const GZIP: &[u8] = &[0x1f, 0x8b];
-/// A drawing of more would take days; some small files hold terabytes.
-const MOST_BYTES: u64 = 64_000_000;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]

@@ -4,6 +4,7 @@ use dobot_geometry::Point;
 
 use crate::artwork::Artwork;
 use crate::error::SourceError;
+use crate::limits::{MOST_BYTES, MOST_PICTURE_BYTES};
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
@@ -41,10 +42,11 @@ impl Source {
     /// # Errors
     ///
     /// [`SourceError::UnknownKind`] where neither tells, [`SourceError::NotText`] where a text file
-    /// holds no text, [`SourceError::Encoding`], [`SourceError::Foreign`] for what other programs make a drawing of, and
-    /// [`SourceError::Packed`].
+    /// holds no text, [`SourceError::Encoding`], [`SourceError::Foreign`] for what other programs make a drawing of,
+    /// [`SourceError::Packed`], and [`SourceError::TooLarge`].
     pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
-        let bytes = encoding::in_utf8(packed::unpacked(bytes)?)?;
+        let bytes = packed::unpacked(Self::checked_size(bytes)?)?;
+        let bytes = encoding::in_utf8(Self::checked_size(bytes)?)?;
         kind::refuse_foreign(&bytes)?;
         let unpacked = name.strip_suffix(".gz").unwrap_or(name);
         let ending = unpacked.rsplit_once('.').map_or("", |(_, ending)| ending);
@@ -63,6 +65,16 @@ impl Source {
             "csv" => Ok(Self::Csv(kind::text(bytes)?)),
             "json" => Ok(Self::Json(kind::text(bytes)?)),
             _ => Self::of_contents(name, bytes),
+        }
+    }
+
+    /// How many bytes a file may have that begins like this: who reads it need not read more of them.
+    #[must_use]
+    pub fn most_bytes(start: &[u8]) -> u64 {
+        if picture::is_picture(start) {
+            MOST_PICTURE_BYTES
+        } else {
+            MOST_BYTES
         }
     }
 
@@ -86,6 +98,14 @@ impl Source {
             Self::Text(text) => matches!(text.font, Font::Outline(_)),
             _ => false,
         }
+    }
+
+    fn checked_size(bytes: Vec<u8>) -> Result<Vec<u8>, SourceError> {
+        let most = Self::most_bytes(&bytes);
+        if bytes.len() as u64 > most {
+            return Err(SourceError::TooLarge { most });
+        }
+        Ok(bytes)
     }
 
     fn of_contents(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {

@@ -243,6 +243,13 @@ impl<'a> Measure<'a> {
             return Ok(());
         }
         let most = self.most;
+        if most == 0 {
+            let megabytes = self.text.len().div_ceil(1_000_000);
+            let found = format!("a file of {megabytes} MB");
+            let most_mb = crate::limits::MOST_BYTES / 1_000_000;
+            let expected = format!("at most {most_mb} MB; leave out what draws nothing");
+            return Err(SourceError::found(self.text, at, found, expected));
+        }
         let found = format!("more than {most} elements, texts and attributes");
         let expected = format!(
             "no more in a file of {} MB; leave out what draws nothing, or draw it in parts",
@@ -373,6 +380,15 @@ mod tests {
             ];
             refused(&text, &told);
         }
+    }
+
+    #[test]
+    fn a_text_that_is_too_large_for_any_tree_is_told_by_its_size() {
+        let text = format!("<x>{}</x>", " ".repeat(100_000_000));
+        refused(
+            &text,
+            &["1:1: found a file of 101 MB; expected at most 64 MB; leave out what draws nothing"],
+        );
     }
 
     #[test]

@@ -21,6 +21,7 @@ use dobot_wire::{MoveJoints, MovingMode, Status};
 use self::comb::{CombOf, read_slack};
 use self::paper::PaperToucher;
 use self::toucher::Toucher;
+use crate::bounded;
 use crate::connect::To;
 use crate::control::{self, carry_out, check_pose, take_control};
 use crate::failure::Failure;
@@ -258,7 +259,7 @@ pub(crate) fn read(file: &Path) -> Result<CalibrationFile, Failure> {
 
 /// What is known of an arm; nothing where there is no file.
 fn known(file: &Path) -> Result<Option<CalibrationFile>, Failure> {
-    let text = match fs::read_to_string(file) {
+    let text = match bounded::settings(file) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
         Err(error) => {

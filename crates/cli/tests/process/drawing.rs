@@ -715,10 +715,15 @@ fn settings_that_make_no_sense_are_told_before_anything_moves() {
 #[cfg(unix)]
 #[test]
 fn an_input_that_never_ends_is_not_read_for_ever() {
-    let most = ["more than 256 MB", "hint: "];
+    let most = ["more than 64 MB", "draw it in parts"];
     dobot(&["draw", "/dev/zero"]).fails(1, &[&["/dev/zero"], &most[..]].concat());
     let zeros = fs::File::open("/dev/zero").expect("it is there");
     let output = command(&["draw", "-"]).stdin(zeros).output();
     let outcome = Outcome::from(output.expect("the program starts"));
     outcome.fails(1, &[&["standard input"], &most[..]].concat());
+    for option in ["--defaults", "--materials", "--policy", "--calibration"] {
+        let square = example("square.svg");
+        let told = ["/dev/zero", "more than 1 MB", "is it the right one?"];
+        dobot(&["draw", &square, "--dry-run", option, "/dev/zero"]).fails(1, &told);
+    }
 }

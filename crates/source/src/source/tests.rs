@@ -27,6 +27,23 @@ fn example_with_warnings(name: &str) -> (Artwork, Vec<Warning>) {
     named.read(&ReadOptions::default()).unwrap()
 }
 
+#[test]
+fn a_file_of_more_bytes_than_its_kind_has_is_refused_before_it_is_read() {
+    let blanks = |begin: &str, length: usize| {
+        let mut bytes = begin.as_bytes().to_vec();
+        bytes.resize(length, b' ');
+        bytes
+    };
+    let error = Source::of_file("a.svg", blanks("<svg>", 64_000_001)).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "the file has more than 64 MB, and one of its kind may have 64 MB; draw it in parts, or leave out detail that no pen shows"
+    );
+    Source::of_file("a.csv", blanks("0,0", 64_000_000)).unwrap();
+    // A sheet that was scanned and not packed.
+    Source::of_file("a.tif", blanks("II*\0", 64_000_001)).unwrap();
+}
+
 /// Name, strokes and closed strokes of each layer.
 fn layers(artwork: &Artwork) -> Vec<(&str, usize, usize)> {
     let closed = |it: &Layer| it.strokes.iter().filter(|it| it.closed).count();

@@ -19,6 +19,7 @@ pub(super) use self::entry::known;
 use self::entry::{Entry, entries};
 use super::args::{ALL_DEFAULTS, Args};
 use crate::Cli;
+use crate::bounded;
 use crate::failure::Failure;
 use crate::reach::folders;
 use crate::verbs::Verb;
@@ -267,7 +268,7 @@ pub(super) fn told(args: &Args, error: OptionsError) -> Failure {
 
 /// The file and its text: that which is named, or else that of this person, if there is one.
 fn file(named: Option<&PathBuf>) -> Result<Option<(PathBuf, String)>, Failure> {
-    let read = |file: &Path| fs::read_to_string(file);
+    let read = |file: &Path| bounded::settings(file);
     let unread = |file: &Path| format!("cannot read {}", file.display());
     if let Some(file) = named {
         let text = read(file).with_context(|| unread(file))?;

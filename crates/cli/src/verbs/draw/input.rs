@@ -1,16 +1,17 @@
 //! What is to be drawn: the bytes of a file or of standard input, as many as a drawing may have.
 
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Read};
+use std::fs::File;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use anyhow::{Context, anyhow};
 
 use dobot_draw::{DrawingRequest, Materials, Options, Subject};
-use dobot_source::SourceError;
+use dobot_source::{Source, SourceError};
 
 use super::args::Args;
 use super::defaults::{fitted, told};
+use crate::bounded;
 use crate::failure::Failure;
 use crate::verbs::calibrate;
 
@@ -60,7 +61,7 @@ pub(crate) fn materials(file: Option<&Path>) -> Result<Materials, Failure> {
         return Ok(known);
     };
     let text =
-        fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+        bounded::settings(file).with_context(|| format!("cannot read {}", file.display()))?;
     let mine = Materials::from_toml(&text).with_context(|| file.display().to_string())?;
     Ok(known.with(mine))
 }
@@ -79,31 +80,14 @@ fn of_file(file: &Path) -> Result<Subject, Failure> {
     })
 }
 
-/// Reads a whole file, or standard input where it is `-`.
+/// Reads a whole file, or standard input where it is `-`; of what is too large, enough for that to be told.
 fn read(file: &Path) -> Result<Vec<u8>, Failure> {
     if file == Path::new("-") {
-        let read = limited(io::stdin().lock(), MOST_BYTES);
-        let bytes = read.context("cannot read standard input")?;
-        return bytes.ok_or_else(|| too_large(STANDARD_INPUT));
+        let read = bounded::bytes(io::stdin().lock(), Source::most_bytes);
+        return Ok(read.context("cannot read standard input")?);
     }
-    let read = File::open(file).and_then(|it| limited(it, MOST_BYTES));
-    let bytes = read.map_err(|error| unread(file, error))?;
-    bytes.ok_or_else(|| too_large(&file.display().to_string()))
-}
-
-/// All that comes, or nothing where that is more than `most` bytes: some inputs never end.
-fn limited(from: impl Read, most: u64) -> io::Result<Option<Vec<u8>>> {
-    let mut bytes = Vec::new();
-    let read = from.take(most + 1).read_to_end(&mut bytes)?;
-    Ok((read as u64 <= most).then_some(bytes))
-}
-
-fn too_large(name: &str) -> Failure {
-    let most_mb = MOST_BYTES / 1_000_000;
-    Failure::new(
-        anyhow!("{name} has more than {most_mb} MB, and a drawing may have {most_mb} MB"),
-        "is it the right one? draw it in parts, or leave out detail that no pen shows",
-    )
+    let read = File::open(file).and_then(|it| bounded::bytes(it, Source::most_bytes));
+    read.map_err(|error| unread(file, error))
 }
 
 fn unread(file: &Path, error: io::Error) -> Failure {
@@ -119,18 +103,3 @@ fn unread(file: &Path, error: io::Error) -> Failure {
 }
 
 const STANDARD_INPUT: &str = "standard input";
-/// A dense drawing of an hour has some ten.
-const MOST_BYTES: u64 = 256_000_000;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_as_long_as_allowed_is_read_and_one_byte_more_is_not() {
-        let read = |bytes: &[u8]| limited(bytes, 4).expect("memory can be read");
-        assert_eq!(read(b"1,2\n"), Some(b"1,2\n".to_vec()));
-        assert_eq!(read(b"1,2,3"), None);
-        assert!(limited(io::repeat(0), 4).expect("it never fails").is_none());
-    }
-}

@@ -1,0 +1,48 @@
+//! Reading what may never end: no more of it than is allowed.
+
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+
+/// All that comes; where that is more than `most`, which the first bytes tell, one byte more than that.
+pub(crate) fn bytes(mut from: impl Read, most: impl FnOnce(&[u8]) -> u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let begun = from.by_ref().take(START).read_to_end(&mut bytes)?;
+    let left = most(&bytes).saturating_add(1).saturating_sub(begun as u64);
+    from.take(left).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The text of a file of settings: a policy, defaults, materials, a calibration.
+pub(crate) fn settings(file: &Path) -> io::Result<String> {
+    let bytes = bytes(File::open(file)?, |_| MOST_OF_SETTINGS)?;
+    if bytes.len() as u64 > MOST_OF_SETTINGS {
+        let most_mb = MOST_OF_SETTINGS / 1_000_000;
+        let problem = format!(
+            "it has more than {most_mb} MB, and a file of settings may have {most_mb} MB; is it the right one?"
+        );
+        return Err(io::Error::new(ErrorKind::FileTooLarge, problem));
+    }
+    let text = String::from_utf8(bytes);
+    text.map_err(|_| io::Error::new(ErrorKind::InvalidData, "it is not UTF-8 text"))
+}
+
+/// What tells of what kind a file is.
+const START: u64 = 1000;
+/// The longest that is known has some ten thousand.
+const MOST_OF_SETTINGS: u64 = 1_000_000;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_as_long_as_allowed_is_read_and_of_more_one_byte() {
+        let read = |bytes: &[u8]| super::bytes(bytes, |_| 2000).expect("memory can be read");
+        assert_eq!(read(&[7; 2000]), [7; 2000]);
+        assert_eq!(read(&[7; 3000]), [7; 2001]);
+        assert_eq!(read(b"1,2"), b"1,2");
+        let endless = super::bytes(io::repeat(0), |_| 2000);
+        assert_eq!(endless.expect("it never fails").len(), 2001);
+    }
+}
