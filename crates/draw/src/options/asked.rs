@@ -77,7 +77,7 @@ impl Subject {
         let text = what.text.as_ref()?.replace("\\n", "\n");
         let mut lines = text.lines();
         let first = lines.find(|it| !it.trim().is_empty());
-        let title = first.unwrap_or("--text").to_owned();
+        let title = shortened(first.unwrap_or("--text"));
         let text = Text {
             font: Font::of(what.font.as_deref().unwrap_or("sans")),
             height_mm: what.height.unwrap_or(10.0),
@@ -256,6 +256,14 @@ impl DrawingRequest {
     }
 }
 
+/// A text as a title: in a message it stands before what is wrong with it.
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_TITLE) {
+        Some((end, _)) => format!("{}..", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// The pen or the material that was named; where it is unknown, the others of its kind are told.
 fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, UnknownMaterial> {
     let burns = options.laser.is_some();
@@ -348,6 +356,8 @@ fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, Op
 pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
 /// How near before the arm the lower edge of a sheet lies.
 const NEAREST_MM: f64 = 140.0;
+/// In characters.
+const LONGEST_TITLE: usize = 60;
 
 /// Where the sheet lies: through the touched points, at its corner or its middle, or as near before the
 /// arm as all of its lower edge can be reached.
