@@ -45,6 +45,7 @@ impl<'a> Variables<'a> {
         };
         let css = replaced(css, without_custom);
         let css = replaced(css, rem_to_px);
+        let css = replaced(css, with_quoted_families);
         replaced(css, |it| {
             it.contains("font").then(|| without_line_heights(it))
         })
@@ -234,6 +235,47 @@ fn without_line_heights(css: &str) -> String {
         rest = behind;
     }
     whole + rest
+}
+
+/// Puts the names of fonts into quotes that are no names without them.
+fn with_quoted_families(css: &str) -> Option<String> {
+    let (mut whole, mut done) = (String::new(), 0);
+    for (at, property) in css.match_indices("font-family") {
+        let value = css[at + property.len()..].trim_start();
+        let Some(value) = value.strip_prefix(':') else {
+            continue;
+        };
+        let list = &value[..value.find([';', '}']).unwrap_or(value.len())];
+        if let Some(families) = quoted_families(list) {
+            let begin = css.len() - value.len();
+            whole += &css[done..begin];
+            whole += &families;
+            done = begin + list.len();
+        }
+    }
+    (done > 0).then(|| whole + &css[done..])
+}
+
+/// A list of fonts in which names with a word that begins with a digit stand in quotes (`Hershey Sans 1-stroke`): many
+/// programs leave them out. `None` where there is no such name.
+pub(super) fn quoted_families(list: &str) -> Option<String> {
+    let is_quote = |sign: char| sign == '"' || sign == '\'';
+    let has_number = |name: &str| {
+        let mut words = name.split_whitespace();
+        words.any(|it| it.starts_with(|sign: char| sign.is_ascii_digit()))
+    };
+    let (mut families, mut is_open, mut is_changed) = (Vec::new(), false, false);
+    for family in list.split(',') {
+        let is_bare = !is_open && !family.contains(|it| is_quote(it) || "!(\\".contains(it));
+        is_open ^= family.chars().filter(|it| is_quote(*it)).count() % 2 == 1;
+        if is_bare && has_number(family) {
+            families.push(Cow::Owned(format!("'{}'", family.trim())));
+            is_changed = true;
+        } else {
+            families.push(Cow::Borrowed(family));
+        }
+    }
+    is_changed.then(|| families.join(","))
 }
 
 pub(super) fn replaced(css: Cow<'_, str>, by: impl Fn(&str) -> Option<String>) -> Cow<'_, str> {

@@ -9,7 +9,7 @@ use svgtypes::Length;
 use usvg::roxmltree::{Attribute, Document, Node};
 
 use super::check::is_length;
-use super::css::Variables;
+use super::css::{Variables, quoted_families, replaced};
 use super::declared::{Declared, property_of, rules, value_of};
 use super::edits::{Additions, Edit, edited, escaped};
 use super::handles::freed;
@@ -178,6 +178,8 @@ fn readable(
         attribute.name() == "filter" && linked(value).is_some_and(|it| !ids.contains(it));
     let words = if is_missing {
         Cow::Owned("none".to_owned())
+    } else if attribute.name() == "font-family" {
+        replaced(variables.readable(value), quoted_families)
     } else {
         variables.readable(value)
     };

@@ -519,8 +519,14 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
     };
-    // A name with a digit at the start of a word stands in quotes, as in CSS.
-    for family in ["Hershey sans", "'Hershey Sans 1-stroke'", "HersheySans1"] {
+    for family in [
+        "Hershey sans",
+        "'Hershey Sans 1-stroke'",
+        "HersheySans1",
+        // A name with a digit at the start of a word stands in quotes in CSS; many leave them out.
+        "Hershey Sans 1-stroke",
+        "Hershey  Sans 1-stroke , serif",
+    ] {
         for (anchor, least_x, most_x) in [("start", 30.0, 50.0), ("end", 10.0, 30.0)] {
             let text = page(&format!(
                 r#"<text x="30" y="30" font-size="20" font-family="{family}" text-anchor="{anchor}">II</text>"#
@@ -540,6 +546,26 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
             }
         }
     }
+}
+
+#[test]
+fn a_font_whose_name_has_a_number_is_found_without_quotes_in_styles_and_sheets() {
+    let Some(options) = with_fonts() else {
+        return; // A machine without fonts cannot show this.
+    };
+    let text = r#"<text x="30" y="30" style="font-size:20px;font-family:Hershey Sans 1-stroke;fill:red">I</text>"#;
+    let sheet = r#"<style>text { font-family: Hershey Sans 1-stroke }</style><text x="30" y="30" font-size="20">I</text>"#;
+    for content in [text, sheet] {
+        let (drawing, warnings) = Drawing::from_svg(&page(content), &options).unwrap();
+        assert_eq!((drawing.strokes.len(), warnings), (1, Vec::new()));
+        assert_eq!(drawing.strokes[0].points.len(), 2, "{content}");
+    }
+    let other = r#"<text x="30" y="30" font-size="20" font-family="Nobody Sans 3">I</text>"#;
+    let (_, warnings) = super::read(&page(other), &options).unwrap();
+    assert!(
+        warnings[0].to_string().contains("Nobody Sans 3"),
+        "{warnings:?}"
+    );
 }
 
 #[test]
