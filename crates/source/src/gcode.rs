@@ -52,7 +52,7 @@ pub(crate) fn read(
     if let Some((what, instead)) = rule.assumed() {
         sketch.warn(None, what, &instead);
     }
-    let mut inker = Inker::new(&mut sketch, rule);
+    let mut inker = Inker::new(&mut sketch, rule, options.burns);
     run(text, &mut Warnings::new(text), |it| inker.draw(it))?;
     inker.finish()?;
     sketch.finish(Y::Up, rule.nothing())

@@ -11,6 +11,7 @@ use crate::picture::shading::Shading;
 
 /// How a source is read.
 #[derive(Clone, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is asked for by itself")]
 pub struct ReadOptions {
     /// How far a line may leave the curve that it stands for, in millimetres on the page; from
     /// 1e-6 up.
@@ -26,6 +27,8 @@ pub struct ReadOptions {
     pub hides: bool,
     /// Whether the areas of what is partly hidden are wanted, which takes most of the time.
     pub fills: bool,
+    /// Whether a laser draws it: then it is told what of a laser's file the arm burns otherwise.
+    pub burns: bool,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
     /// How the tones of a picture become lines or dots.
@@ -33,7 +36,7 @@ pub struct ReadOptions {
 }
 
 impl Default for ReadOptions {
-    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, nothing hidden, no fonts, pictures hatched.
+    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, nothing hidden, for a laser or a pen, no fonts, pictures hatched.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.005,
@@ -42,6 +45,7 @@ impl Default for ReadOptions {
             crops: true,
             hides: false,
             fills: true,
+            burns: true,
             fonts: Arc::default(),
             shading: Shading::default(),
         }

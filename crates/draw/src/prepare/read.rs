@@ -80,6 +80,7 @@ impl<'a> Reading<'a> {
             crops: settings.crops,
             hides: settings.hides,
             fills: settings.hatch.is_some(),
+            burns: settings.tool.burns() || settings.tools.iter().any(|(_, it)| it.burns()),
             fonts: Arc::clone(&settings.fonts),
             ..ReadOptions::default()
         };

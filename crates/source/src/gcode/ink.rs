@@ -13,6 +13,8 @@ use crate::sketch::Sketch;
 pub(super) struct Inker<'s, 'a> {
     sketch: &'s mut Sketch<'a>,
     rule: InkRule,
+    /// A laser draws it, and not a pen.
+    burns: bool,
     /// What the last ink was drawn with.
     tool: Option<ToolState>,
     /// Something moved along X or Y.
@@ -24,10 +26,11 @@ pub(super) struct Inker<'s, 'a> {
 }
 
 impl<'s, 'a> Inker<'s, 'a> {
-    pub(super) const fn new(sketch: &'s mut Sketch<'a>, rule: InkRule) -> Self {
+    pub(super) const fn new(sketch: &'s mut Sketch<'a>, rule: InkRule, burns: bool) -> Self {
         Self {
             sketch,
             rule,
+            burns,
             tool: None,
             has_moved: false,
             lowered: None,
@@ -65,6 +68,9 @@ impl<'s, 'a> Inker<'s, 'a> {
     pub(super) fn finish(mut self) -> Result<(), SourceError> {
         if let Some(waits) = self.lowered.take_if(|it| it.kind == MoveKind::Dwell) {
             self.dot(waits)?;
+        }
+        if !self.burns {
+            return Ok(());
         }
         let strong = self
             .dim

@@ -75,6 +75,18 @@ fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
 }
 
 #[test]
+fn what_only_a_laser_burns_otherwise_is_not_told_of_a_pen() {
+    let text = "; Cut @ 600 mm/min, 20% power\nM4\nG0 X1 Y1\nG1 X9 S200 F600\nM5\n";
+    let pen = ReadOptions {
+        burns: false,
+        ..ReadOptions::default()
+    };
+    let (_, warnings) = super::read(text.as_bytes(), &pen).unwrap();
+    assert_eq!(warnings, []);
+    assert_eq!(draw(text).1.len(), 1);
+}
+
+#[test]
 fn power_that_the_file_tells_in_percent_is_burned_as_fast_as_the_arm_can() {
     let job = |percent: u32, s: u32| {
         format!(
@@ -522,6 +534,11 @@ fn what_would_fill_the_memory_is_refused() {
         error(&many),
         "the drawing has more than 2000000 line segments; simplify it or allow a larger tolerance"
     );
+    let travels = "G0X1\nG0X2\n".repeat(1_500_001) + "oops";
+    assert_eq!(
+        error(&travels),
+        "3000001:1: found more than 3000000 moves; expected no more in a drawing; simplify it, or draw it in parts"
+    );
     let mut speeds = "M3 S1\n".to_owned();
     for i in 0..1001 {
         writeln!(speeds, "G1 X{i} F{}", i + 1).unwrap();
@@ -551,11 +568,6 @@ fn strokes() -> impl Strategy<Value = Vec<Vec<(i32, i32)>>> {
     prop::collection::vec(prop::collection::vec(corner, 2..9), 1..9)
 }
 
-    let travels = "G0X1\nG0X2\n".repeat(1_500_001) + "oops";
-    assert_eq!(
-        error(&travels),
-        "3000001:1: found more than 3000000 moves; expected no more in a drawing; simplify it, or draw it in parts"
-    );
 proptest! {
     #[test]
     fn strokes_come_back_as_they_were_written(strokes in strokes()) {
