@@ -1,7 +1,7 @@
 //! The words of a line of G-code.
 
 use crate::error::SourceError;
-use crate::number::decimal;
+use crate::number::{decimal, real};
 use crate::place::beginning;
 
 /// A line: its G and M codes in their order, and the values of its other letters.
@@ -247,7 +247,15 @@ impl BlockLexer<'_> {
         while matches!(self.peek(), Some(b' ' | b'\t')) {
             self.at += 1;
         }
-        let Some((value, length)) = decimal(&self.text[self.at..]) else {
+        let rest = &self.text[self.at..];
+        let plain = decimal(rest);
+        let number = match plain {
+            Some((_, digits)) if has_exponent(&self.text[at..], &rest[digits..]) => {
+                Some(real(rest).ok_or_else(|| self.found(at, NUMBER))?)
+            }
+            _ => plain,
+        };
+        let Some((value, length)) = number else {
             if block.allows_bare_letters() {
                 return block.set(self.text, at, letter, 0.0);
             }
@@ -272,6 +280,19 @@ impl BlockLexer<'_> {
     }
 }
 
+/// Whether a number goes on with an exponent, as in `X1e-05`. `X1E5` has a word E behind X: that of an extruder.
+fn has_exponent(word: &[u8], behind: &[u8]) -> bool {
+    match *behind {
+        // Programs write their letters as capitals, and those of numbers small.
+        [b'e', b'+' | b'-', b'0'..=b'9', ..] | [b'e', b'0'..=b'9', ..] => {
+            word.first().is_some_and(u8::is_ascii_uppercase)
+        }
+        // Nobody writes 5 as 05.
+        [b'E', b'+' | b'-', b'0', b'0'..=b'9', ..] => true,
+        _ => false,
+    }
+}
+
 /// Where a comment ends that begins a line: at its own bracket, if those within it are in pairs.
 fn comment_end(line: &[u8]) -> Option<usize> {
     let first = line.iter().position(|&byte| byte == b')')?;
@@ -289,4 +310,5 @@ fn comment_end(line: &[u8]) -> Option<usize> {
     own.or(Some(first))
 }
 
+const NUMBER: &str = "a number from -1e9 to 1e9";
 const WORD: &str = "a word such as G1 or X-2.5 (variables, formulas and subroutines have to be written out by the program that made the file)";

@@ -87,6 +87,23 @@ fn what_only_a_laser_burns_otherwise_is_not_told_of_a_pen() {
 }
 
 #[test]
+fn numbers_with_an_exponent_are_read_and_an_extruder_behind_a_number_stays_one() {
+    let (artwork, warnings) = draw("M3 S1\nG1 X1e1 Y5E+01 F100\nG1 X1e-05");
+    assert_eq!([artwork.width_mm, artwork.height_mm], [10.0, 50.0]);
+    assert_eq!(warnings, Vec::<String>::new());
+    let (artwork, warnings) = draw("G1X9Y9E2\ng1x1y1e3");
+    assert_eq!([artwork.width_mm, artwork.height_mm], [9.0, 9.0]);
+    assert!(
+        warnings.iter().any(|it| it.contains("2 E words")),
+        "{warnings:?}"
+    );
+    assert_eq!(
+        error("G2 X1 I1e30"),
+        "1:7: found \"I1e30\"; expected a number from -1e9 to 1e9"
+    );
+}
+
+#[test]
 fn power_that_the_file_tells_in_percent_is_burned_as_fast_as_the_arm_can() {
     let job = |percent: u32, s: u32| {
         format!(
