@@ -54,8 +54,11 @@ pub(crate) fn read(
     let (header, tone) = toned(bytes, shading, spacing_mm)?;
     let strokes = strokes(&tone, shading, spacing_mm);
     if strokes.is_empty() {
-        let reason = "the picture is of one light tone, or its dark parts are smaller than the \
-                      spacing";
+        let reason = if shading.style == ShadingStyle::Outline {
+            "the picture has no borders between tones, or what they surround is smaller than the spacing"
+        } else {
+            "the picture is of one light tone, or its dark parts are smaller than the spacing"
+        };
         return Err(SourceError::nothing_to_draw([reason.to_owned()]));
     }
     let page = tone.page();

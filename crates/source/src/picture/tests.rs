@@ -686,3 +686,16 @@ const INTERLACED: &[u8] = &[
     0xcc, 0x1f, 0x81, 0x51, 0x76, 0x85, 0x96, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae,
     0x42, 0x60, 0x82,
 ];
+
+#[test]
+fn a_picture_of_one_tone_has_no_borders_however_dark_it_is() {
+    let black = grey(40, 40, |_, _| 0.0);
+    let error = read(&black, &options(ShadingStyle::Outline)).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "nothing to draw: the picture has no borders between tones, or what they surround is smaller than the spacing"
+    );
+    let white = grey(40, 40, |_, _| 1.0);
+    let error = read(&white, &options(ShadingStyle::Hatch)).unwrap_err();
+    assert!(error.to_string().contains("of one light tone"), "{error}");
+}
