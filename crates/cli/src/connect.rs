@@ -1,6 +1,5 @@
 //! From an address to an arm under its rules.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
