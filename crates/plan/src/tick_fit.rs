@@ -338,8 +338,8 @@ const OVER_AT_REST: f64 = 26.0;
 const ABOVE: f64 = 2.0;
 /// A laser that burns slower sets fire to things: what the policy allows at the least, unless told otherwise, and a little more.
 const LEAST_BURN_MM_S: f32 = 1.001;
-/// More than anything else that a vector can have.
-const BURNS_TOO_LONG: f64 = 10_000.0;
+/// More than anything else that a vector can have: it takes up to [`MOST_TICKS`], and what is late counts squared.
+const BURNS_TOO_LONG: f64 = 1e10;
 /// A stock arm counts to no more (note N51).
 const MOST_TICKS: f64 = 32_000.0;
 /// So many choices are told.
