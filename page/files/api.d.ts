@@ -4433,7 +4433,7 @@ export interface components {
              */
             join: number | null;
             /**
-             * @description Leave out lines that lie on others from end to end
+             * @description Leave out what lies on other lines, and of shapes to cut out only whole ones
              * @default false
              */
             drop_doubles: boolean;
