@@ -1,6 +1,8 @@
 //! Cutting through with a laser: what lies inside comes first, the beam has a width, parts are held by tabs.
 
-use dobot_geometry::{FillRule, Point, Rect, SegmentIndex, Stroke, Vec2, bounds};
+use std::collections::HashSet;
+
+use dobot_geometry::{FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, Vec2};
 
 use crate::offset::{SimpleArea, closed};
 
@@ -61,7 +63,7 @@ impl Cutting {
                 all.push(stroke);
                 continue;
             }
-            let has_room = stroke.length_mm() > 3.0 * self.tab_mm * f64::from(self.tabs);
+            let has_room = stroke.length_mm() > 3.0 * self.gap_mm() * f64::from(self.tabs);
             let (cuts, before) = if self.tabs > 0 && has_room {
                 (self.between_tabs(&stroke), Vec2::ZERO)
             } else {
@@ -70,12 +72,13 @@ impl Cutting {
                 let before = unit(stroke.points[last] - stroke.points[last - 1]);
                 (vec![self.overcut(&stroke)], before)
             };
-            // Of a ring that goes counterclockwise the inside is on the left.
-            let is_left = (area(&stroke.points) > 0.0) != (depth % 2 == 0);
+            let is_part = depth % 2 == 0;
             for mut cut in cuts {
                 // In a corner half way between both sides: straight behind one it would lie on the other.
-                let left = (before + unit(cut.points[1] - cut.points[0])).turn_90();
-                waste.lead_in(&mut cut, if is_left { left } else { -left }, number);
+                let left = unit(before + unit(cut.points[1] - cut.points[0])).turn_90();
+                let is_inside = is_in(&stroke.points, cut.points[0] + left * MEETS_MM);
+                let side = if is_inside == is_part { -left } else { left };
+                waste.lead_in(&mut cut, side, number);
                 all.push(cut);
             }
         }
@@ -102,13 +105,18 @@ impl Cutting {
         )
     }
 
+    /// How far it is over a tab from the middle of the beam to the middle of the beam.
+    fn gap_mm(&self) -> f64 {
+        self.tab_mm + self.kerf_mm.abs()
+    }
+
     /// The parts between the tabs, which lie evenly around.
     fn between_tabs(&self, stroke: &Stroke) -> Vec<Stroke> {
         let each_mm = stroke.length_mm() / f64::from(self.tabs);
         let twice = [&stroke.points[..], &stroke.points[1..]].concat();
         let piece = |i: u32| {
             let tab_mm = each_mm * (f64::from(i) + 0.5);
-            let half_mm = 0.5 * self.tab_mm;
+            let half_mm = 0.5 * self.gap_mm();
             Stroke::open(along(&twice, tab_mm + half_mm, tab_mm + each_mm - half_mm))
         };
         (0..self.tabs).map(piece).collect()
@@ -179,7 +187,7 @@ impl Waste {
                 let across = way.cross(b - a);
                 let mm = (a - from).cross(b - a) / across;
                 let share = (a - from).cross(way) / across;
-                let is_own = self.owners[line as usize] == stroke && mm < LEAST_LEAD_IN_MM;
+                let is_own = self.owners[line as usize] == stroke && mm.abs() < SAME_MM;
                 if (0.0..=1.0).contains(&share) && mm > -LEAST_LEAD_IN_MM && !is_own {
                     room_mm = room_mm.min(mm.max(0.0));
                 }
@@ -201,7 +209,7 @@ pub(crate) fn inner_first(strokes: Vec<Stroke>) -> Vec<Vec<Stroke>> {
     groups
 }
 
-/// In how many closed strokes each lies.
+/// In how many closed strokes each lies whole: what only touches them, or lies in them with a part, does not count.
 fn depths(strokes: &[Stroke]) -> Vec<usize> {
     let loops = strokes.iter().enumerate().filter(|it| is_loop(it.1));
     let edges = loops.flat_map(|(number, it)| {
@@ -210,28 +218,65 @@ fn depths(strokes: &[Stroke]) -> Vec<usize> {
     });
     let (owners, edges): (Vec<usize>, Vec<(Point, Point)>) = edges.unzip();
     let index = SegmentIndex::new(edges);
-    let mut crossed = Vec::new();
-    let depth = |(number, it): (usize, &Stroke)| {
-        let at = match it.points.as_slice() {
-            [] => return 0,
-            [only] => *only,
-            [a, b, ..] => a.midpoint(*b),
-        };
-        crossed.clear();
+    let owner = |edge: u32| owners[edge as usize];
+    let around = |number: usize, at: Point| {
+        let (mut crossed, mut met) = (Vec::new(), HashSet::new());
         index.touching(Rect::new(at.x, at.y, f64::INFINITY, at.y), &mut |edge| {
             let (a, b) = index.segment(edge);
             let is_ahead = || a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x;
-            if owners[edge as usize] != number && (a.y <= at.y) != (b.y <= at.y) && is_ahead() {
-                crossed.push(owners[edge as usize]);
+            if owner(edge) != number && (a.y <= at.y) != (b.y <= at.y) && is_ahead() {
+                crossed.push(owner(edge));
+            }
+        });
+        let near = Rect::new(at.x, at.y, at.x, at.y).inflate(MEETS_MM, MEETS_MM);
+        index.touching(near, &mut |edge| {
+            let (a, b) = index.segment(edge);
+            if Line::new(a, b).nearest(at, 0.0).distance_sq < MEETS_MM * MEETS_MM {
+                met.insert(owner(edge));
             }
         });
         crossed.sort_unstable();
-        crossed
+        let odd = crossed
             .chunk_by(|a, b| a == b)
-            .filter(|it| it.len() % 2 == 1)
-            .count()
+            .filter(|it| it.len() % 2 == 1);
+        let inside: HashSet<usize> = odd.map(|it| it[0]).collect();
+        (inside, met)
+    };
+    let depth = |(number, it): (usize, &Stroke)| {
+        let mut enclosing: Option<HashSet<usize>> = None;
+        let mut only_met = HashSet::new();
+        for at in samples(&it.points) {
+            let (inside, met) = around(number, at);
+            // What meets it here may enclose it all the same.
+            enclosing = Some(match enclosing {
+                None => {
+                    only_met.clone_from(&met);
+                    &inside | &met
+                }
+                Some(before) => &before & &(&inside | &met),
+            });
+            only_met.retain(|it| met.contains(it));
+        }
+        enclosing.map_or(0, |it| it.difference(&only_met).count())
     };
     strokes.iter().enumerate().map(depth).collect()
+}
+
+/// Places of a path by which it is known what it lies in: some of its corners, and of the middles between them.
+fn samples(points: &[Point]) -> impl Iterator<Item = Point> {
+    let step = points.len().div_ceil(SAMPLES).max(1);
+    let corners = points.iter().copied().step_by(step);
+    let middles = points.windows(2).step_by(step);
+    corners.chain(middles.map(|it| it[0].midpoint(it[1])))
+}
+
+/// Whether a place lies in a closed path.
+fn is_in(ring: &[Point], at: Point) -> bool {
+    let crosses = |it: &&[Point]| {
+        let (a, b) = (it[0], it[1]);
+        (a.y <= at.y) != (b.y <= at.y) && a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x
+    };
+    ring.windows(2).filter(crosses).count() % 2 == 1
 }
 
 /// A closed stroke with its edge moved outwards, or inwards where below 0: in several parts, or gone.
@@ -258,14 +303,6 @@ pub(crate) fn along(points: &[Point], from_mm: f64, to_mm: f64) -> Vec<Point> {
     part
 }
 
-/// Above 0 for a ring that goes counterclockwise, x to the right and y up.
-fn area(ring: &[Point]) -> f64 {
-    let ends = ring.windows(2);
-    let first = bounds(ring.iter().copied()).origin();
-    let part = |it: &[Point]| Vec2::cross(it[0] - first, it[1] - first);
-    ends.map(part).sum::<f64>() / 2.0
-}
-
 fn unit(way: Vec2) -> Vec2 {
     way / way.length().max(f64::MIN_POSITIVE)
 }
@@ -274,11 +311,18 @@ fn is_loop(stroke: &Stroke) -> bool {
     stroke.points.len() > 3 && stroke.points.first() == stroke.points.last()
 }
 
+/// So near to a line a place lies on it.
+const MEETS_MM: f64 = 0.02;
+const SAME_MM: f64 = 1e-6;
+/// By so many corners, and as many places between, it is known what a path lies in.
+const SAMPLES: usize = 6;
 /// No way in is shorter.
 const LEAST_LEAD_IN_MM: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {
+    use dobot_geometry::bounds;
+
     use super::*;
 
     fn square(x: f64, y: f64, side: f64) -> Stroke {
@@ -293,6 +337,14 @@ mod tests {
             points: corners.map(Point::from).to_vec(),
             closed: true,
         }
+    }
+
+    /// Above 0 for a ring that goes counterclockwise, x to the right and y up.
+    fn area(ring: &[Point]) -> f64 {
+        let ends = ring.windows(2);
+        let first = bounds(ring.iter().copied()).origin();
+        let part = |it: &[Point]| Vec2::cross(it[0] - first, it[1] - first);
+        ends.map(part).sum::<f64>() / 2.0
     }
 
     fn width(stroke: &Stroke) -> f64 {
@@ -337,6 +389,31 @@ mod tests {
         let (left, gone) =
             cutting.offset(vec![square(0.0, 0.0, 9.0), square(4.0, 4.0, 0.15)], 0.005);
         assert_eq!((left.len(), gone), (1, 1));
+    }
+
+    #[test]
+    fn parts_that_touch_or_overlap_are_no_holes_in_each_other() {
+        let cutting = Cutting {
+            kerf_mm: 0.4,
+            ..Cutting::default()
+        };
+        let grid = (0..12).map(|i| square(20.0 * f64::from(i % 4), 20.0 * f64::from(i / 4), 20.0));
+        let overlapping = [square(100.0, 0.0, 20.0), square(110.0, 10.0, 20.0)];
+        let above_the_middle = [square(200.0, 0.0, 40.0), square(210.0, 40.0, 20.0)];
+        for (shapes, sizes) in [
+            (grid.collect(), vec![20.4; 12]),
+            (overlapping.to_vec(), vec![20.4; 2]),
+            (above_the_middle.to_vec(), vec![40.4, 20.4]),
+            // A hole that touches the edge is one all the same.
+            (
+                vec![square(0.0, 0.0, 40.0), square(0.0, 10.0, 10.0)],
+                vec![40.4, 9.6],
+            ),
+        ] {
+            let (offset, _) = cutting.offset(shapes, 0.005);
+            let widths: Vec<f64> = offset.iter().map(width).collect();
+            assert_eq!(widths, sizes);
+        }
     }
 
     #[test]
@@ -393,24 +470,31 @@ mod tests {
             lead_in_mm: 4.0,
             ..Cutting::default()
         };
-        // A hole of 3 mm, a part 1 mm beside another one, and one that touches it.
+        // A hole of 3 mm, a part 1 mm beside another one, one that touches it, and a hole that is hardly one.
         let shapes = vec![
             square(0.0, 0.0, 60.0),
             square(5.0, 5.0, 3.0),
             square(61.0, 0.0, 20.0),
             square(81.0, 0.0, 20.0),
+            square(40.0, 40.0, 0.03),
         ];
-        let begins = [(0, 4.0), (1, 1.5 * 2.0_f64.sqrt()), (2, 0.5), (3, 0.0)];
+        let begins = [
+            (0, 4.0),
+            (1, 1.5 * 2.0_f64.sqrt()),
+            (2, 0.5),
+            (3, 0.0),
+            (4, 0.0),
+        ];
         let mut turned = shapes.clone();
         // From the middle of the side that faces the neighbour.
-        for shape in &mut turned[2..] {
+        for shape in &mut turned[2..4] {
             let (x, side) = (shape.points[0].x, 20.0);
             let corners = [(x, 10.0), (x, 0.0), (x + side, 0.0), (x + side, side)];
             let corners = corners.into_iter().chain([(x, side), (x, 10.0)]);
             shape.points = corners.map(Point::from).collect();
         }
         let cut = cutting.finished(turned.clone());
-        assert_eq!(cut.short_of_room, 3);
+        assert_eq!(cut.short_of_room, 4);
         for (i, mm) in begins {
             let begin = cut.strokes[i].points[0];
             let found_mm = begin.distance(turned[i].points[0]);
@@ -444,6 +528,44 @@ mod tests {
         );
         for (piece, mm) in cut.strokes.iter().zip([121.0, 121.0, 41.0, 41.0]) {
             assert!((piece.length_mm() - mm).abs() < 1e-9, "{piece:?}");
+        }
+        // The beam takes half of its width of each side of a tab.
+        let kerf = Cutting {
+            kerf_mm: 0.4,
+            ..cutting
+        };
+        let cut = kerf.finished(vec![square(0.0, 0.0, 60.0)]);
+        assert!((cut.strokes[0].length_mm() - 2.0 - 118.6).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_cut_of_a_shape_that_crosses_itself_begins_outside_of_it() {
+        let eight = [
+            (0.0, 0.0),
+            (10.0, 0.0),
+            (10.0, 10.0),
+            (0.0, 10.0),
+            (0.0, -10.0),
+        ];
+        let eight = eight
+            .into_iter()
+            .chain([(-10.0, -10.0), (-10.0, 0.0), (0.0, 0.0)]);
+        let mut points: Vec<Point> = eight.map(Point::from).collect();
+        let cutting = Cutting {
+            lead_in_mm: 3.0,
+            ..Cutting::default()
+        };
+        for begin in 0..points.len() - 1 {
+            let shape = Stroke {
+                points: points.clone(),
+                closed: true,
+            };
+            let cut = cutting.finished(vec![shape]);
+            let at = cut.strokes[0].points[0];
+            let is_in = |low: f64| (at.x - low).abs() < 4.9 && (at.y - low).abs() < 4.9;
+            assert!(!is_in(5.0) && !is_in(-5.0), "{begin}: {at:?}");
+            points.remove(0);
+            points.push(points[0]);
         }
     }
 

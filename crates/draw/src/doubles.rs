@@ -133,21 +133,17 @@ impl Drawn {
 
     /// The spans of a stroke's length that need not be drawn; `None` where it was looked for too many.
     fn doubles(&mut self, stroke: usize, stay_whole: bool) -> Option<Vec<(f64, f64)>> {
-        let spans = self.covered(stroke, MOST_SLOPE)?;
+        let mut spans = self.covered(stroke)?;
         let length_mm = self.length_mm[stroke];
-        if matches!(spans[..], [(from, to)] if from == 0.0 && to == length_mm) {
-            return Some(spans);
+        let is_whole = matches!(spans[..], [(from, to)] if from == 0.0 && to == length_mm);
+        if !is_whole {
+            spans.retain(|&(from, to)| !stay_whole && to - from >= LEAST_MM);
         }
-        if spans.is_empty() || stay_whole {
-            return Some(Vec::new());
-        }
-        let mut spans = self.covered(stroke, MOST_PARALLEL_SLOPE)?;
-        spans.retain(|&(from, to)| to - from >= LEAST_MM);
         Some(spans)
     }
 
-    /// The spans of a stroke's length that lie on others of so much another direction; `None` where that was looked for too long.
-    fn covered(&mut self, stroke: usize, most_slope: f64) -> Option<Vec<(f64, f64)>> {
+    /// The spans of a stroke's length that lie on others; `None` where that was looked for too long.
+    fn covered(&mut self, stroke: usize) -> Option<Vec<(f64, f64)>> {
         let mut spans = Vec::new();
         for piece in self.first[stroke]..self.first[stroke + 1] {
             let (a, b) = self.index.segment(piece);
@@ -156,7 +152,7 @@ impl Drawn {
             let mut here = Vec::new();
             let looks = self.index.touching(around, &mut |other| {
                 if self.pieces[other as usize].0 != stroke {
-                    here.extend(on((a, b), self.index.segment(other), most_slope));
+                    here.extend(on((a, b), self.index.segment(other)));
                 }
             });
             self.looks_left = self.looks_left.checked_sub(looks)?;
@@ -180,7 +176,7 @@ impl Drawn {
 }
 
 /// From where to where on a line another one lies beside it, in mm, if it does not leave it on the way.
-fn on((a, b): (Point, Point), (c, d): (Point, Point), most_slope: f64) -> Option<(f64, f64)> {
+fn on((a, b): (Point, Point), (c, d): (Point, Point)) -> Option<(f64, f64)> {
     let length_mm = a.distance(b);
     let along = (b - a) / length_mm;
     let [c, d] = [c, d].map(|p| ((p - a).dot(along), (p - a).cross(along)));
@@ -191,7 +187,7 @@ fn on((a, b): (Point, Point), (c, d): (Point, Point), most_slope: f64) -> Option
     }
     let slope = (far.1 - near.1) / (far.0 - near.0);
     let is_near = |mm: f64| (near.1 + (mm - near.0) * slope).abs() <= SAME_MM;
-    (slope.abs() <= most_slope && is_near(from) && is_near(to)).then_some((from, to))
+    (slope.abs() <= MOST_SLOPE && is_near(from) && is_near(to)).then_some((from, to))
 }
 
 /// Spans in order, those that are as good as one joined, up to both ends.
@@ -217,10 +213,8 @@ fn joined(mut spans: Vec<(f64, f64)>, length_mm: f64) -> Vec<(f64, f64)> {
 const SAME_MM: f64 = 0.05;
 /// No line is left between two spans so near to each other.
 const NO_GAP_MM: f64 = 2.0 * SAME_MM;
-/// How far the pieces of a curve may turn away from those of the same curve through other points, and those of two lines of which only
-/// parts are the same.
+/// So much the pieces of a curve may turn away from those of the same curve through other points.
 const MOST_SLOPE: f64 = 1.0;
-const MOST_PARALLEL_SLOPE: f64 = 0.01;
 /// Shorter spans, as where two lines cross, stay.
 const LEAST_MM: f64 = 1.0;
 /// So many pieces are compared: for a second or two.
@@ -339,6 +333,25 @@ mod tests {
             })
             .collect();
         assert_eq!(without_doubles(star.clone(), false), (star, 0));
+    }
+
+    #[test]
+    fn what_two_arcs_share_is_drawn_once_and_in_one_piece() {
+        for (radius, points) in [(5.0, 60), (50.0, 200)] {
+            let arc = |from: f64, count: u32| {
+                let at = |i: u32| from + 1.5 * f64::from(i) / f64::from(count);
+                let points = (0..=count).map(|i| (radius * at(i).cos(), radius * at(i).sin()));
+                line(&points.collect::<Vec<_>>())
+            };
+            let (kept, _) = without_doubles(vec![arc(0.0, points), arc(0.7, points + 7)], false);
+            let wanted_mm = 2.2 * radius;
+            assert!(
+                (length_mm(&kept) - wanted_mm).abs() < 0.3,
+                "{}",
+                length_mm(&kept)
+            );
+            assert_eq!(kept.len(), 2);
+        }
     }
 
     #[test]

@@ -428,7 +428,7 @@ fn finished(
         here = all.last().and_then(Stroke::last).unwrap_or(here);
     }
     let cut = settings.cutting.finished(all);
-    warnings.extend(counted(gone, "hole narrower than the beam", "left out"));
+    warnings.extend(counted(gone, "narrow hole", "left out, the beam is wider"));
     warnings.extend(counted(
         cut.too_small,
         "shape",
@@ -436,8 +436,8 @@ fn finished(
     ));
     warnings.extend(counted(
         cut.short_of_room,
-        "cut with a shorter lead-in",
-        "the waste beside it has no room for more",
+        "shorter lead-in",
+        "the waste beside the cut has no room for more",
     ));
     cut.strokes
 }
