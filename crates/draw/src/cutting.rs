@@ -29,12 +29,17 @@ impl Cutting {
     }
 
     /// Closed shapes as much larger or smaller as the beam takes: parts and holes in turn, the outermost a
-    /// part. What vanishes is counted.
-    pub(crate) fn offset(&self, strokes: Vec<Stroke>, tolerance_mm: f64) -> (Vec<Stroke>, usize) {
+    /// part, those that are cut in other layers included. What vanishes is counted.
+    pub(crate) fn offset(
+        &self,
+        strokes: Vec<Stroke>,
+        others: &[Stroke],
+        tolerance_mm: f64,
+    ) -> (Vec<Stroke>, usize) {
         if self.kerf_mm == 0.0 {
             return (strokes, 0);
         }
-        let depths = depths(&strokes);
+        let depths = depths(&strokes, others);
         let (mut all, mut gone) = (Vec::new(), 0);
         for (stroke, depth) in strokes.into_iter().zip(depths) {
             if !is_loop(&stroke) {
@@ -50,10 +55,10 @@ impl Cutting {
     }
 
     /// Strokes in their order, closed ones with their way in, what they overlap, or their tabs.
-    pub(crate) fn finished(&self, strokes: Vec<Stroke>) -> Cut {
-        let mut waste = Waste::between(&strokes, self.lead_in_mm);
+    pub(crate) fn finished(&self, strokes: Vec<Stroke>, others: &[Stroke]) -> Cut {
+        let mut waste = Waste::between(&strokes, others, self.lead_in_mm);
         let depths = if self.lead_in_mm > 0.0 {
-            depths(&strokes)
+            depths(&strokes, others)
         } else {
             vec![0; strokes.len()]
         };
@@ -150,8 +155,9 @@ struct Waste {
 }
 
 impl Waste {
-    fn between(strokes: &[Stroke], lead_in_mm: f64) -> Self {
-        let strokes = strokes.iter().enumerate().filter(|_| lead_in_mm > 0.0);
+    fn between(strokes: &[Stroke], others: &[Stroke], lead_in_mm: f64) -> Self {
+        let all = strokes.iter().chain(others).enumerate();
+        let strokes = all.filter(|_| lead_in_mm > 0.0);
         let lines = strokes.flat_map(|(number, it)| it.segments().map(move |line| (number, line)));
         let (owners, lines) = lines.unzip();
         Self {
@@ -199,7 +205,7 @@ impl Waste {
 /// The strokes in groups, those that lie in the most others first: what lies inside is cut before what
 /// encloses it.
 pub(crate) fn inner_first(strokes: Vec<Stroke>) -> Vec<Vec<Stroke>> {
-    let depths = depths(&strokes);
+    let depths = depths(&strokes, &[]);
     let deepest = depths.iter().copied().max().unwrap_or(0);
     let mut groups = vec![Vec::new(); deepest + 1];
     for (stroke, depth) in strokes.into_iter().zip(depths) {
@@ -209,9 +215,10 @@ pub(crate) fn inner_first(strokes: Vec<Stroke>) -> Vec<Vec<Stroke>> {
     groups
 }
 
-/// In how many closed strokes each lies whole: what only touches them, or lies in them with a part, does not count.
-fn depths(strokes: &[Stroke]) -> Vec<usize> {
-    let loops = strokes.iter().enumerate().filter(|it| is_loop(it.1));
+/// In how many closed strokes, or others, each lies whole: what only touches them, or lies in them with a part, does not count.
+fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
+    let all = strokes.iter().chain(others).enumerate();
+    let loops = all.filter(|it| is_loop(it.1));
     let edges = loops.flat_map(|(number, it)| {
         let points = it.points.windows(2);
         points.map(move |pair| (number, (pair[0], pair[1])))
@@ -382,12 +389,15 @@ mod tests {
         };
         let mut shapes = nest();
         shapes[1].points.reverse();
-        let (offset, gone) = cutting.offset(shapes, 0.005);
+        let (offset, gone) = cutting.offset(shapes, &[], 0.005);
         let widths: Vec<f64> = offset.iter().map(width).collect();
         assert_eq!((widths, gone), (vec![60.2, 19.8, 19.8, 8.2, 10.2], 0));
         // A hole narrower than the beam is none.
-        let (left, gone) =
-            cutting.offset(vec![square(0.0, 0.0, 9.0), square(4.0, 4.0, 0.15)], 0.005);
+        let (left, gone) = cutting.offset(
+            vec![square(0.0, 0.0, 9.0), square(4.0, 4.0, 0.15)],
+            &[],
+            0.005,
+        );
         assert_eq!((left.len(), gone), (1, 1));
     }
 
@@ -410,7 +420,7 @@ mod tests {
                 vec![40.4, 9.6],
             ),
         ] {
-            let (offset, _) = cutting.offset(shapes, 0.005);
+            let (offset, _) = cutting.offset(shapes, &[], 0.005);
             let widths: Vec<f64> = offset.iter().map(width).collect();
             assert_eq!(widths, sizes);
         }
@@ -439,7 +449,7 @@ mod tests {
                 kerf_mm: 0.2,
                 ..Cutting::default()
             };
-            let (offset, gone) = cutting.offset(vec![shape], 0.005);
+            let (offset, gone) = cutting.offset(vec![shape], &[], 0.005);
             let areas: Vec<f64> = offset.iter().map(|it| area(&it.points).abs()).collect();
             // Both meet in a corner, and become one.
             assert_eq!((areas.len(), gone), (1, 0), "{areas:?}");
@@ -454,7 +464,7 @@ mod tests {
             overcut_mm: 1.0,
             ..Cutting::default()
         };
-        let Cut { strokes: cut, .. } = cutting.finished(nest());
+        let Cut { strokes: cut, .. } = cutting.finished(nest(), &[]);
         let first = |i: usize| (cut[i].points[0].x, cut[i].points[0].y);
         // Outside of the part, inside of the hole.
         let diagonal = 2.0_f64.sqrt();
@@ -493,7 +503,7 @@ mod tests {
             let corners = corners.into_iter().chain([(x, side), (x, 10.0)]);
             shape.points = corners.map(Point::from).collect();
         }
-        let cut = cutting.finished(turned.clone());
+        let cut = cutting.finished(turned.clone(), &[]);
         assert_eq!(cut.short_of_room, 4);
         for (i, mm) in begins {
             let begin = cut.strokes[i].points[0];
@@ -511,7 +521,7 @@ mod tests {
             tab_mm: 1.0,
             ..Cutting::default()
         };
-        let cut = cutting.finished(vec![square(0.0, 0.0, 60.0), square(20.0, 20.0, 20.0)]);
+        let cut = cutting.finished(vec![square(0.0, 0.0, 60.0), square(20.0, 20.0, 20.0)], &[]);
         let begins: Vec<Point> = cut.strokes.iter().map(|it| it.points[0]).collect();
         let (part, hole) = ([0.0, 60.0], [20.0, 40.0]);
         let is_within = |p: &Point, [low, high]: [f64; 2]| {
@@ -534,7 +544,7 @@ mod tests {
             kerf_mm: 0.4,
             ..cutting
         };
-        let cut = kerf.finished(vec![square(0.0, 0.0, 60.0)]);
+        let cut = kerf.finished(vec![square(0.0, 0.0, 60.0)], &[]);
         assert!((cut.strokes[0].length_mm() - 2.0 - 118.6).abs() < 1e-9);
     }
 
@@ -560,7 +570,7 @@ mod tests {
                 points: points.clone(),
                 closed: true,
             };
-            let cut = cutting.finished(vec![shape]);
+            let cut = cutting.finished(vec![shape], &[]);
             let at = cut.strokes[0].points[0];
             let is_in = |low: f64| (at.x - low).abs() < 4.9 && (at.y - low).abs() < 4.9;
             assert!(!is_in(5.0) && !is_in(-5.0), "{begin}: {at:?}");
@@ -581,7 +591,10 @@ mod tests {
             strokes: cut,
             too_small,
             ..
-        } = cutting.finished(vec![square(0.0, 0.0, 20.0), square(5.0, 5.0, 2.0), line]);
+        } = cutting.finished(
+            vec![square(0.0, 0.0, 20.0), square(5.0, 5.0, 2.0), line],
+            &[],
+        );
         assert_eq!((cut.len(), too_small), (6, 1));
         for piece in &cut[..4] {
             assert!((piece.length_mm() - 19.0).abs() < 1e-9, "{piece:?}");

@@ -236,6 +236,7 @@ fn passes<E>(
     let Rect { x1, y1, .. } = settings.placement.area;
     let mut here = Point::new(x1, y1);
     let mut has_lines = false;
+    let mut laid: Vec<(Layer, DrawingTool, Vec<Stroke>)> = Vec::new();
     for mut layer in layers {
         let tool = layers::tool(&layer, settings);
         let lines = lines(&mut layer, settings)?;
@@ -247,11 +248,19 @@ fn passes<E>(
             strokes = clipped.strokes;
         }
         // Areas that are not hatched leave no ink.
-        if strokes.is_empty() {
-            continue;
+        if !strokes.is_empty() {
+            laid.push((layer, tool, strokes));
         }
+    }
+    let cut: Vec<Vec<Stroke>> = laid
+        .iter()
+        .map(|(_, tool, strokes)| cut_shapes(strokes, *tool, settings))
+        .collect();
+    for (number, (layer, tool, strokes)) in laid.into_iter().enumerate() {
         settings.give_up.check()?;
-        let strokes = finished(strokes, here, tool, settings, warnings);
+        let others = cut.iter().enumerate().filter(|it| it.0 != number);
+        let others: Vec<Stroke> = others.flat_map(|it| it.1).cloned().collect();
+        let strokes = finished(strokes, &others, here, tool, settings, warnings);
         settings.progress.advance(1);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let message = layers::message(&layer, passes.last(), settings);
@@ -267,6 +276,16 @@ fn passes<E>(
         return Err(PrepareError::AllCutOff);
     }
     Ok(passes)
+}
+
+/// The closed shapes that are cut out of a layer, where anything is done to such.
+fn cut_shapes(strokes: &[Stroke], tool: DrawingTool, settings: &Settings) -> Vec<Stroke> {
+    if !settings.cutting_of(tool).is_asked_for() {
+        return Vec::new();
+    }
+    let mut shapes = merge(strokes.to_vec(), settings.join_mm());
+    shapes.retain(|it| it.closed);
+    shapes
 }
 
 /// Lines, cut at the edge of the sheet where that is wanted.
@@ -378,16 +397,17 @@ fn cut_off(clipped: &Clipped, what: &str) -> Option<Warning> {
 }
 
 /// The strokes as they are drawn, for a tool that comes from `here`: those that meet joined, in a good
-/// order, of a laser as it cuts them, of a pen as often as it goes over them.
+/// order, of a laser as it cuts them beside what is cut in other layers, of a pen as often as it goes over them.
 fn finished(
     strokes: Vec<Stroke>,
+    others: &[Stroke],
     here: Point,
     tool: DrawingTool,
     settings: &Settings,
     warnings: &mut Vec<Warning>,
 ) -> Vec<Stroke> {
     let strokes = if settings.drops_doubles {
-        let single = without_doubles(strokes, settings.cutting.is_asked_for());
+        let single = without_doubles(strokes, settings.cutting_of(tool).is_asked_for());
         warnings.extend(counted(single.doubles, "double line", "drawn once"));
         warnings.extend(counted(
             single.unknown,
@@ -398,7 +418,7 @@ fn finished(
     } else {
         strokes
     };
-    let strokes = merge(strokes, settings.join_mm.unwrap_or(settings.tolerance_mm));
+    let strokes = merge(strokes, settings.join_mm());
     let DrawingTool::Laser(laser) = tool else {
         let strokes = ordered(strokes, here, tool, settings);
         let strokes = if settings.joins_dots() {
@@ -411,7 +431,8 @@ fn finished(
             .map(|it| gone_over(it, settings.pen_passes))
             .collect();
     };
-    let (strokes, gone) = settings.cutting.offset(strokes, settings.flatten_mm());
+    let cutting = settings.cutting_of(tool);
+    let (strokes, gone) = cutting.offset(strokes, others, settings.flatten_mm());
     let groups = if laser.cuts && settings.tries.is_some() {
         inner_first(strokes)
     } else {
@@ -427,7 +448,7 @@ fn finished(
         });
         here = all.last().and_then(Stroke::last).unwrap_or(here);
     }
-    let cut = settings.cutting.finished(all);
+    let cut = cutting.finished(all, others);
     warnings.extend(counted(gone, "narrow hole", "left out, the beam is wider"));
     warnings.extend(counted(
         cut.too_small,

@@ -86,6 +86,20 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// How a tool cuts shapes out: where the material of the drawing is cut through, a layer that is engraved has no kerf or tabs.
+    pub(super) fn cutting_of(&self, tool: DrawingTool) -> Cutting {
+        let cuts = |tool: DrawingTool| matches!(tool, DrawingTool::Laser(laser) if laser.cuts);
+        if cuts(tool) || !cuts(self.tool) {
+            self.cutting
+        } else {
+            Cutting::default()
+        }
+    }
+
+    /// How near ends are joined, in mm.
+    pub(super) fn join_mm(&self) -> f64 {
+        self.join_mm.unwrap_or(self.tolerance_mm)
+    }
     pub(super) fn check(&self) -> Result<(), PrepareError> {
         let tolerance_mm = self.tolerance_mm;
         if !(LEAST_TOLERANCE_MM..=MOST_TOLERANCE_MM).contains(&tolerance_mm) {

@@ -250,6 +250,39 @@ fn a_material_that_is_cut_through_is_cut_inside_first() {
 }
 
 #[test]
+fn a_hole_on_a_layer_of_its_own_is_cut_as_a_hole_and_what_is_engraved_as_it_is() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><g fill="none">
+        <rect x="10" y="10" width="100" height="60" stroke="red"/><rect x="30" y="30" width="20" height="20" stroke="blue"/>
+        <rect x="60" y="30" width="20" height="20" stroke="black"/></g></svg>"#;
+    let laser = |cuts| {
+        DrawingTool::Laser(Laser {
+            cuts,
+            ..Laser::default()
+        })
+    };
+    let settings = Settings {
+        tool: laser(true),
+        tools: vec![("black".to_owned(), laser(false))],
+        layers: Some(dobot_source::LayersBy::Color),
+        cutting: Cutting {
+            kerf_mm: 0.4,
+            ..Cutting::default()
+        },
+        ..Settings::default()
+    };
+    let prepared = prepare(&svg.into(), &settings, anywhere).unwrap();
+    let found = prepared.passes.iter().map(|pass| {
+        let [stroke] = &pass.strokes[..] else {
+            panic!("one shape each");
+        };
+        let width = dobot_geometry::bounds(stroke.points.iter().copied()).height();
+        (pass.name.as_str(), (10.0 * width).round() / 10.0)
+    });
+    let wanted = [("red", 100.4), ("blue", 19.6), ("black", 20.0)];
+    assert_eq!(found.collect::<Vec<_>>(), wanted);
+}
+
+#[test]
 fn a_pen_goes_over_each_line_as_often_as_asked_for() {
     let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
         <g fill="none" stroke="red"><path d="M5 5H25"/><rect x="5" y="20" width="10" height="10"/></g></svg>"#;
