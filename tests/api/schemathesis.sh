@@ -9,6 +9,8 @@ set -euo pipefail
 
 readonly ADDRESS=${1:-http://127.0.0.1:8642}
 readonly VERSION=4.32.5
+CONFIG=$(realpath "$(dirname "$0")/schemathesis.toml")
+readonly CONFIG
 readonly FOLDER=${XDG_CACHE_HOME:-$HOME/.cache}/dobot/schemathesis-$VERSION
 
 if [[ ! -x $FOLDER/bin/schemathesis ]]; then
@@ -22,7 +24,7 @@ cd "$FOLDER/work"
 
 # What the document allows may still be refused by lease, policy or link: that is not checked. The
 # WebSocket has tests of its own.
-"$FOLDER/bin/schemathesis" run "$ADDRESS/api/v1/openapi.json" \
+"$FOLDER/bin/schemathesis" --config-file "$CONFIG" run "$ADDRESS/api/v1/openapi.json" \
   --url "$ADDRESS" \
   --checks not_a_server_error,status_code_conformance,content_type_conformance,response_schema_conformance,response_headers_conformance,negative_data_rejection,unsupported_method \
   --exclude-path /api/v1/ws \
