@@ -279,7 +279,7 @@ pub enum PlaceError {
     },
     /// The drawing is larger than the area.
     #[error(
-        "the drawing is {width_mm:.1} x {height_mm:.1} mm, and the arm reaches all of {area_width_mm:.1} x {area_height_mm:.1} mm; shrink it with --fit"
+        "the drawing is {width_mm:.1} x {height_mm:.1} mm, and the arm reaches all of {area_width_mm:.1} x {area_height_mm:.1} mm; make it smaller"
     )]
     TooLarge {
         /// The drawing, left to right.
@@ -293,7 +293,7 @@ pub enum PlaceError {
     },
     /// The drawing does not fit on the sheet.
     #[error(
-        "the drawing goes {by_mm:.1} mm beyond the edge of the sheet, at x {x_mm:.1}, y {y_mm:.1}; shrink it with --fit, or cut it there with --clip"
+        "the drawing goes {by_mm:.1} mm beyond the edge of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or cut it there with --clip"
     )]
     BeyondSheet {
         /// How far beyond.

@@ -133,10 +133,10 @@ impl OptionsError {
                 Some("add `--laser MATERIAL`; `dobot materials` lists them".to_owned())
             }
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
-                Some("`--fit` makes it as large as the drawing area allows".into())
+                Some("`--fit`, instead of `--scale`, makes it as large as the drawing area allows; `--at X Y` says where its middle lies, and `--clip` draws what is within reach there".into())
             }
             Self::Prepare(PrepareError::Place(PlaceError::BeyondSheet { .. })) => Some(
-                "`--landscape` or `--rotate 90` where the page lies the other way round; `--fit`; `--clip`".into(),
+                "`--landscape` or `--rotate 90` where the page lies the other way round; `--fit` instead of `--scale`; `--clip`".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
                 "`--clip` draws what is within reach; `--fit` without `--at` and `--paper-size` makes all of it fit; on a sheet, a smaller one or one that lies nearer (`--corner`); `--pen-down` and `--lift` set the heights".into(),

@@ -67,7 +67,7 @@ fn a_drawing_larger_than_the_area_is_refused_with_both_sizes() {
     assert_eq!(
         error.to_string(),
         "the drawing is 400.0 x 10.0 mm, and the arm reaches all of 200.0 x 5.0 mm; \
-         shrink it with --fit"
+         make it smaller"
     );
 }
 

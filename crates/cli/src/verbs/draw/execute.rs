@@ -102,7 +102,10 @@ fn refused(error: RemoteError) -> Failure {
         RemoteError::Refused(problem) => problem.rule.clone(),
         _ => None,
     };
-    let helps = what_helps(&rule.unwrap_or_default());
+    let helps = rule.map_or(
+        "another `--speed`, place or size (`--at`, `--fit`, `--scale`)",
+        |it| what_helps(&it),
+    );
     Failure::new(error, format!("{helps}; `dobot policy` shows the rules"))
 }
 
