@@ -238,7 +238,8 @@ fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
         let near = Rect::new(at.x, at.y, at.x, at.y).inflate(MEETS_MM, MEETS_MM);
         index.touching(near, &mut |edge| {
             let (a, b) = index.segment(edge);
-            if Line::new(a, b).nearest(at, 0.0).distance_sq < MEETS_MM * MEETS_MM {
+            let is_met = || Line::new(a, b).nearest(at, 0.0).distance_sq < MEETS_MM * MEETS_MM;
+            if owner(edge) != number && is_met() {
                 met.insert(owner(edge));
             }
         });
@@ -263,6 +264,9 @@ fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
                 Some(before) => &before & &(&inside | &met),
             });
             only_met.retain(|it| met.contains(it));
+            if enclosing.as_ref().is_some_and(HashSet::is_empty) {
+                break;
+            }
         }
         enclosing.map_or(0, |it| it.difference(&only_met).count())
     };
