@@ -56,8 +56,9 @@ impl Cutting {
 
     /// Strokes in their order, closed ones with their way in, what they overlap, or their tabs.
     pub(crate) fn finished(&self, strokes: Vec<Stroke>, others: &[Stroke]) -> Cut {
-        let mut waste = Waste::between(&strokes, others, self.lead_in_mm);
-        let depths = if self.lead_in_mm > 0.0 {
+        let leads_in = self.lead_in_mm > 0.0;
+        let mut waste = leads_in.then(|| Waste::between(&strokes, others, self.lead_in_mm));
+        let depths = if leads_in {
             depths(&strokes, others)
         } else {
             vec![0; strokes.len()]
@@ -79,18 +80,20 @@ impl Cutting {
             };
             let is_part = depth % 2 == 0;
             for mut cut in cuts {
-                // In a corner half way between both sides: straight behind one it would lie on the other.
-                let left = unit(before + unit(cut.points[1] - cut.points[0])).turn_90();
-                let is_inside = is_in(&stroke.points, cut.points[0] + left * MEETS_MM);
-                let side = if is_inside == is_part { -left } else { left };
-                waste.lead_in(&mut cut, side, number);
+                if let Some(waste) = &mut waste {
+                    // In a corner half way between both sides: straight behind one it would lie on the other.
+                    let left = unit(before + unit(cut.points[1] - cut.points[0])).turn_90();
+                    let is_inside = is_in(&stroke.points, cut.points[0] + left * MEETS_MM);
+                    let side = if is_inside == is_part { -left } else { left };
+                    waste.lead_in(&mut cut, side, number);
+                }
                 all.push(cut);
             }
         }
         Cut {
             strokes: all,
             too_small,
-            short_of_room: waste.short_of_room,
+            short_of_room: waste.map_or(0, |it| it.short_of_room),
         }
     }
 
@@ -157,8 +160,7 @@ struct Waste {
 impl Waste {
     fn between(strokes: &[Stroke], others: &[Stroke], lead_in_mm: f64) -> Self {
         let all = strokes.iter().chain(others).enumerate();
-        let strokes = all.filter(|_| lead_in_mm > 0.0);
-        let lines = strokes.flat_map(|(number, it)| it.segments().map(move |line| (number, line)));
+        let lines = all.flat_map(|(number, it)| it.segments().map(move |line| (number, line)));
         let (owners, lines) = lines.unzip();
         Self {
             lines: SegmentIndex::new(lines),
@@ -170,9 +172,6 @@ impl Waste {
 
     /// Lets a cut of a stroke begin to this side of its beginning, at most half way to what is cut there.
     fn lead_in(&mut self, cut: &mut Stroke, side: Vec2, stroke: usize) {
-        if self.lead_in_mm <= 0.0 {
-            return;
-        }
         let (first, way) = (cut.points[0], unit(side));
         let room_mm = 0.5 * self.room_mm(first, way, stroke);
         self.short_of_room += usize::from(room_mm < self.lead_in_mm);
@@ -229,9 +228,7 @@ fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
     let around = |number: usize, at: Point| {
         let (mut crossed, mut met) = (Vec::new(), HashSet::new());
         index.touching(Rect::new(at.x, at.y, f64::INFINITY, at.y), &mut |edge| {
-            let (a, b) = index.segment(edge);
-            let is_ahead = || a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x;
-            if owner(edge) != number && (a.y <= at.y) != (b.y <= at.y) && is_ahead() {
+            if owner(edge) != number && is_ahead(index.segment(edge), at) {
                 crossed.push(owner(edge));
             }
         });
@@ -283,11 +280,13 @@ fn samples(points: &[Point]) -> impl Iterator<Item = Point> {
 
 /// Whether a place lies in a closed path.
 fn is_in(ring: &[Point], at: Point) -> bool {
-    let crosses = |it: &&[Point]| {
-        let (a, b) = (it[0], it[1]);
-        (a.y <= at.y) != (b.y <= at.y) && a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x
-    };
-    ring.windows(2).filter(crosses).count() % 2 == 1
+    let edges = ring.windows(2).map(|it| (it[0], it[1]));
+    edges.filter(|&it| is_ahead(it, at)).count() % 2 == 1
+}
+
+/// Whether who goes from a place along x comes over an edge: an odd number of times out of what the place lies in.
+fn is_ahead((a, b): (Point, Point), at: Point) -> bool {
+    (a.y <= at.y) != (b.y <= at.y) && a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x
 }
 
 /// A closed stroke with its edge moved outwards, or inwards where below 0: in several parts, or gone.
@@ -405,6 +404,18 @@ mod tests {
         assert_eq!((left.len(), gone), (1, 1));
     }
 
+    /// Two squares of 10 mm, one to the right above the other, through their common corner.
+    const EIGHT: [(f64, f64); 8] = [
+        (0.0, 0.0),
+        (10.0, 0.0),
+        (10.0, 10.0),
+        (0.0, 10.0),
+        (0.0, -10.0),
+        (-10.0, -10.0),
+        (-10.0, 0.0),
+        (0.0, 0.0),
+    ];
+
     #[test]
     fn parts_that_touch_or_overlap_are_no_holes_in_each_other() {
         let cutting = Cutting {
@@ -432,19 +443,8 @@ mod tests {
 
     #[test]
     fn of_a_shape_that_crosses_itself_all_parts_become_larger() {
-        // Two squares of 10 mm, one to the left and one to the right, and the same once more.
-        let eight = [
-            (0.0, 0.0),
-            (10.0, 0.0),
-            (10.0, 10.0),
-            (0.0, 10.0),
-            (0.0, -10.0),
-            (-10.0, -10.0),
-            (-10.0, 0.0),
-            (0.0, 0.0),
-        ];
-        let twice = [&eight[..], &eight[1..]].concat();
-        for points in [eight.to_vec(), twice] {
+        let twice = [&EIGHT[..], &EIGHT[1..]].concat();
+        for points in [EIGHT.to_vec(), twice] {
             let shape = Stroke {
                 points: points.into_iter().map(Point::from).collect(),
                 closed: true,
@@ -554,17 +554,7 @@ mod tests {
 
     #[test]
     fn the_cut_of_a_shape_that_crosses_itself_begins_outside_of_it() {
-        let eight = [
-            (0.0, 0.0),
-            (10.0, 0.0),
-            (10.0, 10.0),
-            (0.0, 10.0),
-            (0.0, -10.0),
-        ];
-        let eight = eight
-            .into_iter()
-            .chain([(-10.0, -10.0), (-10.0, 0.0), (0.0, 0.0)]);
-        let mut points: Vec<Point> = eight.map(Point::from).collect();
+        let mut points = EIGHT.map(Point::from).to_vec();
         let cutting = Cutting {
             lead_in_mm: 3.0,
             ..Cutting::default()

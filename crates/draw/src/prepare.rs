@@ -231,8 +231,8 @@ fn passes<E>(
     warnings: &mut Vec<Warning>,
 ) -> Result<Vec<Pass>, PrepareError> {
     let mut passes = Vec::<Pass>::new();
-    let several = if layers.len() > 1 { layers.len() } else { 0 };
-    settings.progress.begin(PrepareStep::Ordering, several);
+    let count = if layers.len() > 1 { layers.len() } else { 0 };
+    settings.progress.begin(PrepareStep::Ordering, count);
     let Rect { x1, y1, .. } = settings.placement.area;
     let mut here = Point::new(x1, y1);
     let mut has_lines = false;
@@ -252,8 +252,10 @@ fn passes<E>(
             laid.push((layer, tool, strokes));
         }
     }
+    let several = laid.len() > 1;
     let cut: Vec<Vec<Stroke>> = laid
         .iter()
+        .filter(|_| several)
         .map(|(_, tool, strokes)| cut_shapes(strokes, *tool, settings))
         .collect();
     for (number, (layer, tool, strokes)) in laid.into_iter().enumerate() {
