@@ -214,10 +214,41 @@ pub(crate) fn inner_first(strokes: Vec<Stroke>) -> Vec<Vec<Stroke>> {
     groups
 }
 
-/// In how many closed strokes, or others, each lies whole: what only touches them, or lies in them with a part, does not count.
+/// Layers in their order, but those that lie inside of the shapes of others before them, and how many cannot: each tells which
+/// strokes are cut in it.
+pub(crate) fn layers_inner_first(layers: &[&[Stroke]]) -> (Vec<usize>, usize) {
+    let layer_of = |layer: usize| vec![layer; layers[layer].len()];
+    let layer_of: Vec<usize> = (0..layers.len()).flat_map(layer_of).collect();
+    let strokes: Vec<&Stroke> = layers.iter().copied().flatten().collect();
+    let mut inside_of = vec![HashSet::new(); layers.len()];
+    if layers.len() > 1 {
+        for (inner, enclosing) in enclosing(&strokes, strokes.len()).into_iter().enumerate() {
+            let outer = enclosing.into_iter().map(|it| layer_of[it]);
+            inside_of[layer_of[inner]].extend(outer.filter(|&it| it != layer_of[inner]));
+        }
+    }
+    let mut left: Vec<usize> = (0..layers.len()).collect();
+    let (mut sorted, mut too_late) = (Vec::new(), 0);
+    while !left.is_empty() {
+        let encloses = |outer: usize| left.iter().any(|&it| inside_of[it].contains(&outer));
+        let next = left.iter().position(|&it| !encloses(it));
+        too_late += usize::from(next.is_none());
+        sorted.push(left.remove(next.unwrap_or(0)));
+    }
+    (sorted, too_late)
+}
+
+/// In how many closed strokes, or others, each lies.
 fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
-    let all = strokes.iter().chain(others).enumerate();
-    let loops = all.filter(|it| is_loop(it.1));
+    let all: Vec<&Stroke> = strokes.iter().chain(others).collect();
+    let enclosing = enclosing(&all, strokes.len());
+    enclosing.iter().map(HashSet::len).collect()
+}
+
+/// The numbers of the closed strokes that each of the first so many lies in whole: what only touches them, or lies in them with a
+/// part, does not count.
+fn enclosing(strokes: &[&Stroke], first: usize) -> Vec<HashSet<usize>> {
+    let loops = strokes.iter().enumerate().filter(|it| is_loop(it.1));
     let edges = loops.flat_map(|(number, it)| {
         let points = it.points.windows(2);
         points.map(move |pair| (number, (pair[0], pair[1])))
@@ -247,7 +278,7 @@ fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
         let inside: HashSet<usize> = odd.map(|it| it[0]).collect();
         (inside, met)
     };
-    let depth = |(number, it): (usize, &Stroke)| {
+    let around_whole = |(number, it): (usize, &&Stroke)| {
         let mut enclosing: Option<HashSet<usize>> = None;
         let mut only_met = HashSet::new();
         for at in samples(&it.points) {
@@ -265,9 +296,11 @@ fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
                 break;
             }
         }
-        enclosing.map_or(0, |it| it.difference(&only_met).count())
+        let enclosing = enclosing.unwrap_or_default();
+        enclosing.difference(&only_met).copied().collect()
     };
-    strokes.iter().enumerate().map(depth).collect()
+    let asked = strokes.iter().take(first).enumerate();
+    asked.map(around_whole).collect()
 }
 
 /// Places of a path by which it is known what it lies in: some of its corners, and of the middles between them.
@@ -382,6 +415,32 @@ mod tests {
             .collect();
         assert_eq!(widths, [vec![8.0], vec![20.0, 20.0], vec![60.0, 10.0]]);
         assert_eq!(inner_first(Vec::new()), Vec::<Vec<Stroke>>::new());
+    }
+
+    #[test]
+    fn a_layer_inside_of_what_another_cuts_out_comes_before_it() {
+        let part = vec![square(0.0, 0.0, 60.0)];
+        let beside = vec![square(80.0, 0.0, 10.0)];
+        let slit = vec![Stroke::open(vec![
+            Point::new(5.0, 5.0),
+            Point::new(9.0, 5.0),
+        ])];
+        let hole = vec![square(2.0, 2.0, 20.0), square(82.0, 2.0, 3.0)];
+        let sorted = |layers: &[&Vec<Stroke>]| {
+            let layers: Vec<&[Stroke]> = layers.iter().map(|it| it.as_slice()).collect();
+            layers_inner_first(&layers)
+        };
+        assert_eq!(sorted(&[]), (vec![], 0));
+        assert_eq!(sorted(&[&part, &beside]), (vec![0, 1], 0));
+        assert_eq!(sorted(&[&part, &beside, &slit]), (vec![1, 2, 0], 0));
+        assert_eq!(
+            sorted(&[&part, &beside, &hole, &slit]),
+            (vec![3, 2, 0, 1], 0)
+        );
+        // Each inside of the other: one of them has to be first.
+        let both = vec![square(0.0, 100.0, 60.0), square(5.0, 5.0, 3.0)];
+        let other = vec![square(0.0, 0.0, 60.0), square(5.0, 105.0, 3.0)];
+        assert_eq!(sorted(&[&both, &other]), (vec![0, 1], 1));
     }
 
     #[test]

@@ -34,6 +34,8 @@ pub struct Placement {
     pub mirrors: bool,
     /// The sheet that it goes on, instead of the area.
     pub sheet: Option<SheetPlace>,
+    /// Whether what lies beyond the sheet, or the arm does not reach, is cut off, instead of refused.
+    pub clips: bool,
 }
 
 impl Placement {
@@ -187,7 +189,8 @@ impl Placement {
             // A dot fits as it is.
             Size::Fit | Size::True => 1.0,
         };
-        if scale > fitting * (1.0 + 1e-9) && self.center.is_none() {
+        let may_exceed = self.center.is_some() || self.clips;
+        if scale > fitting * (1.0 + 1e-9) && !may_exceed {
             return Err(PlaceError::TooLarge {
                 width_mm: ink.width() * scale,
                 height_mm: ink.height() * scale,
@@ -222,6 +225,7 @@ impl Default for Placement {
             reach: None,
             mirrors: false,
             sheet: None,
+            clips: false,
         }
     }
 }

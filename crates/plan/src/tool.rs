@@ -44,6 +44,12 @@ impl DrawingTool {
         matches!(self, Self::Laser(_))
     }
 
+    /// Whether it is a laser that cuts the material through.
+    #[must_use]
+    pub const fn cuts(&self) -> bool {
+        matches!(self, Self::Laser(laser) if laser.cuts)
+    }
+
     /// How high above the paper it travels, in mm; 0 for a laser.
     #[must_use]
     pub const fn lift_mm(&self) -> f64 {

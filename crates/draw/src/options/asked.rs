@@ -147,7 +147,6 @@ impl DrawingRequest {
             shading: shading(&options),
             crops: !options.what.no_crop,
             hides: options.what.hide,
-            clips: options.place.clip,
             join_mm: options.way.join,
             drops_doubles: options.way.drop_doubles,
             pen_passes: options.tool.passes.unwrap_or(1),
@@ -348,6 +347,7 @@ fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, Op
         center: center(options).filter(|_| sheet.is_none()),
         mirrors: options.place.mirror,
         sheet,
+        clips: options.place.clip,
         ..Placement::default()
     })
 }

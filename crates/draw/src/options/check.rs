@@ -396,7 +396,11 @@ mod tests {
             ),
             (
                 r#"{"tool": {"speed": 1e9}}"#,
-                "--speed is 1000000000.0 mm/s; it takes 0 to 1000 mm/s",
+                "--speed is 1000000000 mm/s; it takes 0 to 1000 mm/s",
+            ),
+            (
+                r#"{"tool": {"passes": 0}}"#,
+                "--passes is 0 times; it takes 1 to 100 times",
             ),
             (
                 r#"{"place": {"paper": [1, 2, 3, 4, -5e20, 6, 7, 8, 9]}}"#,

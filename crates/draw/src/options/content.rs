@@ -52,8 +52,8 @@ pub struct ContentOptions {
     /// Draw a layer with a pen or material of its own
     #[arg(long, value_name = "NAME=PEN", requires = "layers")]
     pub layer: Vec<LayerTool>,
-    /// Draw these layers only, by name: several with commas between them
-    #[arg(long, value_name = "NAME", requires = "layers", value_delimiter = ',')]
+    /// Draw these layers only, by name: several with commas between them, or one for each --only
+    #[arg(long, value_name = "NAME", requires = "layers")]
     pub only: Vec<String>,
     /// Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
     #[arg(long)]

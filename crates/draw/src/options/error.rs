@@ -66,7 +66,7 @@ pub enum OptionsError {
         found: f64,
     },
     /// A number that no arm and no paper has.
-    #[error("{option} is {found:?} {unit}; it takes {least} to {most} {unit}")]
+    #[error("{option} is {} {unit}; it takes {least} to {most} {unit}", number(*found))]
     Range {
         /// The option.
         option: &'static str,
@@ -133,7 +133,7 @@ impl OptionsError {
                 Some("add `--laser MATERIAL`; `dobot materials` lists them".to_owned())
             }
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
-                Some("`--fit`, instead of `--scale`, makes it as large as the drawing area allows; `--at X Y` says where its middle lies, and `--clip` draws what is within reach there".into())
+                Some("`--fit`, instead of `--scale`, makes it as large as the drawing area allows; `--clip` draws what of it is within reach; `--at X Y` says where its middle lies".into())
             }
             Self::Prepare(PrepareError::Place(PlaceError::BeyondSheet { .. })) => Some(
                 "`--landscape` or `--rotate 90` where the page lies the other way round; `--fit` instead of `--scale`; `--clip`".into(),
@@ -150,4 +150,10 @@ impl OptionsError {
             _ => None,
         }
     }
+}
+
+/// A number without `.0`, and no longer than need be.
+fn number(value: f64) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }

@@ -3,28 +3,46 @@
 use dobot_plan::{DrawingTool, Pass};
 use dobot_source::{Layer, Warning};
 
-use super::{PrepareError, Settings, counted};
+use super::passes::counted;
+use super::{PrepareError, Settings};
 
 /// The layers that are to be drawn; all as one unless they are to be drawn each for itself.
 ///
 /// Layers of different speeds stay apart: the file says how each is to be drawn.
 pub(super) fn chosen(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Layer>, PrepareError> {
     let layers: Vec<Layer> = layers.into_iter().filter(|it| !it.is_empty()).collect();
-    let tools = settings.tools.iter().map(|(name, _)| name);
-    for name in settings.only.iter().chain(tools) {
-        if !layers.iter().any(|it| it.name == *name) {
-            let names: Vec<_> = layers.iter().map(|it| it.name.as_str()).collect();
-            return Err(PrepareError::NoSuchLayer {
-                name: name.clone(),
-                layers: names.join(", "),
-            });
-        }
+    let is_layer = |name: &str| layers.iter().any(|it| it.name == name);
+    let only: Vec<&str> = settings
+        .only
+        .iter()
+        .flat_map(|it| names(it, is_layer))
+        .collect();
+    let tools = settings.tools.iter().map(|(name, _)| name.as_str());
+    if let Some(unknown) = only.iter().copied().chain(tools).find(|it| !is_layer(it)) {
+        let names: Vec<_> = layers.iter().map(|it| it.name.as_str()).collect();
+        return Err(PrepareError::NoSuchLayer {
+            name: unknown.to_owned(),
+            layers: names.join(", "),
+        });
     }
     if settings.layers.is_none() {
         return Ok(merged(layers));
     }
-    let wanted = |it: &Layer| settings.only.is_empty() || settings.only.contains(&it.name);
-    Ok(layers.into_iter().filter(wanted).collect())
+    let wanted: Vec<bool> = layers
+        .iter()
+        .map(|it| only.is_empty() || only.contains(&it.name.as_str()))
+        .collect();
+    let chosen = layers.into_iter().zip(wanted).filter(|it| it.1);
+    Ok(chosen.map(|it| it.0).collect())
+}
+
+/// The names in what was asked for: with commas between them, unless a layer has these in its name.
+fn names(asked: &str, is_layer: impl Fn(&str) -> bool) -> Vec<&str> {
+    if is_layer(asked) {
+        vec![asked]
+    } else {
+        asked.split(',').collect()
+    }
 }
 
 /// Neighbours of the same speed become one, whose name and colour are those that all of them have.

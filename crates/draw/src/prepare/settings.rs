@@ -48,7 +48,7 @@ pub struct Settings {
     pub keeps_speed: bool,
     /// Whether layers are drawn each for itself, and what makes them; otherwise all are one.
     pub layers: Option<LayersBy>,
-    /// The layers to draw, by name; all of them if none is named.
+    /// The layers to draw, by name, also several with commas between them; all of them if none is named.
     pub only: Vec<String>,
     /// What draws the layers that have tools of their own, by name.
     pub tools: Vec<(String, DrawingTool)>,
@@ -56,8 +56,6 @@ pub struct Settings {
     pub crops: bool,
     /// Whether the filled shapes of an SVG, DXF or HP-GL file hide what lies under them.
     pub hides: bool,
-    /// Whether what the arm does not reach is cut off, instead of refused.
-    pub clips: bool,
     /// How near to each other strokes end that are joined, in mm; the tolerance if not given.
     pub join_mm: Option<f64>,
     /// Whether lines that lie on others are left out.
@@ -88,8 +86,7 @@ pub struct Settings {
 impl Settings {
     /// How a tool cuts shapes out: where the material of the drawing is cut through, a layer that is engraved has no kerf or tabs.
     pub(super) fn cutting_of(&self, tool: DrawingTool) -> Cutting {
-        let cuts = |tool: DrawingTool| matches!(tool, DrawingTool::Laser(laser) if laser.cuts);
-        if cuts(tool) || !cuts(self.tool) {
+        if tool.cuts() || !self.tool.cuts() {
             self.cutting
         } else {
             Cutting::default()
@@ -159,7 +156,6 @@ impl Default for Settings {
             tools: Vec::new(),
             crops: true,
             hides: false,
-            clips: false,
             join_mm: None,
             drops_doubles: false,
             pen_passes: 1,

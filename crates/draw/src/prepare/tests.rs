@@ -3,6 +3,7 @@
 use super::*;
 use crate::cutting::Cutting;
 use crate::frame::{FrameShape, frame};
+use crate::hatch::{Hatch, HatchStyle};
 use crate::place::{Placement, Size};
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Vec2, deviation};
@@ -278,8 +279,75 @@ fn a_hole_on_a_layer_of_its_own_is_cut_as_a_hole_and_what_is_engraved_as_it_is()
         let width = dobot_geometry::bounds(stroke.points.iter().copied()).height();
         (pass.name.as_str(), (10.0 * width).round() / 10.0)
     });
-    let wanted = [("red", 100.4), ("blue", 19.6), ("black", 20.0)];
+    // What lies inside comes before what it would fall out of.
+    let wanted = [("black", 20.0), ("blue", 19.6), ("red", 100.4)];
     assert_eq!(found.collect::<Vec<_>>(), wanted);
+}
+
+#[test]
+fn the_rings_of_a_hatching_are_neither_parts_nor_holes_and_are_burned_before_the_cut() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80">
+        <rect x="10" y="10" width="40" height="40" fill="black" stroke="black"/></svg>"#;
+    let laser = DrawingTool::Laser(Laser {
+        cuts: true,
+        ..Laser::default()
+    });
+    let settings = Settings {
+        tool: laser,
+        hatch: Some(Hatch {
+            style: HatchStyle::Concentric,
+            spacing_mm: 4.0,
+            ..Hatch::default()
+        }),
+        cutting: Cutting {
+            kerf_mm: 0.4,
+            tabs: 2,
+            tab_mm: 1.0,
+            ..Cutting::default()
+        },
+        ..Settings::default()
+    };
+    let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
+    let (rings, cut) = wanted.split_at(wanted.len() - 2);
+    let mut rings_mm: Vec<f64> = rings.iter().map(|it| it.length_mm().round()).collect();
+    rings_mm.sort_by(f64::total_cmp);
+    assert_eq!(rings_mm, [32.0, 64.0, 96.0, 128.0]);
+    for half in cut {
+        assert!(
+            (half.length_mm() - (80.0 + 0.2 * std::f64::consts::PI - 1.4)).abs() < 0.01,
+            "{half:?}"
+        );
+    }
+}
+
+#[test]
+fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_lies() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="900mm" height="900mm" viewBox="0 0 900 900">
+        <path d="M0 0L900 900M0 900L900 0" stroke="black"/></svg>"#;
+    let mut settings = Settings::default();
+    let error = prepare(&svg.into(), &settings, in_reach).unwrap_err();
+    assert!(
+        matches!(error, PrepareError::Place(PlaceError::TooLarge { .. })),
+        "{error}"
+    );
+    settings.placement.clips = true;
+    let prepared = prepare(&svg.into(), &settings, in_reach).unwrap();
+    let told: Vec<String> = prepared.warnings.iter().map(ToString::to_string).collect();
+    assert!(told.concat().contains("mm of its lines"), "{told:?}");
+    // Both lines cross in the middle of the area.
+    let center = Placement::default().area.center();
+    let near = |it: &Stroke| {
+        it.segments().any(|(a, b)| {
+            dobot_geometry::ParamCurveNearest::nearest(
+                &dobot_geometry::Line::new(a, b),
+                center,
+                0.0,
+            )
+            .distance_sq
+                < 0.01
+        })
+    };
+    assert_eq!(prepared.wanted().iter().filter(|it| near(it)).count(), 2);
 }
 
 #[test]
@@ -351,10 +419,8 @@ fn a_drawing_larger_than_the_area_leaves_room_for_the_runs_of_a_laser() {
 
 #[test]
 fn a_drawing_of_which_nothing_is_left_says_so_and_what_to_do() {
-    let mut settings = Settings {
-        clips: true,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.placement.clips = true;
     settings.placement.center = Some(Point::new(600.0, 0.0));
     let error = prepare(&EXAMPLES[2].into(), &settings, in_reach).unwrap_err();
     assert_eq!(error, PrepareError::AllCutOff);
@@ -377,10 +443,8 @@ fn a_line_along_the_border_of_the_reach_is_cut_so_that_its_vectors_stay_within()
         let line: Vec<Point> = line.collect();
         // On the page, x is to the right and y down: those are -Y and -X of the arm.
         let page = line.iter().map(|p| Point::new(-p.y, -p.x)).collect();
-        let mut settings = Settings {
-            clips: true,
-            ..Settings::default()
-        };
+        let mut settings = Settings::default();
+        settings.placement.clips = true;
         settings.placement.center = Some(dobot_geometry::bounds(line.iter().copied()).center());
         let prepared = prepare(&Source::Lines(vec![page]), &settings, in_reach);
         match prepared {
@@ -447,7 +511,7 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
     let on_page = |line: &Vec<Point>| line.iter().map(|p| Point::new(-p.y, -p.x)).collect();
     let page: Vec<Vec<Point>> = lines.iter().map(on_page).collect();
     for mut settings in cases {
-        settings.clips = true;
+        settings.placement.clips = true;
         settings.placement.center = Some(center);
         let prepared = prepare(&Source::Lines(page.clone()), &settings, in_reach)
             .unwrap_or_else(|error| panic!("{error} with {settings:?}"));
@@ -599,4 +663,34 @@ fn stipples_become_one_line_without_a_lift() {
         points > 300 && length_mm < 1.6 * tour_mm,
         "{points} {length_mm} {tour_mm}"
     );
+}
+
+#[test]
+fn layers_are_chosen_by_names_with_commas_between_them_or_in_them() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"
+        width="50mm" height="50mm" viewBox="0 0 50 50" fill="none" stroke="black">
+        <g inkscape:groupmode="layer" inkscape:label="cut, outside"><path d="M5 5H25"/></g>
+        <g inkscape:groupmode="layer" inkscape:label="cut"><path d="M5 15H25"/></g>
+        <g inkscape:groupmode="layer" inkscape:label="text"><path d="M5 25H25"/></g></svg>"#;
+    let chosen = |only: &[&str]| {
+        let settings = Settings {
+            layers: Some(dobot_source::LayersBy::Group),
+            only: only.iter().map(|&it| it.to_owned()).collect(),
+            ..Settings::default()
+        };
+        let prepared = prepare(&svg.into(), &settings, anywhere);
+        let names = prepared.map(|it| it.passes.into_iter().map(|pass| pass.name).collect());
+        names.map_err(|error| error.to_string())
+    };
+    let names = |names: &[&str]| -> Result<Vec<String>, String> {
+        Ok(names.iter().map(|&it| it.to_owned()).collect())
+    };
+    assert_eq!(chosen(&["cut, outside"]), names(&["cut, outside"]));
+    assert_eq!(chosen(&["text,cut"]), names(&["cut", "text"]));
+    assert_eq!(
+        chosen(&["text", "cut, outside"]),
+        names(&["cut, outside", "text"])
+    );
+    let error = chosen(&["text,red"]).unwrap_err();
+    assert!(error.contains("no layer \"red\""), "{error}");
 }

@@ -189,7 +189,7 @@ mod tests {
                     "--only",
                     "red,blue",
                 ],
-                json!({"what": {"layers": "color", "layer": [{"name": "red", "pen": "marker"}], "only": ["red", "blue"]}}),
+                json!({"what": {"layers": "color", "layer": [{"name": "red", "pen": "marker"}], "only": ["red,blue"]}}),
             ),
             (&["--hatch"], json!({"what": {"hatch": "auto"}})),
             (

@@ -1,0 +1,349 @@
+//! Layers as passes: the lines of each, cut at the borders, and in a good order.
+
+use dobot_arm::Position;
+use dobot_geometry::{Point, Rect, Stroke};
+use dobot_plan::{DrawingTool, Pass};
+use dobot_source::{Layer, Warning};
+
+use super::layers;
+use super::{PrepareError, Settings, beside_mm};
+use crate::calibrated::told_strokes;
+use crate::clip::{Clipped, clip_to_reach};
+use crate::cutting::{inner_first, layers_inner_first};
+use crate::doubles::without_doubles;
+use crate::hatch::hatch;
+use crate::merge::merge;
+use crate::order::order;
+use crate::place::PlaceError;
+use crate::progress::PrepareStep;
+
+/// The layers as passes, each in a good order.
+pub(super) fn passes<E>(
+    layers: Vec<Layer>,
+    settings: &Settings,
+    reachable: &impl Fn(Position) -> Result<(), E>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<Pass>, PrepareError> {
+    let count = if layers.len() > 1 { layers.len() } else { 0 };
+    settings.progress.begin(PrepareStep::Ordering, count);
+    let (mut laid, mut has_lines) = (Vec::new(), false);
+    for mut layer in layers {
+        let tool = layers::tool(&layer, settings);
+        let lines = Lines::of(&mut layer, tool, settings)?;
+        has_lines |= !lines.is_empty();
+        let lines = lines.on_sheet(settings, warnings)?;
+        let lines = lines.try_map(|it| told_strokes(it, tool, settings))?;
+        let lines = lines.within_reach(tool, settings, reachable, warnings);
+        // Areas that are not hatched leave no ink.
+        if !lines.is_empty() {
+            let lines = lines.joined(tool, settings, warnings);
+            laid.push(LaidLayer { layer, tool, lines });
+        }
+    }
+    if has_lines && laid.is_empty() {
+        return Err(PrepareError::AllCutOff);
+    }
+    if settings.tries.is_some() {
+        laid = inner_layers_first(laid, warnings);
+    }
+    let several = laid.len() > 1;
+    let shapes = laid.iter().filter(|_| several);
+    let shapes: Vec<Vec<Stroke>> = shapes.map(|it| it.cut_shapes(settings)).collect();
+    let Rect { x1, y1, .. } = settings.placement.area;
+    let mut here = Point::new(x1, y1);
+    let mut passes = Vec::<Pass>::new();
+    for (number, LaidLayer { layer, tool, lines }) in laid.into_iter().enumerate() {
+        settings.give_up.check()?;
+        let others = shapes.iter().enumerate().filter(|it| it.0 != number);
+        let others: Vec<Stroke> = others.flat_map(|it| it.1).cloned().collect();
+        let strokes = lines.finished(&others, here, tool, settings, warnings);
+        settings.progress.advance(1);
+        here = strokes.last().and_then(Stroke::last).unwrap_or(here);
+        let message = layers::message(&layer, passes.last(), settings);
+        passes.push(Pass {
+            name: layer.name,
+            color: layer.color,
+            tool,
+            strokes,
+            message,
+        });
+    }
+    Ok(passes)
+}
+
+/// A layer, what draws it, and its lines where they are on the paper.
+#[derive(Debug)]
+struct LaidLayer {
+    layer: Layer,
+    tool: DrawingTool,
+    lines: Lines,
+}
+
+impl LaidLayer {
+    /// The closed shapes that are cut out of it, where anything is done to such.
+    fn cut_shapes(&self, settings: &Settings) -> Vec<Stroke> {
+        if !settings.cutting_of(self.tool).is_asked_for() {
+            return Vec::new();
+        }
+        let shapes = self.lines.own.iter().filter(|it| it.closed);
+        shapes.cloned().collect()
+    }
+}
+
+/// What a laser engraves comes before what it cuts, and of layers that are cut the one that lies inside of the
+/// shapes of another before it: what was cut out may have fallen or moved.
+fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<LaidLayer> {
+    let (cut, mut sorted): (Vec<_>, Vec<_>) = laid.into_iter().partition(|it| it.tool.cuts());
+    let lines: Vec<&[Stroke]> = cut.iter().map(|it| it.lines.own.as_slice()).collect();
+    let (order, too_late) = layers_inner_first(&lines);
+    let mut cut: Vec<Option<LaidLayer>> = cut.into_iter().map(Some).collect();
+    sorted.extend(order.into_iter().filter_map(|it| cut[it].take()));
+    warnings.extend(counted(
+        too_late,
+        "layer inside of shapes that are cut before",
+        "cut all the same: two layers lie inside of each other",
+    ));
+    sorted
+}
+
+/// The lines of a layer.
+#[derive(Debug)]
+struct Lines {
+    own: Vec<Stroke>,
+    /// What its areas are hatched with, where those must stay apart: rings of a hatching are no edges of parts that a
+    /// laser cuts out.
+    fills: Vec<Stroke>,
+}
+
+impl Lines {
+    fn of(layer: &mut Layer, tool: DrawingTool, settings: &Settings) -> Result<Self, PrepareError> {
+        let (mut own, mut fills) = (std::mem::take(&mut layer.strokes), Vec::new());
+        if let Some(hatching) = &settings.hatch {
+            for area in &layer.areas {
+                settings.give_up.check()?;
+                fills.append(&mut hatch(area, hatching)?);
+            }
+        }
+        if !tool.cuts() {
+            own.append(&mut fills);
+        }
+        Ok(Self { own, fills })
+    }
+
+    fn is_empty(&self) -> bool {
+        self.own.is_empty() && self.fills.is_empty()
+    }
+
+    fn map(self, mut change: impl FnMut(Vec<Stroke>) -> Vec<Stroke>) -> Self {
+        Self {
+            own: change(self.own),
+            fills: change(self.fills),
+        }
+    }
+
+    fn try_map<E>(self, change: impl Fn(Vec<Stroke>) -> Result<Vec<Stroke>, E>) -> Result<Self, E> {
+        Ok(Self {
+            own: change(self.own)?,
+            fills: change(self.fills)?,
+        })
+    }
+
+    /// Cut at the edge of the sheet where that is wanted.
+    fn on_sheet(
+        self,
+        settings: &Settings,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Self, PlaceError> {
+        let placement = &settings.placement;
+        let Some(sheet) = placement.sheet else {
+            return Ok(self);
+        };
+        if placement.clips {
+            let is_on = |p| sheet.beyond_mm(p) <= ON_SHEET_MM;
+            return Ok(self.clipped("layer beyond the sheet", is_on, warnings));
+        }
+        let points = self.own.iter().chain(&self.fills).flat_map(|it| &it.points);
+        let beyond = points.map(|&p| (sheet.beyond_mm(p), p));
+        match beyond.max_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((by_mm, p)) if by_mm > ON_SHEET_MM => Err(PlaceError::BeyondSheet {
+                by_mm,
+                x_mm: p.x,
+                y_mm: p.y,
+            }),
+            _ => Ok(self),
+        }
+    }
+
+    /// What the arm reaches, the tool on the paper and lifted, wherever it is sent for it, where the rest is to be cut off.
+    fn within_reach<E>(
+        self,
+        tool: DrawingTool,
+        settings: &Settings,
+        reachable: &impl Fn(Position) -> Result<(), E>,
+        warnings: &mut Vec<Warning>,
+    ) -> Self {
+        if !settings.placement.clips {
+            return self;
+        }
+        let reaches = |p: Point| {
+            let z_mm = settings.paper.z_at(p);
+            let reaches = |z_mm| reachable(Position::new(p.x, p.y, z_mm)).is_ok();
+            reaches(z_mm) && reaches(z_mm + tool.lift_mm())
+        };
+        let beside_mm = beside_mm(tool, settings);
+        let is_in = |p| around(p, beside_mm).into_iter().all(&reaches);
+        self.clipped("layer out of reach", is_in, warnings)
+    }
+
+    fn clipped(
+        self,
+        what: &str,
+        inside: impl Fn(Point) -> bool,
+        warnings: &mut Vec<Warning>,
+    ) -> Self {
+        let [own, fills] = [self.own, self.fills].map(|it| clip_to_reach(&it, &inside));
+        let cut_mm = own.cut_mm + fills.cut_mm;
+        let cut_dots = own.cut_dots + fills.cut_dots;
+        if !(own.is_whole() && fills.is_whole()) {
+            let instead =
+                format!("{cut_mm:.0} mm of its lines and {cut_dots} of its dots are cut off");
+            warnings.extend(counted(1, what, &instead));
+        }
+        let [own, fills] = [own, fills].map(|Clipped { strokes, .. }| strokes);
+        Self { own, fills }
+    }
+
+    /// Those that meet joined, and those that lie on others left out where that is wanted.
+    fn joined(self, tool: DrawingTool, settings: &Settings, warnings: &mut Vec<Warning>) -> Self {
+        let stay_whole = settings.cutting_of(tool).is_asked_for();
+        let (mut doubles, mut unknown) = (0, 0);
+        let lines = self.map(|strokes| {
+            if !settings.drops_doubles {
+                return strokes;
+            }
+            let single = without_doubles(strokes, stay_whole);
+            doubles += single.doubles;
+            unknown += single.unknown;
+            single.strokes
+        });
+        warnings.extend(counted(doubles, "double line", "drawn once"));
+        warnings.extend(counted(
+            unknown,
+            "line",
+            "not compared with the others: there are too many in one place",
+        ));
+        lines.map(|it| merge(it, settings.join_mm()))
+    }
+
+    /// The strokes as they are drawn, for a tool that comes from `here`: in a good order, of a laser as it cuts them beside
+    /// what is cut in other layers, of a pen as often as it goes over them.
+    fn finished(
+        self,
+        others: &[Stroke],
+        here: Point,
+        tool: DrawingTool,
+        settings: &Settings,
+        warnings: &mut Vec<Warning>,
+    ) -> Vec<Stroke> {
+        if !tool.burns() {
+            let strokes = in_order(vec![self.own], here, tool, settings);
+            let strokes = strokes.into_iter();
+            return strokes
+                .map(|it| gone_over(it, settings.pen_passes))
+                .collect();
+        }
+        let cutting = settings.cutting_of(tool);
+        let (own, gone) = cutting.offset(self.own, others, settings.flatten_mm());
+        let groups = if tool.cuts() && settings.tries.is_some() {
+            inner_first(own)
+        } else {
+            vec![own]
+        };
+        // What fills parts is burned before they are cut out.
+        let mut strokes = in_order(vec![self.fills], here, tool, settings);
+        let here = strokes.last().and_then(Stroke::last).unwrap_or(here);
+        let cut = cutting.finished(in_order(groups, here, tool, settings), others);
+        strokes.extend(cut.strokes);
+        warnings.extend(counted(gone, "narrow hole", "left out, the beam is wider"));
+        warnings.extend(counted(
+            cut.too_small,
+            "shape",
+            "too small for tabs: cut all around",
+        ));
+        warnings.extend(counted(
+            cut.short_of_room,
+            "shorter lead-in",
+            "the waste beside the cut has no room for more",
+        ));
+        strokes
+    }
+}
+
+/// Groups of strokes one after the other, each in a good order, for a tool that comes from `here`.
+fn in_order(
+    groups: Vec<Vec<Stroke>>,
+    mut here: Point,
+    tool: DrawingTool,
+    settings: &Settings,
+) -> Vec<Stroke> {
+    let mut all = Vec::new();
+    for group in groups.into_iter().filter(|it| !it.is_empty()) {
+        let group = match settings.search(tool) {
+            Some(search) => order(group, here, &search),
+            None => group,
+        };
+        all.append(&mut if settings.joins_dots() {
+            one_line(group)
+        } else {
+            group
+        });
+        here = all.last().and_then(Stroke::last).unwrap_or(here);
+    }
+    all
+}
+
+/// The places beside one, towards the axis of the arm, away from it, and to both sides: the borders of the reach are arcs
+/// around the axis and lines towards it.
+fn around(p: Point, by_mm: f64) -> [Point; 4] {
+    let from_axis = p.to_vec2();
+    let out = from_axis * (by_mm / from_axis.hypot().max(by_mm));
+    let aside = out.turn_90();
+    [p + out, p - out, p + aside, p - aside]
+}
+
+pub(super) fn counted(count: usize, what: &str, instead: &str) -> Option<Warning> {
+    (count > 0).then(|| Warning {
+        file: None,
+        place: None,
+        what: what.to_owned(),
+        instead: instead.to_owned(),
+        count,
+    })
+}
+
+/// A stroke drawn several times without lifting the pen: a closed one goes on around, an open one back
+/// and forth.
+fn gone_over(mut stroke: Stroke, times: u32) -> Stroke {
+    if times < 2 {
+        return stroke;
+    }
+    let once = stroke.points.clone();
+    let is_loop = once.len() > 2 && once.first() == once.last();
+    for time in 1..times {
+        let mut again = once.clone();
+        if !is_loop && time % 2 == 1 {
+            again.reverse();
+        }
+        stroke.points.extend(again.into_iter().skip(1));
+    }
+    stroke
+}
+
+/// All strokes as one, in their order.
+fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
+    let points: Vec<Point> = strokes.into_iter().flat_map(|it| it.points).collect();
+    vec![Stroke::open(points)]
+}
+
+/// So much beyond the edge of a sheet is on it.
+const ON_SHEET_MM: f64 = 0.5;
