@@ -33,7 +33,7 @@ impl Cutting {
     pub(crate) fn offset(
         &self,
         strokes: Vec<Stroke>,
-        others: &[Stroke],
+        others: &[&Stroke],
         tolerance_mm: f64,
     ) -> (Vec<Stroke>, usize) {
         if self.kerf_mm == 0.0 {
@@ -55,7 +55,7 @@ impl Cutting {
     }
 
     /// Strokes in their order, closed ones with their way in, what they overlap, or their tabs.
-    pub(crate) fn finished(&self, strokes: Vec<Stroke>, others: &[Stroke]) -> Cut {
+    pub(crate) fn finished(&self, strokes: Vec<Stroke>, others: &[&Stroke]) -> Cut {
         let leads_in = self.lead_in_mm > 0.0;
         let mut waste = leads_in.then(|| Waste::between(&strokes, others, self.lead_in_mm));
         let depths = if leads_in {
@@ -158,8 +158,8 @@ struct Waste {
 }
 
 impl Waste {
-    fn between(strokes: &[Stroke], others: &[Stroke], lead_in_mm: f64) -> Self {
-        let all = strokes.iter().chain(others).enumerate();
+    fn between(strokes: &[Stroke], others: &[&Stroke], lead_in_mm: f64) -> Self {
+        let all = strokes.iter().chain(others.iter().copied()).enumerate();
         let lines = all.flat_map(|(number, it)| it.segments().map(move |line| (number, line)));
         let (owners, lines) = lines.unzip();
         Self {
@@ -239,8 +239,8 @@ pub(crate) fn layers_inner_first(layers: &[&[Stroke]]) -> (Vec<usize>, usize) {
 }
 
 /// In how many closed strokes, or others, each lies.
-fn depths(strokes: &[Stroke], others: &[Stroke]) -> Vec<usize> {
-    let all: Vec<&Stroke> = strokes.iter().chain(others).collect();
+fn depths(strokes: &[Stroke], others: &[&Stroke]) -> Vec<usize> {
+    let all: Vec<&Stroke> = strokes.iter().chain(others.iter().copied()).collect();
     let enclosing = enclosing(&all, strokes.len());
     enclosing.iter().map(HashSet::len).collect()
 }

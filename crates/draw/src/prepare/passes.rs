@@ -55,7 +55,7 @@ pub(super) fn passes<E>(
     for (number, LaidLayer { layer, tool, lines }) in laid.into_iter().enumerate() {
         settings.give_up.check()?;
         let others = shapes.iter().enumerate().filter(|it| it.0 != number);
-        let others: Vec<Stroke> = others.flat_map(|it| it.1).cloned().collect();
+        let others: Vec<&Stroke> = others.flat_map(|it| it.1).collect();
         let strokes = lines.finished(&others, here, tool, settings, warnings);
         settings.progress.advance(1);
         here = strokes.last().and_then(Stroke::last).unwrap_or(here);
@@ -239,7 +239,7 @@ impl Lines {
     /// what is cut in other layers, of a pen as often as it goes over them.
     fn finished(
         self,
-        others: &[Stroke],
+        others: &[&Stroke],
         here: Point,
         tool: DrawingTool,
         settings: &Settings,
