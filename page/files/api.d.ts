@@ -4136,7 +4136,7 @@ export interface components {
              */
             layer: components["schemas"]["LayerTool"][];
             /**
-             * @description Draw these layers only, by name: several with commas between them
+             * @description Draw these layers only, by name: several with commas between them, or one for each --only
              * @default []
              */
             only: string[];
