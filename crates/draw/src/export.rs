@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::str::FromStr;
 
 use dobot_geometry::{Point, Rect, Stroke, bounds};
-use dobot_plan::{DrawingTool, Pass};
+use dobot_plan::{DOT_MM, DrawingTool, Pass};
 
 use crate::sheet::SheetPlace;
 
@@ -153,30 +153,25 @@ fn gcode(passes: &[Pass], page: &Page<'_>) -> String {
     for pass in passes {
         let name: String = pass.name.chars().filter(|it| !it.is_control()).collect();
         let _ = writeln!(text, "; {name}");
-        let (times, speed_mm_s, on, off) = match pass.tool {
-            DrawingTool::Pen(pen) => {
-                let off = format!("G0 Z{}", Thousandths(pen.lift_mm));
-                (1, pen.draw_speed_mm_s, "G1 Z-0.1 F600".to_owned(), off)
-            }
-            DrawingTool::Laser(laser) => {
-                let off = "M5".to_owned();
-                (
-                    laser.times,
-                    laser.burn_speed_mm_s,
-                    "M4 S1000".to_owned(),
-                    off,
-                )
-            }
+        let (on, off) = match pass.tool {
+            DrawingTool::Pen(pen) => ("G1 Z-0.1 F600", format!("G0 Z{}", Thousandths(pen.lift_mm))),
+            DrawingTool::Laser(_) => ("M4 S1000", "M5".to_owned()),
         };
-        let feed = Thousandths(speed_mm_s * 60.0);
+        let feed = Thousandths(pass.tool.speed_mm_s() * 60.0);
         let _ = writeln!(text, "{off}");
-        for stroke in (0..times).flat_map(|_| &pass.strokes) {
-            let mut points = stroke.points.iter().map(|&p| page.upright(p));
-            let Some([x, y]) = points.next() else {
+        for stroke in pass.drawn() {
+            let mut places: Vec<_> = stroke.points.iter().map(|&p| page.upright(p)).collect();
+            if let ([[Thousandths(x), y]], true) = (&places[..], pass.tool.burns()) {
+                // A laser that does not move burns nothing with M4.
+                places = [-0.5, 0.5]
+                    .map(|it| [Thousandths(x + it * DOT_MM), *y])
+                    .to_vec();
+            }
+            let Some(([x, y], rest)) = places.split_first() else {
                 continue;
             };
             let _ = writeln!(text, "G0 X{x} Y{y}\n{on}");
-            for [x, y] in points {
+            for [x, y] in rest {
                 let _ = writeln!(text, "G1 X{x} Y{y} F{feed}");
             }
             let _ = writeln!(text, "{off}");
@@ -320,5 +315,41 @@ mod tests {
         let text = export(&[pass], None, ExportFormat::Gcode);
         assert_eq!(text.matches("M4 S1000").count(), 3);
         assert!(text.contains("G1 X60 Y40 F600\nM5"));
+    }
+
+    #[test]
+    fn a_laser_burns_each_shape_or_each_layer_so_often_and_its_dots_move() {
+        for (by_stroke, order) in [
+            (false, [30.0, 40.0, 30.0, 40.0]),
+            (true, [30.0, 30.0, 40.0, 40.0]),
+        ] {
+            let laser = Laser {
+                times: 2,
+                by_stroke,
+                ..Laser::default()
+            };
+            let line = |x: f64| {
+                Stroke::open(vec![
+                    Point::new(200.0, 30.0 - x),
+                    Point::new(240.0, 30.0 - x),
+                ])
+            };
+            let dot = Stroke::open(vec![Point::new(205.0, -10.0)]);
+            let pass = Pass::new(DrawingTool::Laser(laser), vec![line(30.0), dot.clone()]);
+            let frame = Pass::new(DrawingTool::Laser(Laser::default()), vec![line(0.0)]);
+            let strokes = read("a.gcode", export(&[frame, pass], None, ExportFormat::Gcode));
+            let middles = strokes
+                .iter()
+                .map(|it| (it[0].0 + it[it.len() - 1].0) / 2.0);
+            assert_eq!(middles.skip(1).collect::<Vec<_>>(), order);
+            let dots = strokes.iter().filter(|it| (it[0].1 - 35.0).abs() < 1e-9);
+            assert!(
+                dots.clone().count() == 2
+                    && dots
+                        .clone()
+                        .all(|it| ((it[1].0 - it[0].0).abs() - 0.2).abs() < 1e-9),
+                "{strokes:?}"
+            );
+        }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 use dobot_geometry::Point;
-use dobot_plan::{DrawingTool, Machine, Pass};
+use dobot_plan::{Machine, Pass};
 
 use crate::order::Travel;
 
@@ -115,11 +115,7 @@ fn roughly_s(passes: &[Pass], machine: &Machine) -> f64 {
             pass_s += ink.cost(stroke.length_mm());
             here = Some(last);
         }
-        let times = match tool {
-            DrawingTool::Pen(_) => 1,
-            DrawingTool::Laser(it) => it.times,
-        };
-        all_s += pass_s * f64::from(times);
+        all_s += pass_s * f64::from(tool.times());
     }
     all_s
 }

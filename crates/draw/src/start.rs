@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use dobot_geometry::Stroke;
-use dobot_plan::Pass;
+use dobot_plan::{DrawingTool, Pass};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -15,9 +15,9 @@ use thiserror::Error;
 pub enum StartFrom {
     /// At a pass: its name, or its number from 1.
     Pass(String),
-    /// At a stroke, counted from 1 through all passes.
+    /// At a stroke, counted from 1 through all passes, those that a laser burns several times so often.
     Stroke(usize),
-    /// Where that share of all the length is drawn, in percent, from 0 to below 100: in the middle
+    /// Where that share of all the length is drawn, of a laser all its times, in percent, from 0 to below 100: in the middle
     /// of a stroke, if it lies there.
     Percent(f64),
 }
@@ -114,19 +114,19 @@ fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, StartError>
 }
 
 fn from_stroke(passes: Vec<Pass>, stroke: usize) -> Result<Vec<Pass>, StartError> {
-    let strokes = passes.iter().map(|it| it.strokes.len()).sum();
+    let strokes = passes.iter().map(|it| it.drawn().count()).sum();
     if !(1..=strokes).contains(&stroke) {
         let found = stroke;
         return Err(StartError::Stroke { found, strokes });
     }
-    Ok(skip_strokes(passes, stroke - 1))
+    Ok(after(passes, stroke - 1, 0.0))
 }
 
 fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, StartError> {
     if !(0.0..100.0).contains(&percent) {
         return Err(StartError::Percent(percent));
     }
-    let all = passes.iter().flat_map(|it| &it.strokes);
+    let all = passes.iter().flat_map(Pass::drawn);
     let lengths: Vec<f64> = all.map(Stroke::length_mm).collect();
     let mut drawn_mm = lengths.iter().sum::<f64>() * percent / 100.0;
     let whole = lengths.iter().take_while(|&&length_mm| {
@@ -135,27 +135,68 @@ fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, StartError
         over
     });
     let whole = whole.count();
-    let mut passes = skip_strokes(passes, whole);
-    if let Some(first) = passes.first_mut().and_then(|it| it.strokes.first_mut())
-        && drawn_mm > 0.0
-    {
-        *first = rest_of_stroke(first, drawn_mm);
-    }
-    Ok(passes)
+    Ok(after(passes, whole, drawn_mm))
 }
 
-/// The passes without their first strokes, and without the passes of which nothing is left.
-fn skip_strokes(passes: Vec<Pass>, mut skip: usize) -> Vec<Pass> {
+/// The passes without so many strokes, and so much of the next one, as they are drawn, and without the passes of which
+/// nothing is left.
+fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> {
     let mut rest = Vec::new();
-    for mut pass in passes {
-        let skipped = skip.min(pass.strokes.len());
-        pass.strokes.drain(..skipped);
-        skip -= skipped;
-        if !pass.strokes.is_empty() {
-            rest.push(pass);
+    for pass in passes {
+        let count = pass.drawn().count();
+        if strokes < count {
+            rest.extend(rest_of_pass(pass, strokes, drawn_mm));
+            (strokes, drawn_mm) = (0, 0.0);
+        } else {
+            strokes -= count;
         }
     }
     rest
+}
+
+/// What is left of a pass of which so many strokes, and so much of the next one, are drawn. What a laser burns several times
+/// becomes several passes: what is left of the time that was broken off, and the times to come.
+fn rest_of_pass(pass: Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
+    let (count, times) = (pass.strokes.len(), pass.tool.times());
+    let goes_on = matches!(pass.tool, DrawingTool::Laser(laser) if laser.by_stroke);
+    let (first, done) = if goes_on {
+        (drawn / times as usize, drawn % times as usize)
+    } else {
+        (drawn % count, drawn / count)
+    };
+    let left = times - u32::try_from(done).unwrap_or(times);
+    let (all, to_come) = (&pass.strokes[..], &pass.strokes[first..]);
+    let begun = drawn_mm > 0.0;
+    let rest = if begun {
+        rest_of_stroke(&to_come[0], drawn_mm)
+    } else {
+        to_come[0].clone()
+    };
+    let parts = if goes_on && done == 0 && !begun {
+        vec![(to_come.to_vec(), times)]
+    } else if goes_on {
+        let again = left - u32::from(begun);
+        vec![
+            (vec![rest], u32::from(begun)),
+            (to_come[..1].to_vec(), again),
+            (to_come[1..].to_vec(), times),
+        ]
+    } else {
+        let is_begun = first > 0 || begun;
+        vec![
+            ([&[rest], &to_come[1..]].concat(), u32::from(is_begun)),
+            (all.to_vec(), left - u32::from(is_begun)),
+        ]
+    };
+    let parts = parts.into_iter().filter(|it| !it.0.is_empty() && it.1 > 0);
+    let part = |(number, (strokes, times)): (usize, (Vec<Stroke>, u32))| Pass {
+        name: pass.name.clone(),
+        tool: pass.tool.times_over(times),
+        strokes,
+        message: pass.message.clone().filter(|_| number == 0),
+        ..pass
+    };
+    parts.enumerate().map(part).collect()
 }
 
 /// What is left of a stroke of which so much is drawn.
@@ -190,7 +231,7 @@ mod tests {
 
     use super::*;
     use dobot_geometry::Point;
-    use dobot_plan::DrawingTool;
+    use dobot_plan::{DrawingTool, Laser};
 
     fn line(from: f64, to: f64) -> Stroke {
         Stroke::open(vec![Point::new(from, 0.0), Point::new(to, 0.0)])
@@ -233,6 +274,43 @@ mod tests {
         assert_eq!(rest(&StartFrom::Stroke(3))[0].0, "blue");
         let left = StartFrom::Stroke(2).rest_of(passes()).unwrap();
         assert_eq!(left[0].message.as_deref(), Some("put in red"));
+    }
+
+    #[test]
+    fn what_a_laser_burns_several_times_is_left_as_often_as_it_is_not_burned() {
+        let laser = |by_stroke| {
+            let laser = Laser {
+                times: 3,
+                by_stroke,
+                ..Laser::default()
+            };
+            let strokes = vec![line(0.0, 10.0), line(20.0, 40.0)];
+            vec![Pass::new(DrawingTool::Laser(laser), strokes)]
+        };
+        let left = |by_stroke, from: StartFrom| -> Vec<(u32, Vec<Stroke>)> {
+            let rest = from.rest_of(laser(by_stroke)).unwrap();
+            rest.into_iter()
+                .map(|it| (it.tool.times(), it.strokes))
+                .collect()
+        };
+        let (short, long) = (line(0.0, 10.0), line(20.0, 40.0));
+        let both = vec![short.clone(), long.clone()];
+        let fourth = StartFrom::Stroke(4);
+        assert_eq!(
+            left(false, fourth.clone()),
+            [(1, vec![long.clone()]), (1, both.clone())]
+        );
+        assert_eq!(left(true, fourth), [(3, vec![long.clone()])]);
+        // 20 of 90 mm.
+        let share = StartFrom::Percent(200.0 / 9.0);
+        let half = line(30.0, 40.0);
+        assert_eq!(
+            left(false, share.clone()),
+            [(1, vec![half]), (2, both.clone())]
+        );
+        assert_eq!(left(true, share), [(1, vec![short]), (3, vec![long])]);
+        assert_eq!(left(false, StartFrom::Stroke(1)), [(3, both.clone())]);
+        assert_eq!(left(true, StartFrom::Stroke(1)), [(3, both)]);
     }
 
     #[test]
@@ -290,17 +368,32 @@ mod tests {
         fn what_is_left_is_as_long_as_it_should_be(
             lengths in proptest::collection::vec(0.0..30.0_f64, 1..12),
             percent in 0.0..100.0_f64,
+            times in 1..4_u32,
+            by_stroke: bool,
         ) {
             let strokes: Vec<Stroke> = lengths.iter().map(|&length| line(0.0, length)).collect();
-            let all: f64 = lengths.iter().sum();
             let half = strokes.len() / 2;
+            let laser = Laser {
+                times,
+                by_stroke,
+                ..Laser::default()
+            };
             let passes = vec![
                 pass("a", strokes[..half].to_vec()),
-                pass("b", strokes[half..].to_vec()),
+                Pass::new(DrawingTool::Laser(laser), strokes[half..].to_vec()),
             ];
-            let rest = StartFrom::Percent(percent).rest_of(passes).unwrap();
-            let left: f64 = rest.iter().flat_map(|it| &it.strokes).map(Stroke::length_mm).sum();
-            prop_assert!((left - all * (1.0 - percent / 100.0)).abs() < 1e-6);
+            let drawn = |passes: &[Pass]| -> Vec<f64> {
+                passes.iter().flat_map(Pass::drawn).map(Stroke::length_mm).collect()
+            };
+            let all = drawn(&passes);
+            let rest = drawn(&StartFrom::Percent(percent).rest_of(passes).unwrap());
+            let all_mm: f64 = all.iter().sum();
+            let left_mm: f64 = rest.iter().sum();
+            prop_assert!((left_mm - all_mm * (1.0 - percent / 100.0)).abs() < 1e-6);
+            // What is left goes on as it would have without a break.
+            if let Some(later) = rest.get(1..) {
+                prop_assert_eq!(later, &all[all.len() - later.len()..]);
+            }
         }
     }
 }

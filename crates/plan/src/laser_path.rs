@@ -174,7 +174,7 @@ fn unit(way: Vec2) -> Option<Vec2> {
 }
 
 /// A laser burns a dot as a line, as long as its spot is wide.
-const DOT_MM: f64 = 0.2;
+pub const DOT_MM: f64 = 0.2;
 /// No vector that a laser burns is shorter, but of a stroke that is: the link would have it burn a hole there.
 pub const LEAST_BURN_MM: f64 = 0.08;
 const LEAST_RUN_OUT_MM: f64 = 0.1;

@@ -52,7 +52,7 @@ mod vector;
 pub use acceleration::acceleration;
 pub use around::around_axis;
 pub use error::PlanError;
-pub use laser_path::{LEAST_BURN_MM, burned_corners};
+pub use laser_path::{DOT_MM, LEAST_BURN_MM, burned_corners};
 pub use lookahead::{ChainVector, Cornering, Junction};
 pub use machine::{LinkRate, Machine};
 pub use motion::Motion;

@@ -34,6 +34,13 @@ impl Pass {
         }
     }
 
+    /// The strokes as they are drawn: what a laser burns several times stands there so often.
+    pub fn drawn(&self) -> impl Iterator<Item = &Stroke> {
+        let (count, times) = (self.strokes.len(), self.tool.times() as usize);
+        let goes_on = matches!(self.tool, DrawingTool::Laser(laser) if laser.by_stroke);
+        (0..count * times).map(move |i| &self.strokes[if goes_on { i / times } else { i % count }])
+    }
+
     pub(super) fn has_strokes(&self) -> bool {
         self.strokes.iter().any(|stroke| !stroke.points.is_empty())
     }

@@ -72,15 +72,11 @@ impl<'a> Planner<'a> {
         self.plan_lone(0);
         self.pass = number;
         self.aim = Aim::of(&pass.tool);
-        let strokes = pass.strokes.iter().filter(|it| !it.points.is_empty());
-        match &pass.tool {
-            DrawingTool::Pen(pen) => strokes.for_each(|stroke| self.draw(stroke, pen)),
-            DrawingTool::Laser(laser) if laser.by_stroke => strokes
-                .flat_map(|it| (0..laser.times).map(move |_| it))
-                .for_each(|stroke| self.burn(stroke, laser)),
-            DrawingTool::Laser(laser) => (0..laser.times)
-                .flat_map(|_| strokes.clone())
-                .for_each(|stroke| self.burn(stroke, laser)),
+        for stroke in pass.drawn().filter(|it| !it.points.is_empty()) {
+            match &pass.tool {
+                DrawingTool::Pen(pen) => self.draw(stroke, pen),
+                DrawingTool::Laser(laser) => self.burn(stroke, laser),
+            }
         }
     }
 

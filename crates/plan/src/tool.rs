@@ -50,6 +50,24 @@ impl DrawingTool {
         matches!(self, Self::Laser(laser) if laser.cuts)
     }
 
+    /// How often it goes over each stroke, lifted or switched off in between.
+    #[must_use]
+    pub const fn times(&self) -> u32 {
+        match self {
+            Self::Pen(_) => 1,
+            Self::Laser(laser) => laser.times,
+        }
+    }
+
+    /// The same tool, going over each stroke so often; a pen does so once.
+    #[must_use]
+    pub const fn times_over(self, times: u32) -> Self {
+        match self {
+            Self::Pen(_) => self,
+            Self::Laser(laser) => Self::Laser(Laser { times, ..laser }),
+        }
+    }
+
     /// How high above the paper it travels, in mm; 0 for a laser.
     #[must_use]
     pub const fn lift_mm(&self) -> f64 {
