@@ -1,6 +1,6 @@
 //! Lines end where the arm's reach does.
 
-use dobot_geometry::{Point, Stroke};
+use dobot_geometry::{Point, Rect, Stroke};
 
 /// What is left of strokes that were cut.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,10 +22,10 @@ impl Clipped {
 }
 
 /// Cuts strokes where `inside` says that a place cannot be reached: that is asked at least every
-/// millimetre, and the border is found to a hundredth of one. No part outside is kept; one that is
-/// less than a millimetre long may be overlooked.
+/// millimetre `within` which all such places lie, and the border is found to a hundredth of one. No part outside is kept;
+/// one that is less than a millimetre long may be overlooked.
 #[must_use]
-pub fn clip_to_reach(strokes: &[Stroke], inside: impl Fn(Point) -> bool) -> Clipped {
+pub fn clip_to_reach(strokes: &[Stroke], within: Rect, inside: impl Fn(Point) -> bool) -> Clipped {
     let mut clipped = Clipped::default();
     for stroke in strokes {
         if let [dot] = stroke.points[..] {
@@ -38,7 +38,7 @@ pub fn clip_to_reach(strokes: &[Stroke], inside: impl Fn(Point) -> bool) -> Clip
         }
         let mut pieces = StrokePieces::default();
         for (a, b) in stroke.segments() {
-            pieces.add((a, b), &reached(a, b, &inside));
+            pieces.add((a, b), &reached(a, b, within, &inside));
         }
         if pieces.whole {
             clipped.strokes.push(stroke.clone());
@@ -118,22 +118,25 @@ impl StrokePieces {
 }
 
 /// The shares of a segment that can be reached, from 0 at its begin to 1 at its end.
-fn reached(a: Point, b: Point, inside: &impl Fn(Point) -> bool) -> Vec<(f64, f64)> {
+fn reached(a: Point, b: Point, within: Rect, inside: &impl Fn(Point) -> bool) -> Vec<(f64, f64)> {
     let mut shares = Vec::new();
-    if !a.distance(b).is_finite() {
+    let Some((first, last)) = overlap(a, b, within) else {
         return shares;
-    }
+    };
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "a count, saturating"
     )]
-    let count = (a.distance(b) / STEP_MM).ceil().max(1.0) as u32;
+    let count = (a.distance(b) * (last - first) / STEP_MM).ceil().max(1.0) as u32;
     let reaches = |share: f64| inside(a.lerp(b, share));
-    let mut begin = reaches(0.0).then_some(0.0);
+    let mut begin = reaches(first).then_some(first);
+    let share = |i: u32| {
+        let of_all = f64::from(i) / f64::from(count);
+        first * (1.0 - of_all) + last * of_all
+    };
     for i in 1..=count {
-        let (before, here) = (f64::from(i - 1), f64::from(i));
-        let (before, here) = (before / f64::from(count), here / f64::from(count));
+        let (before, here) = (share(i - 1), share(i));
         let halvings = |out, inn| border(out, inn, a.distance(b), &reaches);
         match (begin, reaches(here)) {
             (Some(from), false) => {
@@ -144,9 +147,33 @@ fn reached(a: Point, b: Point, inside: &impl Fn(Point) -> bool) -> Vec<(f64, f64
             _ => {}
         }
     }
-    shares.extend(begin.map(|from| (from, 1.0)));
+    shares.extend(begin.map(|from| (from, last)));
     shares.retain(|&(from, to)| from < to);
     shares
+}
+
+/// From which share of a segment to which it lies in a rectangle.
+fn overlap(a: Point, b: Point, within: Rect) -> Option<(f64, f64)> {
+    let way = b - a;
+    if !(a.is_finite() && way.is_finite()) {
+        return None;
+    }
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for (at, way, low, high) in [
+        (a.x, way.x, within.x0, within.x1),
+        (a.y, way.y, within.y0, within.y1),
+    ] {
+        if way == 0.0 {
+            if at < low || at > high {
+                return None;
+            }
+            continue;
+        }
+        let (one, other) = ((low - at) / way, (high - at) / way);
+        first = first.max(one.min(other));
+        last = last.min(one.max(other));
+    }
+    (first < last).then_some((first, last))
 }
 
 /// The last share inside before the border.
@@ -169,13 +196,15 @@ const BORDER_MM: f64 = 0.01;
 mod tests {
     use proptest::prelude::*;
 
-    use dobot_geometry::{Rect, bounds};
+    use dobot_geometry::bounds;
 
     use super::*;
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
     }
+
+    const AROUND: Rect = Rect::new(-40.0, -40.0, 40.0, 40.0);
 
     fn in_area(p: Point) -> bool {
         (0.0..=10.0).contains(&p.x) && (0.0..=10.0).contains(&p.y)
@@ -201,16 +230,16 @@ mod tests {
         let mut ring = line(&[(1.0, 1.0), (9.0, 1.0), (9.0, 10.0), (1.0, 1.0)]);
         ring.closed = true;
         let strokes = [ring, line(&[(0.0, 0.0)]), line(&[(2.0, 2.0), (3.0, 3.0)])];
-        let clipped = clip_to_reach(&strokes, in_area);
+        let clipped = clip_to_reach(&strokes, AROUND, in_area);
         assert_eq!(clipped.strokes, strokes);
         assert!(clipped.is_whole());
-        assert_eq!(clip_to_reach(&strokes, |_| true), clipped);
+        assert_eq!(clip_to_reach(&strokes, AROUND, |_| true), clipped);
     }
 
     #[test]
     fn a_stroke_that_leaves_and_comes_back_becomes_two() {
         let stroke = line(&[(1.0, 5.0), (12.0, 5.0), (12.0, 6.0), (1.0, 6.0)]);
-        let clipped = clip_to_reach(&[stroke], in_area);
+        let clipped = clip_to_reach(&[stroke], AROUND, in_area);
         let parts = [
             line(&[(1.0, 5.0), (10.0, 5.0)]),
             line(&[(10.0, 6.0), (1.0, 6.0)]),
@@ -223,7 +252,7 @@ mod tests {
     fn a_closed_stroke_goes_on_over_its_begin() {
         let mut ring = line(&[(5.0, 5.0), (5.0, 8.0), (15.0, 8.0), (15.0, 5.0), (5.0, 5.0)]);
         ring.closed = true;
-        let clipped = clip_to_reach(&[ring], in_area);
+        let clipped = clip_to_reach(&[ring], AROUND, in_area);
         let rest = line(&[(10.0, 5.0), (5.0, 5.0), (5.0, 8.0), (10.0, 8.0)]);
         assert!(is_near(&clipped.strokes, &[rest]), "{clipped:?}");
     }
@@ -235,7 +264,7 @@ mod tests {
             line(&[(20.0, 0.0), (20.0, 7.0)]),
             line(&[(10.0, 12.0), (12.0, 10.0)]),
         ];
-        let clipped = clip_to_reach(&strokes, in_area);
+        let clipped = clip_to_reach(&strokes, AROUND, in_area);
         assert_eq!(clipped.strokes, []);
         assert_eq!(clipped.cut_dots, 1);
         assert!((clipped.cut_mm - 7.0 - 8.0_f64.sqrt()).abs() < 1e-9);
@@ -244,7 +273,7 @@ mod tests {
     #[test]
     fn the_reach_cuts_within_a_hundredth_of_a_millimetre() {
         let through = line(&[(-30.0, 0.0), (30.0, 0.0)]);
-        let clipped = clip_to_reach(&[through], in_ring);
+        let clipped = clip_to_reach(&[through], AROUND, in_ring);
         assert_eq!(clipped.strokes.len(), 2);
         let wanted = [-20.0, -5.0, 5.0, 20.0];
         let found = clipped.strokes.iter().flat_map(|it| &it.points);
@@ -255,13 +284,34 @@ mod tests {
     }
 
     #[test]
+    fn what_is_far_away_is_cut_without_a_look_at_each_millimetre() {
+        let far = 1e12;
+        let through = line(&[(-far, 5.0), (far, 5.0), (far, far), (-far, -far)]);
+        let asked = std::cell::Cell::new(0);
+        let clipped = clip_to_reach(&[through], AROUND, |p| {
+            asked.set(asked.get() + 1);
+            in_area(p)
+        });
+        let parts = clipped.strokes.iter().map(|it| it.length_mm());
+        let wanted = [10.0, 10.0 * 2.0_f64.sqrt()];
+        assert!(
+            parts
+                .zip(wanted)
+                .all(|(mm, wanted)| (mm - wanted).abs() < 0.05),
+            "{clipped:?}"
+        );
+        assert_eq!(clipped.strokes.len(), 2);
+        assert!(asked.get() < 1000, "{}", asked.get());
+    }
+
+    #[test]
     fn places_that_are_no_numbers_are_cut() {
         let nowhere = [
             line(&[(1.0, 1.0), (f64::NAN, 2.0)]),
             line(&[(f64::NAN, 2.0)]),
         ];
-        assert_eq!(clip_to_reach(&nowhere, in_area).cut_dots, 1);
-        assert_eq!(clip_to_reach(&nowhere, in_ring).strokes, []);
+        assert_eq!(clip_to_reach(&nowhere, AROUND, in_area).cut_dots, 1);
+        assert_eq!(clip_to_reach(&nowhere, AROUND, in_ring).strokes, []);
     }
 
     fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
@@ -285,8 +335,8 @@ mod tests {
         #[test]
         fn no_line_is_lost_and_none_is_outside(strokes in strokes()) {
             let clips = [
-                (clip_to_reach(&strokes, in_area), Rect::new(0.0, 0.0, 10.0, 10.0)),
-                (clip_to_reach(&strokes, in_ring), bounds([Point::new(-20.0, -20.0), Point::new(20.0, 20.0)])),
+                (clip_to_reach(&strokes, AROUND, in_area), Rect::new(0.0, 0.0, 10.0, 10.0)),
+                (clip_to_reach(&strokes, AROUND, in_ring), bounds([Point::new(-20.0, -20.0), Point::new(20.0, 20.0)])),
             ];
             for (clipped, bounds) in clips {
                 let length = length_mm(&clipped.strokes) + clipped.cut_mm;
@@ -299,7 +349,7 @@ mod tests {
 
         #[test]
         fn all_that_is_kept_can_be_reached(strokes in strokes()) {
-            for stroke in clip_to_reach(&strokes, in_ring).strokes {
+            for stroke in clip_to_reach(&strokes, AROUND, in_ring).strokes {
                 for &p in &stroke.points {
                     prop_assert!(in_ring(p), "{p:?}");
                 }

@@ -297,11 +297,14 @@ pub enum PlaceError {
     },
     /// The drawing does not fit on the sheet.
     #[error(
-        "the drawing goes {by_mm:.1} mm beyond the edge of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or cut it there with --clip"
+        "the drawing goes {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or cut it there with --clip",
+        if *margin_mm > 0.0 { "margin" } else { "edge" }
     )]
     BeyondSheet {
         /// How far beyond.
         by_mm: f64,
+        /// How wide the margin of the sheet is.
+        margin_mm: f64,
         /// Forward, in the base frame.
         x_mm: f64,
         /// To the left.

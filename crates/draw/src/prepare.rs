@@ -101,10 +101,10 @@ pub fn prepare_together<E: fmt::Display>(
     settings.progress.begin(PrepareStep::Reading, 0);
     let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
     settings.give_up.check()?;
-    let layers = layers::chosen(layers, settings)?;
+    let (layers, left_out) = layers::chosen(layers, settings)?;
     warnings.extend(layers::pen_speeds(&layers, settings));
     warnings.extend(layers::unhatched(&layers, settings));
-    let passes = passes(layers, settings, &reachable, &mut warnings)?;
+    let passes = passes(layers, left_out, settings, &reachable, &mut warnings)?;
     let prepared = plan_passes(passes, settings, reachable)?;
     Ok(Prepared {
         scale,
@@ -194,11 +194,11 @@ pub enum PrepareError {
         error: SourceError,
     },
     /// No layer has this name.
-    #[error("there is no layer {name:?}; the layers are {layers}")]
+    #[error("there is no layer {name:?}; {}", if layers.is_empty() { "layers have no names here".to_owned() } else { format!("the layers are {layers}") })]
     NoSuchLayer {
         /// What was asked for.
         name: String,
-        /// What there is.
+        /// What there is, with commas between the names.
         layers: String,
     },
     /// It does not fit on the paper.

@@ -159,6 +159,19 @@ impl SheetPlace {
         [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|it| self.place(it.into()))
     }
 
+    /// What is left of it without a margin.
+    pub(crate) fn without_margin(&self, margin_mm: f64) -> Self {
+        let room = self.room(margin_mm);
+        Self {
+            size: PaperSize {
+                width_mm: room.width(),
+                height_mm: room.height(),
+            },
+            corner: self.place(room.origin()),
+            ..*self
+        }
+    }
+
     /// Its sides without a margin, on the sheet.
     pub(crate) fn room(&self, margin_mm: f64) -> Rect {
         let PaperSize {

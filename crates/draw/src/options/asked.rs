@@ -356,6 +356,8 @@ fn placement(options: &Options, sources: &[NamedSource]) -> Result<Placement, Op
 pub const WITHOUT_ARM_Z_MM: f64 = -40.0;
 /// How near before the arm the lower edge of a sheet lies.
 const NEAREST_MM: f64 = 140.0;
+/// So far below the lower edge of the sheet the pen may have touched the paper: nobody meets an edge.
+const TOUCHED_BELOW_MM: f64 = 5.0;
 /// In characters.
 const LONGEST_TITLE: usize = 60;
 
@@ -370,10 +372,14 @@ fn sheet(place: &PlaceOptions) -> Result<Option<SheetPlace>, OptionsError> {
     } else {
         size
     };
-    if let Some(&[ax, ay, _, bx, by, ..]) = place.paper.as_deref() {
-        let [a, b] = [Point::new(ax, ay), Point::new(bx, by)];
-        let touched = SheetPlace::through(size, a, b);
-        return touched.map(Some).ok_or(OptionsError::SamePoint);
+    if let Some(&[ax, ay, _, bx, by, _, cx, cy, _]) = place.paper.as_deref() {
+        let [a, b, c] = [(ax, ay), (bx, by), (cx, cy)].map(Point::from);
+        let touched = SheetPlace::through(size, a, b).ok_or(OptionsError::SamePoint)?;
+        let below_mm = touched.on_sheet(c).y - size.height_mm;
+        if below_mm > TOUCHED_BELOW_MM {
+            return Err(OptionsError::BelowSheet(below_mm));
+        }
+        return Ok(Some(touched));
     }
     if let Some(&[x_mm, y_mm]) = place.corner.as_deref() {
         let corner = Point::new(x_mm, y_mm);

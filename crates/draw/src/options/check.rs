@@ -98,8 +98,8 @@ fn ranges(options: &Options) -> Result<(), OptionsError> {
             "percent",
         ),
         ("--contrast", Some(what.contrast), -100.0, 100.0, "percent"),
-        ("--gamma", Some(what.gamma), 0.1, 10.0, "of gamma"),
-        ("--threshold", what.threshold, 0.01, 0.99, "of darkness"),
+        ("--gamma", Some(what.gamma), 0.1, 10.0, ""),
+        ("--threshold", what.threshold, 0.01, 0.99, ""),
         ("--speed", tool.speed, 0.0, 1000.0, "mm/s"),
         ("--travel-speed", tool.travel_speed, 0.0, 1000.0, "mm/s"),
         (
@@ -164,6 +164,13 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         ("--pen", by_pen, "--laser", by_laser),
         ("--keep-order", way.keep_order, "--tries", tries),
         (
+            "--keep-order",
+            way.keep_order,
+            "--shade tsp",
+            what.shade == Some(ShadingStyle::Tsp),
+        ),
+        ("--lift", tool.lift.is_some(), "--laser", by_laser),
+        (
             "--levels",
             what.levels.is_some(),
             "--threshold",
@@ -174,6 +181,11 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     ];
     if let Some((option, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
         return Err(OptionsError::Both { option, other });
+    }
+    let mut names: Vec<&str> = what.layer.iter().map(|it| it.name.as_str()).collect();
+    names.sort_unstable();
+    if let Some(twice) = names.windows(2).find(|it| it[0] == it[1]) {
+        return Err(OptionsError::Twice(twice[0].to_owned()));
     }
     let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
     let sheet = place.paper_size.is_some();
@@ -397,6 +409,18 @@ mod tests {
             (
                 r#"{"tool": {"speed": 1e9}}"#,
                 "--speed is 1000000000 mm/s; it takes 0 to 1000 mm/s",
+            ),
+            (
+                r#"{"what": {"gamma": 0}}"#,
+                "--gamma is 0; it takes 0.1 to 10",
+            ),
+            (
+                r#"{"what": {"shade": "tsp"}, "way": {"keep_order": true}}"#,
+                "--keep-order and --shade tsp exclude each other: give one of them",
+            ),
+            (
+                r#"{"what": {"layers": "color", "layer": [{"name": "red", "pen": "marker"}, {"name": "red", "pen": "pencil"}]}}"#,
+                "--layer \"red\" is given twice: give one of them",
             ),
             (
                 r#"{"tool": {"passes": 0}}"#,

@@ -57,6 +57,9 @@ pub enum OptionsError {
         /// The one that is missing.
         needs: &'static str,
     },
+    /// A layer that is to be drawn in two ways.
+    #[error("--layer {0:?} is given twice: give one of them")]
+    Twice(String),
     /// A coordinate that is none.
     #[error("{option} has {found:?}; it takes numbers of millimetres from -10000 to 10000")]
     NoPlace {
@@ -66,7 +69,7 @@ pub enum OptionsError {
         found: f64,
     },
     /// A number that no arm and no paper has.
-    #[error("{option} is {} {unit}; it takes {least} to {most} {unit}", number(*found))]
+    #[error("{option} is {}; it takes {least} to {}", with_unit(*found, unit), with_unit(*most, unit))]
     Range {
         /// The option.
         option: &'static str,
@@ -76,7 +79,7 @@ pub enum OptionsError {
         least: f64,
         /// The most.
         most: f64,
-        /// Of what.
+        /// Of what; nothing for plain numbers.
         unit: &'static str,
     },
     /// Coordinates that are too few or too many.
@@ -94,6 +97,11 @@ pub enum OptionsError {
         "--paper has the same place for the lower left corner of the sheet and for its lower edge; touch two places"
     )]
     SamePoint,
+    /// A place on the paper that lies where none is.
+    #[error(
+        "the third place of --paper lies {0:.1} mm below the lower edge of the sheet, seen from the first two; touch first the lower left corner, then another place on the lower edge, to the right of it"
+    )]
+    BelowSheet(f64),
     /// The calibration's heights of the paper span no surface.
     #[error(
         "the places at which the paper of the calibration was touched lie on one line, or two are the same; touch the paper again"
@@ -153,7 +161,8 @@ impl OptionsError {
 }
 
 /// A number without `.0`, and no longer than need be.
-fn number(value: f64) -> String {
+fn with_unit(value: f64, unit: &str) -> String {
     let text = format!("{value:?}");
-    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+    let text = text.strip_suffix(".0").unwrap_or(&text);
+    format!("{text} {unit}").trim_end().to_owned()
 }

@@ -8,8 +8,11 @@ use super::{PrepareError, Settings};
 
 /// The layers that are to be drawn; all as one unless they are to be drawn each for itself.
 ///
-/// Layers of different speeds stay apart: the file says how each is to be drawn.
-pub(super) fn chosen(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Layer>, PrepareError> {
+/// Layers of different speeds stay apart: the file says how each is to be drawn. Those that are not drawn come behind them.
+pub(super) fn chosen(
+    layers: Vec<Layer>,
+    settings: &Settings,
+) -> Result<(Vec<Layer>, Vec<Layer>), PrepareError> {
     let layers: Vec<Layer> = layers.into_iter().filter(|it| !it.is_empty()).collect();
     let is_layer = |name: &str| layers.iter().any(|it| it.name == name);
     let only: Vec<&str> = settings
@@ -19,21 +22,30 @@ pub(super) fn chosen(layers: Vec<Layer>, settings: &Settings) -> Result<Vec<Laye
         .collect();
     let tools = settings.tools.iter().map(|(name, _)| name.as_str());
     if let Some(unknown) = only.iter().copied().chain(tools).find(|it| !is_layer(it)) {
-        let names: Vec<_> = layers.iter().map(|it| it.name.as_str()).collect();
+        let named = layers.iter().filter(|it| !it.name.is_empty());
+        let names: Vec<String> = named.map(|it| quoted(&it.name)).collect();
         return Err(PrepareError::NoSuchLayer {
             name: unknown.to_owned(),
             layers: names.join(", "),
         });
     }
     if settings.layers.is_none() {
-        return Ok(merged(layers));
+        return Ok((merged(layers), Vec::new()));
     }
-    let wanted: Vec<bool> = layers
-        .iter()
-        .map(|it| only.is_empty() || only.contains(&it.name.as_str()))
-        .collect();
-    let chosen = layers.into_iter().zip(wanted).filter(|it| it.1);
-    Ok(chosen.map(|it| it.0).collect())
+    let is_wanted = |it: &Layer| only.is_empty() || only.contains(&it.name.as_str());
+    let wanted: Vec<bool> = layers.iter().map(is_wanted).collect();
+    let (chosen, left_out): (Vec<_>, Vec<_>) = layers.into_iter().zip(wanted).partition(|it| it.1);
+    let layers = |all: Vec<(Layer, bool)>| all.into_iter().map(|it| it.0).collect();
+    Ok((layers(chosen), layers(left_out)))
+}
+
+/// A name as it stands between commas.
+fn quoted(name: &str) -> String {
+    if name.contains(',') {
+        format!("{name:?}")
+    } else {
+        name.to_owned()
+    }
 }
 
 /// The names in what was asked for: with commas between them, unless a layer has these in its name.

@@ -1,12 +1,12 @@
 //! Layers as passes: the lines of each, cut at the borders, and in a good order.
 
 use dobot_arm::Position;
-use dobot_geometry::{Point, Rect, Stroke};
+use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_plan::{DrawingTool, Pass};
 use dobot_source::{Layer, Warning};
 
 use super::layers;
-use super::{PrepareError, Settings, beside_mm};
+use super::{MOST_REACH_MM, PrepareError, Settings, beside_mm};
 use crate::calibrated::told_strokes;
 use crate::clip::{Clipped, clip_to_reach};
 use crate::cutting::{inner_first, layers_inner_first};
@@ -17,9 +17,11 @@ use crate::order::order;
 use crate::place::PlaceError;
 use crate::progress::PrepareStep;
 
-/// The layers as passes, each in a good order.
+/// The layers as passes, each in a good order, beside those that are left out: a hole is one also where its part is cut another
+/// time.
 pub(super) fn passes<E>(
     layers: Vec<Layer>,
+    left_out: Vec<Layer>,
     settings: &Settings,
     reachable: &impl Fn(Position) -> Result<(), E>,
     warnings: &mut Vec<Warning>,
@@ -46,9 +48,22 @@ pub(super) fn passes<E>(
     if settings.tries.is_some() {
         laid = inner_layers_first(laid, warnings);
     }
-    let several = laid.len() > 1;
+    let several = laid.len() + left_out.len() > 1;
     let shapes = laid.iter().filter(|_| several);
-    let shapes: Vec<Vec<Stroke>> = shapes.map(|it| it.cut_shapes(settings)).collect();
+    let mut shapes: Vec<Vec<Stroke>> = shapes.map(|it| it.cut_shapes(settings)).collect();
+    for mut layer in left_out {
+        let tool = layers::tool(&layer, settings);
+        if !settings.cutting_of(tool).is_asked_for() {
+            continue;
+        }
+        let own = told_strokes(std::mem::take(&mut layer.strokes), tool, settings)?;
+        let lines = Lines {
+            own,
+            fills: Vec::new(),
+        }
+        .joined(tool, settings, &mut Vec::new());
+        shapes.push(LaidLayer { layer, tool, lines }.cut_shapes(settings));
+    }
     let Rect { x1, y1, .. } = settings.placement.area;
     let mut here = Point::new(x1, y1);
     let mut passes = Vec::<Pass>::new();
@@ -158,15 +173,18 @@ impl Lines {
         let Some(sheet) = placement.sheet else {
             return Ok(self);
         };
+        let room = sheet.without_margin(placement.margin_mm);
         if placement.clips {
-            let is_on = |p| sheet.beyond_mm(p) <= ON_SHEET_MM;
-            return Ok(self.clipped("layer beyond the sheet", is_on, warnings));
+            let is_on = |p| room.beyond_mm(p) <= ON_EDGE_MM;
+            let within = bounds(room.corners()).inflate(ON_EDGE_MM, ON_EDGE_MM);
+            return Ok(self.clipped("layer beyond the sheet", within, is_on, warnings));
         }
         let points = self.own.iter().chain(&self.fills).flat_map(|it| &it.points);
-        let beyond = points.map(|&p| (sheet.beyond_mm(p), p));
+        let beyond = points.map(|&p| (room.beyond_mm(p), p));
         match beyond.max_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((by_mm, p)) if by_mm > ON_SHEET_MM => Err(PlaceError::BeyondSheet {
                 by_mm,
+                margin_mm: placement.margin_mm,
                 x_mm: p.x,
                 y_mm: p.y,
             }),
@@ -192,16 +210,20 @@ impl Lines {
         };
         let beside_mm = beside_mm(tool, settings);
         let is_in = |p| around(p, beside_mm).into_iter().all(&reaches);
-        self.clipped("layer out of reach", is_in, warnings)
+        let farthest_mm = f64::from(MOST_REACH_MM);
+        let within =
+            Rect::from_origin_size(Point::ORIGIN, (0.0, 0.0)).inflate(farthest_mm, farthest_mm);
+        self.clipped("layer out of reach", within, is_in, warnings)
     }
 
     fn clipped(
         self,
         what: &str,
+        within: Rect,
         inside: impl Fn(Point) -> bool,
         warnings: &mut Vec<Warning>,
     ) -> Self {
-        let [own, fills] = [self.own, self.fills].map(|it| clip_to_reach(&it, &inside));
+        let [own, fills] = [self.own, self.fills].map(|it| clip_to_reach(&it, within, &inside));
         let cut_mm = own.cut_mm + fills.cut_mm;
         let cut_dots = own.cut_dots + fills.cut_dots;
         if !(own.is_whole() && fills.is_whole()) {
@@ -232,7 +254,11 @@ impl Lines {
             "line",
             "not compared with the others: there are too many in one place",
         ));
-        lines.map(|it| merge(it, settings.join_mm()))
+        let lines = lines.map(|it| merge(it, settings.join_mm()));
+        if tool.cuts() || stay_whole {
+            warnings.extend(with_gaps(&lines.own, settings.join_mm()));
+        }
+        lines
     }
 
     /// The strokes as they are drawn, for a tool that comes from `here`: in a good order, of a laser as it cuts them beside
@@ -277,6 +303,21 @@ impl Lines {
         ));
         strokes
     }
+}
+
+/// Tells of outlines that have gaps: they are no shapes that are cut out, and so have no kerf, and what lies inside may come later.
+fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
+    let open: Vec<Stroke> = strokes.iter().filter(|it| !it.closed).cloned().collect();
+    let closed = |by_mm: f64| {
+        let shapes = merge(open.clone(), by_mm);
+        shapes.iter().filter(|it| it.closed).count()
+    };
+    let wider = GAPS_MM.into_iter().filter(|&it| it > join_mm);
+    let tried: Vec<(f64, usize)> = wider.map(|it| (it, closed(it))).collect();
+    let most = tried.iter().map(|it| it.1).max()?;
+    let (by_mm, count) = tried.into_iter().find(|it| it.1 == most)?;
+    let instead = format!("not taken for shapes that are cut out: `--join {by_mm}` closes them");
+    counted(count, "outline with gaps", &instead)
 }
 
 /// Groups of strokes one after the other, each in a good order, for a tool that comes from `here`.
@@ -345,5 +386,9 @@ fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
     vec![Stroke::open(points)]
 }
 
-/// So much beyond the edge of a sheet is on it.
+/// So much beyond the edge of a sheet is on it: pages in inches are rounded.
 const ON_SHEET_MM: f64 = 0.5;
+/// Gaps that nobody wants in an outline.
+const GAPS_MM: [f64; 4] = [0.1, 0.2, 0.5, 1.0];
+/// So much beyond the edge is not cut off.
+const ON_EDGE_MM: f64 = 0.05;

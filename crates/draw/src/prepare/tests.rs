@@ -694,3 +694,82 @@ fn layers_are_chosen_by_names_with_commas_between_them_or_in_them() {
     let error = chosen(&["text,red"]).unwrap_err();
     assert!(error.contains("no layer \"red\""), "{error}");
 }
+
+#[test]
+fn a_hole_is_cut_as_a_hole_though_its_part_is_cut_another_time() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><g fill="none">
+        <rect x="10" y="10" width="100" height="60" stroke="red"/><rect x="30" y="30" width="20" height="20" stroke="blue"/>
+        </g></svg>"#;
+    let settings = Settings {
+        tool: DrawingTool::Laser(Laser {
+            cuts: true,
+            ..Laser::default()
+        }),
+        layers: Some(dobot_source::LayersBy::Color),
+        only: vec!["blue".to_owned()],
+        cutting: Cutting {
+            kerf_mm: 0.4,
+            ..Cutting::default()
+        },
+        ..Settings::default()
+    };
+    let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
+    let width_mm = dobot_geometry::bounds_of_strokes(&wanted).height();
+    assert!((width_mm - 19.6).abs() < 0.01, "{width_mm}");
+}
+
+#[test]
+fn an_outline_with_gaps_is_told_with_what_closes_it() {
+    let side = |a: (f64, f64), b: (f64, f64)| vec![Point::from(a), Point::from(b)];
+    let source = Source::Lines(vec![
+        side((0.0, 0.0), (40.0, 0.0)),
+        side((40.2, 0.0), (40.0, 30.0)),
+        side((40.0, 30.0), (0.0, 30.0)),
+        side((0.0, 30.3), (0.0, 0.0)),
+        side((5.0, 5.0), (9.0, 5.0)),
+    ]);
+    let told = |cuts, join_mm| {
+        let settings = Settings {
+            tool: DrawingTool::Laser(Laser {
+                cuts,
+                ..Laser::default()
+            }),
+            join_mm,
+            ..Settings::default()
+        };
+        let warnings = prepare(&source, &settings, anywhere).unwrap().warnings;
+        let told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        told.concat()
+    };
+    let warning = told(true, None);
+    assert!(
+        warning.contains("1 outline with gaps") && warning.contains("--join 0.5"),
+        "{warning}"
+    );
+    assert_eq!(told(true, Some(0.5)), "");
+    assert_eq!(told(false, None), "");
+}
+
+#[test]
+fn on_a_sheet_with_a_margin_nothing_is_drawn_in_the_margin() {
+    use crate::sheet::SheetPlace;
+    let source = Source::Lines(vec![vec![Point::new(0.0, 0.0), Point::new(90.0, 0.0)]]);
+    let sheet = SheetPlace::centered("80x60".parse().unwrap(), Point::new(230.0, 0.0));
+    let mut settings = Settings::default();
+    settings.placement.sheet = Some(sheet);
+    settings.placement.margin_mm = 10.0;
+    let error = prepare(&source, &settings, in_reach).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("15.0 mm beyond the margin of the sheet"),
+        "{error}"
+    );
+    settings.placement.clips = true;
+    for (margin_mm, left_mm) in [(10.0, 60.0), (0.0, 80.0)] {
+        settings.placement.margin_mm = margin_mm;
+        let wanted = prepare(&source, &settings, in_reach).unwrap().wanted();
+        let width_mm = dobot_geometry::bounds_of_strokes(&wanted).height();
+        assert!((width_mm - left_mm).abs() < 0.13, "{width_mm}");
+    }
+}
