@@ -1,6 +1,6 @@
 //! The way of a laser through a stroke: it gets to its speed before, and loses it behind.
 
-use dobot_geometry::{Point, Stroke, Vec2, bounds};
+use dobot_geometry::{Point, Stroke, Vec2, bounds, distance_from_chord};
 
 use crate::planner::LEAST_VECTOR_MM;
 use crate::tick::TICK_S;
@@ -15,6 +15,16 @@ pub(super) struct LaserPath {
     pub on_to: Vec<Point>,
     pub run_out: Point,
     pub brake: Point,
+    /// Where it is switched: not where it was to be, if a corner lies too near to that.
+    pub lead: SwitchLead,
+}
+
+/// Where a vector ends at an end of a stroke, though the laser is not switched there but behind it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Parted {
+    Nowhere,
+    AtEnd,
+    AtBoth,
 }
 
 /// How far before the end of a vector the laser is switched with the vector behind it, in mm: a stock
@@ -53,10 +63,12 @@ impl SwitchLead {
 }
 
 impl LaserPath {
+    /// So many mm are added to the way on which it gets to its speed.
     pub(super) fn of(
         points: &[Point],
         speed_mm_s: f64,
         lead: SwitchLead,
+        (longer_mm, parted): (f64, Parted),
         machine: &Machine,
     ) -> Self {
         let (first, last) = (points[0], points[points.len() - 1]);
@@ -64,23 +76,63 @@ impl LaserPath {
         let out = unit(last - points[points.len() - 2]).expect("burnable points lie apart");
         let off = last + out * lead.off_mm;
         let mut path = points[..points.len() - 1].to_vec();
+        if parted != Parted::Nowhere && lead.off_mm >= LEAST_BURN_MM {
+            path.push(last);
+        }
         path.push(off);
-        let (off_to, mut on_to) = split(&path, lead.on_mm);
-        let on = off_to.last().copied().unwrap_or(first);
-        let near = on_to
-            .iter()
-            .take_while(|it| it.distance(on) < LEAST_BURN_MM);
-        let near = near.count().min(on_to.len().saturating_sub(1));
-        on_to.drain(..near);
+        let on_mm = switchable_mm(&mut path, lead.on_mm);
+        let (mut off_to, on_to) = split(&path, on_mm);
+        if parted == Parted::AtBoth && on_mm >= LEAST_BURN_MM {
+            off_to.insert(0, first);
+        }
         let gain_mm = gain_mm(speed_mm_s, machine);
         let run_out = off + out * packet_mm(speed_mm_s, machine).max(LEAST_RUN_OUT_MM);
         Self {
-            run_up: first - into * gain_mm,
+            run_up: first - into * (gain_mm + longer_mm),
             off_to,
             on_to,
             run_out,
             brake: run_out + out * gain_mm,
+            lead: SwitchLead { on_mm, ..lead },
         }
+    }
+}
+
+/// Where along a path a laser can be switched on that is to be switched on there: no vector behind it may be shorter than
+/// [`LEAST_BURN_MM`]. A corner that lies nearer is left out if nobody sees that. Otherwise it is switched on at that corner or so far before
+/// it, whichever is nearer: off by half of that at the most.
+///
+/// ```text
+///            wanted                          wanted
+///   ----------o--.                   ------o------.
+///                 \                               \
+///                  \  at the corner         so far before it
+/// ```
+fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
+    let (mut corner_mm, mut corner) = (0.0, 0);
+    while corner_mm <= wanted_mm && corner + 1 < path.len() {
+        corner += 1;
+        corner_mm += path[corner].distance(path[corner - 1]);
+    }
+    let left_mm = corner_mm - wanted_mm;
+    if left_mm >= LEAST_BURN_MM {
+        return wanted_mm;
+    }
+    let before_mm = (corner_mm - LEAST_BURN_MM).max(0.0);
+    if corner + 1 == path.len() {
+        return before_mm;
+    }
+    let [a, b, next] = [path[corner - 1], path[corner], path[corner + 1]];
+    let on = b.lerp(a, left_mm / b.distance(a));
+    let [of_b, of_on, of_next] = [b, on, next].map(|it| [it.x, it.y]);
+    let is_straight = distance_from_chord(of_b, of_on, of_next) <= NEAR_MM;
+    if is_straight && on.distance(next) >= LEAST_BURN_MM {
+        path[corner] = on;
+        wanted_mm
+    } else if left_mm <= 0.5 * LEAST_BURN_MM {
+        corner_mm
+    } else {
+        before_mm
     }
 }
 
@@ -177,6 +229,8 @@ fn unit(way: Vec2) -> Option<Vec2> {
 pub const DOT_MM: f64 = 0.2;
 /// No vector that a laser burns is shorter, but of a stroke that is: the link would have it burn a hole there.
 pub const LEAST_BURN_MM: f64 = 0.08;
+/// Nobody sees less burned, or so far aside.
+pub(super) const NEAR_MM: f64 = 0.005;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;

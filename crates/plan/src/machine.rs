@@ -54,7 +54,7 @@ impl Machine {
     /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
     /// of what a tick changes, and less than half of that is none.
     pub(super) fn check_keeps(&self, tool: &DrawingTool) -> Result<(), PlanError> {
-        let least = self.acceleration_mm_s2 * TICK_S / 2.0;
+        let least = self.least_kept_mm_s();
         let speeds = tool.speeds_mm_s().into_iter();
         match speeds.filter(|_| self.has_ticks).find(|it| it.1 < least) {
             None => Ok(()),
@@ -65,6 +65,11 @@ impl Machine {
                 acceleration: self.acceleration_mm_s2,
             }),
         }
+    }
+
+    /// The least speed that an arm with ticks keeps, in mm/s.
+    pub(super) fn least_kept_mm_s(&self) -> f64 {
+        self.acceleration_mm_s2 * TICK_S / 2.0
     }
 
     /// How long a vector from rest to rest has to be, in mm: where the arm has ticks a shorter one would

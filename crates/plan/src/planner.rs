@@ -11,6 +11,7 @@ use crate::lone::LoneVectors;
 use crate::lookahead::ChainVector;
 use crate::speeds::Speeds;
 use crate::tick_chain::LastPlaces;
+use crate::tick_fit::LEAST_BURN_MM_S;
 use crate::ticker::Ticker;
 use crate::vector::length;
 use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
@@ -46,11 +47,16 @@ impl<'a> Planner<'a> {
         paper: &'a Paper,
         machine: &'a Machine,
     ) -> Self {
+        let ticker = Ticker::of(machine, 0.0);
         Self {
             paper,
             machine,
             chain_speeds: ChainSpeeds::new(machine),
-            ticker: Ticker::of(machine, 0.0),
+            ticker: if tool.burns() {
+                ticker.map(Ticker::of_others)
+            } else {
+                ticker
+            },
             last_places: LastPlaces::default(),
             lone: LoneVectors::default(),
             here: start,
@@ -165,12 +171,25 @@ impl<'a> Planner<'a> {
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
+            self.tell_burn_speeds(begin);
         } else if self.aim == Aim::Soon && self.chain.len() == 1 {
             self.note_lone();
         } else {
             self.rest_in_ticks(begin);
         }
         self.chain.clear();
+    }
+
+    /// Where a laser is to burn as fast as is allowed at the least, rounding and slow corners tell no less.
+    fn tell_burn_speeds(&mut self, begin: usize) {
+        let fastest_mm_s = self.chain.iter().map(|it| it.limit_mm_s);
+        if fastest_mm_s.fold(0.0, f64::max) < LEAST_BURN_MM_S.into() {
+            return;
+        }
+        let burned = self.moves[begin..].iter_mut();
+        for vector in burned.filter(|it| it.kind == MoveKind::Burn) {
+            vector.max_speed_mm_s = vector.max_speed_mm_s.max(LEAST_BURN_MM_S);
+        }
     }
 
     /// The speeds of the first `count` vectors are planned, so where they lead is known to the last digit. Those to come begin

@@ -5,15 +5,15 @@ use std::collections::BinaryHeap;
 
 use dobot_wire::single;
 
-use crate::PlannedVector;
 use crate::aim::Aim;
 use crate::commands::write;
 use crate::lookahead::ChainVector;
 use crate::seen::{WINDOW_TICKS, second_difference, seen_mm};
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::tick_fit::{MOST_FITS, TickFit, TickWish};
+use crate::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickWish};
 use crate::ticker::Ticker;
+use crate::{MoveKind, PlannedVector};
 
 /// A chain, and what is wanted of it.
 #[derive(Clone, Copy, Debug)]
@@ -165,6 +165,7 @@ impl TickChain<'_> {
                 aim: self.aim,
                 over: self.over[i],
                 most_mm_s: self.most_mm_s[i],
+                least_mm_s: self.least_mm_s(i),
                 same_share: breadth.same_share,
             };
             self.keep_those_that_turn_well(i, &mut ways);
@@ -193,6 +194,15 @@ impl TickChain<'_> {
         }
         fits.reverse();
         fits
+    }
+
+    /// No packet for a burning laser tells less than is allowed to burn with, unless less is wanted.
+    fn least_mm_s(&self, i: usize) -> f32 {
+        if self.moves[i].kind == MoveKind::Burn && self.most_mm_s[i] >= LEAST_BURN_MM_S {
+            LEAST_BURN_MM_S
+        } else {
+            0.0
+        }
     }
 
     /// How a long vector begins does not matter for how it ends: only the ways that turn into it the best are followed along it.
@@ -413,8 +423,8 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::Machine;
     use crate::chain::ChainSpeeds;
-    use crate::{Machine, MoveKind};
 
     fn vector([x_mm, y_mm]: [f32; 2]) -> PlannedVector {
         PlannedVector {

@@ -29,6 +29,8 @@ pub(super) struct TickTarget {
     /// The arm is to rest behind it.
     pub rests: bool,
     pub acceleration_mm_s2: f32,
+    /// What may be stored instead, in mm/s, where that is not known.
+    pub perhaps_mm_s: Option<[f32; 3]>,
     pub wish: TickWish,
 }
 
@@ -40,6 +42,8 @@ pub(super) struct TickWish {
     pub over: f64,
     /// No packet may tell a larger speed, in mm/s.
     pub most_mm_s: f32,
+    /// Nor a smaller one.
+    pub least_mm_s: f32,
     /// End speeds with so little of a tick's change between them are the same.
     pub same_share: f32,
 }
@@ -53,6 +57,8 @@ pub(super) struct TickFit {
     pub cost: f64,
     /// What it costs to be as fast as wanted again behind it.
     pub behind: f64,
+    /// What it may leave instead, in mm/s, where that is not known.
+    pub perhaps_mm_s: Option<[f32; 3]>,
 }
 
 impl TickFit {
@@ -191,15 +197,16 @@ impl TickTarget {
     }
 
     fn consider(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32, fits: &mut Vec<TickFit>) {
-        let max_mm_s = max_mm_s.min(self.wish.most_mm_s);
+        let slow_mm_s = max_mm_s.min(self.wish.most_mm_s);
         let end_mm_s = if self.rests {
             0.0
         } else {
-            end_mm_s.min(max_mm_s).max(LEAST_END_MM_S)
+            end_mm_s.min(slow_mm_s).max(LEAST_END_MM_S)
         };
-        if max_mm_s < LEAST_END_MM_S {
+        if slow_mm_s < LEAST_END_MM_S {
             return;
         }
+        let max_mm_s = slow_mm_s.max(self.wish.least_mm_s);
         let cut = self.cut(stored_mm_s, end_mm_s, max_mm_s);
         let creeps = !self.rests && cut.end_mm_s < LEAST_LEFT_MM_S;
         // The processor counts in sixteen bits, and takes what is more for something else (note N51): what it corrects then
@@ -210,13 +217,18 @@ impl TickTarget {
         if !cut.is_true() || cut.ticks() < self.least_ticks || creeps || is_endless {
             return;
         }
-        let cost = self.cost(stored_mm_s, &cut) + self.burns_too_long(max_mm_s);
+        let perhaps_mm_s = self.ends_perhaps_mm_s(end_mm_s, max_mm_s, &cut);
+        let apart_mm_s = |it: &f32| (it - cut.end_mm_s).abs();
+        let unsure_mm_s = perhaps_mm_s.iter().flatten().map(apart_mm_s);
+        let unsure = UNSURE * f64::from(unsure_mm_s.fold(0.0, f32::max) / cut.change_mm_s);
+        let cost = self.cost(stored_mm_s, &cut) + self.burns_too_long(slow_mm_s) + unsure;
         let fit = TickFit {
             end_mm_s,
             max_mm_s,
             cut,
             cost,
             behind: self.behind(&cut),
+            perhaps_mm_s,
         };
         fit.rank(fits, self.wish.same_share);
     }
@@ -241,8 +253,8 @@ impl TickTarget {
     /// What it costs to burn slower than any laser should, where that is not wanted.
     fn burns_too_long(&self, max_mm_s: f32) -> f64 {
         let is_wanted =
-            self.wish.aim == Aim::Soon || self.speeds.peak_mm_s < f64::from(LEAST_BURN_MM_S);
-        if is_wanted || max_mm_s >= LEAST_BURN_MM_S {
+            self.wish.aim == Aim::Soon || self.speeds.peak_mm_s < f64::from(BURNS_WELL_MM_S);
+        if is_wanted || max_mm_s >= BURNS_WELL_MM_S {
             0.0
         } else {
             BURNS_TOO_LONG
@@ -295,14 +307,24 @@ impl TickTarget {
         }
         // With less than half a step it would keep for ever what it has.
         let max_mm_s = single(self.speeds.limit_mm_s).max(1.5 * change);
-        let max_mm_s = max_mm_s.min(self.wish.most_mm_s);
+        let max_mm_s = max_mm_s.clamp(self.wish.least_mm_s, self.wish.most_mm_s);
+        let cut = self.cut(stored_mm_s, 0.0, max_mm_s);
         TickFit {
             end_mm_s: 0.0,
             max_mm_s,
-            cut: self.cut(stored_mm_s, 0.0, max_mm_s),
+            cut,
             cost: f64::INFINITY,
             behind: 0.0,
+            perhaps_mm_s: self.ends_perhaps_mm_s(0.0, max_mm_s, &cut),
         }
+    }
+
+    /// What the vector may leave instead, where it is not known how it begins: nothing if all of that is the same.
+    fn ends_perhaps_mm_s(&self, end_mm_s: f32, max_mm_s: f32, cut: &Cut) -> Option<[f32; 3]> {
+        let cut_perhaps = |stored_mm_s| self.cut(stored_mm_s, end_mm_s, max_mm_s);
+        let ends_mm_s = self.perhaps_mm_s?.map(|it| cut_perhaps(it).end_mm_s);
+        let is_same = |it: &f32| (it - cut.end_mm_s).abs() <= KNOWN_MM_S;
+        (!ends_mm_s.iter().all(is_same)).then_some(ends_mm_s)
     }
 
     /// What becomes of the vector with these speeds.
@@ -337,9 +359,15 @@ const OVER_AT_REST: f64 = 26.0;
 /// The same for a top speed above what is allowed.
 const ABOVE: f64 = 2.0;
 /// A laser that burns slower sets fire to things: what the policy allows at the least, unless told otherwise, and a little more.
-const LEAST_BURN_MM_S: f32 = 1.001;
+const BURNS_WELL_MM_S: f32 = 1.001;
+/// What the policy allows a burning vector to tell as its largest speed at the least, unless told otherwise.
+pub(super) const LEAST_BURN_MM_S: f32 = 1.0;
 /// More than anything else that a vector can have: it takes up to [`MOST_TICKS`], and what is late counts squared.
 const BURNS_TOO_LONG: f64 = 1e10;
+/// So many ticks, squared, it is worth to know better by a step of speed with what the next vector begins.
+const UNSURE: f64 = 10_000.0;
+/// A speed that is off by less is known, in mm/s.
+const KNOWN_MM_S: f32 = 0.04;
 /// A stock arm counts to no more (note N51).
 const MOST_TICKS: f64 = 32_000.0;
 /// So many choices are told.
@@ -349,7 +377,7 @@ const NEARS: [f32; 4] = [-0.4, 0.0, 0.2, 0.4];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
 const LEAST_END_MM_S: f32 = 0.01;
 /// Nor does it leave less to the next one: behind a laser that would creep (note N48).
-const LEAST_LEFT_MM_S: f32 = 0.1;
+pub(super) const LEAST_LEFT_MM_S: f32 = 0.1;
 
 #[cfg(test)]
 mod tests {
@@ -367,10 +395,12 @@ mod tests {
             least_ticks: 1,
             rests,
             acceleration_mm_s2: 100.0,
+            perhaps_mm_s: None,
             wish: TickWish {
                 aim: Aim::Soon,
                 over: 1.0,
                 most_mm_s: single(max),
+                least_mm_s: 0.0,
                 same_share: 0.25,
             },
         }

@@ -4,11 +4,12 @@ use dobot_motion::Cut;
 use dobot_wire::{WriteMode, WriteVector};
 
 use crate::aim::Aim;
+use crate::commands::write;
 use crate::link::Credit;
 use crate::speeds::Speeds;
 use crate::tick::TICK_S;
-use crate::tick_fit::{TickFit, TickTarget, TickWish};
-use crate::{Machine, PlannedVector};
+use crate::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
+use crate::{Machine, MoveKind, PlannedVector};
 
 /// What the arm carries over from vector to vector.
 #[derive(Clone, Debug)]
@@ -16,6 +17,8 @@ pub(super) struct Ticker {
     acceleration_mm_s2: f32,
     /// The end speed that the arm has stored, in mm/s.
     stored_mm_s: f32,
+    /// What it may have stored instead, where that is not known.
+    perhaps_mm_s: Option<[f32; 3]>,
     /// How many ticks the vectors so far were too short, in ticks.
     early: f64,
     credit: Credit,
@@ -27,6 +30,7 @@ impl Ticker {
         Self {
             acceleration_mm_s2: machine.acceleration_mm_s2 as f32,
             stored_mm_s,
+            perhaps_mm_s: None,
             early: 0.0,
             credit: Credit::new(machine.link),
         }
@@ -35,6 +39,14 @@ impl Ticker {
     /// The ticks of a machine that has some.
     pub(super) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
         machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
+    }
+
+    /// The same where others used the arm before: nobody knows what it has stored.
+    pub(super) const fn of_others(self) -> Self {
+        Self {
+            perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),
+            ..self
+        }
     }
 
     /// Gives the vectors of a chain these speeds: they are run behind those before.
@@ -93,6 +105,7 @@ impl Ticker {
             aim: Aim::Evenly,
             over: 1.0,
             most_mm_s,
+            least_mm_s: 0.0,
             same_share: 0.0,
         };
         let target = self.target(length_mm, speeds, factor(vector), wish);
@@ -125,6 +138,21 @@ impl Ticker {
             stored_mm_s = cut.end_mm_s;
             cut.is_true()
         })
+    }
+
+    /// Whether one of these vectors comes out wrong, or where a laser goes off the arm may creep on, whatever it has stored.
+    pub(super) fn fails(&self, moves: &[PlannedVector]) -> bool {
+        let wrong = |stored_mm_s: f32, is_sure: bool| {
+            let mut stored_mm_s = stored_mm_s;
+            moves.iter().any(|vector| {
+                let creeps = vector.kind == MoveKind::RunOut && stored_mm_s < LEAST_LEFT_MM_S;
+                let cut = self.cut(&write(vector), stored_mm_s);
+                stored_mm_s = cut.end_mm_s;
+                creeps || is_sure && !cut.is_true()
+            })
+        };
+        let mut perhaps_mm_s = self.perhaps_mm_s.iter().flatten();
+        wrong(self.stored_mm_s, true) || perhaps_mm_s.any(|&it| wrong(it, false))
     }
 
     /// What the arm has in hand before each vector of a chain that it runs like that.
@@ -199,6 +227,7 @@ impl Ticker {
             least_ticks: least_ticks(self.credit),
             rests: speeds.end_mm_s == 0.0,
             acceleration_mm_s2: factor * self.acceleration_mm_s2,
+            perhaps_mm_s: self.perhaps_mm_s,
             wish: TickWish {
                 most_mm_s: wish.most_mm_s.max(1.5 * self.step_mm_s()),
                 ..wish
@@ -213,6 +242,7 @@ impl Ticker {
         self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
         self.credit.take(fit.duration_s());
         self.stored_mm_s = fit.cut.end_mm_s;
+        self.perhaps_mm_s = fit.perhaps_mm_s;
     }
 }
 
@@ -240,4 +270,6 @@ fn factor(vector: &WriteVector) -> f32 {
 
 /// With the laser off, laser mode accelerates that much faster (note N48).
 const RAPID_FACTOR: f32 = 100.0;
+/// What a vector that was braked to rest leaves besides what is planned, in mm/s: the policy asks for these.
+const LEFT_BY_OTHERS_MM_S: [f32; 3] = [-0.01, -0.1, -0.3];
 const MOST_EARLY: f64 = 0.5;

@@ -8,7 +8,7 @@ use dobot_plan::{
 };
 use dobot_safety::Policy;
 use dobot_trajectory::{ArmPlace, Model};
-use dobot_wire::{Command, Dialect, WriteVector};
+use dobot_wire::{Command, Dialect, Status, WriteVector};
 use proptest::prelude::*;
 
 /// Strokes within reach, of steps from a hundredth of a millimetre to the whole width of the paper.
@@ -19,7 +19,13 @@ fn strokes() -> impl Strategy<Value = Vec<Stroke>> {
         4 => way.prop_map(|(turn_deg, power)| (turn_deg, 10.0_f64.powf(power))),
         1 => (0.0..360.0_f64, 20.0..150.0_f64),
     ];
-    let stroke = (place(), prop::collection::vec(step, 0..12)).prop_map(|(start, steps)| {
+    // As in small letters: none of its steps is long, and few of them lead to a stroke that is hardly longer than they are.
+    let small = (0.0..360.0_f64, 0.05..0.8_f64);
+    let steps = prop_oneof![
+        2 => prop::collection::vec(step, 0..12),
+        1 => prop::collection::vec(small, 1..12),
+    ];
+    let stroke = (place(), steps).prop_map(|(start, steps)| {
         let walk = steps.iter().scan(start, |here, &(turn_deg, length_mm)| {
             let ahead = *here + dobot_geometry::direction(turn_deg) * length_mm;
             let is_inside = (160.0..260.0).contains(&ahead.x) && ahead.y.abs() < 90.0;
@@ -44,18 +50,41 @@ fn tool() -> impl Strategy<Value = DrawingTool> {
                 ..Pen::default()
             })
         }),
-        (prop_oneof![1.5..6.0_f64, 5.0..60.0_f64], speed()).prop_map(|(burn, travel)| {
-            DrawingTool::Laser(Laser {
-                burn_speed_mm_s: burn,
-                travel_speed_mm_s: travel,
-                ..Laser::default()
-            })
-        }),
+        (
+            prop_oneof![Just(1.0), 1.0..4.0_f64, 1.5..6.0_f64, 5.0..60.0_f64],
+            speed()
+        )
+            .prop_map(|(burn, travel)| {
+                DrawingTool::Laser(Laser {
+                    burn_speed_mm_s: burn,
+                    travel_speed_mm_s: travel,
+                    ..Laser::default()
+                })
+            }),
     ]
 }
 
 /// The first of the commands that the policy refuses, or that takes the arm ever so long, and why.
 fn refused(
+    commands: Vec<Command>,
+    start: [f64; 3],
+    dialect: Dialect,
+    tool: Tool,
+) -> Option<String> {
+    refused_behind(Before::Rest, commands, start, dialect, tool)
+}
+
+/// What the arm did before.
+#[derive(Clone, Copy, Debug)]
+enum Before {
+    /// Nothing since its power-up.
+    Rest,
+    /// Nobody knows: so it is where a program connects to it.
+    Others,
+}
+
+fn refused_behind(
+    before: Before,
     commands: Vec<Command>,
     start: [f64; 3],
     dialect: Dialect,
@@ -68,7 +97,11 @@ fn refused(
         rotation: position.direction(),
     };
     let place = ArmPlace::at_pose(pose, tool).unwrap();
-    let mut model = Model::standing(dialect, place);
+    let mut model = match before {
+        Before::Rest => Model::standing(dialect, place),
+        Before::Others => Model::new(dialect, &Status::AT_ZERO),
+    };
+    model.place = place;
     model.tool = tool;
     let policy = Policy::default();
     commands
@@ -160,6 +193,9 @@ proptest! {
             let effector = tool.end_effector();
             let refusal = |commands, start| refused(commands, start, dialect, effector);
             prop_assert_eq!(refusal(plan.commands().collect(), plan.start), None);
+            let commands = plan.commands().collect();
+            let refusal_behind_others = refused_behind(Before::Others, commands, plan.start, dialect, effector);
+            prop_assert_eq!(refusal_behind_others, None);
             // The policy has a least speed for lasers: what is slower is refused when it is asked for.
             if plan.moves.is_empty() || plan.burns() {
                 continue;
@@ -231,4 +267,38 @@ fn a_laser_does_not_creep_along_a_short_piece_for_a_long_line_before_it() {
     let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::of(dialect)).unwrap();
     let refusal = refused(plan.commands().collect(), plan.start, dialect, Tool::Laser);
     assert_eq!(refusal, None);
+}
+
+/// What may be left by those who used the arm before became what a run-out of 0.15 mm began with: next to nothing, or less.
+#[test]
+fn a_laser_does_not_creep_behind_small_shapes_that_begin_with_a_speed_that_nobody_knows() {
+    for sides in 3..9_u32 {
+        for radius_mm in [0.2, 0.35, 0.5, 1.0] {
+            let at = |i: u32| {
+                let way = dobot_geometry::direction(360.0 / f64::from(sides) * f64::from(i));
+                Point::new(210.0, 20.0) + way * radius_mm
+            };
+            let polygon = Stroke {
+                points: (0..=sides).map(at).collect(),
+                closed: true,
+            };
+            for burn_speed_mm_s in [1.0, 1.01, 1.1, 1.2, 1.3, 1.5, 1.7, 1.9, 2.0, 2.5, 3.0] {
+                let tool = DrawingTool::Laser(Laser {
+                    burn_speed_mm_s,
+                    ..Laser::default()
+                });
+                let dialect = Dialect::FIRMWARE_1_1;
+                let pass = Pass::new(tool, vec![polygon.clone()]);
+                let machine = Machine::of(dialect);
+                let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).unwrap();
+                let commands = plan.commands().collect();
+                let refusal =
+                    refused_behind(Before::Others, commands, plan.start, dialect, Tool::Laser);
+                assert_eq!(
+                    refusal, None,
+                    "{sides} sides, {radius_mm} mm, {burn_speed_mm_s} mm/s"
+                );
+            }
+        }
+    }
 }
