@@ -1,6 +1,6 @@
 //! Lines that run along the edges of what is seen, the denser the darker it is.
 
-use dobot_geometry::{Point, Stroke, Vec2};
+use dobot_geometry::{CubicBez, ParamCurve, Point, Stroke, Vec2};
 use dobot_random::Random;
 
 use super::shading::Shading;
@@ -10,25 +10,18 @@ use super::tone::{Tone, as_ink, cell, count};
 /// black they lie `spacing_mm` (on the page) apart, elsewhere farther in proportion; white stays empty.
 ///
 /// Each line begins at a place that has room, and goes on to both sides until it comes too near to
-/// another one (evenly spaced streamlines).
+/// another one or to itself (evenly spaced streamlines). One that comes back to its begin is closed.
 pub(super) fn flowing(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
     let mut flow = Flow {
         ways: Ways::new(tone, shading.angle_deg, spacing_mm),
         tone,
         spacing_mm,
         drawn: Drawn::new(tone.page(), spacing_mm),
+        lines: 0,
     };
-    let mut strokes: Vec<Stroke> = Vec::new();
-    for start in starts(tone.page(), spacing_mm, shading.seed) {
-        let Some(line) = flow.line(start) else {
-            continue;
-        };
-        for &p in &line {
-            flow.drawn.put(p);
-        }
-        strokes.push(Stroke::open(line));
-    }
-    strokes
+    let starts = starts(tone.page(), spacing_mm, shading.seed);
+    let strokes = starts.into_iter().filter_map(|start| flow.stroke(start));
+    strokes.collect()
 }
 
 struct Flow<'a> {
@@ -36,50 +29,112 @@ struct Flow<'a> {
     tone: &'a Tone,
     spacing_mm: f64,
     drawn: Drawn,
+    /// How many lines have begun.
+    lines: usize,
 }
 
 impl Flow<'_> {
     /// The line through a place; none where it has no room, or becomes too short.
-    fn line(&self, start: Point) -> Option<Vec<Point>> {
-        if !self.has_room(start, 1.0) {
+    fn stroke(&mut self, start: Point) -> Option<Stroke> {
+        let begin = Mark {
+            at: start,
+            line: self.lines,
+            along_mm: 0.0,
+        };
+        if !self.has_room(&begin, 1.0) {
             return None;
         }
+        self.lines += 1;
+        self.drawn.put(begin);
         let way = self.ways.at(start);
-        let mut line = self.half(start, -way);
-        line.reverse();
-        line.push(start);
-        line.append(&mut self.half(start, way));
-        let length_mm: f64 = line.windows(2).map(|it| it[0].distance(it[1])).sum();
-        (length_mm >= SHORTEST * self.spacing_mm).then_some(line)
+        let (mut points, closed) = self.half(begin, way, 1.0);
+        points.insert(0, start);
+        if !closed {
+            let (mut behind, _) = self.half(begin, -way, -1.0);
+            behind.reverse();
+            behind.append(&mut points);
+            points = behind;
+        }
+        let stroke = Stroke { points, closed };
+        if stroke.length_mm() >= SHORTEST * self.spacing_mm {
+            return Some(stroke);
+        }
+        self.drawn.take_back(&stroke.points, begin.line);
+        None
     }
 
-    fn half(&self, start: Point, mut way: Vec2) -> Vec<Point> {
+    /// The corners of a line from its begin on, and whether the last is the begin again. `side` is 1 for
+    /// the line's way and -1 against it.
+    fn half(&mut self, begin: Mark, begin_way: Vec2, side: f64) -> (Vec<Point>, bool) {
         let step_mm = STEP * self.spacing_mm;
-        let (mut here, mut line) = (start, Vec::new());
-        for steps in 0..MOST_STEPS {
+        let (mut here, mut way, mut line) = (begin, begin_way, Vec::new());
+        for _ in 0..MOST_STEPS {
+            if let Some(home) = self.home(here.at, way, begin.at, begin_way) {
+                for &at in &home {
+                    self.drawn.put(Mark { at, ..here });
+                }
+                line.extend(home);
+                return (line, true);
+            }
             // Half a step, to see which way it goes there.
-            let middle = along(self.ways.at(here + way * (0.5 * step_mm)), way);
-            let next = here + middle * step_mm;
-            if !self.has_room(next, GO_ON) || (steps > HOME && next.distance(start) < step_mm) {
+            let middle = along(self.ways.at(here.at + way * (0.5 * step_mm)), way);
+            here.at += middle * step_mm;
+            here.along_mm += side * step_mm;
+            if !self.has_room(&here, GO_ON) {
                 break;
             }
-            way = along(self.ways.at(next), middle);
-            here = next;
-            line.push(here);
+            way = along(self.ways.at(here.at), middle);
+            self.drawn.put(here);
+            line.push(here.at);
         }
-        line
+        (line, false)
     }
 
-    /// Whether a line may lie there: it is not white, and no other is nearer than a share of what its
-    /// tone asks for.
-    fn has_room(&self, p: Point, share: f64) -> bool {
-        let page = self.tone.page();
-        if p.x < 0.0 || p.y < 0.0 || p.x > page.x || p.y > page.y {
-            return false;
+    /// The rest of a line that comes back to its begin: none where that is far, or not ahead, or an arc
+    /// to it would not arrive along the line.
+    fn home(&self, here: Point, way: Vec2, begin: Point, begin_way: Vec2) -> Option<Vec<Point>> {
+        let step_mm = STEP * self.spacing_mm;
+        let gap = begin - here;
+        let length_mm = gap.length();
+        if length_mm > GO_ON * self.apart_mm(here) + step_mm || length_mm < 1e-9 {
+            return None;
         }
-        let ink = self.tone.at(p);
-        let apart_mm = self.spacing_mm * (1.0 / ink.max(1e-9)).min(WIDEST);
-        ink >= WHITE && !self.drawn.is_near(p, share * apart_mm)
+        let ahead = gap / length_mm;
+        let arriving = ahead * (2.0 * way.dot(ahead)) - way;
+        if way.dot(ahead) < AHEAD || arriving.dot(begin_way) < AHEAD {
+            return None;
+        }
+        let third_mm = length_mm / 3.0;
+        let curve = CubicBez::new(
+            here,
+            here + way * third_mm,
+            begin - begin_way * third_mm,
+            begin,
+        );
+        let pieces = cell((length_mm / step_mm).ceil(), MOST_STEPS).max(1);
+        let corner = |i| curve.eval(count(i) / count(pieces));
+        let mut line: Vec<Point> = (1..pieces).map(corner).collect();
+        line.push(begin);
+        line.iter().all(|&p| self.is_inked(p)).then_some(line)
+    }
+
+    /// Whether a line may lie there: it is not white, and neither another nor a farther part of its own
+    /// is nearer than a share of what its tone asks for.
+    fn has_room(&self, mark: &Mark, share: f64) -> bool {
+        let within_mm = share * self.apart_mm(mark.at);
+        self.is_inked(mark.at) && !self.drawn.is_near(mark, within_mm)
+    }
+
+    /// Whether it is on the page and not white.
+    fn is_inked(&self, p: Point) -> bool {
+        let page = self.tone.page();
+        let is_on_page = p.x >= 0.0 && p.y >= 0.0 && p.x <= page.x && p.y <= page.y;
+        is_on_page && self.tone.at(p) >= WHITE
+    }
+
+    /// How far apart the tone of a place wants lines.
+    fn apart_mm(&self, p: Point) -> f64 {
+        self.spacing_mm * (1.0 / self.tone.at(p).max(1e-9)).min(WIDEST)
     }
 }
 
@@ -136,12 +191,30 @@ fn slope(tone: &Tone, x: usize, y: usize) -> Vec2 {
     )
 }
 
-/// The points of all lines so far, in squares.
+/// A place on a line.
+#[derive(Clone, Copy)]
+struct Mark {
+    at: Point,
+    /// The number of its line.
+    line: usize,
+    /// From where the line began, below 0 against its way.
+    along_mm: f64,
+}
+
+impl Mark {
+    /// Whether the other lies on the same line, so short a way along it that the two must be near.
+    fn is_beside(&self, other: &Self, within_mm: f64) -> bool {
+        let along_mm = (self.along_mm - other.along_mm).abs();
+        self.line == other.line && along_mm <= BESIDE * within_mm
+    }
+}
+
+/// The places of all lines so far, in squares.
 struct Drawn {
     columns: usize,
     rows: usize,
     side_mm: f64,
-    squares: Vec<Vec<Point>>,
+    squares: Vec<Vec<Mark>>,
 }
 
 impl Drawn {
@@ -156,17 +229,27 @@ impl Drawn {
         }
     }
 
-    fn put(&mut self, p: Point) {
-        let [x, y] = self.square(p);
-        self.squares[y * self.columns + x].push(p);
+    fn put(&mut self, mark: Mark) {
+        let [x, y] = self.square(mark.at);
+        self.squares[y * self.columns + x].push(mark);
     }
 
-    fn is_near(&self, p: Point, within_mm: f64) -> bool {
+    /// Forgets a line with these points.
+    fn take_back(&mut self, points: &[Point], line: usize) {
+        for &p in points {
+            let [x, y] = self.square(p);
+            self.squares[y * self.columns + x].retain(|it| it.line != line);
+        }
+    }
+
+    fn is_near(&self, mark: &Mark, within_mm: f64) -> bool {
         let off = Vec2::splat(within_mm);
-        let ([x0, y0], [x1, y1]) = (self.square(p - off), self.square(p + off));
+        let ([x0, y0], [x1, y1]) = (self.square(mark.at - off), self.square(mark.at + off));
         (y0..=y1).any(|y| {
             let row = &self.squares[y * self.columns + x0..=y * self.columns + x1];
-            row.iter().flatten().any(|it| it.distance(p) < within_mm)
+            row.iter()
+                .flatten()
+                .any(|it| it.at.distance(mark.at) < within_mm && !it.is_beside(mark, within_mm))
         })
     }
 
@@ -205,8 +288,10 @@ const SHORTEST: f64 = 3.0;
 const WIDEST: f64 = 7.0;
 /// Less ink than that is white.
 const WHITE: f64 = 0.05;
-/// After so many steps a line may come home.
-const HOME: usize = 8;
+/// Parts of a line may be near to each other up to so far along it, in the distance that others keep.
+const BESIDE: f64 = 2.0;
+/// The cosine of the greatest turn to where a line began, and of the greatest bend where it arrives.
+const AHEAD: f64 = 0.7;
 const MOST_STEPS: usize = 2000;
 /// How far ways are mixed, in spacings.
 const REGION: f64 = 3.0;
@@ -215,3 +300,6 @@ const FLAT: f64 = 1e-7;
 /// A line may begin in each square so wide, in spacings.
 const START: f64 = 0.7;
 const MOST_SQUARES: usize = 4000;
+
+#[cfg(test)]
+mod tests;
