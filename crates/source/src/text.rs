@@ -1,5 +1,6 @@
 //! Text: in letters of single lines, or in the outlines of any font.
 
+mod composed;
 mod lettering;
 mod outline;
 mod stroke;
@@ -10,6 +11,7 @@ use std::str::FromStr;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+pub(super) use self::composed::composed;
 pub(super) use self::lettering::{Lettering, Pose};
 use crate::artwork::{Artwork, Layer};
 use crate::error::{SourceError, TextError};

@@ -1,5 +1,9 @@
 //! The words of a text, without its format codes.
 
+use dobot_lettering::StrokeFont;
+
+use crate::text::composed;
+
 /// A text as it is to be written.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Content {
@@ -7,6 +11,14 @@ pub(super) struct Content {
     /// Codes are left out that would show even in letters of one kind: lines under them, heights
     /// and widths of their own, fractions.
     pub(super) is_plainer: bool,
+}
+
+impl Content {
+    /// With letters and their marks as one, where the letters for DXF texts have that.
+    pub(super) fn composed(self) -> Self {
+        let text = composed(&self.text, StrokeFont::Sans).into_owned();
+        Self { text, ..self }
+    }
 }
 
 /// Reads the value of TEXT and the like: one line, with codes of two percent signs.

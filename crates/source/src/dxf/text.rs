@@ -64,7 +64,7 @@ impl EntityRenderer<'_, '_> {
         };
         let whole = pair.whole_text();
         check_length(it, &whole)?;
-        let content = line(&whole);
+        let content = line(&whole).composed();
         self.tell_plainer(it, &content);
         if content.text.trim().is_empty() {
             return Ok(());
@@ -82,7 +82,7 @@ impl EntityRenderer<'_, '_> {
     pub(super) fn paragraphs(&mut self, it: &Entity<'_>, world: Affine) -> Result<(), SourceError> {
         let whole = whole_text(it);
         check_length(it, &whole)?;
-        let content = lines(&whole);
+        let content = lines(&whole).composed();
         self.tell_plainer(it, &content);
         let unit = it.number(40)? / CAPITAL;
         let (right, up) = paragraph_directions(it)?;

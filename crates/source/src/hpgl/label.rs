@@ -1,12 +1,13 @@
 //! Labels: texts in letters (LB, BL, PB, CP), and marks at places (SM).
 
 use dobot_geometry::{Point, Vec2};
+use dobot_lettering::StrokeFont;
 
 use super::characters::{Cell, Characters, Direction, Origin, Size};
 use super::command::Command;
 use super::plotter::Plotter;
 use crate::error::SourceError;
-use crate::text::Lettering;
+use crate::text::{Lettering, composed};
 
 /// What a plotter knows of texts.
 #[derive(Debug, Default)]
@@ -297,7 +298,7 @@ fn decoded(bytes: &[u8]) -> String {
             .unwrap_or(char::REPLACEMENT_CHARACTER),
     };
     match std::str::from_utf8(bytes) {
-        Ok(text) => text.to_owned(),
+        Ok(text) => composed(text, StrokeFont::Sans).into_owned(),
         Err(_) => bytes.iter().copied().map(roman).collect(),
     }
 }

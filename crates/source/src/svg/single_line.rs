@@ -2,7 +2,10 @@
 
 use dobot_geometry::{Affine, Point, Stroke, Vec2};
 use dobot_lettering::{CAPITAL, Letter, StrokeFont};
+use unicode_normalization::char::is_combining_mark;
 use usvg::{Font, FontFamily, Text, TextAnchor, TextChunk, TextFlow, TextSpan};
+
+use crate::text::composed;
 
 /// The font of single lines that a file names first; none where it names another kind.
 pub(super) fn font(font: &Font) -> Option<StrokeFont> {
@@ -44,18 +47,21 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<(Vec<Written<'_>>, 
             };
         for span in chunk.spans() {
             let unit = unit(span);
-            for character in characters(chunk, span) {
-                let moved = |list: &[f32]| f64::from(list.get(number).copied().unwrap_or(0.0));
-                pen += Vec2::new(moved(text.dx()), moved(text.dy()));
-                number += 1;
-                let Some(font) = font(span.font()) else {
-                    continue;
+            let Some(font) = font(span.font()) else {
+                continue;
+            };
+            for (character, parts) in spelled(chunk, span, font) {
+                let moved = |list: &[f32]| {
+                    let moves = list.iter().skip(number).take(parts);
+                    moves.copied().map(f64::from).sum::<f64>()
                 };
+                pen += Vec2::new(moved(text.dx()), moved(text.dy()));
+                number += parts;
                 let Some(letter) = Letter::of(font, character) else {
                     missing += 1;
                     continue;
                 };
-                let advance = advance(span, character);
+                let advance = advance(span, font, character);
                 let place = Affine::translate(pen.to_vec2()) * Affine::scale(unit);
                 let letter = letter.rounded(font, tolerance / unit);
                 let lines = letter.strokes.iter().map(|points| {
@@ -74,19 +80,39 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<(Vec<Written<'_>>, 
     Some((written, missing))
 }
 
-fn characters<'t>(chunk: &'t TextChunk, span: &TextSpan) -> std::str::Chars<'t> {
-    let part = chunk.text().get(span.start()..span.end());
-    part.unwrap_or_default().chars()
+/// The characters to write, and for how many of the file's each stands: a letter and its marks become
+/// one where the font has that.
+fn spelled(chunk: &TextChunk, span: &TextSpan, font: StrokeFont) -> Vec<(char, usize)> {
+    let mut rest = chunk
+        .text()
+        .get(span.start()..span.end())
+        .unwrap_or_default();
+    let mut spelled = Vec::new();
+    while !rest.is_empty() {
+        let mut following = rest.char_indices().skip(1);
+        let end = following.find(|it| !is_combining_mark(it.1));
+        let (parts, behind) = rest.split_at(end.map_or(rest.len(), |it| it.0));
+        // All that is moved in the file moves the first.
+        let mut number = parts.chars().count();
+        for character in composed(parts, font).chars() {
+            spelled.push((character, std::mem::take(&mut number)));
+        }
+        rest = behind;
+    }
+    spelled
 }
 
 fn width(chunk: &TextChunk, span: &TextSpan) -> f64 {
-    characters(chunk, span).map(|it| advance(span, it)).sum()
+    let Some(font) = font(span.font()) else {
+        return 0.0;
+    };
+    let spelled = spelled(chunk, span, font).into_iter();
+    spelled.map(|it| advance(span, font, it.0)).sum()
 }
 
 /// From a letter to the next.
-fn advance(span: &TextSpan, character: char) -> f64 {
-    let letter = font(span.font()).and_then(|it| Letter::of(it, character));
-    let own = letter.map_or(0.0, |it| it.advance * unit(span));
+fn advance(span: &TextSpan, font: StrokeFont, character: char) -> f64 {
+    let own = Letter::of(font, character).map_or(0.0, |it| it.advance * unit(span));
     let word = if character == ' ' {
         span.word_spacing()
     } else {

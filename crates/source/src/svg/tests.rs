@@ -569,6 +569,30 @@ fn a_font_whose_name_has_a_number_is_found_without_quotes_in_styles_and_sheets()
 }
 
 #[test]
+fn letters_in_parts_are_written_as_those_in_one() {
+    let Some(options) = with_fonts() else {
+        return; // A machine without fonts cannot show this.
+    };
+    for anchor in ["start", "middle", "end"] {
+        let draw = |dx: &str, text: &str| {
+            let text = page(&format!(
+                r#"<text x="30" y="30" dx="{dx}" font-size="10" font-family="Hershey sans" letter-spacing="1"
+                text-anchor="{anchor}">{text}</text>"#
+            ));
+            let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
+            (drawing.strokes, warnings)
+        };
+        let (whole, warnings) = draw("0 0 2", "a\u{e9}a");
+        assert_eq!(warnings, []);
+        assert_eq!(
+            draw("0 0 0 2", "ae\u{301}a"),
+            (whole, Vec::new()),
+            "{anchor}"
+        );
+    }
+}
+
+#[test]
 fn text_becomes_outlines_where_fonts_are() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.

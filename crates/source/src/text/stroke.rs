@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use dobot_geometry::{Point, Stroke};
 use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 
-use super::{Text, layer};
+use super::{Text, composed, layer};
 use crate::artwork::Layer;
 use crate::error::SourceError;
 use crate::limits::{Budget, MAX_SEGMENTS};
@@ -17,10 +17,11 @@ pub(super) fn read(
     tolerance_mm: f64,
 ) -> Result<(Layer, Vec<Warning>), SourceError> {
     let mut writer = Writer::new(font, text.height_mm, tolerance_mm);
-    let widths: Vec<f64> = text.lines().map(|line| writer.width_mm(line)).collect();
+    let lines: Vec<_> = text.lines().map(|line| composed(line, font)).collect();
+    let widths: Vec<f64> = lines.iter().map(|line| writer.width_mm(line)).collect();
     let widest_mm = widths.iter().fold(0.0, |a: f64, b| a.max(*b));
     let mut at = Point::default();
-    for (line, width_mm) in text.lines().zip(widths) {
+    for (line, width_mm) in lines.iter().zip(widths) {
         at.x = (widest_mm - width_mm) * text.align.share();
         writer.line(line, at)?;
         at.y += text.line_spacing * text.height_mm;

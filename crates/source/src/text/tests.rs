@@ -102,6 +102,24 @@ fn what_cannot_be_written_is_named() {
 }
 
 #[test]
+fn letters_in_parts_are_written_as_those_in_one() {
+    for font in StrokeFont::ALL {
+        let write = |text: &str| {
+            read(&Text {
+                font: Font::Stroke(font),
+                ..Text::new(text)
+            })
+        };
+        let (parts, warnings) = write("Cafe\u{301} O\u{308}l\nA\u{30a}r");
+        let (whole, _) = write("Caf\u{e9} \u{d6}l\n\u{c5}r");
+        assert_eq!(warnings, Vec::<String>::new());
+        assert_eq!(parts.layers[0].strokes, whole.layers[0].strokes, "{font:?}");
+    }
+    let (_, warnings) = read(&Text::new("a\u{325}"));
+    assert!(warnings[0].contains("\\u{325}"), "{warnings:?}");
+}
+
+#[test]
 fn text_without_ink_is_refused() {
     for text in ["", " \n\t", "\r\n"] {
         assert_eq!(

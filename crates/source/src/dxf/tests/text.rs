@@ -18,6 +18,17 @@ fn written(blocks: &str, entities: &str) -> [f64; 4] {
 }
 
 #[test]
+fn letters_in_parts_are_written_as_those_in_one() {
+    for kind in ["TEXT", "MTEXT"] {
+        let draw = |text: &str| draw(&format!("0 {kind} 10 0 20 0 40 21 1 {text}"));
+        let (whole, warnings) = draw("\u{e9}a");
+        assert_eq!(warnings, Vec::<String>::new());
+        assert_eq!(draw("e\u{301}a"), (whole.clone(), Vec::new()));
+        assert_eq!(draw("e\\U+0301a"), (whole, Vec::new()));
+    }
+}
+
+#[test]
 fn a_text_stands_on_its_base_line_where_it_is_justified() {
     // H is 14 wide at a height of 21, the next letter stands 22 farther.
     for (groups, wanted) in [

@@ -1,0 +1,69 @@
+//! Letters and the marks that follow them, as one.
+
+use std::borrow::Cow;
+
+use dobot_lettering::{Letter, StrokeFont};
+use unicode_normalization::UnicodeNormalization;
+use unicode_normalization::char::{compose, decompose_canonical};
+
+/// A text with each letter and its marks as one character (Unicode's NFC), as far as the font has that:
+/// names of files on macOS and texts of PDF files come in parts.
+pub(crate) fn composed(text: &str, font: StrokeFont) -> Cow<'_, str> {
+    if text.is_ascii() {
+        return Cow::Borrowed(text);
+    }
+    let mut whole = String::with_capacity(text.len());
+    for character in text.nfc() {
+        push(&mut whole, character, font);
+    }
+    Cow::Owned(whole)
+}
+
+/// Puts a character behind a text: whole, or with as many of its marks as the font has on it and the
+/// others behind.
+fn push(whole: &mut String, character: char, font: StrokeFont) {
+    let has = |it: char| it.is_ascii() || Letter::of(font, it).is_some();
+    let mut parts = Vec::new();
+    decompose_canonical(character, |part| parts.push(part));
+    let [base, marks @ ..] = parts.as_slice() else {
+        return;
+    };
+    if has(character) || !has(*base) {
+        whole.push(character);
+        return;
+    }
+    let (mut letter, mut others) = (*base, String::new());
+    for &mark in marks {
+        match compose(letter, mark).filter(|it| has(*it)) {
+            Some(marked) => letter = marked,
+            None => others.push(mark),
+        }
+    }
+    whole.push(letter);
+    whole.push_str(&others);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_letter_and_its_marks_become_one_where_the_font_has_it() {
+        for (parts, whole) in [
+            ("Cafe\u{301}\nO\u{308}l", "Caf\u{e9}\n\u{d6}l"),
+            ("caf\u{e9}", "caf\u{e9}"),
+            ("plain", "plain"),
+            ("\u{438}\u{306}", "\u{439}"),
+            // The font has no a with a ring below, and no Hangul.
+            ("a\u{325}", "a\u{325}"),
+            // Nor both marks of Vietnamese on an e.
+            ("\u{1ebf}", "\u{ea}\u{301}"),
+            ("\u{1112}\u{1161}", "\u{d558}"),
+            // A mark alone, and one that goes with no letter.
+            ("\u{301}", "\u{301}"),
+            ("q\u{301}", "q\u{301}"),
+        ] {
+            assert_eq!(composed(parts, StrokeFont::Sans), whole, "{parts:?}");
+        }
+    }
+}
