@@ -292,7 +292,7 @@ mod tests {
             asked.set(asked.get() + 1);
             in_area(p)
         });
-        let parts = clipped.strokes.iter().map(|it| it.length_mm());
+        let parts = clipped.strokes.iter().map(Stroke::length_mm);
         let wanted = [10.0, 10.0 * 2.0_f64.sqrt()];
         assert!(
             parts

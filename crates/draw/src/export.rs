@@ -340,7 +340,7 @@ mod tests {
             let strokes = read("a.gcode", export(&[frame, pass], None, ExportFormat::Gcode));
             let middles = strokes
                 .iter()
-                .map(|it| (it[0].0 + it[it.len() - 1].0) / 2.0);
+                .map(|it| f64::midpoint(it[0].0, it[it.len() - 1].0));
             assert_eq!(middles.skip(1).collect::<Vec<_>>(), order);
             let dots = strokes.iter().filter(|it| (it[0].1 - 35.0).abs() < 1e-9);
             assert!(

@@ -145,7 +145,7 @@ fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> 
     for pass in passes {
         let count = pass.drawn().count();
         if strokes < count {
-            rest.extend(rest_of_pass(pass, strokes, drawn_mm));
+            rest.extend(rest_of_pass(&pass, strokes, drawn_mm));
             (strokes, drawn_mm) = (0, 0.0);
         } else {
             strokes -= count;
@@ -156,7 +156,7 @@ fn after(passes: Vec<Pass>, mut strokes: usize, mut drawn_mm: f64) -> Vec<Pass> 
 
 /// What is left of a pass of which so many strokes, and so much of the next one, are drawn. What a laser burns several times
 /// becomes several passes: what is left of the time that was broken off, and the times to come.
-fn rest_of_pass(pass: Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
+fn rest_of_pass(pass: &Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
     let (count, times) = (pass.strokes.len(), pass.tool.times());
     let goes_on = matches!(pass.tool, DrawingTool::Laser(laser) if laser.by_stroke);
     let (first, done) = if goes_on {
@@ -194,7 +194,7 @@ fn rest_of_pass(pass: Pass, drawn: usize, drawn_mm: f64) -> Vec<Pass> {
         tool: pass.tool.times_over(times),
         strokes,
         message: pass.message.clone().filter(|_| number == 0),
-        ..pass
+        ..*pass
     };
     parts.enumerate().map(part).collect()
 }
