@@ -229,7 +229,7 @@ fn a_mistake_in_the_file_is_one_line_with_its_place_and_what_is_allowed() {
         ),
         (
             "\nspeed = 1e9",
-            &["line 2: --speed is 1000000000.0 mm/s; it takes 0 to 1000 mm/s"],
+            &["line 2: --speed is 1000000000 mm/s; it takes 0 to 1000 mm/s"],
         ),
         (
             "pen = \"markr\"",
