@@ -202,9 +202,10 @@ impl Waste {
 }
 
 /// The strokes in groups, those that lie in the most others first: what lies inside is cut before what
-/// encloses it.
-pub(crate) fn inner_first(strokes: Vec<Stroke>) -> Vec<Vec<Stroke>> {
-    let depths = depths(&strokes, &[]);
+/// encloses it, or enclosed it when its edges were `whole`.
+pub(crate) fn inner_first(strokes: Vec<Stroke>, whole: &[Stroke]) -> Vec<Vec<Stroke>> {
+    let whole: Vec<&Stroke> = whole.iter().collect();
+    let depths = depths(&strokes, &whole);
     let deepest = depths.iter().copied().max().unwrap_or(0);
     let mut groups = vec![Vec::new(); deepest + 1];
     for (stroke, depth) in strokes.into_iter().zip(depths) {
@@ -216,10 +217,10 @@ pub(crate) fn inner_first(strokes: Vec<Stroke>) -> Vec<Vec<Stroke>> {
 
 /// Layers in their order, but those that lie inside of the shapes of others before them, and how many cannot: each tells which
 /// strokes are cut in it.
-pub(crate) fn layers_inner_first(layers: &[&[Stroke]]) -> (Vec<usize>, usize) {
+pub(crate) fn layers_inner_first(layers: &[Vec<&Stroke>]) -> (Vec<usize>, usize) {
     let layer_of = |layer: usize| vec![layer; layers[layer].len()];
     let layer_of: Vec<usize> = (0..layers.len()).flat_map(layer_of).collect();
-    let strokes: Vec<&Stroke> = layers.iter().copied().flatten().collect();
+    let strokes: Vec<&Stroke> = layers.iter().flatten().copied().collect();
     let mut inside_of = vec![HashSet::new(); layers.len()];
     if layers.len() > 1 {
         for (inner, enclosing) in enclosing(&strokes, strokes.len()).into_iter().enumerate() {
@@ -408,13 +409,13 @@ mod tests {
 
     #[test]
     fn what_lies_inside_comes_before_what_encloses_it() {
-        let groups = inner_first(nest());
+        let groups = inner_first(nest(), &[]);
         let widths: Vec<Vec<f64>> = groups
             .iter()
             .map(|it| it.iter().map(width).collect())
             .collect();
         assert_eq!(widths, [vec![8.0], vec![20.0, 20.0], vec![60.0, 10.0]]);
-        assert_eq!(inner_first(Vec::new()), Vec::<Vec<Stroke>>::new());
+        assert_eq!(inner_first(Vec::new(), &[]), Vec::<Vec<Stroke>>::new());
     }
 
     #[test]
@@ -427,7 +428,7 @@ mod tests {
         ])];
         let hole = vec![square(2.0, 2.0, 20.0), square(82.0, 2.0, 3.0)];
         let sorted = |layers: &[&Vec<Stroke>]| {
-            let layers: Vec<&[Stroke]> = layers.iter().map(|it| it.as_slice()).collect();
+            let layers: Vec<Vec<&Stroke>> = layers.iter().map(|it| it.iter().collect()).collect();
             layers_inner_first(&layers)
         };
         assert_eq!(sorted(&[]), (vec![], 0));

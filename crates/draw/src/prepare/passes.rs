@@ -60,6 +60,7 @@ pub(super) fn passes<E>(
         let lines = Lines {
             own,
             fills: Vec::new(),
+            whole: Vec::new(),
         }
         .joined(tool, settings, &mut Vec::new());
         shapes.push(LaidLayer { layer, tool, lines }.cut_shapes(settings));
@@ -109,7 +110,10 @@ impl LaidLayer {
 /// shapes of another before it: what was cut out may have fallen or moved.
 fn inner_layers_first(laid: Vec<LaidLayer>, warnings: &mut Vec<Warning>) -> Vec<LaidLayer> {
     let (cut, mut sorted): (Vec<_>, Vec<_>) = laid.into_iter().partition(|it| it.tool.cuts());
-    let lines: Vec<&[Stroke]> = cut.iter().map(|it| it.lines.own.as_slice()).collect();
+    let lines = cut
+        .iter()
+        .map(|it| it.lines.own.iter().chain(&it.lines.whole));
+    let lines: Vec<Vec<&Stroke>> = lines.map(Iterator::collect).collect();
     let (order, too_late) = layers_inner_first(&lines);
     let mut cut: Vec<Option<LaidLayer>> = cut.into_iter().map(Some).collect();
     sorted.extend(order.into_iter().filter_map(|it| cut[it].take()));
@@ -128,6 +132,9 @@ struct Lines {
     /// What its areas are hatched with, where those must stay apart: rings of a hatching are no edges of parts that a
     /// laser cuts out.
     fills: Vec<Stroke>,
+    /// The closed shapes of a layer that is cut, before lines that lie on others were left out: what lies inside of them has to come
+    /// before what is left of their edges.
+    whole: Vec<Stroke>,
 }
 
 impl Lines {
@@ -142,7 +149,11 @@ impl Lines {
         if !tool.cuts() {
             own.append(&mut fills);
         }
-        Ok(Self { own, fills })
+        Ok(Self {
+            own,
+            fills,
+            whole: Vec::new(),
+        })
     }
 
     fn is_empty(&self) -> bool {
@@ -153,6 +164,7 @@ impl Lines {
         Self {
             own: change(self.own),
             fills: change(self.fills),
+            whole: self.whole,
         }
     }
 
@@ -160,6 +172,7 @@ impl Lines {
         Ok(Self {
             own: change(self.own)?,
             fills: change(self.fills)?,
+            whole: self.whole,
         })
     }
 
@@ -232,13 +245,18 @@ impl Lines {
             warnings.extend(counted(1, what, &instead));
         }
         let [own, fills] = [own, fills].map(|Clipped { strokes, .. }| strokes);
-        Self { own, fills }
+        Self { own, fills, ..self }
     }
 
     /// Those that meet joined, and those that lie on others left out where that is wanted.
     fn joined(self, tool: DrawingTool, settings: &Settings, warnings: &mut Vec<Warning>) -> Self {
         let stay_whole = settings.cutting_of(tool).is_asked_for();
         let (mut doubles, mut unknown) = (0, 0);
+        let mut whole = Vec::new();
+        if settings.drops_doubles && tool.cuts() {
+            whole = merge(self.own.clone(), settings.join_mm());
+            whole.retain(|it| it.closed);
+        }
         let lines = self.map(|strokes| {
             if !settings.drops_doubles {
                 return strokes;
@@ -258,7 +276,7 @@ impl Lines {
         if tool.cuts() || stay_whole {
             warnings.extend(with_gaps(&lines.own, settings.join_mm()));
         }
-        lines
+        Self { whole, ..lines }
     }
 
     /// The strokes as they are drawn, for a tool that comes from `here`: in a good order, of a laser as it cuts them beside
@@ -281,7 +299,7 @@ impl Lines {
         let cutting = settings.cutting_of(tool);
         let (own, gone) = cutting.offset(self.own, others, settings.flatten_mm());
         let groups = if tool.cuts() && settings.tries.is_some() {
-            inner_first(own)
+            inner_first(own, &self.whole)
         } else {
             vec![own]
         };
@@ -306,18 +324,28 @@ impl Lines {
 }
 
 /// Tells of outlines that have gaps: they are no shapes that are cut out, and so have no kerf, and what lies inside may come later.
+/// Lines side by side are no outline, nor is what is not much wider than its gaps.
 fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
     let open: Vec<Stroke> = strokes.iter().filter(|it| !it.closed).cloned().collect();
     let closed = |by_mm: f64| {
         let shapes = merge(open.clone(), by_mm);
-        shapes.iter().filter(|it| it.closed).count()
+        let wide = |it: &&Stroke| it.closed && width_mm(it) > MUCH_WIDER * by_mm;
+        shapes.iter().filter(wide).count()
     };
     let wider = GAPS_MM.into_iter().filter(|&it| it > join_mm);
     let tried: Vec<(f64, usize)> = wider.map(|it| (it, closed(it))).collect();
     let most = tried.iter().map(|it| it.1).max()?;
     let (by_mm, count) = tried.into_iter().find(|it| it.1 == most)?;
     let instead = format!("not taken for shapes that are cut out: `--join {by_mm}` closes them");
-    counted(count, "outline with gaps", &instead)
+    counted(count, "open outline", &instead)
+}
+
+/// How wide a long shape is that has as much area and as long an edge.
+fn width_mm(shape: &Stroke) -> f64 {
+    let first = shape.points[0];
+    let part = |it: &[Point]| (it[0] - first).cross(it[1] - first);
+    let twice_mm2: f64 = shape.points.windows(2).map(part).sum();
+    twice_mm2.abs() / shape.length_mm()
 }
 
 /// Groups of strokes one after the other, each in a good order, for a tool that comes from `here`.
@@ -390,5 +418,7 @@ fn one_line(strokes: Vec<Stroke>) -> Vec<Stroke> {
 const ON_SHEET_MM: f64 = 0.5;
 /// Gaps that nobody wants in an outline.
 const GAPS_MM: [f64; 4] = [0.1, 0.2, 0.5, 1.0];
+/// An outline is so many times as wide as its gaps.
+const MUCH_WIDER: f64 = 5.0;
 /// So much beyond the edge is not cut off.
 const ON_EDGE_MM: f64 = 0.05;

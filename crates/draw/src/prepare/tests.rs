@@ -743,11 +743,22 @@ fn an_outline_with_gaps_is_told_with_what_closes_it() {
     };
     let warning = told(true, None);
     assert!(
-        warning.contains("1 outline with gaps") && warning.contains("--join 0.5"),
+        warning.contains("1 open outline") && warning.contains("--join 0.5"),
         "{warning}"
     );
     assert_eq!(told(true, Some(0.5)), "");
     assert_eq!(told(false, None), "");
+    // Lines side by side, and the two of a road, are none.
+    let side_by_side = (0..40).map(|i| side((0.0, f64::from(i)), (40.0, f64::from(i))));
+    let source = Source::Lines(side_by_side.collect());
+    let settings = Settings {
+        tool: DrawingTool::Laser(Laser {
+            cuts: true,
+            ..Laser::default()
+        }),
+        ..Settings::default()
+    };
+    assert_eq!(prepare(&source, &settings, anywhere).unwrap().warnings, []);
 }
 
 #[test]
@@ -772,4 +783,25 @@ fn on_a_sheet_with_a_margin_nothing_is_drawn_in_the_margin() {
         let width_mm = dobot_geometry::bounds_of_strokes(&wanted).height();
         assert!((width_mm - left_mm).abs() < 0.13, "{width_mm}");
     }
+}
+
+#[test]
+fn a_hole_comes_before_what_an_edge_that_is_drawn_once_leaves_of_its_part() {
+    let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="80mm" viewBox="0 0 120 80"><g fill="none" stroke="red">
+        <rect x="10" y="10" width="20" height="20"/><rect x="30" y="10" width="20" height="20"/>
+        <circle cx="20" cy="20" r="4"/><circle cx="40" cy="20" r="5"/></g></svg>"#;
+    let settings = Settings {
+        tool: DrawingTool::Laser(Laser {
+            cuts: true,
+            ..Laser::default()
+        }),
+        drops_doubles: true,
+        ..Settings::default()
+    };
+    let wanted = prepare(&svg.into(), &settings, anywhere).unwrap().wanted();
+    let mut lengths: Vec<f64> = wanted.iter().map(|it| it.length_mm().round()).collect();
+    let edges = lengths.split_off(2);
+    assert_eq!(edges.iter().sum::<f64>(), 140.0);
+    lengths.sort_by(f64::total_cmp);
+    assert_eq!(lengths, [25.0, 31.0]);
 }

@@ -177,7 +177,12 @@ impl Defaults {
     /// Without those that do nothing for what is drawn; what is wrong with others is told with their line.
     fn fitting(mut self, args: &Args, error: OptionsError) -> Result<Args, Failure> {
         let place = |option: &str| {
-            let is_it = |it: &Entry| it.is_used() && option.strip_prefix("--") == Some(&it.option);
+            // Of `--shade tsp` the option alone.
+            let long = option
+                .split(' ')
+                .next()
+                .and_then(|it| it.strip_prefix("--"));
+            let is_it = |it: &Entry| it.is_used() && long == Some(&it.option);
             self.entries.iter().position(is_it)
         };
         let (entry, why) = match &error {
