@@ -94,8 +94,11 @@ function assertSquare(lines, z_m) {
 async function main() {
   const { page, live } = await addresses;
   const { channels, told, close } = await lookOn(live);
-  for (const topic of ["/tf", "/arm/ink", "/arm/target", "/arm/pose", "/arm/joints", "/wire/to_arm", "/wire/from_arm", "/station/state", "/station/notices"]) {
-    assert.equal(channels.get(topic)?.encoding, "json", topic);
+  const topics = ["/tf", "/arm/ink", "/arm/target", "/arm/pose", "/arm/joints", "/wire/to_arm", "/wire/from_arm", "/station/state", "/station/notices"];
+  // Whoever comes while a station starts is told of the topics one after the other.
+  await until("all topics", () => topics.every((topic) => channels.has(topic)));
+  for (const topic of topics) {
+    assert.equal(channels.get(topic).encoding, "json", topic);
     assert.equal(JSON.parse(channels.get(topic).schema).type, "object");
   }
   assert.equal(channels.get("/tf").schemaName, "foxglove.FrameTransforms");
