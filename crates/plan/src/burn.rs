@@ -307,7 +307,62 @@ mod tests {
         })
     }
 
+    /// How many times as long as at this speed a stock arm burns each of these strokes.
+    fn times_as_long(strokes: &[Stroke], burn_speed_mm_s: f64) -> Vec<f64> {
+        let laser = Laser {
+            burn_speed_mm_s,
+            ..Laser::default()
+        };
+        let machine = Machine {
+            has_ticks: true,
+            ..Machine::default()
+        };
+        let pass = Pass::new(DrawingTool::Laser(laser), strokes.to_vec());
+        let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).expect("a plan");
+        let mut ticker = Ticker::new(&machine, 0.0);
+        let mut burned_s = vec![0.0; strokes.len()];
+        for vector in &plan.moves {
+            let cut = ticker.run(&write(vector));
+            if vector.kind == MoveKind::Burn {
+                burned_s[vector.stroke as usize] += f64::from(cut.ticks()) * f64::from(TICK_S);
+            }
+        }
+        let both = burned_s.iter().zip(strokes);
+        both.map(|(burned_s, it)| burned_s * burn_speed_mm_s / it.length_mm())
+            .collect()
+    }
+
+    #[test]
+    fn a_stock_arm_burns_slow_lines_as_fast_as_asked_for() {
+        let lines = [0.0, 10.0].map(|y| {
+            let begin = Point::new(200.0, y);
+            Stroke::open(vec![begin, begin + Vec2::new(3.0, 3.0)])
+        });
+        for speed_mm_s in [1.0, 1.5, 2.0, 3.0, 5.0, 8.0] {
+            for times in times_as_long(&lines, speed_mm_s) {
+                assert!((times - 1.0).abs() < 0.1, "{times} at {speed_mm_s} mm/s");
+            }
+        }
+    }
+
     proptest! {
+        #[test]
+        fn a_stock_arm_burns_lines_as_fast_as_asked_for(
+            burn_speed_mm_s in 1.0..15.0_f64,
+            lines in proptest::collection::vec((0.0..360.0_f64, 0.2..2.0_f64), 1..4),
+        ) {
+            // Shorter ones are burned for whole ticks of 20 ms all the same.
+            let strokes: Vec<Stroke> = lines.iter().zip(0_u8..).map(|((turn_deg, wanted_s), i)| {
+                let begin = Point::new(200.0, 40.0 * f64::from(i) - 40.0);
+                let way = Vec2::from_angle(turn_deg.to_radians()) * (burn_speed_mm_s * wanted_s);
+                Stroke::open(vec![begin, begin + way])
+            }).collect();
+            for times in times_as_long(&strokes, burn_speed_mm_s) {
+                // Within 0.05 nine of ten.
+                prop_assert!((times - 1.0).abs() < 0.25, "{times}");
+            }
+        }
+
         #[test]
         fn a_stock_arm_burns_a_stroke_from_its_beginning_to_its_end(
             stroke in stroke(),

@@ -10,6 +10,7 @@ use crate::tick::TICK_S;
 use crate::tick_chain::{Breadth, LastPlaces, TickChain};
 use crate::tick_fit::TickFit;
 use crate::ticker::Ticker;
+use crate::{MoveKind, PlannedVector};
 
 impl Planner<'_> {
     /// The chain ends, on an arm with ticks: its speeds can be planned.
@@ -18,13 +19,19 @@ impl Planner<'_> {
         let Some(ticker) = self.ticker.take() else {
             return;
         };
-        let mut it = InTicks::new(begin, ticker, &self.chain);
-        let mut attempt = self.attempt(&it, Breadth::ONE);
-        match self.aim {
-            Aim::Soon if !attempt.is_good() => attempt = self.search(&mut it),
-            Aim::Evenly if attempt.creeps() => attempt = self.attempt(&it, Breadth::MANY),
-            Aim::Soon | Aim::Evenly => {}
-        }
+        let mut it = InTicks::new(begin, ticker, &self.moves[begin..], &self.chain);
+        let attempt = match self.aim {
+            Aim::Soon => {
+                let attempt = self.attempt(&it, Breadth::ONE);
+                if attempt.is_good() {
+                    attempt
+                } else {
+                    self.search(&mut it)
+                }
+            }
+            // What a vector leaves decides how fast the next one can be: of a laser all are to be right.
+            Aim::Evenly => self.attempt(&it, Breadth::MANY),
+        };
         it.ticker
             .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
         self.settle(self.moves.len());
@@ -196,14 +203,20 @@ struct InTicks {
 }
 
 impl InTicks {
-    fn new(begin: usize, ticker: Ticker, chain: &[ChainVector]) -> Self {
+    fn new(begin: usize, ticker: Ticker, moves: &[PlannedVector], chain: &[ChainVector]) -> Self {
         let limits_mm_s: Vec<f64> = chain.iter().map(|it| it.limit_mm_s).collect();
         let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
+        // A laser that is still off gets to whole steps of speed only, and is to burn no slower.
+        let next_mm_s = most_mm_s + 0.5 * ticker.step_mm_s();
+        let most = |vector: &PlannedVector| match vector.kind {
+            MoveKind::RunUp => next_mm_s,
+            _ => most_mm_s,
+        };
         Self {
             begin,
             ticker,
             over: vec![1.0; chain.len()],
-            most_mm_s: vec![most_mm_s; chain.len()],
+            most_mm_s: moves.iter().map(most).collect(),
             limits_mm_s,
         }
     }
@@ -243,15 +256,6 @@ impl Attempt {
         self.shares[i + 1] = 0.0;
     }
 
-    /// Whether any vector takes much longer than wanted: behind what one left the next cannot speed up, as a laser's that is off,
-    /// or one that burns slower than a tick's change.
-    fn creeps(&self) -> bool {
-        let mut both = self.fits.iter().zip(&self.speeds);
-        let most_s =
-            |wanted: &Speeds| CREEPS * wanted.duration_s + CREEPING_TICKS * f64::from(TICK_S);
-        both.any(|(fit, wanted)| fit.duration_s() > most_s(wanted))
-    }
-
     /// Whether more acceleration is seen than allowed.
     fn is_sharp(&self) -> bool {
         self.shares.iter().any(|it| *it < 1.0)
@@ -270,9 +274,6 @@ impl Attempt {
     }
 }
 
-/// A vector creeps if it takes so many times as long as wanted, and so many ticks.
-const CREEPS: f64 = 1.2;
-const CREEPING_TICKS: f64 = 2.0;
 /// What takes no longer than this beyond what is wanted is not worth a search.
 const MOST_LATE_SHARE: f64 = 0.01;
 /// How often a chain is planned again for the ticks of a stock arm at the most.

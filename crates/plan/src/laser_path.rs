@@ -143,10 +143,16 @@ pub(super) fn run_mm(laser: &Laser, machine: &Machine) -> f64 {
     SwitchLead::at_speed(laser, machine).off_mm + run_out_mm + gain_mm(speed_mm_s, machine)
 }
 
-/// What it takes to get to a speed, and at least as much as the link needs for a packet.
+/// What it takes to get to a speed, and at least as much as the link needs for a packet. From rest an arm with ticks gets to a
+/// tick's change at once, and no slower.
 fn gain_mm(speed_mm_s: f64, machine: &Machine) -> f64 {
     let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
-    gain_mm.max(packet_mm(speed_mm_s, machine))
+    let least_mm_s = if machine.has_ticks {
+        machine.acceleration_mm_s2 * f64::from(TICK_S)
+    } else {
+        0.0
+    };
+    gain_mm.max(packet_mm(speed_mm_s.max(least_mm_s), machine))
 }
 
 /// How far it goes while the link brings a packet.
