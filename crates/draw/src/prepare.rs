@@ -106,6 +106,7 @@ pub fn prepare_together<E: fmt::Display>(
     warnings.extend(layers::unhatched(&layers, settings));
     let passes = passes(layers, left_out, settings, &reachable, &mut warnings)?;
     let prepared = plan_passes(passes, settings, reachable)?;
+    warnings.extend(prepared.warnings);
     Ok(Prepared {
         scale,
         warnings,
@@ -165,9 +166,9 @@ fn plan_passes<E: fmt::Display>(
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
         passes,
+        warnings: layers::slow_burning(&plan),
         plan,
         scale: 1.0,
-        warnings: Vec::new(),
         reach_mm: None,
     })
 }

@@ -1,6 +1,6 @@
 //! The figures of a plan.
 
-use crate::{MoveKind, Plan, PlannedVector};
+use crate::{MoveKind, Plan};
 
 /// The figures of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,9 +15,6 @@ pub struct Summary {
     pub travelled_mm: f64,
     /// How long all of it takes, in seconds.
     pub duration_s: f64,
-    /// The least and the most that the laser burns on a millimetre of a vector, where 1 is what the
-    /// burn speed gives; nothing for a pen.
-    pub burn_share: Option<[f64; 2]>,
 }
 
 impl Plan {
@@ -34,25 +31,6 @@ impl Plan {
             drawn_mm: total(MoveKind::marks),
             travelled_mm: total(|kind| matches!(kind, MoveKind::Travel)),
             duration_s: self.duration_s(),
-            burn_share: self.burn_share(),
-        }
-    }
-
-    /// The laser burns for longer where it is slower.
-    fn burn_share(&self) -> Option<[f64; 2]> {
-        let burned = self.moves.iter().filter(|it| it.kind == MoveKind::Burn);
-        burned.fold(None, |share, vector| {
-            let wanted = self.burn_speed_mm_s(vector)?;
-            let burned = wanted * f64::from(vector.duration_s) / vector.length_mm();
-            let [least, most] = share.unwrap_or([f64::INFINITY, 0.0]);
-            Some([least.min(burned), most.max(burned)])
-        })
-    }
-
-    fn burn_speed_mm_s(&self, vector: &PlannedVector) -> Option<f64> {
-        match self.passes[vector.pass as usize].tool {
-            super::DrawingTool::Laser(laser) => Some(laser.burn_speed_mm_s),
-            super::DrawingTool::Pen(_) => None,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Which layers are drawn, with what, one after the other.
 
-use dobot_plan::{DrawingTool, Pass};
+use dobot_plan::{DrawingTool, Pass, Plan, SlowBurning};
 use dobot_source::{Layer, Warning};
 
 use super::passes::counted;
@@ -122,4 +122,21 @@ pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings)
         "put in the pen for {}; that of {} is done",
         layer.name, before.name
     ))
+}
+
+/// What a laser burns slower than it is to comes out darker.
+pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
+    let told = plan.passes.iter().filter_map(|pass| {
+        let SlowBurning {
+            slow_mm,
+            burned_mm,
+            even_mm_s,
+        } = plan.slow_burning(pass)?;
+        let asked_mm_s = pass.tool.speed_mm_s();
+        let instead = format!(
+            "{slow_mm:.0} of its {burned_mm:.0} mm, at {even_mm_s:.1} instead of {asked_mm_s} mm/s and so darker: corners, short vectors and the link allow no more; nearly all of it is even at that speed"
+        );
+        counted(1, "layer burned slower", &instead)
+    });
+    told.collect()
 }

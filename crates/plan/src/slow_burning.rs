@@ -1,0 +1,94 @@
+//! What a laser burns slower than it is to, and so darker.
+
+use crate::{DrawingTool, MoveKind, Plan, PlannedPass};
+
+/// What of a pass is burned slower than its laser is to: corners, short vectors and the link allow no more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlowBurning {
+    /// How much of it, in mm.
+    pub slow_mm: f64,
+    /// How much the pass burns at all, in mm.
+    pub burned_mm: f64,
+    /// The speed that all but a twentieth of it gets to, in mm/s: asked for that, it would be burned evenly.
+    pub even_mm_s: f64,
+}
+
+impl Plan {
+    /// What of a pass is burned slower than its laser is to; nothing where that is next to nothing, and for a pen.
+    #[must_use]
+    pub fn slow_burning(&self, pass: &PlannedPass) -> Option<SlowBurning> {
+        let DrawingTool::Laser(laser) = pass.tool else {
+            return None;
+        };
+        let moves = self.moves[pass.moves.clone()].iter();
+        let burned = moves.filter(|it| it.kind == MoveKind::Burn);
+        let mut burned: Vec<[f64; 2]> = burned
+            .map(|it| {
+                let length_mm = it.length_mm();
+                [length_mm / f64::from(it.duration_s), length_mm]
+            })
+            .collect();
+        burned.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let sum_mm = |burned: &[[f64; 2]]| burned.iter().map(|it| it[1]).sum::<f64>();
+        let is_slow = |it: &[f64; 2]| it[0] * SLOW < laser.burn_speed_mm_s;
+        let burned_mm = sum_mm(&burned);
+        let slow_mm = sum_mm(&burned[..burned.partition_point(is_slow)]);
+        let seen_mm = SEEN_SHARE * burned_mm;
+        let mut passed_mm = 0.0;
+        let even = burned.iter().find(|it| {
+            passed_mm += it[1];
+            passed_mm > seen_mm
+        })?;
+        (slow_mm > seen_mm).then_some(SlowBurning {
+            slow_mm,
+            burned_mm,
+            even_mm_s: even[0],
+        })
+    }
+}
+
+/// What is burned so many times as long as asked for is seen to be darker.
+const SLOW: f64 = 1.25;
+/// Nobody minds less of it.
+const SEEN_SHARE: f64 = 0.05;
+
+#[cfg(test)]
+mod tests {
+    use dobot_geometry::{Point, Stroke};
+
+    use crate::{DrawingTool, Laser, Machine, Paper, Pass, Plan, SlowBurning};
+
+    fn slow_burning(strokes: Vec<Stroke>, burn_speed_mm_s: f64) -> Option<SlowBurning> {
+        let laser = Laser {
+            burn_speed_mm_s,
+            ..Laser::default()
+        };
+        let pass = Pass::new(DrawingTool::Laser(laser), strokes);
+        let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::default()).expect("a plan");
+        plan.slow_burning(&plan.passes[0])
+    }
+
+    fn line(points: &[(f64, f64)]) -> Stroke {
+        Stroke::open(points.iter().map(|it| Point::new(it.0, it.1)).collect())
+    }
+
+    #[test]
+    fn a_line_is_burned_as_fast_as_asked_for() {
+        let lines = vec![line(&[(200.0, 0.0), (230.0, 0.0)])];
+        assert_eq!(slow_burning(lines, 30.0), None);
+    }
+
+    #[test]
+    fn what_the_link_slows_down_is_told_and_is_even_at_the_speed_that_is_told() {
+        // Its packets take 80 ms each: 20 of 0.8 mm allow 10 mm/s.
+        let row: Vec<(f64, f64)> = (0..=20)
+            .map(|i| (200.0 + 0.8 * f64::from(i), 0.0))
+            .collect();
+        let strokes = vec![line(&row), line(&[(200.0, 10.0), (232.0, 10.0)])];
+        let told = slow_burning(strokes.clone(), 30.0).expect("16 of 48 mm are slow");
+        assert!((told.burned_mm - 48.0).abs() < 0.1, "{told:?}");
+        assert!(told.slow_mm > 8.0 && told.slow_mm < 16.1, "{told:?}");
+        assert!(told.even_mm_s > 9.0 && told.even_mm_s < 24.0, "{told:?}");
+        assert_eq!(slow_burning(strokes, told.even_mm_s), None);
+    }
+}
