@@ -69,22 +69,22 @@ impl Cutting {
                 all.push(stroke);
                 continue;
             }
+            let is_part = depth % 2 == 0;
             let has_room = stroke.length_mm() > 3.0 * self.gap_mm() * f64::from(self.tabs);
-            let (cuts, before) = if self.tabs > 0 && has_room {
+            let has_tabs = self.tabs > 0 && has_room;
+            let stroke = match &waste {
+                Some(waste) if !has_tabs => waste.begun_well(stroke, is_part, number),
+                _ => stroke,
+            };
+            let (cuts, before) = if has_tabs {
                 (self.between_tabs(&stroke), Vec2::ZERO)
             } else {
                 too_small += usize::from(self.tabs > 0);
-                let last = stroke.points.len() - 1;
-                let before = unit(stroke.points[last] - stroke.points[last - 1]);
-                (vec![self.overcut(&stroke)], before)
+                (vec![self.overcut(&stroke)], end_direction(&stroke))
             };
-            let is_part = depth % 2 == 0;
             for mut cut in cuts {
                 if let Some(waste) = &mut waste {
-                    // In a corner half way between both sides: straight behind one it would lie on the other.
-                    let left = unit(before + unit(cut.points[1] - cut.points[0])).turn_90();
-                    let is_inside = is_in(&stroke.points, cut.points[0] + left * MEETS_MM);
-                    let side = if is_inside == is_part { -left } else { left };
+                    let side = waste_side(&stroke, before, &cut, is_part);
                     waste.lead_in(&mut cut, side, number);
                 }
                 all.push(cut);
@@ -170,6 +170,29 @@ impl Waste {
         }
     }
 
+    /// A shape that begins where its lead-in has room: as it does, or else in the middle of one of its sides.
+    fn begun_well(&self, shape: Stroke, is_part: bool, stroke: usize) -> Stroke {
+        let room_mm = |it: &Stroke| {
+            let side = waste_side(it, end_direction(it), it, is_part);
+            let room_mm = self.room_mm(it.points[0], unit(side), stroke);
+            room_mm.min(2.0 * self.lead_in_mm)
+        };
+        let mut most_mm = room_mm(&shape);
+        let mut best = None;
+        let sides = shape.points.len() - 1;
+        for side in (0..sides).step_by(sides.div_ceil(MOST_BEGINNINGS)) {
+            if most_mm >= 2.0 * self.lead_in_mm {
+                break;
+            }
+            let begun = begun_in_side(&shape, side);
+            let mm = room_mm(&begun);
+            if mm > most_mm {
+                (most_mm, best) = (mm, Some(begun));
+            }
+        }
+        best.unwrap_or(shape)
+    }
+
     /// Lets a cut of a stroke begin to this side of its beginning, at most half way to what is cut there.
     fn lead_in(&mut self, cut: &mut Stroke, side: Vec2, stroke: usize) {
         let (first, way) = (cut.points[0], unit(side));
@@ -198,6 +221,33 @@ impl Waste {
                 }
             });
         room_mm
+    }
+}
+
+/// The way with which a closed shape comes back to its beginning.
+fn end_direction(shape: &Stroke) -> Vec2 {
+    let last = shape.points.len() - 1;
+    unit(shape.points[last] - shape.points[last - 1])
+}
+
+/// To which side of the beginning of a cut of a shape the waste lies, where the way `before` leads there: in a corner half way between both
+/// sides, as straight behind one it would lie on the other.
+fn waste_side(shape: &Stroke, before: Vec2, cut: &Stroke, is_part: bool) -> Vec2 {
+    let left = unit(before + unit(cut.points[1] - cut.points[0])).turn_90();
+    let is_inside = is_in(&shape.points, cut.points[0] + left * MEETS_MM);
+    if is_inside == is_part { -left } else { left }
+}
+
+/// The same closed shape, begun in the middle of one of its sides.
+fn begun_in_side(shape: &Stroke, side: usize) -> Stroke {
+    let points = &shape.points;
+    let middle = points[side].midpoint(points[side + 1]);
+    let on = points[side + 1..points.len() - 1].iter();
+    let back = points[..=side].iter();
+    let around = on.chain(back).chain([&middle]).copied();
+    Stroke {
+        points: [middle].into_iter().chain(around).collect(),
+        ..*shape
     }
 }
 
@@ -360,6 +410,8 @@ const MEETS_MM: f64 = 0.02;
 const SAME_MM: f64 = 1e-6;
 /// By so many corners, and as many places between, it is known what a path lies in.
 const SAMPLES: usize = 6;
+/// In so many sides a cut may begin whose lead-in has no room at its beginning.
+const MOST_BEGINNINGS: usize = 100;
 /// No way in is shorter.
 const LEAST_LEAD_IN_MM: f64 = 0.05;
 
@@ -544,35 +596,50 @@ mod tests {
             lead_in_mm: 4.0,
             ..Cutting::default()
         };
-        // A hole of 3 mm, a part 1 mm beside another one, one that touches it, and a hole that is hardly one.
+        // A hole of 3 mm, a part in a hole that is 1 mm wider on each side, and a hole that is hardly one.
         let shapes = vec![
             square(0.0, 0.0, 60.0),
             square(5.0, 5.0, 3.0),
-            square(61.0, 0.0, 20.0),
-            square(81.0, 0.0, 20.0),
+            square(20.0, 20.0, 12.0),
+            square(21.0, 21.0, 10.0),
             square(40.0, 40.0, 0.03),
         ];
+        let diagonal = 2.0_f64.sqrt();
         let begins = [
             (0, 4.0),
-            (1, 1.5 * 2.0_f64.sqrt()),
-            (2, 0.5),
-            (3, 0.0),
+            (1, 1.5 * diagonal),
+            (2, 0.5 * diagonal),
+            (3, 0.5 * diagonal),
             (4, 0.0),
         ];
-        let mut turned = shapes.clone();
-        // From the middle of the side that faces the neighbour.
-        for shape in &mut turned[2..4] {
-            let (x, side) = (shape.points[0].x, 20.0);
-            let corners = [(x, 10.0), (x, 0.0), (x + side, 0.0), (x + side, side)];
-            let corners = corners.into_iter().chain([(x, side), (x, 10.0)]);
-            shape.points = corners.map(Point::from).collect();
-        }
-        let cut = cutting.finished(turned.clone(), &[]);
+        let cut = cutting.finished(shapes.clone(), &[]);
         assert_eq!(cut.short_of_room, 4);
         for (i, mm) in begins {
             let begin = cut.strokes[i].points[0];
-            let found_mm = begin.distance(turned[i].points[0]);
+            let found_mm = begin.distance(shapes[i].points[0]);
             assert!((found_mm - mm).abs() < 1e-9, "{i}: {found_mm}");
+        }
+    }
+
+    #[test]
+    fn a_shape_that_touches_another_begins_at_a_side_beside_which_there_is_waste() {
+        let cutting = Cutting {
+            lead_in_mm: 2.0,
+            ..Cutting::default()
+        };
+        // Both begin on their common side.
+        let shapes = [-10.0, 10.0].map(|x| {
+            let begin = (0.0, 5.0);
+            let corners = [begin, (0.0, 10.0), (x, 10.0), (x, 0.0), (0.0, 0.0)];
+            closed(corners.map(Point::from).to_vec())
+        });
+        let cut = cutting.finished(shapes.to_vec(), &[]);
+        assert_eq!(cut.short_of_room, 0);
+        for (stroke, whole) in cut.strokes.iter().zip(&shapes) {
+            let [from, on] = [stroke.points[0], stroke.points[1]];
+            assert!((from.distance(on) - 2.0).abs() < 1e-9, "{stroke:?}");
+            assert!((stroke.length_mm() - whole.length_mm() - 2.0).abs() < 1e-9);
+            assert!(shapes.iter().all(|it| !is_in(&it.points, from)), "{from:?}");
         }
     }
 

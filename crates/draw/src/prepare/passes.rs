@@ -308,7 +308,7 @@ impl Lines {
         let here = strokes.last().and_then(Stroke::last).unwrap_or(here);
         let cut = cutting.finished(in_order(groups, here, tool, settings), others);
         strokes.extend(cut.strokes);
-        warnings.extend(counted(gone, "narrow hole", "left out, the beam is wider"));
+        warnings.extend(counted(gone, "narrow shape", "left out, the beam is wider"));
         warnings.extend(counted(
             cut.too_small,
             "shape",
