@@ -11,7 +11,7 @@ use std::str::FromStr;
 
 use contour::{contours, spirals};
 use dobot_geometry::{Area, Point, Stroke, Vec2, direction};
-use join::Joined;
+use join::{Joined, each};
 use scan::Scan;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -31,6 +31,9 @@ pub struct Hatch {
     /// How far the lines stay away from the border, in mm: half the pen's width keeps the ink
     /// inside.
     pub inset_mm: f64,
+    /// Each parallel line is a stroke of its own: a tool is slow where it turns from one into the next, and a laser burns
+    /// more there.
+    pub apart: bool,
 }
 
 impl Default for Hatch {
@@ -42,13 +45,14 @@ impl Default for Hatch {
             angle_deg: 45.0,
             cross: false,
             inset_mm: 0.0,
+            apart: false,
         }
     }
 }
 
 /// Fills an area with lines. Parallel ones lie on a grid that is the same for all areas, so that
 /// those of neighbours meet. Where the end of the next line is near, and the way there stays
-/// inside, the pen goes on without a lift:
+/// inside, the pen goes on without a lift, unless they are to stay apart:
 ///
 /// ```text
 ///   .-------------.
@@ -200,7 +204,12 @@ fn lines(area: &Area, hatch: &Hatch, angle_deg: f64) -> Result<Vec<Stroke>, Hatc
         spacing_mm: hatch.spacing_mm,
         inset_mm: hatch.inset_mm,
     };
-    let mut strokes = Joined::new(&scan.spans()?, scan.edges, hatch.spacing_mm).strokes();
+    let spans = scan.spans()?;
+    let mut strokes = if hatch.apart {
+        each(&spans)
+    } else {
+        Joined::new(&spans, scan.edges, hatch.spacing_mm).strokes()
+    };
     for p in strokes.iter_mut().flat_map(|stroke| &mut stroke.points) {
         *p = turned(*p, forth);
     }

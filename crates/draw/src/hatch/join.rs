@@ -4,6 +4,14 @@ use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
 use super::scan::Span;
 
+/// The parts of the lines to draw, each a stroke of its own.
+pub(super) fn each(spans: &[Span]) -> Vec<Stroke> {
+    let drawn = spans.iter().filter(|it| it.line % 2 == 0);
+    drawn
+        .map(|it| Stroke::open(ends(*it, false).to_vec()))
+        .collect()
+}
+
 /// Strokes in the making, line by line.
 #[derive(Debug)]
 pub(super) struct Joined<'a> {

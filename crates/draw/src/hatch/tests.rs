@@ -100,6 +100,25 @@ fn crossed_lines_run_at_a_right_angle_to_the_first() {
     assert_eq!(first(0).dot(first(1)), 0.0);
 }
 
+#[test]
+fn lines_that_stay_apart_are_the_same_lines_each_for_itself() {
+    let ringed = area(&[SQUARE, HOLE], FillRule::EvenOdd);
+    let apart = Hatch {
+        apart: true,
+        ..along_x(1.0)
+    };
+    let strokes = hatch(&ringed, &apart).unwrap();
+    assert!(strokes.iter().all(|it| it.points.len() == 2));
+    let level = |strokes: &[Stroke]| -> f64 {
+        let segments = strokes.iter().flat_map(Stroke::segments);
+        let level = segments.filter(|(a, b)| (a.y - b.y).abs() < 1e-9);
+        level.map(|(a, b)| a.distance(b)).sum()
+    };
+    let joined = hatch(&ringed, &along_x(1.0)).unwrap();
+    assert!(joined.len() < strokes.len());
+    assert!((level(&joined) - length_mm(&strokes)).abs() < 1e-9);
+}
+
 fn wound(style: HatchStyle, spacing_mm: f64) -> Hatch {
     Hatch {
         style,

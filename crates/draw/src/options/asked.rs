@@ -144,7 +144,7 @@ impl DrawingRequest {
             only: options.what.only.clone(),
             tools: layer_tools(&options.what, materials)?,
             hatch: hatch(&options.what, &material),
-            shading: shading(&options),
+            shading: shading(&options, tool),
             crops: !options.what.no_crop,
             hides: options.what.hide,
             join_mm: options.way.join,
@@ -164,7 +164,7 @@ impl DrawingRequest {
             ..Settings::default()
         };
         let what = if sources.is_empty() {
-            Drawable::Passes(card(&options, tool)?)
+            Drawable::Passes(card(&options, tool, material.spacing_mm)?)
         } else {
             Drawable::Sources(sources)
         };
@@ -312,7 +312,7 @@ fn layer_tools(
     named.collect()
 }
 
-fn card(options: &Options, tool: DrawingTool) -> Result<Vec<Pass>, OptionsError> {
+fn card(options: &Options, tool: DrawingTool, spacing_mm: f64) -> Result<Vec<Pass>, OptionsError> {
     let DrawingTool::Laser(laser) = tool else {
         return Err(OptionsError::CardByPen);
     };
@@ -324,7 +324,7 @@ fn card(options: &Options, tool: DrawingTool) -> Result<Vec<Pass>, OptionsError>
         travel_speed_mm_s: laser.travel_speed_mm_s,
         cell_mm: what.card_size.unwrap_or(default.cell_mm),
         gap_mm: what.card_gap.unwrap_or(default.gap_mm),
-        spacing_mm: what.spacing.unwrap_or(default.spacing_mm),
+        spacing_mm: what.spacing.unwrap_or(spacing_mm),
         caption: what.card_label.clone().or(name).unwrap_or_default(),
         center: center(options).unwrap_or(default.center),
         ..default
@@ -414,10 +414,11 @@ fn hatch(what: &ContentOptions, material: &Material) -> Option<Hatch> {
         cross: what.cross,
         style: what.hatch_style,
         inset_mm: what.hatch_inset,
+        apart: material.tool.burns(),
     })
 }
 
-fn shading(options: &Options) -> Shading {
+fn shading(options: &Options, tool: DrawingTool) -> Shading {
     let what = &options.what;
     let shading = what.shade.map_or_else(Shading::default, Shading::new);
     Shading {
@@ -428,6 +429,7 @@ fn shading(options: &Options) -> Shading {
         threshold: what.threshold,
         levels: what.levels.unwrap_or(shading.levels),
         invert: what.invert,
+        apart: tool.burns(),
         seed: options.way.seed,
         ..shading
     }

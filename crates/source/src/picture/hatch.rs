@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Stroke, steps};
 
-use super::rows::{Rows, woven};
+use super::rows::{Rows, strokes};
 use super::shading::Shading;
 use super::smooth::smoothed;
 use super::tone::{Tone, count};
@@ -23,7 +23,11 @@ pub(super) fn hatched(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<St
         let steps = [2 * level, 2 * level + 1].map(|it| threshold(it, 2 * shading.levels));
         let lines = rows.lines().into_iter().zip(steps.into_iter().cycle());
         let pieces = |(line, threshold)| pieces(&tone, &rows, line, threshold);
-        woven(lines.map(pieces).collect(), REACH * spacing_mm)
+        strokes(
+            lines.map(pieces).collect(),
+            REACH * spacing_mm,
+            shading.apart,
+        )
     };
     (0..shading.levels).flat_map(set).collect()
 }

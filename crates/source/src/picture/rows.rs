@@ -65,9 +65,18 @@ impl Rows {
     }
 }
 
+/// Pieces of lines as strokes: each for itself, or woven.
+pub(super) fn strokes(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64, apart: bool) -> Vec<Stroke> {
+    if apart {
+        lines.into_iter().flatten().map(Stroke::open).collect()
+    } else {
+        woven(lines, reach_mm)
+    }
+}
+
 /// Joins pieces of neighbouring lines to strokes that go to and fro, where the way from one to the
 /// next is at most `reach_mm`. Each piece goes on where the one before it ends.
-pub(super) fn woven(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64) -> Vec<Stroke> {
+fn woven(lines: Vec<Vec<Vec<Point>>>, reach_mm: f64) -> Vec<Stroke> {
     let mut done = Vec::new();
     let mut open: Vec<Vec<Point>> = Vec::new();
     for line in lines {

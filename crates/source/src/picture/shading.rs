@@ -32,6 +32,9 @@ pub struct Shading {
     pub contrast: f64,
     /// More ink in the middle tones above 1, less below; from 0.1 to 10.
     pub darkness: f64,
+    /// Each line of [`ShadingStyle::Hatch`] and [`ShadingStyle::Lines`] is a stroke of its own: a tool is slow where it turns from one into
+    /// the next, and a laser burns more there.
+    pub apart: bool,
     /// Draws what is light: for a white pen on black paper.
     pub invert: bool,
     /// Another number scatters the dots of [`ShadingStyle::Stipple`] and [`ShadingStyle::Tsp`] anew.
@@ -59,6 +62,7 @@ impl Shading {
             brightness: 0.0,
             contrast: 0.0,
             darkness: 1.0,
+            apart: false,
             invert: false,
             seed: 1,
         }

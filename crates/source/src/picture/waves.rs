@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use super::rows::{Rows, woven};
+use super::rows::{Rows, strokes};
 use super::shading::Shading;
 use super::tone::Tone;
 
@@ -21,7 +21,7 @@ pub(super) fn waves(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stro
     };
     let line = |(i, [a, b]): (usize, [Point; 2])| Wave::new(&tone, &rows, i, a).pieces(b);
     let lines = rows.lines().into_iter().enumerate().map(line).collect();
-    woven(lines, REACH * spacing_mm)
+    strokes(lines, REACH * spacing_mm, shading.apart)
 }
 
 /// The wave along one line.
