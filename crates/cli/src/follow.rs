@@ -51,8 +51,13 @@ pub(crate) async fn start_shown(
         match ended {
             End::Done => return took(station, job).await,
             End::Over(text) => return Err(anyhow!(text).into()),
-            End::Paused(text) => go_on(station, job, &text).await?,
-            End::Interrupted => go_on(station, job, "interrupted; the tool is up").await?,
+            End::Paused(text) => go_on(station, (job, burns), &text).await?,
+            End::Interrupted if burns => {
+                go_on(station, (job, burns), "interrupted; the laser is off").await?;
+            }
+            End::Interrupted => {
+                go_on(station, (job, burns), "interrupted; the tool is up").await?;
+            }
         }
     }
 }
@@ -96,8 +101,12 @@ async fn took(station: &mut StationClient, job: u64) -> Result<Duration, Failure
     Ok(Duration::try_from_secs_f64(took_s).unwrap_or_default())
 }
 
-/// Asks a person whether a paused job is to go on: because it waits for a new pen, say.
-async fn go_on(station: &mut StationClient, job: u64, why: &str) -> Result<(), Failure> {
+/// Asks a person whether a paused job, which burns or not, is to go on: because it waits for a new pen, say.
+async fn go_on(
+    station: &mut StationClient,
+    (job, burns): (u64, bool),
+    why: &str,
+) -> Result<(), Failure> {
     let why = why
         .strip_prefix(&format!("job {job} is paused: "))
         .unwrap_or(why);
@@ -112,7 +121,7 @@ async fn go_on(station: &mut StationClient, job: u64, why: &str) -> Result<(), F
             station.request(Request::CancelJob { job }).await?;
             Err(anyhow!("job {job} is cancelled").into())
         }
-        PausedChoice::Leave => Err(paused(station, job, why)),
+        PausedChoice::Leave => Err(paused(station, (job, burns), why)),
     }
 }
 
@@ -192,13 +201,14 @@ async fn pause(station: &mut StationClient) -> Result<(), RemoteError> {
     }
 }
 
-fn paused(station: &StationClient, job: u64, text: &str) -> Failure {
+fn paused(station: &StationClient, (job, burns): (u64, bool), text: &str) -> Failure {
     let to = station.arm_address();
     let to = to.map_or_else(String::new, |it| format!(" --to {it}"));
+    let laser = if burns { " --arm-laser SECONDS" } else { "" };
     Failure::new(
         anyhow!("job {job} is paused: {text}"),
         format!(
-            "`dobot jobs start {job}{to}` goes on with it, `dobot jobs cancel {job}{to}` ends it"
+            "`dobot jobs start {job}{to}{laser}` goes on with it, `dobot jobs cancel {job}{to}` ends it"
         ),
     )
 }

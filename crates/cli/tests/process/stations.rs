@@ -304,6 +304,37 @@ fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
 }
 
 #[test]
+fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
+    let up = Up::new(&["--speed", "5"]);
+    let burn = [
+        "draw",
+        &example("square.svg"),
+        "--laser",
+        "plywood-engrave",
+        "--pen-down",
+        "-40",
+        "--arm-laser",
+        "600",
+    ];
+    let (drawing, mut errors) = Going::with_errors(up.command(&burn));
+    while up.json(&["jobs"])[0]["phase"] != "running" {}
+    assert_eq!(drawing.interrupt(), Some(1));
+    let mut told = String::new();
+    errors.read_to_string(&mut told).expect("it is text");
+    assert!(
+        told.contains("job 1 is paused: interrupted; the laser is off"),
+        "{told}"
+    );
+    assert!(
+        told.contains("`dobot jobs start 1 --arm-laser SECONDS` goes on with it"),
+        "{told}"
+    );
+    up.dobot(&["jobs", "start", "1", "--arm-laser", "600"])
+        .succeeds();
+    assert_eq!(up.json(&["jobs", "show", "1"])["phase"], "done");
+}
+
+#[test]
 fn jobs_are_queued_from_files_and_cancelled() {
     let up = Up::new(&[]);
     let job = up.folder.path().join("job.json");
