@@ -29,6 +29,8 @@ pub struct Controller {
     schedule: StatusSchedule,
     steppers: Steppers,
     outputs: Outputs,
+    /// Whether the laser was on in the outputs before.
+    laser_before: bool,
     uploads: Uploads,
     log: Log,
 }
@@ -67,6 +69,7 @@ impl Controller {
             schedule: StatusSchedule::new(port, dialect.status_period()),
             steppers: Steppers::default(),
             outputs,
+            laser_before: outputs.laser,
             uploads: Uploads::default(),
             log: Log::default(),
         }
@@ -183,6 +186,17 @@ impl Controller {
         self.program.hands().laser
     }
 
+    /// Whether the laser is on while the motors make the pulses of the last [`outputs`](Self::outputs): a stock arm switches it at
+    /// once, a tick before the motors begin what switched it (note N48). The motors of an ideal arm are two ticks behind its pose, and
+    /// so is what its laser burns, to a tick.
+    #[must_use]
+    pub fn laser_at_motors(&self) -> bool {
+        match &self.program {
+            Program::Specification(_) => self.laser_before,
+            Program::Firmware(_) => self.laser(),
+        }
+    }
+
     /// What it has counted.
     #[must_use]
     pub const fn counters(&self) -> &Counters {
@@ -236,6 +250,7 @@ impl Controller {
     fn tick(&mut self, at: Duration) {
         self.tick += 1;
         self.next_tick += TICK;
+        self.laser_before = self.outputs.laser;
         self.outputs = Outputs::new(self.steppers.exchange(), self.program.hands());
         let may_tell = self.schedule.silent_ticks() == 0;
         let (waiting, way_deg, repeats) = match &mut self.program {

@@ -406,7 +406,7 @@ impl VirtualArm {
             let outputs = self.controller.outputs();
             let actuators = Actuators {
                 pump: outputs.pump,
-                laser: outputs.laser,
+                laser: self.controller.laser_at_motors(),
                 gripper_deg: (f64::from(outputs.gripper_servo) - 500.0) * 0.18,
             };
             world.handle_arm(at, &self.mechanics.joints_at(at), actuators);
