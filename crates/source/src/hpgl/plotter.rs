@@ -42,6 +42,8 @@ pub(super) struct Plotter<'a> {
     pub(super) sheet: Option<[f64; 2]>,
     /// Areas are filled with lines or dots (FT).
     has_pattern: bool,
+    /// Chords of arcs are told by how far they leave them.
+    pub(super) chords_by_deviation: bool,
     pub(super) polygon: Polygon,
     pub(super) labels: Labels,
     pub(super) line_types: LineTypes,
@@ -76,6 +78,7 @@ impl<'a> Plotter<'a> {
             knows_corners: false,
             sheet: None,
             has_pattern: false,
+            chords_by_deviation: false,
             polygon: Polygon::default(),
             labels: Labels::default(),
             line_types: LineTypes::default(),
@@ -125,6 +128,10 @@ impl<'a> Plotter<'a> {
                 self.set_sheet(it);
                 Ok(())
             }
+            b"CT" => {
+                self.chords_by_deviation = it.number(0) == Some(1.0);
+                Ok(())
+            }
             b"CI" => self.circle(it),
             b"AA" | b"AR" => self.arc(it),
             b"AT" | b"RT" => self.arc_through(it),
@@ -169,6 +176,7 @@ impl<'a> Plotter<'a> {
         self.end_window()?;
         self.is_relative = false;
         self.has_pattern = false;
+        self.chords_by_deviation = false;
         self.polygon = Polygon::default();
         self.reset_labels();
         self.reset_line_types()?;

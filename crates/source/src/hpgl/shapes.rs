@@ -159,7 +159,42 @@ impl Plotter<'_> {
         let along = self.transform.way(Vec2::new(0.0, radius));
         let center = self.transform.point(center);
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
-        self.sketch.arc_points(it.at, &arc)
+        let Some(chord_rad) = self.chord_rad(it)? else {
+            return self.sketch.arc_points(it.at, &arc);
+        };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "at most 72"
+        )]
+        let chords = (sweep_rad.abs() / chord_rad - ROUNDING).ceil().max(1.0) as u32;
+        let corner = |i| match i {
+            0 => arc.start,
+            i if i == chords => arc.end,
+            i => arc.at(f64::from(i) / f64::from(chords)),
+        };
+        let corners: Vec<Point> = (0..=chords).map(corner).collect();
+        for &p in &corners {
+            self.sketch.check(it.at, p)?;
+        }
+        Ok(corners)
+    }
+
+    /// The angle of the chords that an arc is to be drawn with, all of the same length; nothing where it is to be round. That is
+    /// any arc of 5 degrees, a plotter's own choice, or less, and one that tells by how far its chords leave it.
+    fn chord_rad(&self, it: &Command<'_>) -> Result<Option<f64>, SourceError> {
+        let place = match &it.name {
+            b"CI" => 1,
+            b"AT" | b"RT" => 4,
+            _ => 3,
+        };
+        let Some(chord_deg) = it.number(place).filter(|_| !self.chords_by_deviation) else {
+            return Ok(None);
+        };
+        if !(0.0..=180.0).contains(&chord_deg) {
+            return Err(self.refused(it, "a chord angle from 0 to 180 degrees"));
+        }
+        Ok((chord_deg > ROUND_DEG).then(|| chord_deg.to_radians()))
     }
 
     fn angle_rad(&self, it: &Command<'_>, angle_deg: f64) -> Result<f64, SourceError> {
@@ -169,6 +204,11 @@ impl Plotter<'_> {
         Err(self.refused(it, "an angle from -360 to 360 degrees"))
     }
 }
+
+/// What a plotter takes for round.
+const ROUND_DEG: f64 = 5.0;
+/// Of a number of chords.
+const ROUNDING: f64 = 1e-9;
 
 /// Center and angle of the arc through three points; `None` where they lie on a line.
 fn circle_through(start: Point, middle: Point, end: Point) -> Option<(Point, f64)> {

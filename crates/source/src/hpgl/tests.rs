@@ -212,6 +212,48 @@ fn circles_arcs_and_wedges_stay_within_the_tolerance() {
     assert!(cake[0].closed && (cake[0].length_mm() - wanted).abs() < 0.02);
 }
 
+/// The polygons that old programs draw as circles of few chords.
+#[test]
+fn arcs_have_the_chords_that_they_tell() {
+    let corners = |text: &str| -> Vec<[f64; 2]> {
+        let points = strokes(text)[0].points.clone();
+        points.iter().map(|p| [p.x, p.y]).collect()
+    };
+    let near = |found: &[[f64; 2]], wanted: &[[f64; 2]]| {
+        let off = found.iter().zip(wanted);
+        let off = off.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+        assert_eq!(found.len(), wanted.len(), "{found:?}");
+        assert!(off.fold(0.0, f64::max) < 1e-9, "{found:?}");
+    };
+    // A square that stands on a corner, 20 mm wide; the page begins where it does, its down is y.
+    let square = [
+        [20.0, 10.0],
+        [10.0, 0.0],
+        [0.0, 10.0],
+        [10.0, 20.0],
+        [20.0, 10.0],
+    ];
+    near(&corners("PA2000,2000;CI400,90"), &square);
+    assert_eq!(corners("CI400,120").len(), 4);
+    assert_eq!(corners("CI400,100").len(), 5);
+    // From the left for a radius below 0.
+    near(
+        &corners("CI-400,180"),
+        &[[0.0, 0.0], [20.0, 0.0], [0.0, 0.0]],
+    );
+    for half in ["PU400,0PDAA0,0,180,60", "PU400,0PDAT0,400,-400,0,60"] {
+        let high_mm = 10.0 * 0.75_f64.sqrt();
+        let wanted = [[20.0, high_mm], [15.0, 0.0], [5.0, 0.0], [0.0, high_mm]];
+        near(&corners(half), &wanted);
+    }
+    assert_eq!(corners("EW400,0,90,45").len(), 5);
+    // Round: at most the chords of a plotter, or told by how far they leave the circle.
+    assert!(corners("CI400,5").len() > 72);
+    assert!(corners("CT1;CI400,90").len() > 72);
+    assert_eq!(corners("CT1;CT0;CI400,90").len(), 5);
+    assert_eq!(corners("CT1;IN;CI400,90").len(), 5);
+}
+
 #[test]
 fn curves_follow_their_control_points() {
     // A parabola raised to a cubic: y = x (1 - x) between 0 and 1, 40 mm wide.
