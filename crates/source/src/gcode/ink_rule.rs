@@ -236,7 +236,9 @@ impl MoveStatistics {
     fn height(&self) -> Option<InkRule> {
         let (lowest, rapids) = (self.all.lowest, self.rapids.lowest);
         let of_lines = self.rapids.highest.max(self.feeds.highest);
-        let highest = if self.has_feeds {
+        // Without travels a tool that only comes down to its lines and goes up again is a pen all the same.
+        let tells = of_lines > lowest || rapids.is_finite();
+        let highest = if self.has_feeds && tells {
             of_lines
         } else {
             self.all.highest

@@ -264,6 +264,18 @@ fn a_file_without_pen_or_laser_draws_with_g1_and_says_so() {
 }
 
 #[test]
+fn a_pen_that_begins_where_it_stands_is_one() {
+    for text in [
+        "G0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10\nG0 Z5",
+        "G0 Z5\nG1 Z-1\nG1 X10 Y0\nG1 Z5",
+    ] {
+        let wanted = [[(0.0, 0.0), (10.0, 0.0)]];
+        assert_eq!(corners(text), wanted, "{text}");
+        assert_eq!(draw(text).1, <[&str; 0]>::default(), "{text}");
+    }
+}
+
+#[test]
 fn each_tool_is_a_layer() {
     let text = "T1 M6\nG1 X5\nT2 M6\nG0 Y1\nG1 X0\nM0\nT1 M6\nG0 Y2\nG1 X5";
     let layers = layers(text);
