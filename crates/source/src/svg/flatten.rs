@@ -60,8 +60,9 @@ impl PathFlattener<'_> {
     }
 
     fn close(&mut self) -> Result<(), SvgError> {
-        let start = self.current().points[0];
-        if self.here() != start {
+        let (start, is_place) = (self.current().points[0], self.current().points.len() == 1);
+        // A place that is closed is a line without length.
+        if is_place || self.here() != start {
             self.line(start)?;
         }
         self.current().closed = true;
