@@ -117,11 +117,12 @@ impl<'a> TreeRenderer<'a> {
     ) -> Result<(), SvgError> {
         let stretch = transform.spectral_norm().max(f64::MIN_POSITIVE);
         let written = single_line::written(text, self.tolerance_mm / stretch);
-        let Some((letters, missing)) = written else {
+        let Some(text) = written else {
             return self.group(text.flattened(), transform, clips);
         };
-        self.page.warn(WarningKind::MissingLetter, missing);
-        for Written { strokes, span } in letters {
+        self.page.warn(WarningKind::MissingLetter, text.missing);
+        self.page.warn(WarningKind::UnreadLetters, text.unread);
+        for Written { strokes, span } in text.written {
             let paint = span.stroke().map(usvg::Stroke::paint);
             let Some(paint) = paint.or_else(|| span.fill().map(usvg::Fill::paint)) else {
                 continue;

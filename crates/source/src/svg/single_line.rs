@@ -3,7 +3,10 @@
 use dobot_geometry::{Affine, Point, Stroke, Vec2};
 use dobot_lettering::{CAPITAL, Letter, StrokeFont};
 use unicode_normalization::char::is_combining_mark;
-use usvg::{Font, FontFamily, Text, TextAnchor, TextChunk, TextFlow, TextSpan};
+use usvg::{
+    AlignmentBaseline, BaselineShift, DominantBaseline, Font, FontFamily, Text, TextAnchor,
+    TextChunk, TextFlow, TextSpan, WritingMode,
+};
 
 use crate::text::composed;
 
@@ -15,6 +18,16 @@ pub(super) fn font(font: &Font) -> Option<StrokeFont> {
     }
 }
 
+/// A text as it stands in the file.
+pub(super) struct SingleLineText<'t> {
+    /// Its letters, and the lines below, above and through them.
+    pub(super) written: Vec<Written<'t>>,
+    /// How many characters the fonts lack.
+    pub(super) missing: usize,
+    /// How many parts have properties that are not read.
+    pub(super) unread: usize,
+}
+
 /// A letter as it stands in the file.
 pub(super) struct Written<'t> {
     /// Its lines, in units of the file.
@@ -23,9 +36,8 @@ pub(super) struct Written<'t> {
     pub(super) span: &'t TextSpan,
 }
 
-/// The letters of a text, and those that its font lacks; none where it is not all in Hershey fonts, or
-/// follows a path.
-pub(super) fn written(text: &Text, tolerance: f64) -> Option<(Vec<Written<'_>>, usize)> {
+/// A text in single lines; none where it is not all in Hershey fonts, or follows a path.
+pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>> {
     let is_plain = |it: &TextChunk| {
         matches!(it.text_flow(), TextFlow::Linear)
             && it.spans().iter().all(|it| font(it.font()).is_some())
@@ -50,19 +62,23 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<(Vec<Written<'_>>, 
             let Some(font) = font(span.font()) else {
                 continue;
             };
+            let begin = pen;
             for (character, parts) in spelled(chunk, span, font) {
                 let moved = |list: &[f32]| {
                     let moves = list.iter().skip(number).take(parts);
                     moves.copied().map(f64::from).sum::<f64>()
                 };
                 pen += Vec2::new(moved(text.dx()), moved(text.dy()));
+                let turn_deg = text.rotate().get(number).copied().unwrap_or(0.0);
                 number += parts;
                 let Some(letter) = Letter::of(font, character) else {
                     missing += 1;
                     continue;
                 };
                 let advance = advance(span, font, character);
-                let place = Affine::translate(pen.to_vec2()) * Affine::scale(unit);
+                let foot = Affine::translate(pen.to_vec2() - Vec2::new(0.0, raised(span)));
+                let turn = Affine::rotate(f64::from(turn_deg).to_radians());
+                let place = foot * turn * Affine::scale(unit);
                 let letter = letter.rounded(font, tolerance / unit);
                 let lines = letter.strokes.iter().map(|points| {
                     let points: Vec<Point> = points.iter().map(|&p| place * p).collect();
@@ -75,9 +91,66 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<(Vec<Written<'_>>, 
                 });
                 pen.x += advance;
             }
+            written.push(Written {
+                strokes: decoration(span, begin, pen),
+                span,
+            });
         }
     }
-    Some((written, missing))
+    let spans = text.chunks().iter().flat_map(TextChunk::spans);
+    Some(SingleLineText {
+        written,
+        missing,
+        unread: spans.filter(|it| is_unread(text, it)).count(),
+    })
+}
+
+/// How far letters stand above the line that the text is on.
+fn raised(span: &TextSpan) -> f64 {
+    let em = f64::from(span.font_size().get());
+    let shifts = span.baseline_shift().iter().map(|it| match *it {
+        BaselineShift::Baseline => 0.0,
+        BaselineShift::Subscript => -SUBSCRIPT_EM * em,
+        BaselineShift::Superscript => SUPERSCRIPT_EM * em,
+        BaselineShift::Number(by) => f64::from(by),
+    });
+    shifts.sum()
+}
+
+/// The lines below, above and through letters between two places.
+fn decoration(span: &TextSpan, begin: Point, end: Point) -> Vec<Stroke> {
+    let em = f64::from(span.font_size().get());
+    let lines = span.decoration();
+    let line = |is_there: bool, above_em: f64| {
+        let up = Vec2::new(0.0, above_em * em);
+        is_there.then(|| Stroke::open(vec![begin - up, end - up]))
+    };
+    [
+        line(lines.underline().is_some(), -UNDERLINE_EM),
+        line(lines.overline().is_some(), OVERLINE_EM),
+        line(lines.line_through().is_some(), 0.5 * CAPITAL_OF_EM),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// Whether letters stand otherwise than they are written here.
+fn is_unread(text: &Text, span: &TextSpan) -> bool {
+    text.writing_mode() != WritingMode::LeftToRight
+        || span.text_length().is_some()
+        || !matches!(
+            span.dominant_baseline(),
+            DominantBaseline::Auto
+                | DominantBaseline::Alphabetic
+                | DominantBaseline::UseScript
+                | DominantBaseline::NoChange
+                | DominantBaseline::ResetSize
+        )
+        || !matches!(
+            span.alignment_baseline(),
+            AlignmentBaseline::Auto | AlignmentBaseline::Baseline | AlignmentBaseline::Alphabetic
+        )
 }
 
 /// The characters to write, and for how many of the file's each stands: a letter and its marks become
@@ -126,5 +199,11 @@ fn unit(span: &TextSpan) -> f64 {
     f64::from(span.font_size().get()) * CAPITAL_OF_EM / CAPITAL
 }
 
+/// By how much of the size of their font lower letters stand below the line.
+const SUBSCRIPT_EM: f64 = 0.2;
+/// And higher ones above it.
+const SUPERSCRIPT_EM: f64 = 0.4;
+const UNDERLINE_EM: f64 = 0.15;
+const OVERLINE_EM: f64 = CAPITAL_OF_EM + 0.15;
 /// How tall capitals are, as a share of the size of a font.
 const CAPITAL_OF_EM: f64 = 0.7;

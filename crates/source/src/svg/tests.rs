@@ -6,7 +6,7 @@ mod layers;
 
 use std::fmt::Write as _;
 
-use dobot_geometry::{Point, Stroke, bounds_of_strokes};
+use dobot_geometry::{Point, Rect, Stroke, bounds_of_strokes};
 use proptest::prelude::*;
 
 use super::*;
@@ -547,6 +547,57 @@ fn text_that_names_a_hershey_font_is_written_in_single_lines() {
                 assert!(ink.x0 > least_x && ink.x1 < most_x, "{ink:?}");
             }
         }
+    }
+}
+
+#[test]
+fn letters_of_single_lines_are_raised_turned_and_underlined() {
+    let Some(options) = with_fonts() else {
+        return; // A machine without fonts cannot show this.
+    };
+    let draw = |attributes: &str| {
+        let text = page(&format!(
+            r#"<text x="30" y="30" font-size="20" font-family="Hershey sans"><tspan {attributes}>I</tspan></text>"#
+        ));
+        let (drawing, warnings) = Drawing::from_svg(&text, &options).unwrap();
+        let told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        let ink = |it: &Stroke| bounds_of_strokes(std::slice::from_ref(it));
+        (drawing.strokes.iter().map(ink).collect::<Vec<_>>(), told)
+    };
+    let foot = |attributes: &str| {
+        let (ink, told) = draw(attributes);
+        assert_eq!((ink.len(), told), (1, Vec::new()), "{attributes}");
+        ink[0].y1
+    };
+    assert!((foot(r#"baseline-shift="sub""#) - 34.0).abs() < 1e-3);
+    assert!((foot(r#"baseline-shift="super""#) - 22.0).abs() < 1e-3);
+    assert!((foot(r#"baseline-shift="5""#) - 25.0).abs() < 1e-3);
+    // On its side, to the right of where it stands.
+    let (turned, _) = draw(r#"rotate="90""#);
+    assert!(turned[0].height() < 0.1 && (turned[0].width() - 14.0).abs() < 1e-3);
+    assert!((turned[0].x0 - 30.0).abs() < 1e-3, "{turned:?}");
+    for (line, at) in [
+        ("underline", 33.0),
+        ("overline", 13.0),
+        ("line-through", 23.0),
+    ] {
+        let (ink, told) = draw(&format!(r#"text-decoration="{line}""#));
+        let is_line = |it: &&Rect| it.height() < 1e-3 && (it.y0 - at).abs() < 1e-3;
+        let found = ink.iter().find(is_line);
+        assert!(
+            found.is_some_and(|it| it.x0 < 30.01 && it.width() > 4.0),
+            "{ink:?}"
+        );
+        assert_eq!((ink.len(), told), (2, Vec::new()));
+    }
+    for unread in [
+        r#"textLength="60""#,
+        r#"dominant-baseline="hanging""#,
+        r#"alignment-baseline="middle""#,
+    ] {
+        let (ink, told) = draw(unread);
+        assert_eq!((ink.len(), told.len()), (1, 1), "{unread}: {told:?}");
+        assert!(told[0].contains("along its line"), "{told:?}");
     }
 }
 

@@ -62,6 +62,8 @@ pub(crate) enum WarningKind {
     MissingGlyph,
     /// A character that the letters of single lines lack.
     MissingLetter,
+    /// A part of a text in letters of single lines with properties that are not read.
+    UnreadLetters,
 }
 
 impl WarningKind {
@@ -121,6 +123,10 @@ impl WarningKind {
             Self::MissingLetter => (
                 "character",
                 "not in the Hershey letters, left out; another font has it",
+            ),
+            Self::UnreadLetters => (
+                "part of a text in Hershey letters",
+                "written along its line: textLength, writing-mode, dominant-baseline and alignment-baseline are not read of them",
             ),
             Self::MissingGlyph => (
                 "character",
