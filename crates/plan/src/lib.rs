@@ -65,5 +65,6 @@ pub use respeed::{RespeedStart, end_speed_mm_s, respeed};
 pub use rest_each::rest_each;
 pub use slow_burning::SlowBurning;
 pub use summary::Summary;
+pub use tick_fit::LEAST_BURN_MM_S;
 pub use tool::{DrawingTool, Laser, Pen};
 pub use vector::{MoveKind, PlannedVector};

@@ -360,8 +360,8 @@ const OVER_AT_REST: f64 = 26.0;
 const ABOVE: f64 = 2.0;
 /// A laser that burns slower sets fire to things: what the policy allows at the least, unless told otherwise, and a little more.
 const BURNS_WELL_MM_S: f32 = 1.001;
-/// What the policy allows a burning vector to tell as its largest speed at the least, unless told otherwise.
-pub(super) const LEAST_BURN_MM_S: f32 = 1.0;
+/// What the policy allows a burning vector to tell as its largest speed at the least, unless told otherwise, in mm/s.
+pub const LEAST_BURN_MM_S: f32 = 1.0;
 /// More than anything else that a vector can have: it takes up to [`MOST_TICKS`], and what is late counts squared.
 const BURNS_TOO_LONG: f64 = 1e10;
 /// So many ticks, squared, it is worth to know better by a step of speed with what the next vector begins.

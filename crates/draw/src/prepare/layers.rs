@@ -1,6 +1,6 @@
 //! Which layers are drawn, with what, one after the other.
 
-use dobot_plan::{DrawingTool, Pass, Plan, SlowBurning};
+use dobot_plan::{DrawingTool, LEAST_BURN_MM_S, Pass, Plan, SlowBurning};
 use dobot_source::{Layer, Warning};
 
 use super::passes::counted;
@@ -133,8 +133,13 @@ pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
             even_mm_s,
         } = plan.slow_burning(pass)?;
         let asked_mm_s = pass.tool.speed_mm_s();
+        let even = if even_mm_s < LEAST_BURN_MM_S.into() {
+            String::new()
+        } else {
+            format!("; at {even_mm_s:.1} mm/s nearly all of it is even")
+        };
         let instead = format!(
-            "{slow_mm:.0} of its {burned_mm:.0} mm, at {even_mm_s:.1} instead of {asked_mm_s} mm/s and so darker: corners, short vectors and the link allow no more; nearly all of it is even at that speed"
+            "{slow_mm:.0} of its {burned_mm:.0} mm, down to {even_mm_s:.1} instead of {asked_mm_s} mm/s, and so darker: corners, short vectors and the link allow no more{even}"
         );
         counted(1, "layer burned slower", &instead)
     });

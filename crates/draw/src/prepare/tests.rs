@@ -762,6 +762,37 @@ fn an_outline_with_gaps_is_told_with_what_closes_it() {
 }
 
 #[test]
+fn what_the_arm_burns_slower_than_asked_for_is_told_with_the_speed_at_which_it_is_even() {
+    let ring = (0..=60).map(|i| Vec2::from_angle(f64::from(6 * i).to_radians()).to_point());
+    let source = Source::Lines(vec![ring.collect()]);
+    let told = |burn_speed_mm_s| {
+        let settings = Settings {
+            tool: DrawingTool::Laser(Laser {
+                burn_speed_mm_s,
+                ..Laser::default()
+            }),
+            ..Settings::default()
+        };
+        let warnings = prepare(&source, &settings, anywhere).unwrap().warnings;
+        warnings.iter().map(ToString::to_string).collect::<String>()
+    };
+    // Around a ring of 1 mm at 100 mm/s2: sqrt(100 * 1) = 10 mm/s, and less as a polygon.
+    assert_eq!(told(6.0), "");
+    let warning = told(30.0);
+    assert!(
+        warning.contains("1 layer burned slower: 6 of its 6 mm"),
+        "{warning}"
+    );
+    let speed = warning
+        .split("; at ")
+        .nth(1)
+        .and_then(|it| it.split(' ').next());
+    let even_mm_s: f64 = speed.and_then(|it| it.parse().ok()).expect("a speed");
+    assert!(even_mm_s > 6.0 && even_mm_s < 10.1, "{warning}");
+    assert_eq!(told(even_mm_s), "");
+}
+
+#[test]
 fn on_a_sheet_with_a_margin_nothing_is_drawn_in_the_margin() {
     use crate::sheet::SheetPlace;
     let source = Source::Lines(vec![vec![Point::new(0.0, 0.0), Point::new(90.0, 0.0)]]);
