@@ -114,7 +114,7 @@ fn what_helps(rule: &str) -> &'static str {
     match rule.split_once('.') {
         Some(("acceleration", _)) => "another `--acceleration`",
         Some(("laser", "least_speed")) => {
-            "another `--speed`, or a material that is burned at another one (`dobot materials`)"
+            "another `--speed`, or a material that is burned at another one (`dobot materials`); corners and short lines that are slower at any speed need a larger `--tolerance` or `--scale`"
         }
         Some(("speed", _)) => {
             "another `--speed` or `--travel-speed`, or a pen or material with others (`dobot materials`)"
