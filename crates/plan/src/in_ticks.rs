@@ -19,7 +19,9 @@ impl Planner<'_> {
         let Some(ticker) = self.ticker.take() else {
             return;
         };
-        let mut it = InTicks::new(begin, ticker, &self.moves[begin..], &self.chain);
+        let travel_mm_s = round_down(self.travel_mm_s);
+        let moves = &self.moves[begin..];
+        let mut it = InTicks::new(begin, ticker, moves, &self.chain, travel_mm_s);
         let attempt = match self.aim {
             Aim::Soon => {
                 let attempt = self.attempt(&it, Breadth::ONE);
@@ -203,13 +205,20 @@ struct InTicks {
 }
 
 impl InTicks {
-    fn new(begin: usize, ticker: Ticker, moves: &[PlannedVector], chain: &[ChainVector]) -> Self {
+    /// Where the tool marks nothing it is told no larger speed than `travel_mm_s`, or what its chain is.
+    fn new(
+        begin: usize,
+        ticker: Ticker,
+        moves: &[PlannedVector],
+        chain: &[ChainVector],
+        travel_mm_s: f32,
+    ) -> Self {
         let limits_mm_s: Vec<f64> = chain.iter().map(|it| it.limit_mm_s).collect();
         let most_mm_s = round_down(limits_mm_s.iter().copied().fold(0.0, f64::max));
-        // A laser that is still off gets to whole steps of speed only, and is to burn no slower.
-        let next_mm_s = most_mm_s + 0.5 * ticker.step_mm_s();
+        // From rest an arm gets to whole steps of speed only, and a laser is to burn no slower for that.
+        let next_mm_s = (most_mm_s + 0.5 * ticker.step_mm_s()).min(travel_mm_s);
         let most = |vector: &PlannedVector| match vector.kind {
-            MoveKind::RunUp => next_mm_s,
+            MoveKind::RunUp => most_mm_s.max(next_mm_s),
             _ => most_mm_s,
         };
         Self {

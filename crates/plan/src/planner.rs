@@ -31,6 +31,8 @@ pub(super) struct Planner<'a> {
     pub(super) settled: Settled,
     /// What matters: of a pen that it is over soon.
     pub(super) aim: Aim,
+    /// How fast the tool travels, in mm/s.
+    pub(super) travel_mm_s: f64,
     joints: JointSpeeds,
     pub(super) moves: Vec<PlannedVector>,
     /// Which stroke and pass the next vectors belong to.
@@ -66,6 +68,7 @@ impl<'a> Planner<'a> {
                 here: start,
             },
             aim: Aim::of(tool),
+            travel_mm_s: tool.travel_speed_mm_s(),
             joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
             moves: Vec::new(),
             stroke: 0,
@@ -78,6 +81,7 @@ impl<'a> Planner<'a> {
         self.plan_lone(0);
         self.pass = number;
         self.aim = Aim::of(&pass.tool);
+        self.travel_mm_s = pass.tool.travel_speed_mm_s();
         for stroke in pass.drawn().filter(|it| !it.points.is_empty()) {
             match &pass.tool {
                 DrawingTool::Pen(pen) => self.draw(stroke, pen),
