@@ -159,7 +159,7 @@ impl Plotter<'_> {
         let along = self.transform.way(Vec2::new(0.0, radius));
         let center = self.transform.point(center);
         let arc = Arc::ellipse(center, across, along, from_rad, sweep_rad);
-        let Some(chord_rad) = self.chord_rad(it)? else {
+        let Some(chord_rad) = self.chord_rad(it, radius) else {
             return self.sketch.arc_points(it.at, &arc);
         };
         #[expect(
@@ -181,20 +181,23 @@ impl Plotter<'_> {
     }
 
     /// The angle of the chords that an arc is to be drawn with, all of the same length; nothing where it is to be round. That is
-    /// any arc of 5 degrees, a plotter's own choice, or less, and one that tells by how far its chords leave it.
-    fn chord_rad(&self, it: &Command<'_>) -> Result<Option<f64>, SourceError> {
+    /// any arc of 5 degrees, a plotter's own choice, or less. The sign means nothing, and more than 180 degrees are 180.
+    ///
+    /// By CT1 a command tells how far chords leave the arc, which is `d = r (1 - cos(a / 2)) = 2 r sin²(a / 4)`.
+    fn chord_rad(&self, it: &Command<'_>, radius: f64) -> Option<f64> {
         let place = match &it.name {
             b"CI" => 1,
             b"AT" | b"RT" => 4,
             _ => 3,
         };
-        let Some(chord_deg) = it.number(place).filter(|_| !self.chords_by_deviation) else {
-            return Ok(None);
+        let told = it.number(place)?.abs();
+        let chord_deg = if self.chords_by_deviation {
+            let share = told / (2.0 * radius.abs());
+            (4.0 * share.min(1.0).sqrt().asin()).to_degrees()
+        } else {
+            told
         };
-        if !(0.0..=180.0).contains(&chord_deg) {
-            return Err(self.refused(it, "a chord angle from 0 to 180 degrees"));
-        }
-        Ok((chord_deg > ROUND_DEG).then(|| chord_deg.to_radians()))
+        (chord_deg > ROUND_DEG).then(|| chord_deg.min(180.0).to_radians())
     }
 
     fn angle_rad(&self, it: &Command<'_>, angle_deg: f64) -> Result<f64, SourceError> {

@@ -247,11 +247,43 @@ fn arcs_have_the_chords_that_they_tell() {
         near(&corners(half), &wanted);
     }
     assert_eq!(corners("EW400,0,90,45").len(), 5);
-    // Round: at most the chords of a plotter, or told by how far they leave the circle.
+    // Round: at most the chords of a plotter.
     assert!(corners("CI400,5").len() > 72);
-    assert!(corners("CT1;CI400,90").len() > 72);
     assert_eq!(corners("CT1;CT0;CI400,90").len(), 5);
     assert_eq!(corners("CT1;IN;CI400,90").len(), 5);
+}
+
+#[test]
+fn a_chord_angle_that_no_plotter_has_is_taken_for_the_nearest_that_it_has() {
+    let corners = |text: &str| strokes(text)[0].points.len();
+    // To the other side and back.
+    assert_eq!(corners("CI400,180"), 3);
+    for large in ["CI400,200", "CI400,99999999", "CI400,-360"] {
+        assert_eq!(corners(large), 3, "{large}");
+    }
+    // Its sign means nothing.
+    assert_eq!(corners("CI400,-90"), corners("CI400,90"));
+    for small in ["CI400,0", "CI400,-5", "CI400,0.000001"] {
+        assert_eq!(corners(small), corners("CI400"), "{small}");
+    }
+}
+
+#[test]
+fn chords_that_are_told_by_how_far_they_leave_the_arc_leave_it_as_far() {
+    let corners = |text: &str| strokes(text)[0].points.len();
+    // A chord over the angle a leaves a circle by r (1 - cos(a / 2)): by half of r over 120 degrees.
+    assert_eq!(corners("CT1;CI400,200"), 4);
+    // Over 60 degrees by 1 - cos 30 degrees, 0.134 of r.
+    assert_eq!(corners("CT1;PU400,0PDAA0,0,180,53.6"), 4);
+    // No farther than the circle is wide.
+    for large in ["400", "800", "99999999"] {
+        assert_eq!(corners(&format!("CT1;CI400,{large}")), 3, "{large}");
+    }
+    // By 0.1 of 400 units over 2.6 degrees, which is smooth.
+    assert_eq!(corners("CT1;CI400,0.1"), corners("CI400"));
+    for nothing in ["CT1;CI0,90", "CT1;CI0,0", "CI0,90"] {
+        _ = super::read(nothing.as_bytes(), &ReadOptions::default());
+    }
 }
 
 #[test]
