@@ -132,6 +132,8 @@ pub(super) struct MoveStatistics {
     /// The height so far, where it is known.
     z_mm: Option<f64>,
     has_feeds: bool,
+    /// It came down by a move along Z alone.
+    comes_down: bool,
     zero: ZeroStatistics,
     spindle: SpindleStatistics,
     /// The S above 0 of moves in haste.
@@ -150,6 +152,7 @@ impl MoveStatistics {
         self.all.count(it.z_mm);
         if let Some(to_mm) = it.z_mm {
             let from_mm = self.z_mm.replace(to_mm).unwrap_or(to_mm);
+            self.comes_down |= it.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
             self.zero.count(it, from_mm, to_mm);
             self.spindle.count_rise(it, to_mm - from_mm);
         }
@@ -204,7 +207,10 @@ impl MoveStatistics {
             }
             None => {
                 let by_pen = self.servo(text, end).or(self.high.rule()).or(height);
-                by_pen.unwrap_or_else(|| self.switch.rule())
+                by_pen.unwrap_or_else(|| match self.switch.rule() {
+                    InkRule::Plain => self.lifted().unwrap_or(InkRule::Plain),
+                    by_switch => by_switch,
+                })
             }
             Some(_) => height.unwrap_or(InkRule::Plain),
         }
@@ -236,9 +242,7 @@ impl MoveStatistics {
     fn height(&self) -> Option<InkRule> {
         let (lowest, rapids) = (self.all.lowest, self.rapids.lowest);
         let of_lines = self.rapids.highest.max(self.feeds.highest);
-        // Without travels a tool that only comes down to its lines and goes up again is a pen all the same.
-        let tells = of_lines > lowest || rapids.is_finite();
-        let highest = if self.has_feeds && tells {
+        let highest = if self.has_feeds {
             of_lines
         } else {
             self.all.highest
@@ -252,6 +256,22 @@ impl MoveStatistics {
             (rapids, HeightSource::Rapids)
         } else if lowest < 0.0 && self.all.highest >= 0.0 {
             (0.0, HeightSource::BelowZero)
+        } else {
+            (lowest + SAME_HEIGHT_MM, HeightSource::Lowest)
+        };
+        Some(InkRule::Height { below_mm, source })
+    }
+
+    /// That of a file that has come down to the one height of all its lines and travels by moves along Z alone: nothing but Z
+    /// says there when the pen is down, and what moves it meanwhile draws, G0 too.
+    fn lifted(&self) -> Option<InkRule> {
+        let (lowest, highest) = (self.all.lowest, self.all.highest);
+        let of_lines = self.rapids.highest.max(self.feeds.highest);
+        if !self.comes_down || of_lines > lowest {
+            return None;
+        }
+        let (below_mm, source) = if lowest < 0.0 && highest >= 0.0 {
+            (0.0, HeightSource::Zero)
         } else {
             (lowest + SAME_HEIGHT_MM, HeightSource::Lowest)
         };

@@ -276,6 +276,33 @@ fn a_pen_that_begins_where_it_stands_is_one() {
 }
 
 #[test]
+fn a_pen_that_came_down_draws_whatever_moves_it_until_it_is_lifted() {
+    let wanted = [[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)]];
+    for text in [
+        "G21 G90\nG0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10\nG0 X20\nG0 Z5",
+        "G21 G90\nG0 Z5\nG1 Z-1\nG0 X10\nG1 X20\nG0 Z5",
+    ] {
+        assert_eq!(corners(text), wanted, "{text}");
+        assert_eq!(draw(text).1, <[&str; 0]>::default(), "{text}");
+    }
+}
+
+#[test]
+fn a_laser_that_begins_where_it_stands_is_no_pen_although_it_is_lifted_in_the_end() {
+    for text in [
+        "G0 Z0\nM3 S255\nG1 X10\nM5\nG0 Z10",
+        "G0 Z5\nG0 Z0\nM3 S255\nG1 X10\nM5",
+    ] {
+        assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0)]], "{text}");
+        assert!(layers(text)[0].is_burned, "{text}");
+        assert_eq!(draw(text).1, <[&str; 0]>::default(), "{text}");
+    }
+    // Without powers it goes by M3 as well.
+    let switch = "G0 Z5\nG0 Z0\nG1 X10\nM3\nG1 X20\nM5\nG0 Z5";
+    assert_eq!(corners(switch), [[(0.0, 0.0), (10.0, 0.0)]]);
+}
+
+#[test]
 fn each_tool_is_a_layer() {
     let text = "T1 M6\nG1 X5\nT2 M6\nG0 Y1\nG1 X0\nM0\nT1 M6\nG0 Y2\nG1 X5";
     let layers = layers(text);
