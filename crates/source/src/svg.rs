@@ -15,6 +15,7 @@ mod layers;
 mod letters;
 mod page;
 mod page_size;
+mod points;
 mod readable;
 mod renderer;
 mod selectors;
@@ -37,6 +38,7 @@ use usvg::{FontResolver, ImageHrefResolver, Tree};
 use self::declared::{Declared, rules};
 use self::groups::Groups;
 use self::page::SvgPage;
+use self::points::lone_coordinates;
 use self::readable::Readable;
 use self::renderer::TreeRenderer;
 use self::substitutes::{Substitutes, nearest};
@@ -71,18 +73,18 @@ fn draw(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let tree_warnings = TreeWarnings::new(substitutes);
-    let (tree, groups) = parse(text, options, &tree_warnings)?;
+    let (tree, groups, lone) = parse(text, options, &tree_warnings)?;
     let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
     // It takes as much memory as the page, which may need more of it now.
     drop(tree);
-    let cut = page.cut();
+    let others = page.cut().into_iter().chain(lone);
     let (artwork, mut warnings) = page.finish()?;
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
-        return Err(nothing_to_draw(&warnings, cut));
+        return Err(nothing_to_draw(&warnings, others.collect()));
     }
-    let told = warnings.into_iter().map(Warning::from).chain(cut);
+    let told = warnings.into_iter().map(Warning::from).chain(others);
     Ok((artwork, told.collect()))
 }
 
@@ -213,12 +215,12 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
     None
 }
 
-/// The tree of shapes, and the names of its outermost groups where they are layers.
+/// The tree of shapes, the names of its outermost groups where they are layers, and what is told of its points.
 fn parse(
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
-) -> Result<(Tree, HashMap<String, String>), SourceError> {
+) -> Result<(Tree, HashMap<String, String>, Option<Warning>), SourceError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile.into());
     }
@@ -226,6 +228,7 @@ fn parse(
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
     styles::check(&doc)?;
+    let lone = lone_coordinates(&doc);
     let readable = Readable::of(&doc, text);
     tree_warnings
         .rules
@@ -235,13 +238,15 @@ fn parse(
         .store(readable.unread_sizes, Ordering::Relaxed);
     tree_warnings.solid.store(readable.solid, Ordering::Relaxed);
     let Some(text) = readable.text else {
-        return tree_of(doc, text, options, tree_warnings);
+        let (tree, groups) = tree_of(doc, text, options, tree_warnings)?;
+        return Ok((tree, groups, lone));
     };
     // There is no room for two.
     drop(doc);
     let doc = xml::tree(&text, true)?;
     styles::check(&doc)?;
-    tree_of(doc, &text, options, tree_warnings)
+    let (tree, groups) = tree_of(doc, &text, options, tree_warnings)?;
+    Ok((tree, groups, lone))
 }
 
 /// The same of a file whose words the library knows and whose styles were checked.
@@ -298,15 +303,15 @@ fn unreadable(error: &usvg::Error) -> SourceError {
     }
 }
 
-fn nothing_to_draw(warnings: &[WarningCount], cut: Option<Warning>) -> SourceError {
-    if warnings.is_empty() && cut.is_none() {
+fn nothing_to_draw(warnings: &[WarningCount], others: Vec<Warning>) -> SourceError {
+    if warnings.is_empty() && others.is_empty() {
         return SourceError::nothing_to_draw(["no visible shape or text on the page".to_owned()]);
     }
     let only_text = |warning: &WarningCount| warning.kind == WarningKind::TextWithoutFont;
-    if cut.is_none() && warnings.iter().all(only_text) {
+    if others.is_empty() && warnings.iter().all(only_text) {
         return SvgError::NoFont.into();
     }
-    let told = warnings.iter().copied().map(Warning::from).chain(cut);
+    let told = warnings.iter().copied().map(Warning::from).chain(others);
     let texts = told.map(|it| it.to_string());
     SourceError::nothing_to_draw(texts)
 }
