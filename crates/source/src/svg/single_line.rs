@@ -62,13 +62,21 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>>
             let Some(font) = font(span.font()) else {
                 continue;
             };
-            let begin = pen;
+            let mut begin = pen;
             for (character, parts) in spelled(chunk, span, font) {
                 let moved = |list: &[f32]| {
                     let moves = list.iter().skip(number).take(parts);
                     moves.copied().map(f64::from).sum::<f64>()
                 };
-                pen += Vec2::new(moved(text.dx()), moved(text.dy()));
+                let way = Vec2::new(moved(text.dx()), moved(text.dy()));
+                if way != Vec2::ZERO {
+                    written.push(Written {
+                        strokes: decoration(span, begin, pen),
+                        span,
+                    });
+                    pen += way;
+                    begin = pen;
+                }
                 let turn_deg = text.rotate().get(number).copied().unwrap_or(0.0);
                 number += parts;
                 let Some(letter) = Letter::of(font, character) else {
@@ -119,6 +127,9 @@ fn raised(span: &TextSpan) -> f64 {
 
 /// The lines below, above and through letters between two places.
 fn decoration(span: &TextSpan, begin: Point, end: Point) -> Vec<Stroke> {
+    if begin == end {
+        return Vec::new();
+    }
     let em = f64::from(span.font_size().get());
     let lines = span.decoration();
     let line = |is_there: bool, above_em: f64| {

@@ -633,6 +633,26 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
 }
 
 #[test]
+fn lines_of_letters_follow_the_moves_of_their_parts() {
+    let Some(options) = with_fonts() else {
+        return; // A machine without fonts cannot show this.
+    };
+    let text = page(
+        r#"<text x="30" y="30" dx="0 4" dy="0 -6" font-size="20" font-family="Hershey sans" text-decoration="underline">II</text>"#,
+    );
+    let (drawing, _) = Drawing::from_svg(&text, &options).unwrap();
+    let ink = |it: &Stroke| bounds_of_strokes(std::slice::from_ref(it));
+    let is_level = |it: &Rect| it.height() < 1e-3;
+    let lines: Vec<Rect> = drawing.strokes.iter().map(ink).filter(is_level).collect();
+    // One below each letter, the second as much higher as the letter is, and none in the gap.
+    let [first, second] = lines[..] else {
+        panic!("{lines:?}");
+    };
+    assert!((first.y0 - second.y0 - 6.0).abs() < 1e-3, "{lines:?}");
+    assert!((second.x0 - first.x1 - 4.0).abs() < 1e-3, "{lines:?}");
+}
+
+#[test]
 fn a_font_whose_name_has_a_number_is_found_without_quotes_in_styles_and_sheets() {
     let Some(options) = with_fonts() else {
         return; // A machine without fonts cannot show this.
