@@ -23,6 +23,7 @@ mod sheets;
 mod single_line;
 mod styles;
 mod substitutes;
+mod unread;
 mod warning_count;
 
 use std::borrow::Cow;
@@ -42,6 +43,7 @@ use self::points::lone_coordinates;
 use self::readable::Readable;
 use self::renderer::TreeRenderer;
 use self::substitutes::{Substitutes, nearest};
+use self::unread::UnreadPlaces;
 use self::warning_count::{WarningCount, WarningKind};
 use crate::artwork::Artwork;
 use crate::error::{SourceError, SvgError};
@@ -73,19 +75,26 @@ fn draw(
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
     let tolerance_mm = checked_tolerance_mm(options.tolerance_mm)?;
     let tree_warnings = TreeWarnings::new(substitutes);
-    let (tree, groups, lone) = parse(text, options, &tree_warnings)?;
+    let (tree, groups, told) = parse(text, options, &tree_warnings)?;
     let mut page = SvgPage::new(renderer::page_mm(&tree), options);
     TreeRenderer::new(&mut page, tolerance_mm, &groups).tree(&tree)?;
     // It takes as much memory as the page, which may need more of it now.
     drop(tree);
-    let others = page.cut().into_iter().chain(lone);
+    let others = page.cut().into_iter().chain(told.lone);
     let (artwork, mut warnings) = page.finish()?;
     tree_warnings.warn(&mut warnings);
     if artwork.layers.is_empty() {
         return Err(nothing_to_draw(&warnings, others.collect()));
     }
-    let told = warnings.into_iter().map(Warning::from).chain(others);
-    Ok((artwork, told.collect()))
+    let warnings = warnings.into_iter().map(|it| told.unread.warning(it));
+    Ok((artwork, warnings.chain(others).collect()))
+}
+
+/// What only the file itself tells, before it is written otherwise.
+struct Told {
+    /// What there is of points without y.
+    lone: Option<Warning>,
+    unread: UnreadPlaces,
 }
 
 /// Counts what is lost while the tree is built.
@@ -215,12 +224,12 @@ fn count<T>(counter: &AtomicUsize) -> Option<T> {
     None
 }
 
-/// The tree of shapes, the names of its outermost groups where they are layers, and what is told of its points.
+/// The tree of shapes, the names of its outermost groups where they are layers, and what else the file tells.
 fn parse(
     text: &str,
     options: &ReadOptions,
     tree_warnings: &TreeWarnings<'_>,
-) -> Result<(Tree, HashMap<String, String>, Option<Warning>), SourceError> {
+) -> Result<(Tree, HashMap<String, String>, Told), SourceError> {
     if text.trim().is_empty() {
         return Err(SvgError::EmptyFile.into());
     }
@@ -228,7 +237,10 @@ fn parse(
     let doc = xml::tree(text, true)?;
     check_root(&doc)?;
     styles::check(&doc)?;
-    let lone = lone_coordinates(&doc);
+    let told = Told {
+        lone: lone_coordinates(&doc),
+        unread: UnreadPlaces::of(&doc, text),
+    };
     let readable = Readable::of(&doc, text);
     tree_warnings
         .rules
@@ -239,14 +251,14 @@ fn parse(
     tree_warnings.solid.store(readable.solid, Ordering::Relaxed);
     let Some(text) = readable.text else {
         let (tree, groups) = tree_of(doc, text, options, tree_warnings)?;
-        return Ok((tree, groups, lone));
+        return Ok((tree, groups, told));
     };
     // There is no room for two.
     drop(doc);
     let doc = xml::tree(&text, true)?;
     styles::check(&doc)?;
     let (tree, groups) = tree_of(doc, &text, options, tree_warnings)?;
-    Ok((tree, groups, lone))
+    Ok((tree, groups, told))
 }
 
 /// The same of a file whose words the library knows and whose styles were checked.

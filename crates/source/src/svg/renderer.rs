@@ -121,7 +121,9 @@ impl<'a> TreeRenderer<'a> {
             return self.group(text.flattened(), transform, clips);
         };
         self.page.warn(WarningKind::MissingLetter, text.missing);
-        self.page.warn(WarningKind::UnreadLetters, text.unread);
+        for kind in text.unread {
+            self.page.warn(kind, 1);
+        }
         for Written { strokes, span } in text.written {
             let paint = span.stroke().map(usvg::Stroke::paint);
             let Some(paint) = paint.or_else(|| span.fill().map(usvg::Fill::paint)) else {

@@ -8,6 +8,7 @@ use usvg::{
     TextChunk, TextFlow, TextSpan, WritingMode,
 };
 
+use super::warning_count::WarningKind;
 use crate::text::composed;
 
 /// The font of single lines that a file names first; none where it names another kind.
@@ -24,8 +25,8 @@ pub(super) struct SingleLineText<'t> {
     pub(super) written: Vec<Written<'t>>,
     /// How many characters the fonts lack.
     pub(super) missing: usize,
-    /// How many parts have properties that are not read.
-    pub(super) unread: usize,
+    /// What is not read of each part.
+    pub(super) unread: Vec<WarningKind>,
 }
 
 /// A letter as it stands in the file.
@@ -109,7 +110,7 @@ pub(super) fn written(text: &Text, tolerance: f64) -> Option<SingleLineText<'_>>
     Some(SingleLineText {
         written,
         missing,
-        unread: spans.filter(|it| is_unread(text, it)).count(),
+        unread: spans.flat_map(|it| unread(text, it)).collect(),
     })
 }
 
@@ -146,22 +147,26 @@ fn decoration(span: &TextSpan, begin: Point, end: Point) -> Vec<Stroke> {
     .collect()
 }
 
-/// Whether letters stand otherwise than they are written here.
-fn is_unread(text: &Text, span: &TextSpan) -> bool {
-    text.writing_mode() != WritingMode::LeftToRight
-        || span.text_length().is_some()
-        || !matches!(
-            span.dominant_baseline(),
-            DominantBaseline::Auto
-                | DominantBaseline::Alphabetic
-                | DominantBaseline::UseScript
-                | DominantBaseline::NoChange
-                | DominantBaseline::ResetSize
-        )
-        || !matches!(
-            span.alignment_baseline(),
-            AlignmentBaseline::Auto | AlignmentBaseline::Baseline | AlignmentBaseline::Alphabetic
-        )
+/// What letters do not have here of what the file tells.
+fn unread(text: &Text, span: &TextSpan) -> impl Iterator<Item = WarningKind> {
+    use AlignmentBaseline as A;
+    use DominantBaseline as D;
+    let is_plain = matches!(
+        span.dominant_baseline(),
+        D::Auto | D::Alphabetic | D::UseScript | D::NoChange | D::ResetSize
+    );
+    let is_aligned = matches!(
+        span.alignment_baseline(),
+        A::Auto | A::Baseline | A::Alphabetic
+    );
+    let goes_right = text.writing_mode() == WritingMode::LeftToRight;
+    let found = [
+        (WarningKind::LettersLength, span.text_length().is_some()),
+        (WarningKind::LettersDirection, !goes_right),
+        (WarningKind::LettersBaseline, !is_plain),
+        (WarningKind::LettersAlignment, !is_aligned),
+    ];
+    found.into_iter().filter(|it| it.1).map(|it| it.0)
 }
 
 /// The characters to write, and for how many of the file's each stands: a letter and its marks become

@@ -625,11 +625,40 @@ fn letters_of_single_lines_are_raised_turned_and_underlined() {
         r#"textLength="60""#,
         r#"dominant-baseline="hanging""#,
         r#"alignment-baseline="middle""#,
+        r#"style="dominant-baseline: middle""#,
     ] {
         let (ink, told) = draw(unread);
         assert_eq!((ink.len(), told.len()), (1, 1), "{unread}: {told:?}");
-        assert!(told[0].contains("along its line"), "{told:?}");
+        assert!(told[0].contains("of Hershey letters, not read"), "{told:?}");
     }
+}
+
+#[test]
+fn what_is_not_read_of_letters_of_single_lines_is_told_once_with_its_line() {
+    let Some(options) = with_fonts() else {
+        return; // A machine without fonts cannot show this.
+    };
+    let text = page(
+        r#"<style>.low { dominant-baseline: hanging }</style>
+        <text x="5" y="9" font-size="5" dominant-baseline="middle" font-family="serif">I</text>
+        <g font-family="Hershey sans" font-size="5" dominant-baseline="auto">
+        <text x="5" y="20">I<tspan textLength="9">I</tspan><tspan class="low">I</tspan></text>
+        <text x="5" y="30" textLength="9">I</text>
+        <text x="50" y="30" writing-mode="tb">I</text></g>"#,
+    );
+    let (_, warnings) = Drawing::from_svg(&text, &options).unwrap();
+    let mut told: Vec<(String, usize, u32)> = Vec::new();
+    for it in warnings {
+        told.push((it.what, it.count, it.place.unwrap().line));
+    }
+    told.sort();
+    let wanted = [
+        ("dominant-baseline", 1, 4),
+        ("textLength", 2, 4),
+        ("writing-mode", 1, 6),
+    ];
+    let wanted = wanted.map(|(what, count, line)| (what.to_owned(), count, line));
+    assert_eq!(told, wanted);
 }
 
 #[test]

@@ -62,8 +62,14 @@ pub(crate) enum WarningKind {
     MissingGlyph,
     /// A character that the letters of single lines lack.
     MissingLetter,
-    /// A part of a text in letters of single lines with properties that are not read.
-    UnreadLetters,
+    /// A part of a text in letters of single lines that is to have a width.
+    LettersLength,
+    /// One that goes down.
+    LettersDirection,
+    /// One that stands on another base line.
+    LettersBaseline,
+    /// One that is aligned with its neighbours by another base line.
+    LettersAlignment,
 }
 
 impl WarningKind {
@@ -124,9 +130,21 @@ impl WarningKind {
                 "character",
                 "not in the Hershey letters, left out; another font has it",
             ),
-            Self::UnreadLetters => (
-                "part of a text in Hershey letters",
-                "written along its line: textLength, writing-mode, dominant-baseline and alignment-baseline are not read of them",
+            Self::LettersLength => (
+                "textLength",
+                "of Hershey letters, not read: written as wide as they are",
+            ),
+            Self::LettersDirection => (
+                "writing-mode",
+                "of Hershey letters, not read: written to the right",
+            ),
+            Self::LettersBaseline => (
+                "dominant-baseline",
+                "of Hershey letters, not read: written on the base line",
+            ),
+            Self::LettersAlignment => (
+                "alignment-baseline",
+                "of Hershey letters, not read: written on the base line",
             ),
             Self::MissingGlyph => (
                 "character",

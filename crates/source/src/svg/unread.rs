@@ -1,0 +1,80 @@
+//! Where a file tells of its texts what letters of single lines do not have.
+
+use dobot_lettering::StrokeFont;
+use usvg::roxmltree::{Document, Node};
+
+use super::declared::{inherited, property_of, rules};
+use super::warning_count::{WarningCount, WarningKind};
+use crate::place::Place;
+use crate::warning::Warning;
+
+/// The first place of each property that is not read of letters of single lines.
+#[derive(Debug, Default)]
+pub(super) struct UnreadPlaces(Vec<(WarningKind, Place)>);
+
+impl UnreadPlaces {
+    pub(super) fn of(doc: &Document<'_>, text: &str) -> Self {
+        let mut told = PROPERTIES
+            .iter()
+            .filter(|it| text.contains(it.1))
+            .peekable();
+        if told.peek().is_none() {
+            return Self::default();
+        }
+        let rules = rules(doc);
+        let families = inherited(&rules, doc, "font-family");
+        let is_in_single_lines = |it: Node<'_, '_>| {
+            let family = families[it.id().get_usize()];
+            family.is_some_and(|it| first_font(it).is_some())
+        };
+        let first = |name: &str| {
+            let has_it = |it: &Node<'_, '_>| {
+                property_of(&rules, *it, name).is_some_and(|it| !AS_WRITTEN.contains(&it))
+            };
+            let mut having = doc.descendants().filter(has_it);
+            // Fonts may be told in other ways.
+            let any = having.clone().next();
+            let node = having.find(|it| it.descendants().any(is_in_single_lines));
+            Some(doc.text_pos_at(node.or(any)?.range().start).into())
+        };
+        Self(told.filter_map(|it| Some((it.0, first(it.1)?))).collect())
+    }
+
+    /// A warning with its place, where that is known.
+    pub(super) fn warning(&self, count: WarningCount) -> Warning {
+        let place = self.0.iter().find(|it| it.0 == count.kind);
+        Warning {
+            place: place.map(|it| it.1),
+            ..Warning::from(count)
+        }
+    }
+}
+
+/// The font of single lines that a list of families begins with.
+fn first_font(families: &str) -> Option<StrokeFont> {
+    let first = families.split(',').next()?;
+    StrokeFont::of_family(first.trim().trim_matches(['"', '\'']))
+}
+
+const PROPERTIES: [(WarningKind, &str); 4] = [
+    (WarningKind::LettersLength, "textLength"),
+    (WarningKind::LettersDirection, "writing-mode"),
+    (WarningKind::LettersBaseline, "dominant-baseline"),
+    (WarningKind::LettersAlignment, "alignment-baseline"),
+];
+/// Values with which letters stand as they are written.
+const AS_WRITTEN: [&str; 13] = [
+    "auto",
+    "alphabetic",
+    "baseline",
+    "use-script",
+    "no-change",
+    "reset-size",
+    "inherit",
+    "horizontal-tb",
+    "lr",
+    "lr-tb",
+    "rl",
+    "rl-tb",
+    "initial",
+];
