@@ -239,9 +239,14 @@ impl MoveStatistics {
         of(&self.m280, ServoCode::M280).or_else(|| of(&self.m300, ServoCode::M300))
     }
 
+    /// The height of the highest move along X or Y.
+    const fn highest_line_mm(&self) -> f64 {
+        self.rapids.highest.max(self.feeds.highest)
+    }
+
     fn height(&self) -> Option<InkRule> {
         let (lowest, rapids) = (self.all.lowest, self.rapids.lowest);
-        let of_lines = self.rapids.highest.max(self.feeds.highest);
+        let of_lines = self.highest_line_mm();
         let highest = if self.has_feeds {
             of_lines
         } else {
@@ -266,7 +271,7 @@ impl MoveStatistics {
     /// says there when the pen is down, and what moves it meanwhile draws, G0 too.
     fn lifted(&self) -> Option<InkRule> {
         let (lowest, highest) = (self.all.lowest, self.all.highest);
-        let of_lines = self.rapids.highest.max(self.feeds.highest);
+        let of_lines = self.highest_line_mm();
         if !self.comes_down || of_lines > lowest {
             return None;
         }
