@@ -52,11 +52,13 @@ pub(crate) async fn start_shown(
             End::Done => return took(station, job).await,
             End::Over(text) => return Err(anyhow!(text).into()),
             End::Paused(text) => go_on(station, (job, burns), &text).await?,
-            End::Interrupted if burns => {
-                go_on(station, (job, burns), "interrupted; the laser is off").await?;
-            }
             End::Interrupted => {
-                go_on(station, (job, burns), "interrupted; the tool is up").await?;
+                let why = if burns {
+                    "interrupted; the laser is off"
+                } else {
+                    "interrupted; the tool is up"
+                };
+                go_on(station, (job, burns), why).await?;
             }
         }
     }
