@@ -4,11 +4,12 @@
 mod agents;
 mod arguments;
 mod calibrating;
+mod captures;
 mod conformance;
+mod datasets;
 mod decoding;
 mod defaults;
 mod drawing;
-mod going;
 #[cfg(unix)]
 mod guarding;
 #[cfg(unix)]
@@ -24,7 +25,6 @@ mod models;
 mod pendant;
 mod playing;
 mod policy;
-mod program;
 mod recordings;
 #[cfg(unix)]
 mod services;
@@ -33,12 +33,10 @@ mod simulating;
 mod states;
 #[cfg(unix)]
 mod stations;
-#[cfg(target_os = "linux")]
-mod terminal;
+#[path = "../support/mod.rs"]
+mod support;
 #[cfg(feature = "fleet")]
 mod together;
 #[cfg(target_os = "linux")]
 mod touching;
-#[cfg(unix)]
-mod wire;
 mod worlds;
