@@ -120,7 +120,7 @@ fn the_linear_jog_moves_what_both_jogs_have() {
     ] {
         let packets = packets(
             "specification",
-            &["jog", button, "--frame", "linear", "--for", "1"],
+            &["jog", button, "--frame", "linear", "--for", "0.1"],
         );
         let is_it = |it: &Command| matches!(it, Command::LinearJog(jog) if jog.axis == axis);
         assert!(packets.iter().any(is_it), "{button}: {packets:?}");

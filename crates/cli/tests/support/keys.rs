@@ -70,10 +70,10 @@ impl Bench {
         }
     }
 
-    /// Waits until the arm tells the same place for half a second.
+    /// Waits until the arm tells the same place for two seconds: on a busy machine the program hears of its rest later.
     pub(crate) fn rests(&self) {
         let (mut last, mut same) = (None, 0);
-        while same < 6 {
+        while same < 25 {
             if let Passed::FromArm(_, status) = self.arm.next() {
                 let place = Some([status.x_mm, status.y_mm, status.z_mm]);
                 same = if place == last { same + 1 } else { 0 };

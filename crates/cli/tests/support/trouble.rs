@@ -45,6 +45,8 @@ pub(crate) fn troubled(vectors: usize, trouble: Trouble) -> (Outcome, Vec<Comman
     .expect("the program starts");
     let pid = Pid::from_child(&child);
     let (mut client, _) = listener.accept().expect("the program connects");
+    // It finds nobody when it connects again.
+    drop(listener);
     let mut server = TcpStream::connect(arm_address).expect("the arm is served");
     let silent = Arc::new(AtomicBool::new(false));
     let back = (server.try_clone(), client.try_clone(), Arc::clone(&silent));

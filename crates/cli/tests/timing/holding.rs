@@ -6,19 +6,32 @@ use std::thread;
 
 use dobot_wire::LinearJogAxis;
 use rustix::fs::{CWD, FileType, Mode, mknodat};
+use tempfile::TempDir;
 
 use crate::alone;
 use crate::support::keys::Bench;
 use crate::support::terminal::Keyboard;
 
+/// A dead-man time of half a second: a busy machine may keep a program waiting for longer than the usual 150 ms.
+fn policy(folder: &TempDir) -> String {
+    let file = folder.path().join("policy.toml");
+    std::fs::write(&file, "[jog]\ndead_man_s = 0.5\n").expect("there is room");
+    file.to_str().expect("the path is text").to_owned()
+}
+
+/// 640 ms, which is longer than that.
+const LONG: usize = 8;
+
 #[test]
 fn where_a_terminal_tells_when_a_key_is_let_go_the_arm_moves_until_then() {
     let _alone = alone();
-    let mut bench = Bench::new(&["jog"], Keyboard::Kitty);
+    let folder = tempfile::tempdir().expect("there is room");
+    let mut bench = Bench::new(&["jog", "--policy", &policy(&folder)], Keyboard::Kitty);
+    // Slowly: it stays within reach.
+    bench.terminal.types("1");
     bench.terminal.types("\x1b[1;1:1A");
     bench.gets_jog(LinearJogAxis::XPlus);
-    // 320 ms, which is longer than the dead-man time of 150 ms.
-    bench.still_jogs_for(4);
+    bench.still_jogs_for(LONG);
     bench.terminal.types("\x1b[1;1:3A");
     bench.gets_jog(LinearJogAxis::Released);
     bench.leaves();
@@ -40,12 +53,15 @@ fn a_gamepad_moves_the_arm_until_its_stick_is_back_or_it_is_gone() {
     let name = device.to_str().expect("the path is text").to_owned();
     // Either end waits for the other one.
     let writer = thread::spawn(move || File::options().write(true).open(device));
-    let bench = Bench::new(&["jog", "--gamepad", &name], Keyboard::Plain);
+    let policy = policy(&folder);
+    let jog = ["jog", "--gamepad", &name, "--policy", &policy];
+    let mut bench = Bench::new(&jog, Keyboard::Plain);
+    bench.terminal.types("1");
     let mut pad = writer.join().expect("it waits").expect("it is there");
     for end in [Some(stick(0)), None] {
         pad.write_all(&stick(-32767)).expect("it is open");
         bench.gets_jog(LinearJogAxis::XPlus);
-        bench.still_jogs_for(4);
+        bench.still_jogs_for(LONG);
         match end {
             Some(back) => pad.write_all(&back).expect("it is open"),
             None => break,
