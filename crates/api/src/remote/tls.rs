@@ -1,5 +1,6 @@
-//! TLS with a station whose certificate no public authority knows.
+//! TLS to a station whose certificate is not issued by a public authority.
 
+use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -11,11 +12,38 @@ use rustls::{
     CertificateError, ClientConfig, DigitallySignedStruct, Error, RootCertStore, SignatureScheme,
 };
 use sha2::{Digest, Sha256};
+use tokio::net::TcpStream;
+use tokio_rustls::TlsConnector;
 
-use super::CertificateTrust;
+use super::stream::Bytes;
+use super::{CertificateTrust, ConnectError, StationAddress, TrustError};
+
+/// Encrypts a connection, if the station has the certificate that is trusted.
+pub(super) async fn encrypt(
+    address: &StationAddress,
+    trust: &CertificateTrust,
+    tcp: TcpStream,
+) -> Result<Box<dyn Bytes>, ConnectError> {
+    let connector = TlsConnector::from(Arc::new(client_config(trust)?));
+    let name = ServerName::try_from(address.host().to_owned());
+    let name = name.map_err(|it| ConnectError::no_station(address, it))?;
+    match connector.connect(name, tcp).await {
+        Ok(stream) => Ok(Box::new(stream)),
+        Err(source) if is_certificate(&source) => Err(ConnectError::Untrusted {
+            address: address.to_string(),
+            source,
+        }),
+        Err(source) => Err(ConnectError::no_station(address, source)),
+    }
+}
+
+fn is_certificate(error: &io::Error) -> bool {
+    let tls = error.get_ref().and_then(|it| it.downcast_ref());
+    matches!(tls, Some(rustls::Error::InvalidCertificate(_)))
+}
 
 /// How to speak TLS with a station that is trusted for this reason.
-pub(super) fn client_config(trust: &CertificateTrust) -> Result<ClientConfig, TrustError> {
+fn client_config(trust: &CertificateTrust) -> Result<ClientConfig, TrustError> {
     let provider = Arc::new(ring::default_provider());
     let builder = ClientConfig::builder_with_provider(provider.clone())
         .with_safe_default_protocol_versions()
@@ -30,26 +58,6 @@ pub(super) fn client_config(trust: &CertificateTrust) -> Result<ClientConfig, Tr
         CertificateTrust::Authority(file) => builder.with_root_certificates(authorities(file)?),
     };
     Ok(builder.with_no_client_auth())
-}
-
-/// Why a file of certificates is of no use.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum TrustError {
-    /// It cannot be read.
-    #[error("cannot read certificates from {file}: {why}")]
-    Unreadable {
-        /// The file.
-        file: String,
-        /// Why not.
-        why: String,
-    },
-    /// There is none in it.
-    #[error("there is no certificate in {file}; allowed is a PEM file with one at least")]
-    Empty {
-        /// The file.
-        file: String,
-    },
 }
 
 fn authorities(file: &Path) -> Result<RootCertStore, TrustError> {
