@@ -1,4 +1,4 @@
-//! What merging, hatching and clipping cost: `cargo bench -p dobot-draw --bench shape`.
+//! What merging, hatching and clipping cost: `cargo bench -p dobot-draw -- shape`.
 
 use std::f64::consts::TAU;
 
@@ -6,10 +6,6 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{Hatch, hatch, merge, simplify};
 use dobot_geometry::{Area, FillRule, Point, Stroke, Vec2};
-
-fn main() {
-    divan::main();
-}
 
 /// The aim is below 300 ns per point, whatever the stroke looks like.
 #[divan::bench(args = LONG, sample_count = 3, sample_size = 1)]

@@ -1,6 +1,5 @@
 //! What the station's benchmarks share: an arm at a serial port that notes when packets arrive, a
 //! station in a process of its own, clients.
-#![allow(dead_code, unused_imports, reason = "no benchmark needs all of it")]
 
 mod arm;
 mod client;

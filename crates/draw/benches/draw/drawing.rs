@@ -10,10 +10,6 @@ use dobot_geometry::{Point, Stroke, Vec2, deviation};
 use dobot_plan::{ChainVector, Cornering, DrawingTool, Machine, Paper, Pass, Plan};
 use dobot_source::{ReadOptions, Source, Text};
 
-fn main() {
-    divan::main();
-}
-
 /// Look-ahead alone: the aim is below 60 ns per vector.
 #[divan::bench]
 fn look_ahead_50_000_vectors(bencher: Bencher<'_, '_>) {
