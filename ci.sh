@@ -182,7 +182,7 @@ step_package() {
   folder=$target/unpacked
   rm -rf "$folder" "$target"/package/*.crate
   mkdir -p "$folder"
-  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile
+  cargo package --quiet --workspace --exclude dobot-examples --no-verify --allow-dirty --exclude-lockfile
   {
     printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
     for crate in "$target"/package/dobot-*.crate; do
@@ -206,17 +206,15 @@ step_no-std() {
 # The command that each example names is what a person types; here the binaries that `test` has built are run, since a
 # build of one package has other features than a build of all, and would compile the dependencies once more.
 step_examples() {
-  local file room name command
+  local file name command
   build_all
-  for file in crates/*/examples/*.rs crates/*/examples/*/main.rs; do
-    [[ -e $file ]] || continue
-    room=$(cut -d/ -f2 <<<"$file")
-    name=${file#crates/*/examples/}
+  for file in examples/rust/examples/*.rs examples/rust/examples/*/main.rs; do
+    name=${file#examples/rust/examples/}
     name=${name%.rs}
     name=${name%/main}
-    command=$(sed -n "1s/^\/\/! \`cargo run -p dobot-$room --example \($name\( -- [^\`]*\)\?\)\`.*/\1/p" "$file")
+    command=$(sed -n "1s/^\/\/! \`cargo run -p dobot-examples \(--features fleet \)\?--example \($name\( -- [^\`]*\)\?\)\`.*/\2/p" "$file")
     if [[ -z $command ]]; then
-      fail "$file: the first line is not the command that runs it, as in //! \`cargo run -p dobot-$room --example $name\`"
+      fail "$file: the first line is not the command that runs it, as in //! \`cargo run -p dobot-examples --example $name\`"
     fi
     run_example "$command"
   done
@@ -275,11 +273,11 @@ step_recordings() {
   local folder
   needs_venv
   folder=$(mktemp -d)
-  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test repairs -- --exact samples --ignored
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test it -- --exact repairs::samples --ignored
   tests/recordings/read.sh "$folder"
   rm -rf "$folder"
   mkdir "$folder"
-  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test export -- --exact samples --ignored
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test it -- --exact export::samples --ignored
   build_all
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
   needs_command node nodejs
@@ -407,8 +405,8 @@ step_compare-toppra() {
 
 # The drawings that programs are compared on, and ours to be compared.
 needs_drawings() {
-  cargo run --locked --release -p dobot-draw --example benchmark_drawings -- target/drawings
-  cargo build --locked --release -p dobot-draw --example "$1"
+  cargo run --locked --release -p dobot-examples --example benchmark_drawings -- target/drawings
+  cargo build --locked --release -p dobot-examples --example "$1"
 }
 
 needs_python() {
