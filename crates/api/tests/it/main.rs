@@ -1,0 +1,5 @@
+//! The client of a station, from without.
+
+#![expect(clippy::unwrap_used, reason = "a failing test may panic")]
+
+mod remote;
