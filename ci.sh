@@ -9,8 +9,8 @@
 # Rust and git are enough for most steps. `api` and `python` need Python, `page` needs Node and Chromium, `fuzz` needs a C++
 # compiler. A missing program ends its step with the name of its Debian package; as root, the script installs it.
 #
-# - Everything is built once, in `target/`, with the profile `dev` and the same features: `lint` and `doc` check, `test` builds,
-#   and the other steps use what `test` has built. `no-std` is the exception: it links only with `panic = "abort"` and link-time
+# - Everything is built once, in `target/`, with the profile `dev` and the same features (see tests/features): `lint` and `doc`
+#   check, `test` builds, and the other steps use what `test` has built. `no-std` is the exception: it links only with `panic = "abort"` and link-time
 #   optimisation, and it is small. `wide` adds the features `full` and `fleet`, and the crates `fleet`, `ros2` and `mcp`.
 # - `lint` also rejects what the standard library gained after a crate's `rust-version` (clippy's `incompatible_msrv`).
 # - `examples` runs the command in the first line of each example.
@@ -63,8 +63,8 @@ readonly OTHER_STEPS=(
 
 # Crates that take minutes to build and that few people change; `wide` tests them.
 readonly RARE=(--exclude dobot-fleet --exclude dobot-ros2 --exclude dobot-mcp)
-# Crates with features that `cargo test` does not build.
-readonly FEATURED=(-p dobot-api -p dobot-cli -p dobot-fleet -p dobot-mcp -p dobot-ros2 -p dobot-station -p dobot-tables)
+# The crates that `cargo test` does not build, or not with all features.
+readonly FEATURED=(-p dobot-api -p dobot-cli -p dobot-fleet -p dobot-mcp -p dobot-ros2 -p dobot-station -p dobot-tables -p dobot-examples -p dobot-features)
 
 # The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
 # whose files, unchanged here, keep it.
@@ -130,22 +130,25 @@ dependencies() {
 
 step_lint() {
   needs_component clippy clippy
-  build cargo clippy --locked --workspace "${RARE[@]}" --lib --bins --tests --examples --benches -- -D warnings
+  build cargo clippy --locked --workspace "${RARE[@]}" --all-targets -- -D warnings
 }
 
 step_lint-all() {
   needs_component clippy clippy
-  build cargo clippy --locked --all-features "${FEATURED[@]}" -p dobot-examples --lib --bins --tests --examples -- -D warnings
+  build cargo clippy --locked --all-features "${FEATURED[@]}" --lib --bins --tests --examples -- -D warnings
 }
 
+# The tests of `cargo test`. The selection of packages is that of the other steps, so that one build serves all.
 step_test() {
-  build cargo test --locked --no-run
-  report_failures cargo test --locked --no-fail-fast
+  build_all
+  report_failures cargo test --locked --workspace "${RARE[@]}" --lib --bins --tests --no-fail-fast
+  report_failures cargo test --locked --workspace "${RARE[@]}" --doc --no-fail-fast
 }
 
 step_test-all() {
-  build cargo test --locked --all-features "${FEATURED[@]}" --no-run
-  report_failures cargo test --locked --all-features "${FEATURED[@]}" --no-fail-fast
+  build_rare
+  report_failures cargo test --locked --all-features "${FEATURED[@]}" --lib --bins --tests --no-fail-fast
+  report_failures cargo test --locked --all-features "${FEATURED[@]}" --doc --no-fail-fast
 }
 
 # Repeats the failures at the end, where they are found.
@@ -163,7 +166,7 @@ report_failures() {
 
 step_doc() {
   local readme library
-  RUSTDOCFLAGS="-D warnings" build cargo doc --locked --no-deps
+  RUSTDOCFLAGS="-D warnings" build cargo doc --locked --workspace "${RARE[@]}" --no-deps
   for readme in crates/*/README.md page/README.md; do
     library=${readme%README.md}src/lib.rs
     [[ -e $library ]] || continue
@@ -193,7 +196,7 @@ step_package() {
   folder=$target/unpacked
   rm -rf "$folder" "$target"/package/*.crate
   mkdir -p "$folder"
-  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile --exclude dobot-examples --exclude dobot-fuzz --exclude dobot-arm-python
+  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile --exclude dobot-examples --exclude dobot-features --exclude dobot-fuzz --exclude dobot-arm-python
   {
     printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
     for crate in "$target"/package/dobot-*.crate; do
@@ -215,15 +218,14 @@ step_no-std() {
   echo "it links, and its results are right"
 }
 
-# The programs that the other steps run. The tests are part of the build so that all crates keep the features with which
-# `test` has built them; otherwise cargo would build everything again.
+# What the steps run: tests, programs, examples, the Python module.
 build_all() {
   build cargo build --locked --workspace "${RARE[@]}" --lib --bins --tests --examples
 }
 
-# The same with all features.
+# The same for the rare crates and features.
 build_rare() {
-  build cargo build --locked --all-features "${FEATURED[@]}" -p dobot-examples --lib --bins --tests --examples
+  build cargo build --locked --all-features "${FEATURED[@]}" --lib --bins --tests --examples
 }
 
 built() {
@@ -234,8 +236,8 @@ built() {
 step_examples() {
   local file name command
   build_all
-  for file in examples/rust/*.rs examples/rust/*/main.rs; do
-    name=${file#examples/rust/}
+  for file in examples/rust/examples/*.rs examples/rust/examples/*/main.rs; do
+    name=${file#examples/rust/examples/}
     name=${name%.rs}
     name=${name%/main}
     # Its command needs the feature `fleet`.

@@ -1,17 +1,13 @@
 //! The client of a station against hand-made ones.
 
-use std::sync::Arc;
-
 use dobot_api::{
-    CertificateTrust, ConnectError, Remote, RemoteError, Reply, Request, StationAddress,
+    ConnectError, Remote, RemoteError, Reply, Request, StationAddress,
     StationEvent, fetch, is_station,
 };
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpStream};
-use tokio_rustls::TlsAcceptor;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::handshake::server;
 use tokio_tungstenite::tungstenite::protocol::CloseFrame;
@@ -19,11 +15,11 @@ use tokio_tungstenite::tungstenite::protocol::frame::coding::CloseCode;
 use tokio_tungstenite::{WebSocketStream, accept_hdr_async};
 
 /// A station that says what a test wants.
-struct Fake<S = TcpStream>(WebSocketStream<S>);
+pub(crate) struct Fake<S = TcpStream>(WebSocketStream<S>);
 
 impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
     /// Lets a client in and says hello; gives what it asked for.
-    async fn welcome(stream: S) -> (Self, String) {
+    pub(crate) async fn welcome(stream: S) -> (Self, String) {
         let mut asked = String::new();
         let note = |request: &server::Request, answer: server::Response| {
             asked = request.uri().to_string();
@@ -46,7 +42,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
         sent.unwrap();
     }
 
-    async fn hear(&mut self) -> Value {
+    pub(crate) async fn hear(&mut self) -> Value {
         let message = self.0.next().await.unwrap().unwrap();
         serde_json::from_str(message.to_text().unwrap()).unwrap()
     }
@@ -331,69 +327,4 @@ async fn a_document_is_fetched_with_the_token() {
     assert_eq!(fetched.unwrap(), [1, 2]);
     assert!(question.starts_with("GET /api/v1/jobs HTTP/1.0\r\n"));
     assert!(question.contains("\r\nAuthorization: Bearer abc\r\n"));
-}
-
-/// A certificate that nobody knows, and how to speak with it.
-fn certificate() -> (rcgen::CertifiedKey<rcgen::KeyPair>, TlsAcceptor) {
-    let made = rcgen::generate_simple_self_signed(["localhost".to_owned()]).unwrap();
-    let key = rustls::pki_types::PrivatePkcs8KeyDer::from(made.signing_key.serialize_der());
-    let provider = Arc::new(rustls::crypto::ring::default_provider());
-    let config = rustls::ServerConfig::builder_with_provider(provider)
-        .with_safe_default_protocol_versions()
-        .unwrap()
-        .with_no_client_auth()
-        .with_single_cert(vec![made.cert.der().clone()], key.into())
-        .unwrap();
-    (made, TlsAcceptor::from(Arc::new(config)))
-}
-
-/// Connects over TLS, trusting for this reason.
-async fn over_tls(
-    acceptor: TlsAcceptor,
-    trust: Option<CertificateTrust>,
-) -> Result<Remote, ConnectError> {
-    let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
-    let port = listener.local_addr().unwrap().port();
-    let mut address = StationAddress::new(&format!("https://localhost:{port}")).unwrap();
-    address.trust = trust;
-    let serve = tokio::spawn(async move {
-        let stream = listener.accept().await.unwrap().0;
-        if let Ok(stream) = acceptor.accept(stream).await {
-            let mut fake = Fake::welcome(stream).await.0;
-            fake.hear().await;
-        }
-    });
-    let remote = Remote::connect(&address, "test").await;
-    serve.abort();
-    remote
-}
-
-#[tokio::test]
-async fn a_certificate_is_trusted_by_its_fingerprint_and_no_other_one_is() {
-    let (made, acceptor) = certificate();
-    let digest: [u8; 32] = Sha256::digest(made.cert.der()).into();
-    let pinned = |digest| Some(CertificateTrust::Fingerprint(digest));
-    over_tls(acceptor.clone(), pinned(digest)).await.unwrap();
-    let error = over_tls(acceptor.clone(), pinned([7; 32]))
-        .await
-        .unwrap_err();
-    assert!(matches!(error, ConnectError::Untrusted { .. }), "{error:?}");
-    let error = over_tls(acceptor, None).await.unwrap_err();
-    assert!(error.hint().unwrap().contains("--fingerprint"), "{error:?}");
-}
-
-#[tokio::test]
-async fn a_certificate_is_trusted_by_who_issued_it() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("ca.pem");
-    let (made, acceptor) = certificate();
-    std::fs::write(&file, made.cert.pem()).unwrap();
-    let authority = || Some(CertificateTrust::Authority(file.clone()));
-    over_tls(acceptor, authority()).await.unwrap();
-    let (_, other) = certificate();
-    let error = over_tls(other.clone(), authority()).await.unwrap_err();
-    assert!(matches!(error, ConnectError::Untrusted { .. }), "{error:?}");
-    std::fs::write(&file, "").unwrap();
-    let error = over_tls(other, authority()).await.unwrap_err().to_string();
-    assert!(error.contains("no certificate in"), "{error}");
 }
