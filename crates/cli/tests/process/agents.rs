@@ -1,7 +1,5 @@
 //! `dobot mcp`, with the client of the protocol's own library.
 
-use std::sync::mpsc::Receiver;
-
 use dobot_wire::Command;
 use rmcp::model::{CallToolRequest, CallToolRequestParams, CallToolResult, ClientRequest};
 use rmcp::service::{PeerRequestOptions, RequestHandle, RunningService};
@@ -9,34 +7,27 @@ use rmcp::transport::TokioChildProcess;
 use rmcp::{RoleClient, ServiceExt};
 use serde_json::{Value, json};
 
-use crate::going::Going;
-use crate::program::command;
-use crate::stations::Up;
-use crate::wire::{Passed, wire};
+use crate::support::arm::{WiredArm, fast_arm};
+use crate::support::going::Going;
+use crate::support::program::{command, example};
+use crate::support::up::Up;
+use crate::support::wire::Passed;
 
 /// A station whose arm is at the end of a wire that tells what passes it.
 pub(crate) struct Desk {
     pub(crate) up: Up,
-    passed: Receiver<Passed>,
-    _arm: Going,
+    arm: WiredArm,
 }
 
 impl Desk {
     pub(crate) fn new() -> Self {
-        let mut arm = Going::new(command(&["arm", "--tcp", "127.0.0.1:0", "--speed", "4"]));
-        let address = arm.address();
-        let address = address.trim_start_matches("tcp:");
-        let (wire, passed) = wire(address.parse().expect("an address"));
-        let to = format!("tcp:{wire}");
-        let up = Up::with_arm(&["--arm", &to], &["--dialect", "specification"]);
-        while up.json(&["status", "--count", "1"])["x_mm"].is_null() {}
+        let arm = WiredArm::new(fast_arm(&["--tcp", "127.0.0.1:0"]));
+        let to = ["--arm", &arm.address, "--dialect", "specification"];
+        let up = Up::with_arm(&to, &[]);
+        hears(&up, |it| it["arm"].is_object());
         up.dobot(&["move", "200", "0", "30", "--pose-confirmed"])
             .succeeds();
-        let desk = Self {
-            up,
-            passed,
-            _arm: arm,
-        };
+        let desk = Self { up, arm };
         desk.got();
         desk
     }
@@ -45,19 +36,14 @@ impl Desk {
     pub(crate) fn got(&self) -> Vec<Command> {
         let of_arm = |it| match it {
             Passed::ToArm(_, command) => Some(command),
-            Passed::FromArm(..) | Passed::Opened => None,
+            _ => None,
         };
-        self.passed.try_iter().filter_map(of_arm).collect()
+        self.arm.passed.try_iter().filter_map(of_arm).collect()
     }
 
     /// Until the arm gets a vector.
     fn draws(&self) {
-        loop {
-            let passed = self.passed.recv().expect("the wire is there");
-            if matches!(passed, Passed::ToArm(_, Command::WriteVector(_))) {
-                return;
-            }
-        }
+        while !matches!(self.arm.next(), Passed::ToArm(_, it) if is_vector(&it)) {}
     }
 }
 
@@ -119,9 +105,10 @@ fn params(tool: &'static str, arguments: Value) -> CallToolRequestParams {
     CallToolRequestParams::new(tool).with_arguments(arguments)
 }
 
+/// It is drawn so slowly that it is not over before it is stopped.
 pub(crate) fn square() -> Value {
-    let svg = std::fs::read_to_string(crate::program::example("square.svg"));
-    json!({"svg": svg.expect("it is there"), "options": {"place": {"pen_down": -40}}})
+    let svg = std::fs::read_to_string(example("square.svg")).expect("it is there");
+    json!({"svg": svg, "options": {"place": {"pen_down": -40}, "tool": {"speed": 5}}})
 }
 
 fn is_vector(it: &Command) -> bool {
@@ -282,14 +269,17 @@ async fn a_call_that_is_cancelled_stops_the_arm() {
 
 /// Waits until the arm is stopped because an agent gave up.
 pub(crate) async fn stopped(up: &Up) {
+    hears(up, |it| it["stop"].is_object());
     let other = Agent::new(up, &[]).await;
-    loop {
-        let seen = Agent::done(other.call("look", json!({})).await);
-        if seen["alarms"].to_string().contains("the agent gave up") {
-            assert_ne!(seen["job"]["phase"], "running", "{seen}");
-            return;
-        }
-    }
+    let seen = Agent::done(other.call("look", json!({})).await);
+    let alarms = seen["alarms"].to_string();
+    assert!(alarms.contains("the agent gave up"), "{seen}");
+    assert_ne!(seen["job"]["phase"], "running", "{seen}");
+}
+
+/// Waits until a station tells such a state, and lets the agents go on meanwhile.
+fn hears(up: &Up, is_it: impl Fn(&Value) -> bool) {
+    tokio::task::block_in_place(|| up.hears(is_it));
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -352,8 +342,8 @@ pub(crate) async fn only_queues(desk: &Desk, agent: &Agent) {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn a_program_is_checked_and_run_to_its_end() {
-    let up = Up::new(&["--speed", "5"]);
-    up.json(&["status", "--count", "1"]);
+    let up = Up::new(&[]);
+    hears(&up, |it| it["arm"].is_object());
     let agent = Agent::new(&up, &[]).await;
     let program =
         json!({"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
@@ -368,12 +358,13 @@ async fn a_program_is_checked_and_run_to_its_end() {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
-    let up = Up::new(&["--speed", "5"]);
-    up.json(&["status", "--count", "1"]);
+    let up = Up::new(&[]);
+    hears(&up, |it| it["arm"].is_object());
     let folder = tempfile::tempdir().expect("there is room");
     let inside = folder.path().join("inside");
     std::fs::create_dir(&inside).expect("there is room");
-    let square = std::fs::read(crate::program::example("square.svg")).expect("it is there");
+    let square =
+        std::fs::read(crate::support::program::example("square.svg")).expect("it is there");
     std::fs::write(inside.join("square.svg"), &square).expect("there is room");
     std::fs::write(folder.path().join("secret.svg"), &square).expect("there is room");
     let agent = Agent::new(&up, &["--files", inside.to_str().expect("it is text")]).await;
@@ -405,18 +396,19 @@ async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
 #[tokio::test(flavor = "multi_thread")]
 async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
     let up = Up::new(&[]);
-    up.json(&["status", "--count", "1"]);
+    hears(&up, |it| it["arm"].is_object());
     let mut killed = Going::talking(up.command(&["mcp"]));
     killed.says(r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"killed","version":"1"}}}"#);
     killed.reads("serverInfo");
     killed.says(r#"{"jsonrpc":"2.0","method":"notifications/initialized"}"#);
-    killed.says(r#"{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"move_to","arguments":{"x_mm":220,"y_mm":0,"z_mm":20,"pause_s":60}}}"#);
+    killed.says(r#"{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"move_to","arguments":{"x_mm":220,"y_mm":0,"z_mm":20,"pause_s":600}}}"#);
     let other = Agent::new(&up, &[]).await;
     let control = async || Agent::done(other.call("look", json!({})).await)["control"].clone();
-    while control().await.is_null() {}
+    hears(&up, |it| it["lease"].is_object());
     assert_eq!(control().await["name"], "agent killed");
     killed.kill();
-    while !control().await.is_null() {}
+    hears(&up, |it| it["lease"].is_null());
+    assert_eq!(control().await, Value::Null);
 }
 
 #[tokio::test(flavor = "multi_thread")]

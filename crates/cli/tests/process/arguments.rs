@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::program::dobot;
+use crate::support::program::dobot;
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("it is one line of JSON")

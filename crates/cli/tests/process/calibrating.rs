@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::program::{dobot, example};
+use crate::support::program::{dobot, example};
 
 const KNOWN: &str = "\
 [zeros]

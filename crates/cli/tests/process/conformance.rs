@@ -3,7 +3,7 @@
 use std::fs;
 use std::net::TcpListener;
 
-use crate::program::{Outcome, command, dobot};
+use crate::support::program::{Outcome, command, dobot};
 
 /// Runs `dobot conformance` in a folder of its own.
 fn conformance(arguments: &[&str]) -> (Outcome, tempfile::TempDir) {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::program::{Outcome, command_at, dobot, example, run};
+use crate::support::program::{Outcome, command_at, dobot, example, run};
 
 /// A folder with a file of defaults.
 struct Desk {

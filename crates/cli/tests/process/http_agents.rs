@@ -14,7 +14,7 @@ use tokio::net::{TcpStream, UnixListener};
 use tokio::task::{JoinHandle, JoinSet};
 
 use crate::agents::{Agent, Desk, is_motion, only_queues, square, stopped};
-use crate::stations::Up;
+use crate::support::up::Up;
 
 /// The way of an agent to a station: the library's client speaks over a socket of Unix without TLS, and what it says is
 /// carried on to the station's port. When it is cut, both ends see what they see of a program that is killed.

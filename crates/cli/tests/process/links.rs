@@ -1,28 +1,20 @@
-//! Ports and TCP in real time: good ones, bad ones, and Ctrl-C.
+//! Ports and TCP: good ones and bad ones.
 
 use std::io::{Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
-use std::process::Stdio;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, mpsc};
+use std::net::{TcpListener, TcpStream};
+use std::sync::mpsc;
 use std::thread;
 
-use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, WriteVector};
-use rustix::process::{Pid, Signal, kill_process};
-
-use crate::going::Going;
-use crate::program::{Outcome, command, dobot, example};
-
-/// `dobot arm` as a process of its own.
-fn served(arguments: &[&str]) -> Going {
-    Going::new(command(&[&["arm"], arguments].concat()))
-}
+use crate::support::arm::fast_arm;
+use crate::support::going::Going;
+use crate::support::program::{Outcome, command, dobot, example};
+use crate::support::trouble::{Trouble, commands, is_laser_off, troubled, vector};
 
 #[test]
 fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
     let folder = tempfile::tempdir().expect("there is room");
     let link = folder.path().join("dobot");
-    let mut arm = served(&[
+    let mut arm = fast_arm(&[
         "--tcp",
         "127.0.0.1:0",
         "--pty",
@@ -52,7 +44,7 @@ fn a_drawing_succeeds_over_a_virtual_serial_port_and_over_tcp() {
 
 #[test]
 fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed() {
-    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = fast_arm(&["--tcp", "127.0.0.1:0"]);
     let address = arm.address();
     let to = ["--to", &address, "--dialect", "specification"];
     let burn = ["draw", &example("square.svg"), "--frame", "--laser"];
@@ -84,7 +76,7 @@ fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed()
 
 #[test]
 fn over_a_port_the_dialect_is_undecided_until_it_is_given() {
-    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = fast_arm(&["--tcp", "127.0.0.1:0"]);
     let address = arm.address();
     let to = ["--pose-confirmed", "--to", &address];
     dobot(&[&["draw", &example("square.svg")], &to[..]].concat())
@@ -105,7 +97,7 @@ fn a_port_that_does_not_exist_or_is_none_is_told() {
 fn a_port_in_use_is_told() {
     let folder = tempfile::tempdir().expect("there is room");
     let link = folder.path().join("dobot");
-    let mut arm = served(&["--pty", link.to_str().expect("the path is text")]);
+    let mut arm = fast_arm(&["--pty", link.to_str().expect("the path is text")]);
     let address = arm.address();
     let mut first = Going::new(command(&["status", "--json", "--to", &address]));
     // A line of it shows that the first one has the port.
@@ -143,11 +135,13 @@ fn a_peer_that_closes_in_the_middle_is_told() {
 #[test]
 fn a_peer_that_sends_noise_is_told() {
     let address = peer(|mut stream| {
-        // Until the program has enough of it.
-        while stream
-            .write_all(&[0xA5, 0x11, 0x22, 0x5A].repeat(100))
-            .is_ok()
-        {}
+        for _ in 0..25 {
+            stream
+                .write_all(&[0xA5, 0x11, 0x22, 0x5A].repeat(100))
+                .expect("it is open");
+        }
+        // Until the program has waited long enough for something better.
+        let _ = stream.read_to_end(&mut Vec::new());
     });
     dobot(&["status", "--to", &address])
         .fails(1, &["no valid status", "bytes that belong to none"]);
@@ -191,98 +185,6 @@ fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
     draw_square(&address).fails(1, &["closed the link"]);
 }
 
-/// What happens to a drawing between the program and the arm.
-#[derive(Clone, Copy)]
-enum Trouble {
-    /// The program gets a signal.
-    Signal(Signal),
-    /// No status reaches it any more.
-    Silence,
-}
-
-/// Stands between the program and a virtual arm, and makes trouble after so many write vectors.
-/// Returns what came of the program, the commands before that and those after it.
-fn troubled(vectors: usize, trouble: Trouble) -> (Outcome, Vec<Command>, Vec<Command>) {
-    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
-    let arm_address: SocketAddr = arm.address()[4..].parse().expect("it is one");
-    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
-    let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
-    let harbour = example("harbour.svg");
-    let child = command(&[
-        "draw",
-        &harbour,
-        "--to",
-        &address,
-        "--dialect",
-        "specification",
-        "--pose-confirmed",
-    ])
-    .stdout(Stdio::piped())
-    .stderr(Stdio::piped())
-    .spawn()
-    .expect("the program starts");
-    let pid = Pid::from_child(&child);
-    let (mut client, _) = listener.accept().expect("the program connects");
-    let mut server = TcpStream::connect(arm_address).expect("the arm is served");
-    let silent = Arc::new(AtomicBool::new(false));
-    let back = (server.try_clone(), client.try_clone(), Arc::clone(&silent));
-    thread::spawn(move || {
-        pass_on(
-            back.0.expect("it is open"),
-            back.1.expect("it is open"),
-            &back.2,
-        );
-    });
-    let (mut before, mut after) = (Vec::new(), Vec::new());
-    let mut packet = [0; 42];
-    while client.read_exact(&mut packet).is_ok() {
-        server.write_all(&packet).expect("the arm is served");
-        let command = commands(&packet).remove(0);
-        if before.iter().filter_map(vector).count() == vectors {
-            after.push(command);
-            continue;
-        }
-        before.push(command);
-        if before.iter().filter_map(vector).count() == vectors {
-            match trouble {
-                Trouble::Signal(signal) => kill_process(pid, signal).expect("it runs"),
-                Trouble::Silence => silent.store(true, Ordering::SeqCst),
-            }
-        }
-    }
-    let output = child.wait_with_output().expect("the program ends");
-    (output.into(), before, after)
-}
-
-/// Passes on what comes, until it is to be silent.
-fn pass_on(mut from: TcpStream, mut to: TcpStream, silent: &AtomicBool) {
-    let mut bytes = [0; 256];
-    while let Ok(count @ 1..) = from.read(&mut bytes) {
-        if !silent.load(Ordering::SeqCst) && to.write_all(&bytes[..count]).is_err() {
-            return;
-        }
-    }
-}
-
-#[test]
-fn ctrl_c_in_a_drawing_lifts_the_pen_switches_the_laser_off_and_says_how_far_it_got() {
-    parts(
-        Trouble::Signal(Signal::INT),
-        &[
-            "job 1 is paused: interrupted; the tool is up",
-            "dobot jobs start 1 --to tcp:",
-        ],
-    );
-}
-
-#[test]
-fn a_system_that_shuts_down_in_a_drawing_leaves_the_pen_up_and_the_laser_off() {
-    parts(
-        Trouble::Signal(Signal::TERM),
-        &["job 1 is paused: interrupted; the tool is up"],
-    );
-}
-
 #[test]
 fn an_arm_that_falls_silent_in_a_drawing_gets_laser_off_and_nothing_that_moves_it() {
     let (outcome, _, after) = troubled(6, Trouble::Silence);
@@ -293,43 +195,16 @@ fn an_arm_that_falls_silent_in_a_drawing_gets_laser_off_and_nothing_that_moves_i
     assert!(parting.iter().all(|it| is_laser_off(it)), "{after:?}");
 }
 
-/// How high the default pen travels (crates/draw/materials.toml).
-const FINELINER_LIFT_MM: f32 = 5.0;
-
-/// The vector that is drawn comes to its end, the pen goes up, and the last word is laser off.
-fn parts(trouble: Trouble, told: &[&str]) {
-    // Travel, lower, and four vectors with the pen down.
-    let (outcome, before, after) = troubled(6, trouble);
-    let outcome = outcome.fails(1, told);
-    assert!(
-        after.last().is_some_and(is_laser_off),
-        "{after:?} {outcome:?}"
-    );
-    let vectors: Vec<&WriteVector> = after.iter().filter_map(vector).collect();
-    let (lift, rest) = vectors.split_last().expect("the pen is lifted");
-    let z_mm = |vectors: &mut dyn Iterator<Item = f32>| vectors.sum::<f32>();
-    let sent_down = z_mm(&mut before.iter().filter_map(vector).map(|it| it.z_mm))
-        + z_mm(&mut rest.iter().map(|it| it.z_mm));
-    assert!(
-        (sent_down + FINELINER_LIFT_MM).abs() < 1e-3,
-        "the pen was down: {sent_down}"
-    );
-    assert!((lift.z_mm - FINELINER_LIFT_MM).abs() < 1e-3, "{lift:?}");
-    assert_eq!((lift.x_mm, lift.y_mm), (0.0, 0.0));
-    // What was permitted already, and no more.
-    assert!(rest.len() < 6, "{after:?}");
-}
-
 #[test]
 fn ctrl_c_ends_the_served_arm() {
-    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = fast_arm(&["--tcp", "127.0.0.1:0"]);
     arm.address();
     assert_eq!(arm.interrupt(), Some(0));
 }
 
 #[test]
 fn a_tcp_port_that_is_taken_is_told() {
-    let mut arm = served(&["--tcp", "127.0.0.1:0"]);
+    let mut arm = fast_arm(&["--tcp", "127.0.0.1:0"]);
     let taken = arm.address()[4..].to_owned();
     dobot(&["arm", "--tcp", &taken]).fails(1, &["cannot serve on", "127.0.0.1:0"]);
 }
@@ -342,22 +217,4 @@ fn something_in_the_way_of_the_virtual_serial_port_is_left_alone() {
     dobot(&["arm", "--pty", file.to_str().expect("the path is text")])
         .fails(1, &["precious", "there already"]);
     assert_eq!(std::fs::read_to_string(&file).expect("it is there"), "data");
-}
-
-fn commands(bytes: &[u8]) -> Vec<Command> {
-    Decoder::commands()
-        .feed(bytes)
-        .map(|packet| Command::parse(&packet, &Dialect::SPECIFICATION).expect("it is allowed"))
-        .collect()
-}
-
-fn is_laser_off(command: &Command) -> bool {
-    matches!(command, Command::JointJog(jog) if jog.axis == JointJogAxis::LaserOff)
-}
-
-fn vector(command: &Command) -> Option<&WriteVector> {
-    match command {
-        Command::WriteVector(vector) => Some(vector),
-        _ => None,
-    }
 }

@@ -6,8 +6,8 @@ use std::process::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::going::{Going, line_with};
-use crate::program::{command, command_at, run};
+use crate::support::going::{Going, line_with};
+use crate::support::program::{command, command_at, run};
 
 /// A station with a virtual arm, and its data.
 fn up(arguments: &[&str]) -> (Command, TempDir) {

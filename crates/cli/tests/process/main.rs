@@ -1,17 +1,19 @@
 //! The program as a process: exit codes, standard output and errors.
 
-#[cfg(unix)]
+#[cfg(all(unix, feature = "full"))]
 mod agents;
 mod arguments;
 mod calibrating;
+mod captures;
 mod conformance;
+#[cfg(feature = "full")]
+mod datasets;
 mod decoding;
 mod defaults;
 mod drawing;
-mod going;
 #[cfg(unix)]
 mod guarding;
-#[cfg(unix)]
+#[cfg(all(unix, feature = "full"))]
 mod http_agents;
 #[cfg(unix)]
 mod killing;
@@ -24,7 +26,6 @@ mod models;
 mod pendant;
 mod playing;
 mod policy;
-mod program;
 mod recordings;
 #[cfg(unix)]
 mod services;
@@ -33,12 +34,10 @@ mod simulating;
 mod states;
 #[cfg(unix)]
 mod stations;
-#[cfg(target_os = "linux")]
-mod terminal;
+#[path = "../support/mod.rs"]
+mod support;
 #[cfg(feature = "fleet")]
 mod together;
 #[cfg(target_os = "linux")]
 mod touching;
-#[cfg(unix)]
-mod wire;
 mod worlds;

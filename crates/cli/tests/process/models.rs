@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::program::dobot;
+use crate::support::program::dobot;
 
 #[test]
 fn the_tool_is_as_long_as_in_the_default_policy_unless_told_otherwise() {

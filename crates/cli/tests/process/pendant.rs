@@ -1,132 +1,17 @@
 //! An arm that is moved with keys, and what it gets.
 
-use std::fs::File;
-use std::io::Write;
-use std::sync::mpsc::Receiver;
-use std::thread;
-use std::time::Duration;
-
 use dobot_teach::Program;
 use dobot_wire::JointJogAxis::SuctionOn;
 use dobot_wire::{Command, LinearJogAxis, MouseMove};
 
-use rustix::fs::{CWD, FileType, Mode, mknodat};
-
-use crate::going::Going;
-use crate::program::{command, dobot};
-use crate::terminal::{Keyboard, Terminal};
-use crate::wire::{Passed, wire};
-
-/// An arm, and a person with keys.
-struct Bench {
-    _arm: Going,
-    passed: Receiver<Passed>,
-    terminal: Terminal,
-}
-
-impl Bench {
-    fn new(verb: &[&str], keyboard: Keyboard) -> Self {
-        let mut arm = Going::new(command(&["arm", "--tcp", "127.0.0.1:0"]));
-        let address = arm.address();
-        let address = address.trim_start_matches("tcp:");
-        let (wire, passed) = wire(address.parse().expect("an address"));
-        let to = format!("tcp:{wire}");
-        let to = ["--to", &to, "--dialect", "specification"];
-        let arguments = [verb, &to, &["--pose-confirmed"]].concat();
-        let mut terminal = Terminal::new(&command(&arguments), keyboard);
-        // The first screen is there.
-        terminal.shows("STOP");
-        Self {
-            _arm: arm,
-            passed,
-            terminal,
-        }
-    }
-
-    fn next(&self) -> Passed {
-        let next = self.passed.recv_timeout(Duration::from_secs(30));
-        next.expect("something passes the wire")
-    }
-
-    /// Waits for a command to the arm.
-    fn gets(&self, mut is_it: impl FnMut(&Command) -> bool) -> Command {
-        loop {
-            if let Passed::ToArm(_, command) = self.next()
-                && is_it(&command)
-            {
-                return command;
-            }
-        }
-    }
-
-    fn gets_jog(&self, axis: LinearJogAxis) {
-        self.gets(|it| is_jog(it, axis));
-    }
-
-    /// Presses the arrow until the arm jogs by it: one press is over before an arm that runs down rests.
-    fn jogs_forward(&mut self) {
-        for _ in 0..50 {
-            self.terminal.types(UP);
-            let mut statuses = 0;
-            while statuses < 4 {
-                match self.next() {
-                    Passed::FromArm(..) => statuses += 1,
-                    Passed::ToArm(_, it) if is_jog(&it, LinearJogAxis::XPlus) => return,
-                    Passed::ToArm(..) | Passed::Opened => {}
-                }
-            }
-        }
-        panic!("the arm does not jog");
-    }
-
-    /// Lets so many statuses pass, within which the arm gets no release.
-    fn still_jogs_for(&self, statuses: usize) {
-        let mut seen = 0;
-        while seen < statuses {
-            match self.next() {
-                Passed::FromArm(..) => seen += 1,
-                Passed::ToArm(_, Command::LinearJog(jog)) => {
-                    assert_ne!(jog.axis, LinearJogAxis::Released, "after {seen} statuses");
-                }
-                Passed::ToArm(..) | Passed::Opened => {}
-            }
-        }
-    }
-
-    /// Waits until the arm tells the same place for half a second.
-    fn rests(&self) {
-        let (mut last, mut same) = (None, 0);
-        while same < 6 {
-            if let Passed::FromArm(_, status) = self.next() {
-                let place = Some([status.x_mm, status.y_mm, status.z_mm]);
-                same = if place == last { same + 1 } else { 0 };
-                last = place;
-            }
-        }
-    }
-
-    fn leaves(mut self) {
-        self.terminal.types("q");
-        assert!(self.terminal.ends().success());
-    }
-}
+use crate::support::keys::{Bench, UP};
+use crate::support::program::{command, dobot};
+use crate::support::terminal::{Keyboard, Terminal};
 
 #[test]
 fn where_a_terminal_tells_presses_alone_the_arm_stops_when_the_key_repeats_no_more() {
     let mut bench = Bench::new(&["jog"], Keyboard::Plain);
     bench.jogs_forward();
-    bench.gets_jog(LinearJogAxis::Released);
-    bench.leaves();
-}
-
-#[test]
-fn where_a_terminal_tells_when_a_key_is_let_go_the_arm_moves_until_then() {
-    let mut bench = Bench::new(&["jog"], Keyboard::Kitty);
-    bench.terminal.types("\x1b[1;1:1A");
-    bench.gets_jog(LinearJogAxis::XPlus);
-    // 320 ms, which is longer than the dead-man time of 150 ms.
-    bench.still_jogs_for(4);
-    bench.terminal.types("\x1b[1;1:3A");
     bench.gets_jog(LinearJogAxis::Released);
     bench.leaves();
 }
@@ -154,38 +39,6 @@ fn keys_move_the_arm_as_a_mouse_does() {
         panic!("{first:?}");
     };
     assert_eq!([x, y, z], [2.5, 0.0, 0.0]);
-    bench.leaves();
-}
-
-/// An event of the joystick driver: time, value, kind (2 is an axis), number (1 is up and down).
-fn stick(value: i16) -> [u8; 8] {
-    let [low, high] = value.to_ne_bytes();
-    [0, 0, 0, 0, low, high, 2, 1]
-}
-
-#[test]
-fn a_gamepad_moves_the_arm_until_its_stick_is_back_or_it_is_gone() {
-    let folder = tempfile::tempdir().expect("there is room");
-    let device = folder.path().join("js0");
-    let mode = Mode::RUSR | Mode::WUSR;
-    mknodat(CWD, &device, FileType::Fifo, mode, 0).expect("a pipe can be made");
-    let name = device.to_str().expect("the path is text").to_owned();
-    // Either end waits for the other one.
-    let writer = thread::spawn(move || File::options().write(true).open(device));
-    let bench = Bench::new(&["jog", "--gamepad", &name], Keyboard::Plain);
-    let mut pad = writer.join().expect("it waits").expect("it is there");
-    for end in [Some(stick(0)), None] {
-        pad.write_all(&stick(-32767)).expect("it is open");
-        bench.gets_jog(LinearJogAxis::XPlus);
-        bench.still_jogs_for(4);
-        match end {
-            Some(back) => pad.write_all(&back).expect("it is open"),
-            None => break,
-        }
-        bench.gets_jog(LinearJogAxis::Released);
-    }
-    drop(pad);
-    bench.gets_jog(LinearJogAxis::Released);
     bench.leaves();
 }
 
@@ -250,10 +103,3 @@ fn keys_without_a_terminal_are_refused() {
     dobot(&["jog"]).fails(1, &["needs a terminal", "dobot jog x+"]);
     dobot(&["mouse", "--keys"]).fails(1, &["needs a terminal", "dobot mouse X Y Z"]);
 }
-
-fn is_jog(command: &Command, axis: LinearJogAxis) -> bool {
-    matches!(command, Command::LinearJog(jog) if jog.axis == axis)
-}
-
-/// The arrow as most terminals send it.
-const UP: &str = "\x1b[A";

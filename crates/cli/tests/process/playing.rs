@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use crate::program::dobot;
+use crate::support::program::dobot;
 
 const CARRY: &str = r#"
 title = "one cube, to and fro"

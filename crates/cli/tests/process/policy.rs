@@ -4,7 +4,7 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use crate::program::{Outcome, dobot};
+use crate::support::program::{Outcome, dobot};
 
 /// A policy file that says this, and its folder.
 fn file(text: &str) -> (TempDir, String) {

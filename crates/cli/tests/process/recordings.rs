@@ -12,7 +12,7 @@ use dobot_wire::{Dialect, MoveTo, Status};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::program::{Outcome, command, dobot};
+use crate::support::program::{Outcome, command, dobot};
 
 /// Rear arm upright, forearm level.
 fn status() -> [u8; 42] {
@@ -29,7 +29,7 @@ fn target(x_mm: f32) -> [u8; 42] {
 }
 
 /// Three statuses, each answered, and an event: a fifth of a second.
-fn recording() -> (TempDir, PathBuf) {
+pub(crate) fn recording() -> (TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("there is room");
     let about = About {
         program: "dobot 0.1.0".to_owned(),
@@ -54,7 +54,7 @@ fn recording() -> (TempDir, PathBuf) {
     (folder, file.path)
 }
 
-fn text(path: &Path) -> &str {
+pub(crate) fn text(path: &Path) -> &str {
     path.to_str().expect("the path is text")
 }
 
@@ -249,43 +249,31 @@ fn a_client_that_does_something_else_fails_with_both_sides() {
     }
 }
 
-#[test]
-fn a_recording_is_exported_as_tables_and_as_a_dataset() {
+/// Exports a recording as tables of this kind, and tells what is refused.
+pub(crate) fn export_tables(form: &str) {
     let (folder, file) = recording();
     let out = |name: &str| folder.path().join(name);
-    for (form, ending) in [("csv", "csv"), ("parquet", "parquet")] {
-        let statuses = out(&format!("run.{ending}"));
-        let export = ["log", text(&file), "--export", form, "-o", text(&statuses)];
-        let outcome = dobot(&export).succeeds();
-        assert!(outcome.stdout.contains("3 statuses"), "{outcome:?}");
-        assert!(outcome.stdout.contains("3 commands"), "{outcome:?}");
-        assert!(out(&format!("run.commands.{ending}")).exists());
-        // What is there is kept, unless it is said otherwise.
-        std::fs::write(&statuses, "mine").expect("there is room");
-        dobot(&export).fails(1, &["exists", "hint: `--force`"]);
-        assert_eq!(std::fs::read(&statuses).expect("it is there"), b"mine");
-        dobot(&[&export[..], &["--force"]].concat()).succeeds();
-        assert_ne!(std::fs::read(&statuses).expect("it is there"), b"mine");
-        // The other table is in the way: neither is begun.
-        std::fs::remove_file(&statuses).expect("it is there");
-        dobot(&export).fails(1, &["commands", "exists"]);
-        assert!(!statuses.exists());
-    }
-    let dataset = out("dataset");
-    let export = [
-        "log",
-        text(&file),
-        "--export",
-        "lerobot",
-        "-o",
-        text(&dataset),
-    ];
+    let statuses = out(&format!("run.{form}"));
+    let export = ["log", text(&file), "--export", form, "-o", text(&statuses)];
     let outcome = dobot(&export).succeeds();
-    assert!(
-        outcome.stdout.contains("episodes 1, frames 5"),
-        "{outcome:?}"
-    );
-    dobot(&export).fails(1, &["exists", "hint: `-o`"]);
+    assert!(outcome.stdout.contains("3 statuses"), "{outcome:?}");
+    assert!(outcome.stdout.contains("3 commands"), "{outcome:?}");
+    assert!(out(&format!("run.commands.{form}")).exists());
+    // What is there is kept, unless it is said otherwise.
+    std::fs::write(&statuses, "mine").expect("there is room");
+    dobot(&export).fails(1, &["exists", "hint: `--force`"]);
+    assert_eq!(std::fs::read(&statuses).expect("it is there"), b"mine");
+    dobot(&[&export[..], &["--force"]].concat()).succeeds();
+    assert_ne!(std::fs::read(&statuses).expect("it is there"), b"mine");
+    // The other table is in the way: neither is begun.
+    std::fs::remove_file(&statuses).expect("it is there");
+    dobot(&export).fails(1, &["commands", "exists"]);
+    assert!(!statuses.exists());
+}
+
+#[test]
+fn a_recording_is_exported_as_tables() {
+    export_tables("csv");
 }
 
 #[test]

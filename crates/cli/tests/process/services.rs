@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::program::{command_at, dobot, run};
+use crate::support::program::{command_at, dobot, run};
 
 /// `dobot service` of a person with this home.
 fn service(home: &Path, arguments: &[&str]) -> Command {

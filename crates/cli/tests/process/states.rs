@@ -5,25 +5,22 @@ use dobot_wire::{
     WriteVector,
 };
 
-use crate::going::Going;
-use crate::program::{command, dobot};
-use crate::wire::{Passed, wire};
+use crate::support::arm::{WiredArm, fast_arm};
+use crate::support::program::dobot;
 
 /// What an arm of this kind got by a verb.
 fn packets(dialect: &str, verb: &[&str]) -> Vec<Command> {
-    let serve = ["arm", "--tcp", "127.0.0.1:0", "--personality", dialect];
-    let mut arm = Going::new(command(&serve));
-    let address = arm.address();
-    let address = address.trim_start_matches("tcp:");
-    let (wire, passed) = wire(address.parse().expect("an address"));
-    let to = format!("tcp:{wire}");
-    let to = ["--to", &to, "--dialect", dialect, "--pose-confirmed"];
+    let serve = ["--tcp", "127.0.0.1:0", "--personality", dialect];
+    let arm = WiredArm::new(fast_arm(&serve));
+    let to = [
+        "--to",
+        &arm.address,
+        "--dialect",
+        dialect,
+        "--pose-confirmed",
+    ];
     dobot(&[verb, &to].concat()).succeeds();
-    let of_arm = |it| match it {
-        Passed::ToArm(_, command) => Some(command),
-        Passed::FromArm(..) | Passed::Opened => None,
-    };
-    passed.try_iter().filter_map(of_arm).collect()
+    arm.got()
 }
 
 #[track_caller]

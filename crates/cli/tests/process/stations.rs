@@ -2,68 +2,14 @@
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::path::PathBuf;
 use std::time::Duration;
 
 use dobot_wire::{Command, Decoder, Dialect, JointJog, JointJogAxis};
 use serde_json::{Value, json};
-use tempfile::TempDir;
 
-use crate::going::Going;
-use crate::program::{Outcome, command_at, example, run};
-
-/// A station with a virtual arm.
-pub(crate) struct Up {
-    station: Going,
-    folder: TempDir,
-    /// Where page and API are served.
-    pub(crate) page: String,
-    raw: String,
-}
-
-impl Up {
-    pub(crate) fn new(arguments: &[&str]) -> Self {
-        Self::with_arm(&["--virtual"], arguments)
-    }
-
-    /// A station with an arm that is told so.
-    pub(crate) fn with_arm(arm: &[&str], arguments: &[&str]) -> Self {
-        let folder = tempfile::tempdir().expect("there is room");
-        let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
-        let arguments = [&["up"], arm, &ports[..], arguments].concat();
-        let mut station = Going::new(command_at(folder.path(), &arguments));
-        let word = |line: String| {
-            let word = line.split_whitespace().find(|it| it.contains("127.0.0.1"));
-            word.expect("an address").to_owned()
-        };
-        let page = word(station.reads("  page"));
-        let raw = word(station.reads("raw packets")).replace("tcp:", "");
-        station.reads("Ctrl-C");
-        Self {
-            station,
-            folder,
-            page,
-            raw,
-        }
-    }
-
-    pub(crate) fn command(&self, arguments: &[&str]) -> std::process::Command {
-        command_at(self.folder.path(), arguments)
-    }
-
-    pub(crate) fn dobot(&self, arguments: &[&str]) -> Outcome {
-        run(&mut self.command(arguments), b"")
-    }
-
-    pub(crate) fn json(&self, arguments: &[&str]) -> Value {
-        let outcome = self.dobot(&[arguments, &["--json"]].concat()).succeeds();
-        serde_json::from_str(&outcome.stdout).expect("it is JSON")
-    }
-
-    fn file(&self) -> PathBuf {
-        self.folder.path().join("station.toml")
-    }
-}
+use crate::support::going::Going;
+use crate::support::program::{command_at, example, run};
+use crate::support::up::Up;
 
 fn near(value: &Value, expected: f64) -> bool {
     value
@@ -87,7 +33,7 @@ fn verbs_go_through_the_running_station_and_others_through_no_station() {
 
 #[test]
 fn a_thousand_times_as_fast_no_status_is_lost_and_a_drawing_of_minutes_takes_no_time() {
-    let up = Up::new(&["--speed", "1000", "--personality", "firmware-1.1"]);
+    let up = Up::at_speed("1000", &["--personality", "firmware-1.1"]);
     let drawn = up.dobot(&["draw", &example("harbour.svg")]).succeeds();
     assert!(drawn.stdout.contains("3:"), "minutes: {drawn:?}");
     let state = up.dobot(&["status", "--count", "1", "--json"]).succeeds();
@@ -194,7 +140,7 @@ fn students_get_their_time_one_after_the_other_and_all_of_it_is_cleared() {
 fn a_person_takes_control_from_a_raw_program_by_a_verb() {
     let up = Up::new(&[]);
     let mut raw = TcpStream::connect(&up.raw).expect("it is served");
-    raw.set_read_timeout(Some(Duration::from_secs(10)))
+    raw.set_read_timeout(Some(Duration::from_secs(60)))
         .expect("it can be set");
     let mut packet = [0; 42];
     raw.read_exact(&mut packet).expect("a status comes");
@@ -212,7 +158,7 @@ fn a_person_takes_control_from_a_raw_program_by_a_verb() {
 
 #[test]
 fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
-    let up = Up::new(&["--speed", "5"]);
+    let up = Up::new(&[]);
     let report = up.json(&["draw", &example("square.svg"), "--pen-down", "-40"]);
     assert_eq!(report["measured_from"], "the statuses");
     assert!(
@@ -228,7 +174,7 @@ fn a_drawing_becomes_a_job_that_is_followed_to_its_end() {
 
 #[test]
 fn jobs_are_put_in_order_queued_again_and_forgotten_by_verbs() {
-    let up = Up::new(&["--speed", "5"]);
+    let up = Up::new(&[]);
     let folder = tempfile::tempdir().expect("there is room");
     let file = folder.path().join("job.json");
     let job = r#"{"title": "there", "kind": "program", "commands": [{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50,
@@ -257,7 +203,7 @@ fn jobs_are_put_in_order_queued_again_and_forgotten_by_verbs() {
 
 #[test]
 fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
-    let up = Up::new(&["--speed", "5"]);
+    let up = Up::new(&[]);
     let square = example("square.svg");
     let burn = [
         "draw",
@@ -278,7 +224,7 @@ fn a_laser_that_is_not_armed_is_told_before_anything_is_queued() {
 
 #[test]
 fn a_drawing_that_is_refused_leaves_nothing_to_be_started() {
-    let up = Up::new(&["--speed", "5"]);
+    let up = Up::new(&[]);
     up.dobot(&["stop", "--reason", "smoke"]).succeeds();
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
     up.dobot(&draw).fails(1, &["smoke"]);
@@ -291,10 +237,11 @@ fn a_drawing_that_is_refused_leaves_nothing_to_be_started() {
 
 #[test]
 fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
-    let up = Up::new(&["--speed", "5"]);
+    let up = Up::new(&[]);
+    // Slowly, so that it is not over before it is interrupted.
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
-    let drawing = Going::new(up.command(&draw));
-    while up.json(&["jobs"])[0]["phase"] != "running" {}
+    let drawing = Going::new(up.command(&[&draw[..], &["--speed", "5"]].concat()));
+    up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
     let paused = up.json(&["jobs", "show", "1"]);
     assert_eq!(paused["phase"], "paused", "{paused}");
@@ -305,7 +252,7 @@ fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
 
 #[test]
 fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
-    let up = Up::new(&["--speed", "5"]);
+    let up = Up::new(&[]);
     let burn = [
         "draw",
         &example("square.svg"),
@@ -317,7 +264,7 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
         "600",
     ];
     let (drawing, mut errors) = Going::with_errors(up.command(&burn));
-    while up.json(&["jobs"])[0]["phase"] != "running" {}
+    up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
     let mut told = String::new();
     errors.read_to_string(&mut told).expect("it is text");
@@ -432,7 +379,7 @@ const HOME: &str = r#"{"title": "home", "kind": "program", "commands": [{"type":
 
 #[test]
 fn a_program_is_done_step_by_step_and_then_to_the_end_of_its_cycles() {
-    let up = Up::new(&["--speed", "20"]);
+    let up = Up::at_speed("20", &[]);
     let target = |x_mm: f64| {
         json!({"type": "move_to", "x_mm": x_mm, "y_mm": 0.0, "z_mm": 20.0, "rotation_deg": 0.0,
             "suction": false, "mode": "jump", "gripper_deg": 0.0, "pause_s": 0.0})

@@ -1,11 +1,7 @@
 //! A person at a terminal who calibrates an arm with the keys alone, and draws with it.
 
 use std::fs;
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
 use std::path::Path;
-use std::sync::mpsc::Receiver;
-use std::time::Duration;
 
 use data_encoding::BASE64;
 use dobot_arm::{Calibration, Joints, Position, Tool};
@@ -15,11 +11,13 @@ use dobot_wire::Status;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::going::Going;
-use crate::program::{command, dobot, example};
-use crate::stations::Up;
-use crate::terminal::{Keyboard, Terminal};
-use crate::wire::{Passed, wire};
+use crate::support::api::{Api, read_json};
+use crate::support::arm::{WiredArm, fast_arm};
+use crate::support::going::Going;
+use crate::support::program::{command, dobot, example};
+use crate::support::terminal::{Keyboard, Terminal};
+use crate::support::up::Up;
+use crate::support::wire::Passed;
 
 /// What is wrong with the arm: more than ten millimetres on the paper.
 const TRUTH: &str = "[zeros]\nbase = 4.0\nrear = -4.0\nfore = 4.0\n";
@@ -34,7 +32,7 @@ const SCENE: &str = "[paper]\nx_mm = [130, 300]\ny_mm = [-120, 120]\n[pen]\ndown
 
 /// The person sees where the tip truly is, and knows no numbers of the arm.
 struct Person {
-    passed: Receiver<Passed>,
+    arm: WiredArm,
     terminal: Terminal,
     /// How far a press moves the arm: nothing where it moves for as long as a key is held.
     step_mm: Option<f64>,
@@ -59,8 +57,7 @@ impl Person {
 
     fn next(&self) -> Status {
         loop {
-            let next = self.passed.recv_timeout(Duration::from_secs(30));
-            if let Passed::FromArm(_, status) = next.expect("the arm tells something") {
+            if let Passed::FromArm(_, status) = self.arm.next() {
                 return status;
             }
         }
@@ -161,38 +158,22 @@ fn an_arm_that_a_person_calibrated_with_the_keys_draws_the_harbour_where_it_shou
     let [truth, found] = ["truth.toml", "arm.toml"].map(in_folder);
     fs::write(&truth, TRUTH).expect("there is room");
 
-    let mut arm = Going::new(command(&[
-        "arm",
-        "--tcp",
-        "127.0.0.1:0",
-        "--calibration",
-        &truth,
-        "--speed",
-        "10",
-    ]));
-    let address = arm.address();
-    let address = address.trim_start_matches("tcp:");
-    let (wire, passed) = wire(address.parse().expect("an address"));
-    let to = format!("tcp:{wire}");
+    let arm = ["--tcp", "127.0.0.1:0", "--calibration", &truth];
+    let arm = WiredArm::new(fast_arm(&arm));
+    let calibrate = ["calibrate", &found, "--bar", "200", "--to", &arm.address];
     let calibrate = [
-        "calibrate",
-        &found,
-        "--bar",
-        "200",
-        "--to",
-        &to,
-        "--dialect",
-        "specification",
-        "--pose-confirmed",
-    ];
+        &calibrate[..],
+        &["--dialect", "specification", "--pose-confirmed"],
+    ]
+    .concat();
     let mut terminal = Terminal::new(&command(&calibrate), Keyboard::Plain);
     terminal.shows("STOP");
     let mut person = Person {
-        passed,
+        arm,
         terminal,
         step_mm: None,
     };
-    // Slowly: the time of this arm passes ten times as fast as the person's.
+    // Slowly: the time of this arm passes faster as the person's.
     person.terminal.types("1");
     for point in &SHEET_POINTS[..5] {
         person.touches(*point);
@@ -226,7 +207,7 @@ fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should
     let arm = DrawingArm::new();
     let at = ["--arm", arm.address.as_str(), "--dialect", "specification"];
     let up = Up::with_arm(&at, &[]);
-    let api = Api::new(&up.page);
+    let api = Api::with_control(&up.page);
     api.asks("POST", "pose/confirm", &json!({}));
     let touches = SHEET_POINTS.map(|[x, y]| {
         let there = Position::new(x, y, PAPER_MM);
@@ -267,82 +248,11 @@ fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should
     api.asks("POST", &format!("jobs/{job}/start"), &json!({}));
     // A state that was told before the start knows nothing of the job.
     let jobs = || api.asks("GET", "jobs", &Value::Null);
-    api.hears(|_| jobs()[0]["phase"] != "running");
+    api.hears(|it| it["job"]["phase"] != "running" && jobs()[0]["phase"] != "running");
     let jobs = jobs();
     assert_eq!(jobs[0]["phase"], "done", "{jobs}");
     let after = deviation(&wanted(), &arm.ink()[marks..]);
     assert!(after.largest_mm() < 0.3, "{after:?} after {fit}");
-}
-
-/// The API of a station, with control of its arm.
-struct Api {
-    address: String,
-    lease: String,
-}
-
-impl Api {
-    fn new(page: &str) -> Self {
-        let address = page.replace("http://", "").trim_end_matches('/').to_owned();
-        let mut api = Self {
-            address,
-            lease: String::new(),
-        };
-        let lease = api.asks("POST", "lease", &json!({}));
-        let token = lease["token"].as_str();
-        token
-            .unwrap_or_else(|| panic!("{lease}"))
-            .clone_into(&mut api.lease);
-        api
-    }
-
-    /// Listens until it tells such a state.
-    fn hears(&self, is_it: impl Fn(&Value) -> bool) {
-        let Self { address, .. } = self;
-        let mut way = TcpStream::connect(address).expect("the station listens");
-        write!(
-            way,
-            "GET /api/v1/events?states=2 HTTP/1.0\r\nHost: {address}\r\n\r\n"
-        )
-        .expect("it is sent");
-        let lines = BufReader::new(way).lines().map_while(Result::ok);
-        let data = lines.filter_map(|it| it.strip_prefix("data:").map(read_json));
-        let mut states = data.filter(|it| it["state"].is_object());
-        assert!(
-            states.any(|it| is_it(&it["state"])),
-            "the station tells no more"
-        );
-    }
-
-    /// What it answers, which is no problem.
-    fn asks(&self, method: &str, path: &str, body: &Value) -> Value {
-        let Self { address, lease } = self;
-        let body = if body.is_null() {
-            String::new()
-        } else {
-            body.to_string()
-        };
-        let lease = if lease.is_empty() {
-            String::new()
-        } else {
-            format!("Dobot-Lease: {lease}\r\n")
-        };
-        let mut way = TcpStream::connect(address).expect("the station listens");
-        write!(
-            way,
-            "{method} /api/v1/{path} HTTP/1.0\r\nHost: {address}\r\nContent-Type: application/json\r\n\
-             Content-Length: {}\r\n{lease}\r\n{body}",
-            body.len()
-        )
-        .expect("it is sent");
-        let mut answer = String::new();
-        way.read_to_string(&mut answer).expect("it answers");
-        let (head, body) = answer.split_once("\r\n\r\n").expect("a head and a body");
-        assert!(head.starts_with("HTTP/1.0 20"), "{method} {path}: {answer}");
-        match body {
-            "" => Value::Null,
-            text => read_json(text),
-        }
-    }
 }
 
 /// The harbour where it is to be on the paper: as it is exported, turned into the frame of the arm.
@@ -375,7 +285,7 @@ fn wanted() -> Vec<Stroke> {
         .collect()
 }
 
-/// An arm with wrong zeros and a pen, on paper; its time passes fifty times as fast as a clock.
+/// An arm with wrong zeros and a pen, on paper.
 struct DrawingArm {
     _served: Going,
     _folder: TempDir,
@@ -390,17 +300,9 @@ impl DrawingArm {
         let [truth, scene] = ["truth.toml", "scene.toml"].map(in_folder);
         fs::write(&truth, TRUTH).expect("there is room");
         fs::write(&scene, SCENE).expect("there is room");
-        let arm = [
-            "arm",
-            "--tcp",
-            "127.0.0.1:0",
-            "--calibration",
-            &truth,
-            "--speed",
-            "20",
-        ];
+        let arm = ["--tcp", "127.0.0.1:0", "--calibration", &truth];
         let world = ["--world", &scene, "--world-port", "127.0.0.1:0"];
-        let mut served = Going::new(command(&[&arm[..], &world].concat()));
+        let mut served = fast_arm(&[&arm[..], &world].concat());
         let (address, world) = (served.address(), served.address());
         Self {
             _served: served,
@@ -415,10 +317,6 @@ impl DrawingArm {
         let state = dobot(&["world", "--json", "--from", &self.world]).succeeds();
         strokes(&read_json(&state.stdout)["strokes"], "points_mm")
     }
-}
-
-fn read_json(text: &str) -> Value {
-    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
 fn strokes(all: &Value, points: &str) -> Vec<Stroke> {

@@ -5,8 +5,9 @@ use std::net::TcpListener;
 use std::process::ChildStderr;
 use std::thread;
 
-use crate::going::{Going, line_with};
-use crate::program::{command, dobot};
+use crate::support::arm::FAST;
+use crate::support::going::{Going, line_with};
+use crate::support::program::{command, dobot};
 
 /// `dobot arm --world` as a process of its own; it ends with the test.
 struct Inhabited {
@@ -20,8 +21,8 @@ struct Inhabited {
 impl Inhabited {
     fn new(scene: &str) -> Self {
         let ports = ["--tcp", "127.0.0.1:0", "--world-port", "127.0.0.1:0"];
-        let command = command(&[&["arm", "--world", scene], &ports[..]].concat());
-        let (mut served, told) = Going::with_errors(command);
+        let arm = ["arm", "--speed", FAST, "--world", scene];
+        let (mut served, told) = Going::with_errors(command(&[&arm[..], &ports].concat()));
         let (arm, world) = (served.address(), served.address());
         Self {
             _served: served,
@@ -63,7 +64,7 @@ fn scene(name: &str) -> String {
 #[test]
 fn what_is_drawn_over_tcp_is_ink_in_the_world_and_on_its_picture() {
     let arm = Inhabited::new(&scene("desk"));
-    let square = crate::program::example("square.svg");
+    let square = crate::support::program::example("square.svg");
     arm.run(&["draw", &square, "--pen-down", "-40"]);
     let state = arm.state();
     let strokes = state["strokes"].as_array().expect("there are some");

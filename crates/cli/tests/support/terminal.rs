@@ -5,11 +5,12 @@ use std::io::{Read, Write};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
-use std::time::Duration;
 
 use rustix::fs::{Mode, OFlags, open};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
+
+use super::PATIENCE;
 
 /// What a terminal tells of its keys.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -138,5 +139,3 @@ fn show(mut screen: File, keyboard: Keyboard, mut tell: impl FnMut(String) -> bo
         }
     }
 }
-
-const PATIENCE: Duration = Duration::from_secs(30);

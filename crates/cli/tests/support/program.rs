@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::LazyLock;
 
 /// What came of a run.
 #[derive(Debug)]
@@ -43,11 +44,14 @@ impl From<Output> for Outcome {
 
 /// `dobot`, for which no station runs. Nothing that an earlier run has kept of an arm is there.
 pub(crate) fn command(arguments: &[&str]) -> Command {
-    let data = format!("no-station-{}", std::process::id());
-    command_at(
-        &Path::new(env!("CARGO_TARGET_TMPDIR")).join(data),
-        arguments,
-    )
+    static DATA: LazyLock<PathBuf> = LazyLock::new(|| {
+        let name = format!("no-station-{}", std::process::id());
+        let data = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        // An earlier run may have had the same number.
+        let _ = std::fs::remove_dir_all(&data);
+        data
+    });
+    command_at(&DATA, arguments)
 }
 
 /// `dobot`, with the data of a station in this folder.

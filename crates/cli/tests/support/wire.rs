@@ -15,6 +15,8 @@ pub(crate) enum Passed {
     Opened,
     ToArm(Instant, Command),
     FromArm(Instant, Status),
+    /// The station's end was closed: nothing passes to the arm any more.
+    Closed,
 }
 
 /// A wire to the arm that tells what passes it.
@@ -49,6 +51,7 @@ pub(crate) fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
                     let commands = packets.filter_map(parse);
                     tell_all(&told, commands.map(|it| Passed::ToArm(Instant::now(), it)));
                 });
+                tell_all(&told, [Passed::Closed]);
             });
         }
     });

@@ -80,6 +80,11 @@ impl Going {
         self.child.wait().expect("it ends").code()
     }
 
+    /// Waits until it has ended; the exit code.
+    pub(crate) fn ends(mut self) -> Option<i32> {
+        self.child.wait().expect("it ends").code()
+    }
+
     /// As `SIGKILL` does.
     #[cfg(unix)]
     pub(crate) fn kill(&mut self) {

@@ -1,0 +1,23 @@
+//! `dobot log --export` of what takes libraries of its own: Parquet files and data sets of `LeRobot`.
+
+use crate::recordings::{export_tables, recording, text};
+use crate::support::program::dobot;
+
+#[test]
+fn a_recording_is_exported_as_parquet_files() {
+    export_tables("parquet");
+}
+
+#[test]
+fn a_recording_is_exported_as_a_dataset() {
+    let (folder, file) = recording();
+    let dataset = folder.path().join("dataset");
+    let dataset = text(&dataset);
+    let export = ["log", text(&file), "--export", "lerobot", "-o", dataset];
+    let outcome = dobot(&export).succeeds();
+    assert!(
+        outcome.stdout.contains("episodes 1, frames 5"),
+        "{outcome:?}"
+    );
+    dobot(&export).fails(1, &["exists", "hint: `-o`"]);
+}

@@ -1,0 +1,96 @@
+//! A station that is killed and started again, and its arm at the end of a wire.
+
+use std::io::BufRead;
+use std::path::Path;
+use std::time::Instant;
+
+use dobot_wire::Command;
+use tempfile::TempDir;
+
+use super::arm::WiredArm;
+use super::going::Going;
+use super::program::{Outcome, command_at, run};
+use super::wire::Passed;
+
+/// An arm behind a wire that listens, and the data of a station.
+pub(crate) struct Bench {
+    pub(crate) arm: WiredArm,
+    folder: TempDir,
+}
+
+impl Bench {
+    pub(crate) fn new(arm: Going) -> Self {
+        Self {
+            arm: WiredArm::new(arm),
+            folder: tempfile::tempdir().expect("there is room"),
+        }
+    }
+
+    pub(crate) fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// A station that starts.
+    pub(crate) fn up(&self, others: &[&str]) -> std::process::Command {
+        let free: &[&str] = if others.contains(&"--http") {
+            &[]
+        } else {
+            &["--http", "127.0.0.1:0"]
+        };
+        let arm = [
+            "up",
+            "--dialect",
+            "specification",
+            "--arm",
+            &self.arm.address,
+        ];
+        let ports = [&["--raw", "off"], free].concat();
+        command_at(self.folder(), &[&arm[..], &ports, others].concat())
+    }
+
+    /// A station that is there, and the address of its page.
+    pub(crate) fn station(&self) -> (Going, String) {
+        let mut station = Going::new(self.up(&[]));
+        let page = station.reads("  page");
+        let page = page.split_whitespace().last().expect("an address");
+        station.reads("Ctrl-C");
+        (station, page.to_owned())
+    }
+
+    /// A station that is there, and what it prints on standard error.
+    pub(crate) fn station_with_errors(&self) -> (Going, impl BufRead + use<>) {
+        let (mut station, errors) = Going::with_errors(self.up(&[]));
+        station.reads("Ctrl-C");
+        (station, errors)
+    }
+
+    /// A person has looked at the arm.
+    pub(crate) fn confirm(&self) {
+        self.dobot(&["confirm", "--yes"]).succeeds();
+    }
+
+    pub(crate) fn dobot(&self, arguments: &[&str]) -> Outcome {
+        run(&mut command_at(self.folder(), arguments), b"")
+    }
+
+    pub(crate) fn going(&self, arguments: &[&str]) -> Going {
+        Going::new(command_at(self.folder(), arguments))
+    }
+
+    /// The command that passes next, unless it is something else that passes.
+    pub(crate) fn next_command(&self) -> Option<(Instant, Command)> {
+        match self.arm.next() {
+            Passed::ToArm(at, command) => Some((at, command)),
+            Passed::FromArm(..) | Passed::Opened => None,
+        }
+    }
+
+    /// Waits for the next command.
+    pub(crate) fn command(&self) -> (Instant, Command) {
+        loop {
+            if let Some(command) = self.next_command() {
+                return command;
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! A station as a process of its own.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use super::api::Api;
+use super::arm::FAST;
+use super::going::Going;
+use super::program::{Outcome, command_at, run};
+
+/// A station with a virtual arm.
+pub(crate) struct Up {
+    pub(crate) station: Going,
+    pub(crate) folder: TempDir,
+    /// Where page and API are served.
+    pub(crate) page: String,
+    /// Where raw packets are served.
+    pub(crate) raw: String,
+}
+
+impl Up {
+    /// Its arm only has to arrive.
+    pub(crate) fn new(arguments: &[&str]) -> Self {
+        Self::at_speed(FAST, arguments)
+    }
+
+    /// Time passes so many times as fast for its arm.
+    pub(crate) fn at_speed(speed: &str, arguments: &[&str]) -> Self {
+        Self::with_arm(&["--virtual", "--speed", speed], arguments)
+    }
+
+    /// A station with an arm that is told so.
+    pub(crate) fn with_arm(arm: &[&str], arguments: &[&str]) -> Self {
+        let folder = tempfile::tempdir().expect("there is room");
+        let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
+        let arguments = [&["up"], arm, &ports[..], arguments].concat();
+        let mut station = Going::new(command_at(folder.path(), &arguments));
+        let word = |line: String| {
+            let word = line.split_whitespace().find(|it| it.contains("127.0.0.1"));
+            word.expect("an address").to_owned()
+        };
+        let page = word(station.reads("  page"));
+        let raw = word(station.reads("raw packets")).replace("tcp:", "");
+        station.reads("Ctrl-C");
+        Self {
+            station,
+            folder,
+            page,
+            raw,
+        }
+    }
+
+    pub(crate) fn command(&self, arguments: &[&str]) -> Command {
+        command_at(self.folder.path(), arguments)
+    }
+
+    pub(crate) fn dobot(&self, arguments: &[&str]) -> Outcome {
+        run(&mut self.command(arguments), b"")
+    }
+
+    pub(crate) fn json(&self, arguments: &[&str]) -> Value {
+        let outcome = self.dobot(&[arguments, &["--json"]].concat()).succeeds();
+        serde_json::from_str(&outcome.stdout).expect("it is JSON")
+    }
+
+    /// Waits until the station tells such a state.
+    pub(crate) fn hears(&self, is_it: impl Fn(&Value) -> bool) -> Value {
+        Api::new(&self.page).hears(is_it)
+    }
+
+    /// Waits until a job runs.
+    pub(crate) fn runs_a_job(&self) {
+        self.hears(|it| it["job"]["phase"] == "running");
+    }
+
+    /// Where it tells others where it is.
+    pub(crate) fn file(&self) -> PathBuf {
+        self.folder.path().join("station.toml")
+    }
+}

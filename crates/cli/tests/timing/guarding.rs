@@ -1,0 +1,277 @@
+//! A station that is killed or stands still: how soon its arm is told.
+
+use std::io::BufRead;
+use std::net::TcpListener;
+use std::ops::Deref;
+use std::sync::MutexGuard;
+use std::time::{Duration, Instant};
+
+use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis};
+use serde_json::Value;
+
+use crate::alone;
+use crate::support::arm::real_time_arm;
+use crate::support::bench;
+use crate::support::going::{Going, line_with};
+use crate::support::spiral::{LASER_OFF, burns, spiral};
+use crate::support::wire::Passed;
+
+const JOINT_RELEASE: Command = Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
+const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
+
+/// An arm behind a wire and a place for its station, while nothing else runs.
+struct Bench {
+    bench: bench::Bench,
+    _alone: MutexGuard<'static, ()>,
+}
+
+impl Deref for Bench {
+    type Target = bench::Bench;
+
+    fn deref(&self) -> &bench::Bench {
+        &self.bench
+    }
+}
+
+impl Bench {
+    fn new() -> Self {
+        let alone = alone();
+        Self {
+            bench: bench::Bench::new(real_time_arm(&["--tcp", "127.0.0.1:0"])),
+            _alone: alone,
+        }
+    }
+
+    /// A station that may move its arm, and what it prints on standard error.
+    fn station(&self) -> (Going, impl BufRead + use<>) {
+        let station = self.station_with_errors();
+        self.confirm();
+        station
+    }
+
+    /// Somebody holds a button, and the arm moves.
+    fn jog(&self, button: &str) -> Going {
+        let holder = self.going(&["jog", button, "--for", "60"]);
+        self.wait_for_jog();
+        holder
+    }
+
+    fn wait_for_jog(&self) {
+        let moves = |command: &Command| match command {
+            Command::JointJog(it) => it.axis.moves(),
+            Command::LinearJog(it) => it.axis.moves(),
+            _ => false,
+        };
+        while !moves(&self.command().1) {}
+        // A few statuses later it is well under way.
+        let mut statuses = 0;
+        while statuses < 6 {
+            statuses += usize::from(matches!(self.arm.next(), Passed::FromArm(..)));
+        }
+    }
+
+    /// The commands until the arm told the same place ten times, or the wire is closed; and when it
+    /// told that place first.
+    fn until_at_rest(&self) -> (Vec<(Instant, Command)>, Instant) {
+        let (mut commands, mut last, mut still) = (Vec::new(), None, 0);
+        let mut since = Instant::now();
+        while still < 10 {
+            match self.arm.next() {
+                Passed::ToArm(at, command) => commands.push((at, command)),
+                Passed::FromArm(at, status) if last != Some(status) => {
+                    (last, since, still) = (Some(status), at, 0);
+                }
+                Passed::FromArm(..) => still += 1,
+                Passed::Opened => {}
+                Passed::Closed => break,
+            }
+        }
+        (commands, since)
+    }
+
+    /// Where the base of the arm is, by the arm itself: no station is there any more.
+    fn base_deg(&self) -> f64 {
+        let ask = [
+            "status",
+            "--to",
+            &self.arm.address,
+            "--count",
+            "1",
+            "--json",
+        ];
+        let status = self.dobot(&ask).succeeds().stdout;
+        let status: Value = serde_json::from_str(&status).expect("it is JSON");
+        status["base_deg"].as_f64().expect("a number")
+    }
+
+    /// The guardian said it within 0.4 s, both things, three times at least.
+    #[track_caller]
+    fn check_words(&self, at: Instant, release: Command) {
+        let (commands, rests) = self.until_at_rest();
+        let said: Vec<_> = commands.iter().filter(|it| it.0 >= at).collect();
+        let times = |wanted| said.iter().filter(|it| it.1 == wanted).count();
+        assert!(times(release) >= 3, "{said:?}");
+        assert!(times(LASER_OFF) >= 3, "{said:?}");
+        assert!(
+            said.iter().all(|it| [release, LASER_OFF].contains(&it.1)),
+            "{said:?}"
+        );
+        let after = said[0].0.saturating_duration_since(at);
+        assert!(after <= Duration::from_millis(400), "{after:?}");
+        // The run-down, and a status on its way.
+        let rested = rests.saturating_duration_since(at);
+        assert!(rested <= Duration::from_millis(400 + 1200), "{rested:?}");
+    }
+}
+
+fn signal(station: &Going, signal: rustix::process::Signal) {
+    rustix::process::kill_process(station.pid(), signal).expect("it is there");
+}
+
+#[test]
+fn an_arm_whose_station_is_killed_while_somebody_jogs_a_joint_is_let_go() {
+    let bench = Bench::new();
+    let (mut station, _errors) = bench.station();
+    let _holder = bench.jog("base+");
+    let at = Instant::now();
+    station.kill();
+    bench.check_words(at, JOINT_RELEASE);
+    let (before, after) = (bench.base_deg(), bench.base_deg());
+    assert!((after - before).abs() < 0.01, "{before} {after}");
+}
+
+#[test]
+fn an_arm_that_is_used_without_a_station_is_let_go_too_when_the_verb_is_killed() {
+    let bench = Bench::new();
+    let to = ["--to", &bench.arm.address, "--pose-confirmed"];
+    let mut verb = bench.going(&[&["jog", "base+", "--for", "60"][..], &to].concat());
+    bench.wait_for_jog();
+    let at = Instant::now();
+    verb.kill();
+    bench.check_words(at, JOINT_RELEASE);
+}
+
+/// The processes that a process has started, as Linux lists them.
+#[cfg(target_os = "linux")]
+fn children(of: rustix::process::Pid) -> Vec<rustix::process::Pid> {
+    let parent = of.as_raw_nonzero().to_string();
+    let all = std::fs::read_dir("/proc").expect("it is Linux");
+    let child = |entry: std::fs::DirEntry| {
+        let number = entry.file_name().to_str()?.parse().ok()?;
+        // NUMBER (NAME) STATE PARENT ...
+        let stat = std::fs::read_to_string(entry.path().join("stat")).ok()?;
+        let (_, behind) = stat.rsplit_once(')')?;
+        let is_child = behind.split_whitespace().nth(1) == Some(&parent);
+        is_child.then(|| rustix::process::Pid::from_raw(number))?
+    };
+    all.flatten().filter_map(child).collect()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_guardian_that_is_killed_is_replaced_and_the_next_one_lets_go() {
+    let bench = Bench::new();
+    let (mut station, mut errors) = bench.station();
+    let guardians = children(station.pid());
+    assert_eq!(guardians.len(), 1, "{guardians:?}");
+    rustix::process::kill_process(guardians[0], rustix::process::Signal::KILL)
+        .expect("it is there");
+    line_with("another one takes its place", &mut errors);
+    let _holder = bench.jog("base+");
+    let at = Instant::now();
+    station.kill();
+    bench.check_words(at, JOINT_RELEASE);
+}
+
+/// The station of an arm that burns.
+fn burning(bench: &Bench) -> (Going, Going) {
+    let (station, _) = bench.bench.station();
+    bench.confirm();
+    let file = bench.folder().join("job.json");
+    let text = serde_json::to_string(&spiral()).expect("it is JSON");
+    std::fs::write(&file, text).expect("there is room");
+    let submit = ["jobs", "submit", file.to_str().expect("the path is text")];
+    bench.dobot(&submit).succeeds();
+    let follower = bench.going(&["jobs", "start", "1", "--arm-laser", "600"]);
+    let mut burnt = 0;
+    while burnt < 3 {
+        burnt += usize::from(burns(&bench.command().1));
+    }
+    (station, follower)
+}
+
+#[test]
+fn a_light_whose_station_is_killed_or_stands_still_is_off_within_two_fifths_of_a_second() {
+    use rustix::process::Signal;
+    for how in [Signal::KILL, Signal::STOP] {
+        let bench = Bench::new();
+        let (station, _follower) = burning(&bench);
+        let at = Instant::now();
+        signal(&station, how);
+        let (commands, _) = bench.until_at_rest();
+        let mut after = commands.iter().filter(|it| it.0 > at);
+        // What the station had sent before may still be on the wire.
+        let first = after.find(|it| !matches!(it.1, Command::WriteVector(_)));
+        let (said, first) = first.expect("the guardian speaks");
+        assert_eq!(*first, LASER_OFF, "{how:?}");
+        let within = said.saturating_duration_since(at);
+        assert!(within <= Duration::from_millis(400), "{how:?}: {within:?}");
+    }
+}
+
+#[test]
+fn an_arm_whose_station_is_killed_in_a_linear_jog_is_let_go_and_the_next_start_tells_it() {
+    let bench = Bench::new();
+    let (mut station, _errors) = bench.station();
+    let _holder = bench.jog("y-");
+    let at = Instant::now();
+    station.kill();
+    bench.check_words(at, LINEAR_RELEASE);
+    let mut again = Going::new(bench.up(&[]));
+    again.reads("the station ended without a goodbye: the guardian switched the laser off");
+    // Once is enough.
+    assert_eq!(again.interrupt(), Some(0));
+    let note = std::fs::read_to_string(bench.folder().join("guardian.txt"));
+    assert_eq!(note.expect("it is there"), "");
+}
+
+#[test]
+fn an_arm_whose_station_stands_still_is_let_go_and_the_station_tells_it_when_it_goes_on() {
+    use rustix::process::Signal;
+    let bench = Bench::new();
+    let (station, mut errors) = bench.station();
+    let _holder = bench.jog("base-");
+    let at = Instant::now();
+    signal(&station, Signal::STOP);
+    bench.check_words(at, JOINT_RELEASE);
+    let on = Instant::now();
+    signal(&station, Signal::CONT);
+    line_with("the station stood still for", &mut errors);
+    line_with("the station was silent for", &mut errors);
+    // What it says first is laser off; it does not take up the jog where it was.
+    let first = loop {
+        match bench.command() {
+            // Once more by the guardian, which goes on until it hears the arm or the station.
+            (_, JOINT_RELEASE) => {}
+            (at, command) if at > on => break command,
+            // The guardian's last words may still be on the wire.
+            _ => {}
+        }
+    };
+    assert_eq!(first, LASER_OFF);
+}
+
+#[test]
+fn a_silent_listener_where_a_station_was_does_not_keep_the_laser_on() {
+    let bench = Bench::new();
+    let silent = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = silent.local_addr().expect("it has an address");
+    let file = format!("address = \"http://{address}\"\npid = 1\n");
+    std::fs::write(bench.folder().join("station.toml"), file).expect("there is room");
+    let at = Instant::now();
+    let _station = Going::new(bench.up(&[]));
+    let (said, first) = bench.command();
+    assert_eq!(first, LASER_OFF);
+    let after = said.saturating_duration_since(at);
+    assert!(after < Duration::from_secs(3), "{after:?}");
+}

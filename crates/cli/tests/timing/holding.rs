@@ -1,0 +1,58 @@
+//! Keys and sticks that are held for longer than the dead-man time.
+
+use std::fs::File;
+use std::io::Write;
+use std::thread;
+
+use dobot_wire::LinearJogAxis;
+use rustix::fs::{CWD, FileType, Mode, mknodat};
+
+use crate::alone;
+use crate::support::keys::Bench;
+use crate::support::terminal::Keyboard;
+
+#[test]
+fn where_a_terminal_tells_when_a_key_is_let_go_the_arm_moves_until_then() {
+    let _alone = alone();
+    let mut bench = Bench::new(&["jog"], Keyboard::Kitty);
+    bench.terminal.types("\x1b[1;1:1A");
+    bench.gets_jog(LinearJogAxis::XPlus);
+    // 320 ms, which is longer than the dead-man time of 150 ms.
+    bench.still_jogs_for(4);
+    bench.terminal.types("\x1b[1;1:3A");
+    bench.gets_jog(LinearJogAxis::Released);
+    bench.leaves();
+}
+
+/// An event of the joystick driver: time, value, kind (2 is an axis), number (1 is up and down).
+fn stick(value: i16) -> [u8; 8] {
+    let [low, high] = value.to_ne_bytes();
+    [0, 0, 0, 0, low, high, 2, 1]
+}
+
+#[test]
+fn a_gamepad_moves_the_arm_until_its_stick_is_back_or_it_is_gone() {
+    let _alone = alone();
+    let folder = tempfile::tempdir().expect("there is room");
+    let device = folder.path().join("js0");
+    let mode = Mode::RUSR | Mode::WUSR;
+    mknodat(CWD, &device, FileType::Fifo, mode, 0).expect("a pipe can be made");
+    let name = device.to_str().expect("the path is text").to_owned();
+    // Either end waits for the other one.
+    let writer = thread::spawn(move || File::options().write(true).open(device));
+    let bench = Bench::new(&["jog", "--gamepad", &name], Keyboard::Plain);
+    let mut pad = writer.join().expect("it waits").expect("it is there");
+    for end in [Some(stick(0)), None] {
+        pad.write_all(&stick(-32767)).expect("it is open");
+        bench.gets_jog(LinearJogAxis::XPlus);
+        bench.still_jogs_for(4);
+        match end {
+            Some(back) => pad.write_all(&back).expect("it is open"),
+            None => break,
+        }
+        bench.gets_jog(LinearJogAxis::Released);
+    }
+    drop(pad);
+    bench.gets_jog(LinearJogAxis::Released);
+    bench.leaves();
+}
