@@ -15,7 +15,7 @@
 #   links only with `panic = "abort"` and link-time optimisation, and it is small.
 # - `lint` also refuses what came into the standard library after a crate's `rust-version` (clippy's
 #   `incompatible_msrv`); for the syntax it would need a second toolchain: `cargo +1.88 check`.
-# - `test` is plain `cargo test`: other test runners have to be installed first.
+# - `test` is plain `cargo test`: other test runners have to be installed first. It leaves the examples to `examples`.
 # - `examples` runs the very command in the first line of each example, so that none grows old.
 # - `bench-check` runs every benchmark once, unoptimised: does it still work? Numbers come from
 #   `bench`, which is not part of CI: they want a calm machine (docs/performance.md).
@@ -146,7 +146,7 @@ step_lint() {
 step_test() {
   local told
   told=$(mktemp)
-  if cargo test --locked --workspace --all-features --no-fail-fast 2>&1 | tee "$told"; then
+  if cargo test --locked --workspace --exclude dobot-examples --all-features --no-fail-fast 2>&1 | tee "$told"; then
     rm "$told"
   else
     grep -aE "^test .* FAILED$|^thread '.*panicked at|^error: test failed" -A3 "$told" || true
@@ -203,7 +203,7 @@ step_no-std() {
   echo "it links, and what it calculates is right"
 }
 
-# The command that each example names is what a person types; here the binaries that `test` has built are run, since a
+# The command that each example names is what a person types; here one build of all is run, since a
 # build of one package has other features than a build of all, and would compile the dependencies once more.
 step_examples() {
   local file name command
