@@ -19,8 +19,8 @@
 # - `examples` runs the very command in the first line of each example, so that none grows old.
 # - `bench-check` runs every benchmark once, unoptimised: does it still work? Numbers come from
 #   `bench`, which is not part of CI: they want a calm machine (docs/performance.md).
-# - `fuzz` is a smoke run, on the stable toolchain; FUZZ_SECONDS=3600 makes a night of it. What it
-#   finds stays in `fuzz/artifacts`, and becomes a test.
+# - `fuzz` is a smoke run, on the stable toolchain, with the same inputs each time; `fuzz-long 28800` makes a night of
+#   it. What they find stays in `target/fuzz/found`, and becomes a seed in `fuzz/seeds`, which `cargo test` tries.
 # - `api` fetches schemathesis from PyPI; a station with a virtual arm answers some thousand requests that
 #   follow its OpenAPI document, and more that break it.
 # - `page` makes the types of the API's messages anew and compares them with those checked in, checks the page's
@@ -67,10 +67,11 @@ readonly CI_STEPS=(
   "python       does the Python package build, install, and do what its tests and types say?"
   "page         types, unit tests, and the page with a real pointer in a real browser"
   "bench-check  run every benchmark once, unoptimised"
-  "fuzz         15 seconds of each fuzz target, as many at once as there are cores"
+  "fuzz         each fuzz target with a fixed number of inputs, as many targets at once as there are cores"
 )
 readonly OTHER_STEPS=(
   "bench          all benchmarks (not part of CI; see docs/performance.md)"
+  "fuzz-long      each fuzz target with other inputs each time: fuzz-long SECONDS, or until it is interrupted"
   "compare-vpype  pen-up travel beside vpype's and LKH's (fetched from PyPI; takes an hour)"
   "compare-toppra arm time beside the time-optimal motion of toppra (fetched from PyPI)"
 )
@@ -355,35 +356,86 @@ step_bench-check() {
   cargo test --locked --workspace --all-features --bench '*'
 }
 
-# What `cargo fuzz run --sanitizer none` does, without having to install it. There is no `unsafe` for a
-# sanitizer to look into.
+# How many inputs each fuzz target tries: what takes five to ten seconds.
+readonly FUZZ_RUNS='dxf 0
+files 0
+firmware_1_1 0
+gcode 0
+hpgl 0
+lightburn 0
+mcap 0
+pictures 0
+points 0
+policy 0
+programs 0
+requests 0
+specification 0
+svg 0
+texts 0
+vendor_files 0'
+
+# Always the same inputs, so that the result is always the same: from the seeds alone, with the same random numbers.
 step_fuzz() {
+  build_fuzz
+  export -f fuzz_target fuzz_some
+  xargs -P "$(getconf _NPROCESSORS_ONLN)" -L 1 bash -c 'fuzz_some "$@"' fuzz <<<"$FUZZ_RUNS"
+}
+
+# Other inputs each time, from all that were found before; a minute of each target in turn, until the time is over or
+# something is found.
+step_fuzz-long() {
+  local ends share=60
+  build_fuzz
+  ends=$((SECONDS + ${FUZZ_SECONDS:-1000000000}))
+  export -f fuzz_target fuzz_longer
+  while ((SECONDS < ends)); do
+    share=$((ends - SECONDS < share ? ends - SECONDS : share))
+    cut -d' ' -f1 <<<"$FUZZ_RUNS" |
+      xargs -P "$(getconf _NPROCESSORS_ONLN)" -I{} bash -c "fuzz_longer {} $share"
+  done
+}
+
+# What `cargo fuzz build --sanitizer none` does, without having to install it. There is no `unsafe` for a sanitizer to
+# look into. `--target` keeps the flags from build scripts.
+build_fuzz() {
   local host
-  host=$(rustc -vV | sed -n 's/^host: //p')
   local -a coverage=(
     --cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
     -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
     -Cllvm-args=-sanitizer-coverage-pc-table
   )
-  cargo fmt --manifest-path fuzz/Cargo.toml --check
+  host=$(rustc -vV | sed -n 's/^host: //p')
+  export FUZZ_FOLDER=${CARGO_TARGET_DIR:-target}/fuzz
+  export FUZZ_PROGRAMS=$FUZZ_FOLDER/$host/fuzz
   needs_command c++ g++
-  (
-    cd fuzz
-    export RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}"
-    cargo build --locked --release --target "$host"
-    export PROGRAMS=${CARGO_TARGET_DIR:-target}/$host/release
-    export -f fuzz_target
-    basename -s .rs fuzz_targets/*.rs | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I{} bash -c 'fuzz_target {}'
-  )
+  RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}" cargo build --locked -p dobot-fuzz --features libfuzzer \
+    --profile fuzz --target "$host" --target-dir "$FUZZ_FOLDER"
 }
 
-# One target on one core; what it prints comes when it is over.
+fuzz_some() {
+  local corpus status=0
+  corpus=$(mktemp -d)
+  fuzz_target "$1" "$corpus" "-runs=$2" -seed=1 || status=$?
+  rm -rf "$corpus"
+  return "$status"
+}
+
+fuzz_longer() {
+  mkdir -p "$FUZZ_FOLDER/corpus/$1"
+  fuzz_target "$1" "$FUZZ_FOLDER/corpus/$1" "-max_total_time=$2"
+}
+
+# One target on one core; what it prints comes when it is over. What it finds becomes a test.
 fuzz_target() {
-  local status=0
-  mkdir -p "corpus/$1" "artifacts/$1"
-  "$PROGRAMS/$1" "corpus/$1" "-artifact_prefix=artifacts/$1/" "-max_total_time=${FUZZ_SECONDS:-15}" -seed=1 -timeout=10 \
-    -max_len=1000 -print_final_stats=1 >"artifacts/$1/log" 2>&1 || status=$?
-  printf '%s\n%s\n' "== $1" "$(tail -n 12 "artifacts/$1/log")"
+  local target=$1 corpus=$2 status=0
+  mkdir -p "$FUZZ_FOLDER/found"
+  "$FUZZ_PROGRAMS/$target" "$corpus" "fuzz/seeds/$target" "${@:3}" "-artifact_prefix=$FUZZ_FOLDER/found/$target-" \
+    -timeout=60 -max_len=1000 -print_final_stats=1 >"$FUZZ_FOLDER/$target.log" 2>&1 || status=$?
+  if [[ $status == 0 ]]; then
+    echo "$target: nothing found with $(sed -n 's/^stat::number_of_executed_units: *//p' "$FUZZ_FOLDER/$target.log") inputs"
+  else
+    printf '%s\n%s\n' "$target:" "$(tail -n 40 "$FUZZ_FOLDER/$target.log")"
+  fi
   return "$status"
 }
 
@@ -455,6 +507,10 @@ main() {
   fi
   if [[ ${#names[@]} == 0 ]]; then
     mapfile -t names < <(printf '%s\n' "${CI_STEPS[@]%% *}")
+  fi
+  if [[ ${names[0]} == fuzz-long && ${names[1]:-} =~ ^[0-9]+$ ]]; then
+    FUZZ_SECONDS=${names[1]}
+    names=(fuzz-long "${names[@]:2}")
   fi
   for name in "${names[@]}"; do
     if [[ $name == *[!a-z0-9-]* ]] || ! declare -F "step_$name" >/dev/null; then
