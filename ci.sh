@@ -378,7 +378,89 @@ step_bench() {
   cargo bench --locked --workspace "${RARE[@]}" --bench '*'
 }
 
-@@FUZZ@@
+# The number of inputs for each fuzz target: five to ten seconds.
+readonly FUZZ_RUNS='dxf 0
+files 0
+firmware_1_1 0
+gcode 0
+hpgl 0
+lightburn 0
+mcap 0
+pictures 0
+points 0
+policy 0
+programs 0
+requests 0
+specification 0
+svg 0
+texts 0
+vendor_files 0'
+
+# The same inputs each time: made from the seeds alone, with a fixed random seed.
+step_fuzz() {
+  build_fuzz
+  export -f fuzz_target fuzz_some
+  xargs -P "$(getconf _NPROCESSORS_ONLN)" -L 1 bash -c 'fuzz_some "$@"' fuzz <<<"$FUZZ_RUNS"
+}
+
+# Other inputs each time, made from all that were found before. Each target runs for a minute in turn, until the time is over or
+# a target fails.
+step_fuzz-long() {
+  local ends share=60
+  build_fuzz
+  ends=$((SECONDS + ${FUZZ_SECONDS:-1000000000}))
+  export -f fuzz_target fuzz_longer
+  while ((SECONDS < ends)); do
+    share=$((ends - SECONDS < share ? ends - SECONDS : share))
+    cut -d' ' -f1 <<<"$FUZZ_RUNS" |
+      xargs -P "$(getconf _NPROCESSORS_ONLN)" -I{} bash -c "fuzz_longer {} $share"
+  done
+}
+
+# What `cargo fuzz build --sanitizer none` does, without having to install it. There is no `unsafe` for a sanitizer to
+# look into. `--target` keeps the flags from build scripts.
+build_fuzz() {
+  local host
+  local -a coverage=(
+    --cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
+    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
+    -Cllvm-args=-sanitizer-coverage-pc-table
+  )
+  host=$(rustc -vV | sed -n 's/^host: //p')
+  export FUZZ_FOLDER=${CARGO_TARGET_DIR:-target}/fuzz
+  export FUZZ_PROGRAMS=$FUZZ_FOLDER/$host/fuzz
+  needs_command c++ g++
+  RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}" build cargo build --locked -p dobot-fuzz --features libfuzzer \
+    --profile fuzz --target "$host" --target-dir "$FUZZ_FOLDER"
+}
+
+fuzz_some() {
+  local corpus status=0
+  corpus=$(mktemp -d)
+  fuzz_target "$1" "$corpus" "-runs=$2" -seed=1 || status=$?
+  rm -rf "$corpus"
+  return "$status"
+}
+
+fuzz_longer() {
+  mkdir -p "$FUZZ_FOLDER/corpus/$1"
+  fuzz_target "$1" "$FUZZ_FOLDER/corpus/$1" "-max_total_time=$2"
+}
+
+# One target on one core. It prints its log only if it fails; what it finds becomes a seed.
+fuzz_target() {
+  local target=$1 corpus=$2 status=0
+  mkdir -p "$FUZZ_FOLDER/found"
+  "$FUZZ_PROGRAMS/$target" "$corpus" "fuzz/seeds/$target" "${@:3}" "-artifact_prefix=$FUZZ_FOLDER/found/$target-" \
+    -timeout=60 -max_len=1000 -print_final_stats=1 >"$FUZZ_FOLDER/$target.log" 2>&1 || status=$?
+  if [[ $status == 0 ]]; then
+    echo "$target: nothing found with $(sed -n 's/^stat::number_of_executed_units: *//p' "$FUZZ_FOLDER/$target.log") inputs"
+  else
+    printf '%s\n%s\n' "$target:" "$(tail -n 40 "$FUZZ_FOLDER/$target.log")"
+  fi
+  return "$status"
+}
+
 step_compare-vpype() {
   needs_drawings order_drawings
   needs_packages compare

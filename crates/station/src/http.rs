@@ -28,6 +28,7 @@ mod listen;
 mod messages;
 mod metrics;
 mod packets;
+mod panic;
 mod page;
 mod paging;
 mod programs;

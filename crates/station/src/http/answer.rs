@@ -14,7 +14,9 @@ use axum::http::request::Parts;
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use dobot_api::Problem;
-use dobot_api::problem_kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
+use dobot_api::problem_kinds::{
+    INTERNAL, MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS,
+};
 use dobot_rules::Refusal;
 use futures_util::StreamExt;
 use schemars::JsonSchema;
@@ -22,7 +24,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::app::App;
-use super::strict_json;
+use super::{panic, strict_json};
 
 /// How large a body may be, unless its route takes more.
 pub(super) const BODY: usize = 64 * 1024;
@@ -227,8 +229,9 @@ pub(super) async fn read_beside<T: Send + 'static>(
 pub(super) async fn beside<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Result<T, Problem> {
-    let done = tokio::task::spawn_blocking(work).await;
-    done.map_err(|_| Problem::from(Refusal::Ending))
+    let done = tokio::task::spawn_blocking(|| panic::caught(work)).await;
+    let done = done.map_err(|_| Problem::from(Refusal::Ending))?;
+    done.map_err(|panic| INTERNAL.problem(panic))
 }
 
 /// The number in a path.
