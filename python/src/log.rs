@@ -144,7 +144,9 @@ fn parquet_form() -> PyResult<TableForm> {
 
 #[cfg(not(feature = "full"))]
 fn not_built() -> PyErr {
-    PyNotImplementedError::new_err("this module is built without Parquet and LeRobot; the wheels have them")
+    PyNotImplementedError::new_err(
+        "this module is built without Parquet and LeRobot; the wheels have them",
+    )
 }
 
 fn failed(error: ExportError) -> PyErr {

@@ -96,11 +96,13 @@ impl FakeDriver {
     }
 
     /// Tells a state.
+    #[cfg(feature = "full")]
     pub(crate) fn tell(&self, state: dobot_api::State) {
         self.ends.tell(state);
     }
 
     /// Tells that a packet passed.
+    #[cfg(feature = "full")]
     pub(crate) fn tell_passed(&self, packet: PassedPacket) {
         self.ends.tell_passed(packet);
     }

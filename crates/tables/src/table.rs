@@ -59,6 +59,10 @@ impl<W: Write + Send> Table<W> {
         Self::parquet(file, &of_commands())
     }
 
+    #[cfg_attr(
+        not(feature = "parquet"),
+        expect(clippy::needless_pass_by_value, reason = "Parquet keeps the cells")
+    )]
     pub(crate) fn push(&mut self, cells: Vec<Cell>) -> Result<(), ExportError> {
         match &mut self.0 {
             Form::Csv(csv) => Ok(csv.write_record(cells.iter().map(text))?),

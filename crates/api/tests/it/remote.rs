@@ -1,8 +1,8 @@
 //! The client of a station against hand-made ones.
 
 use dobot_api::{
-    ConnectError, Remote, RemoteError, Reply, Request, StationAddress,
-    StationEvent, fetch, is_station,
+    ConnectError, Remote, RemoteError, Reply, Request, StationAddress, StationEvent, fetch,
+    is_station,
 };
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};

@@ -27,7 +27,9 @@ fn acceptor(name: &str) -> (CertificateDer<'static>, TlsAcceptor) {
 }
 
 fn data(file: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(file)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/data")
+        .join(file)
 }
 
 /// Connects over TLS, trusting for this reason.
