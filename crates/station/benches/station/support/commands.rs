@@ -1,6 +1,6 @@
 //! The commands that the benchmarks send.
 
-use dobot_wire::{Command, MoveTo, MovingMode, WriteMode, WriteVector};
+use dobot_wire::{Command, MoveTo, MovingMode, WriteVector};
 
 /// A place at which the arm can write.
 pub(crate) const START: MoveTo = MoveTo::to(200.0, 0.0, 50.0).with_mode(MovingMode::MovJ);
