@@ -67,7 +67,6 @@ struct Platters {
     changes_left: Option<u64>,
     /// How large the storage may become.
     capacity: Option<u64>,
-    changes: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -85,11 +84,6 @@ impl Disk {
     /// No more than so many bytes from now on; `None` for as many as wanted.
     pub(crate) fn hold(&self, capacity: Option<u64>) {
         self.lock().capacity = capacity;
-    }
-
-    /// How many changes there were.
-    pub(crate) fn changes(&self) -> u64 {
-        self.lock().changes
     }
 
     /// How long the storage is, in bytes.
@@ -149,7 +143,6 @@ impl Platters {
     }
 
     fn power(&mut self) -> io::Result<()> {
-        self.changes += 1;
         match &mut self.changes_left {
             Some(0) => Err(io::Error::other("the power is off")),
             Some(left) => {

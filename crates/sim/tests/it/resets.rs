@@ -114,7 +114,7 @@ impl SessionInput {
 #[test]
 fn a_reset_at_every_tick_of_every_recorded_trace_is_noticed() {
     let mut noticed = 0;
-    for name in recordings::names() {
+    for name in crate::recordings::names() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../vectors/traces");
         let text = std::fs::read_to_string(format!("{folder}/{name}.script")).expect("it is there");
         let script: Script = text.parse().expect("it is a script");

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use crate::recordings::{names, recording, twin};
+use crate::report::report;
 
 #[test]
 fn the_twin_does_what_the_stock_controller_was_recorded_to_do() {
@@ -31,14 +32,14 @@ fn the_page_on_fidelity_is_what_its_command_prints() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/fidelity.md");
     let page = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(
-        page == report::report(),
+        page == report(),
         "docs/fidelity.md is old; `cargo run -p dobot-examples --example fidelity > docs/fidelity.md` writes it anew"
     );
 }
 
 #[test]
 fn every_recording_is_explained_on_the_page() {
-    let report = report::report();
+    let report = report();
     for name in names() {
         assert!(!report.contains(&format!("| `{name}` |  |")), "{name}");
     }
