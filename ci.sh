@@ -183,7 +183,7 @@ step_package() {
   folder=$target/unpacked
   rm -rf "$folder" "$target"/package/*.crate
   mkdir -p "$folder"
-  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile
+  cargo package --quiet --workspace --exclude dobot-fuzz --no-verify --allow-dirty --exclude-lockfile
   {
     printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
     for crate in "$target"/package/dobot-*.crate; do
@@ -226,7 +226,7 @@ step_examples() {
 # The programs, with every feature, as `test` builds them: without the examples there would be no dependencies of
 # tests, and with that other features, and all would be built once more.
 build_all() {
-  cargo build --locked --workspace --all-features --bins --examples
+  cargo build --locked --workspace --exclude dobot-fuzz --all-features --bins --examples
 }
 
 built() {
@@ -357,22 +357,22 @@ step_bench-check() {
 }
 
 # How many inputs each fuzz target tries: what takes five to ten seconds.
-readonly FUZZ_RUNS='dxf 0
-files 0
-firmware_1_1 0
-gcode 0
-hpgl 0
-lightburn 0
-mcap 0
-pictures 0
-points 0
-policy 0
-programs 0
-requests 0
-specification 0
-svg 0
-texts 0
-vendor_files 0'
+readonly FUZZ_RUNS='dxf 50000
+files 30000
+firmware_1_1 3000
+gcode 50000
+hpgl 50000
+lightburn 30000
+mcap 50000
+pictures 5000
+points 50000
+policy 20000
+programs 10000
+requests 1500
+specification 3000
+svg 10000
+texts 50000
+vendor_files 50000'
 
 # Always the same inputs, so that the result is always the same: from the seeds alone, with the same random numbers.
 step_fuzz() {
