@@ -379,22 +379,22 @@ step_bench() {
 }
 
 # The number of inputs for each fuzz target: five to ten seconds.
-readonly FUZZ_RUNS='dxf 0
-files 0
-firmware_1_1 0
-gcode 0
-hpgl 0
-lightburn 0
-mcap 0
-pictures 0
-points 0
-policy 0
-programs 0
-requests 0
-specification 0
-svg 0
-texts 0
-vendor_files 0'
+readonly FUZZ_RUNS='dxf 50000
+files 30000
+firmware_1_1 3000
+gcode 50000
+hpgl 50000
+lightburn 30000
+mcap 50000
+pictures 5000
+points 50000
+policy 20000
+programs 10000
+requests 1500
+specification 3000
+svg 10000
+texts 50000
+vendor_files 50000'
 
 # The same inputs each time: made from the seeds alone, with a fixed random seed.
 step_fuzz() {

@@ -101,7 +101,6 @@ impl<'a> Steps<'a> {
 
 fn likely_number(byte: u8) -> f32 {
     match byte {
-        0..16 => f32::from(byte),
         16..200 => (f32::from(byte) - 108.0) * 4.0,
         200..240 => (f32::from(byte) - 220.0) / 8.0,
         240 => f32::NAN,

@@ -1,6 +1,6 @@
 use dobot_source::Source;
 
-/// Projects of LightBurn of any kind: an error, or ink within the limits, but never a panic.
+/// Projects of `LightBurn` of any kind: an error, or ink within the limits, but never a panic.
 pub fn lightburn(input: &[u8]) {
     let spelled = crate::spelled(input, WORDS);
     let inside = String::from_utf8_lossy(&spelled);

@@ -3,7 +3,9 @@
 mod harness;
 
 use dobot_api::{ClientId, Role};
-use dobot_rules::{Ends, Handle, Message, PassedPacket, Refusal, Rules};
+#[cfg(feature = "full")]
+use dobot_rules::PassedPacket;
+use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
 
