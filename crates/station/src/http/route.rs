@@ -52,10 +52,7 @@ pub(super) struct Action(Arc<dyn Fn(HttpRequest, Arc<App>) -> Answering + Send +
 type Answering = Pin<Box<dyn Future<Output = Response> + Send>>;
 
 impl Action {
-    fn new<H, T: 'static>(handler: H) -> Self
-    where
-        H: Handler<T, Arc<App>, Future = Answering> + Sync,
-    {
+    fn new<T: 'static>(handler: impl Handler<T, Arc<App>, Future = Answering>) -> Self {
         Self(Arc::new(move |request, app| {
             handler.clone().call(request, app)
         }))
@@ -150,15 +147,12 @@ impl Takes {
 
 impl Route {
     /// A route that does what a handler says.
-    pub(super) fn new<H, T: 'static>(
+    pub(super) fn new<T: 'static>(
         method: Method,
         path: &'static str,
         summary: &'static str,
-        handler: H,
-    ) -> Self
-    where
-        H: Handler<T, Arc<App>, Future = Answering> + Sync,
-    {
+        handler: impl Handler<T, Arc<App>, Future = Answering>,
+    ) -> Self {
         Self::with(method, path, summary, Action::new(handler))
     }
 
