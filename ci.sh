@@ -46,6 +46,7 @@ readonly WIDE_STEPS=(
   "doc-all      Build the documentation of the remaining crates"
   "package      Pack every crate and check the packages"
   "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
+  "python-full  Run the tests of the parts of the Python package that need the feature full"
   "recordings   Read recordings and tables with mcap, pandas and datasets, and live data with Foxglove's client"
   "fleet        Run a class in three networks, with eclipse-zenoh as a peer and the board in browsers"
   "ros2         Use an arm over ROS 2 with cyclonedds"
@@ -64,7 +65,8 @@ readonly OTHER_STEPS=(
 # Crates that take minutes to build and that few people change; `wide` tests them.
 readonly RARE=(--exclude dobot-fleet --exclude dobot-ros2 --exclude dobot-mcp)
 # The crates that `cargo test` does not build, or not with all features.
-readonly FEATURED=(-p dobot-api -p dobot-cli -p dobot-fleet -p dobot-mcp -p dobot-ros2 -p dobot-station -p dobot-tables -p dobot-examples -p dobot-features)
+readonly FEATURED=(-p dobot-api -p dobot-cli -p dobot-fleet -p dobot-mcp -p dobot-ros2 -p dobot-station -p dobot-tables
+  -p dobot-arm-python -p dobot-examples -p dobot-features)
 
 # The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
 # whose files, unchanged here, keep it.
@@ -294,6 +296,7 @@ step_recordings() {
   needs_packages wide
   needs_command node nodejs
   needs_command npm npm
+  npm ci --prefix page --no-audit --no-fund
   build_rare
   folder=$(mktemp -d)
   export PATH=$VENV/bin:$PATH
@@ -305,7 +308,7 @@ step_recordings() {
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
   rm -rf "$folder"
   mkdir "$folder"
-  tests/foxglove/look_on.sh "$(realpath "$(built)/dobot")" "$folder"
+  tests/foxglove/look_on.sh "$DOBOT" "$folder"
   tests/recordings/read.sh "$folder" scene.py
   rm -rf "$folder"
 }
@@ -315,8 +318,8 @@ step_fleet() {
   needs_command ip iproute2
   needs_browser
   build_rare
-  tests/fleet/class.sh "$(realpath "$(built)/dobot")" "$VENV/bin/python"
-  tests/fleet/board.sh "$(realpath "$(built)/dobot")" "$CHROMIUM"
+  tests/fleet/class.sh "$DOBOT" "$VENV/bin/python"
+  tests/fleet/board.sh "$DOBOT" "$CHROMIUM"
 }
 
 step_ros2() {
@@ -330,20 +333,41 @@ step_python() {
   local folder tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
   needs_packages ci
   build_all
-  folder=$(mktemp -d)
-  cp -r python/dobot_arm "$folder"
-  cp "$(built)/lib_core.so" "$folder/dobot_arm/_core.abi3.so"
+  folder=$(assembled_package)
   (
     # Away from the sources, so that the assembled package is tested.
     cd "$folder"
-    export DOBOT PYTHONPATH=$folder MYPYPATH=$folder
-    "$VENV/bin/pytest" --quiet -p no:cacheprovider -p dobot_arm.pytest_plugin "$tests"
+    export PYTHONPATH=$folder MYPYPATH=$folder
+    "$VENV/bin/pytest" --quiet -p no:cacheprovider --ignore "$tests/full" "$tests"
     "$VENV/bin/pytest" --quiet -p no:cacheprovider --nbmake "$notebooks"
     "$VENV/bin/mypy" --strict "$tests"
     "$VENV/bin/mypy" --strict -p dobot_arm
     "$VENV/bin/pyright" --pythonpath "$VENV/bin/python" "$tests" "$folder/dobot_arm"
   )
   rm -rf "$folder"
+}
+
+# Parts that only a module with the feature `full` has.
+step_python-full() {
+  local folder tests=$PWD/python/tests/full
+  needs_packages wide
+  build_rare
+  folder=$(assembled_package)
+  (cd "$folder" && PYTHONPATH=$folder "$VENV/bin/pytest" --quiet -p no:cacheprovider "$tests")
+  rm -rf "$folder"
+}
+
+# A folder with the package's Python files and the module that was built last.
+assembled_package() {
+  local folder
+  folder=$(mktemp -d)
+  cp -r python/dobot_arm "$folder"
+  cp "$(built)/lib_core.so" "$folder/dobot_arm/_core.abi3.so"
+  # The pytest plug-in is an entry point of the installed package.
+  mkdir "$folder/dobot_arm-0.dist-info"
+  printf 'Metadata-Version: 2.1\nName: dobot-arm\nVersion: 0\n' >"$folder/dobot_arm-0.dist-info/METADATA"
+  printf '[pytest11]\ndobot-arm = dobot_arm.pytest_plugin\n' >"$folder/dobot_arm-0.dist-info/entry_points.txt"
+  echo "$folder"
 }
 
 step_page() {
@@ -362,9 +386,8 @@ needs_browser() {
   needs_command npm npm
   needs_command chromium chromium
   npm ci --prefix page --no-audit --no-fund
-  DOBOT=$(realpath -m "$(built)/dobot")
   CHROMIUM=$(command -v chromium)
-  export DOBOT CHROMIUM
+  export CHROMIUM
 }
 
 step_bench-check() {
@@ -492,6 +515,10 @@ step_budget() {
 # One virtual environment for all steps. The packages in tests/python/NAME.txt are installed the first time.
 needs_packages() {
   local list=tests/python/$1.txt
+  if [[ -n $INSTALLING ]]; then
+    wait "$INSTALLING" || true
+    INSTALLING=
+  fi
   needs_venv
   if ! cmp -s "$list" "$VENV/$1.txt"; then
     [[ -x $VENV/bin/pip ]] || python3 -m venv "$VENV"
@@ -499,6 +526,16 @@ needs_packages() {
     # Written last: an interrupted installation is done again.
     cp "$list" "$VENV/$1.txt"
   fi
+}
+
+# Installs Python packages while cargo builds.
+install_packages_early() {
+  case " $* " in
+    *" models "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
+    *" api "* | *" python "*) needs_packages ci >/dev/null 2>&1 & ;;
+    *) return ;;
+  esac
+  INSTALLING=$!
 }
 
 # Installs a Debian package for a command where that is possible, and otherwise names it.
@@ -554,6 +591,7 @@ main() {
   fi
   mkdir -p target
   printf '%-12s %8s %8s\n' step 'build s' 'test s' >"$TIMES"
+  install_packages_early "${names[@]}"
   for name in "${names[@]}"; do
     run "$name"
   done
@@ -596,10 +634,14 @@ fail() {
   exit 1
 }
 
+DOBOT=$(built)/dobot
+[[ $DOBOT == /* ]] || DOBOT=$PWD/$DOBOT
+export DOBOT
 readonly TIMES=target/ci-times.txt
 readonly VENV=$PWD/target/venv
 CURRENT=
 STATION=
+INSTALLING=
 BUILT=0
 trap 'if [[ -n $STATION ]]; then kill "$STATION"; fi; if [[ -n $CURRENT ]]; then echo "ci.sh: $CURRENT failed" >&2; fi' EXIT
 main "$@"
