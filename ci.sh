@@ -1,79 +1,72 @@
 #!/usr/bin/env bash
-# Every check of this project: what CI runs is what anyone can run.
+# Every check of this project. CI runs this script, and so can you.
 #
-#   ./ci.sh              all of CI's steps, in order
+#   ./ci.sh              the checks to run before you push
+#   ./ci.sh wide         the remaining checks: rare features, other programs, packages, fuzzing
 #   ./ci.sh STEP...      some steps
-#   ./ci.sh help         the steps, a line each
+#   ./ci.sh help         all steps, one line each
 #
-# Set-up: Rust and git are enough, and a C++ compiler for `fuzz`, Python for `api`, `models`, `recordings`, `fleet` and `python`, Node and Chromium for
-# `page` and `fleet`, which are installed on Debian if they are missing. Cargo fetches the dependencies at the first run.
+# Rust and git are enough for most steps. `api` and `python` need Python, `page` needs Node and Chromium, `fuzz` needs a C++
+# compiler. A missing program ends its step with the name of its Debian package; as root, the script installs it.
 #
-# Why these steps:
+# - Everything is built once, in `target/`, with the profile `dev` and the same features (see tests/features): `lint` and `doc`
+#   check, `test` builds, and the other steps use what `test` has built. `no-std` is the exception: it links only with `panic = "abort"` and link-time
+#   optimisation, and it is small. `wide` adds the features `full` and `fleet`, and the crates `fleet`, `ros2` and `mcp`.
+# - `lint` also rejects what the standard library gained after a crate's `rust-version` (clippy's `incompatible_msrv`).
+# - `examples` runs the command in the first line of each example.
+# - `bench-check` runs every benchmark once, unoptimised. `bench` measures; it needs a calm machine (docs/performance.md).
+# - `fuzz` runs a fixed number of inputs from a fixed seed, so that it always gives the same result. What `fuzz-long` finds
+#   becomes a seed in `fuzz/seeds`, which `cargo test` runs.
+# - Python packages are pinned in `tests/python`, packages of npm in their lock files.
 #
-# - Everything up to `bench-check` builds with the profile `dev` only, whose property tests are
-#   optimised enough (Cargo.toml), so that nothing big is built twice. `no-std` is the exception: it
-#   links only with `panic = "abort"` and link-time optimisation, and it is small.
-# - `lint` also refuses what came into the standard library after a crate's `rust-version` (clippy's
-#   `incompatible_msrv`); for the syntax it would need a second toolchain: `cargo +1.88 check`.
-# - `test` is plain `cargo test`: other test runners have to be installed first.
-# - `examples` runs the very command in the first line of each example, so that none grows old.
-# - `bench-check` runs every benchmark once, unoptimised: does it still work? Numbers come from
-#   `bench`, which is not part of CI: they want a calm machine (docs/performance.md).
-# - `fuzz` is a smoke run, on the stable toolchain; FUZZ_SECONDS=3600 makes a night of it. What it
-#   finds stays in `fuzz/artifacts`, and becomes a test.
-# - `api` fetches schemathesis from PyPI; a station with a virtual arm answers some thousand requests that
-#   follow its OpenAPI document, and more that break it.
-# - `page` makes the types of the API's messages anew and compares them with those checked in, checks the page's
-#   files against them, and only then starts a browser; TypeScript comes from npm and writes nothing.
-# - `models` fetches yourdfpy and mujoco from PyPI, programs that load models of robots and know nothing of ours, and
-#   lets them calculate a thousand places with each tool.
-# - `recordings` fetches `mcap` from PyPI, a reader of MCAP files that is not ours, and lets it read recordings
-#   that were repaired; pandas, pyarrow and datasets read what was exported, and Foxglove's own client from npm what a
-#   station tells live.
-# - `fleet` gives each of three stations a network of its own, as root or where the system lets a user have some; a peer in
-#   Python reads their states and stops one, and a class uses the board, in browsers in two of the networks.
-# - `ros2` fetches `cyclonedds` from PyPI, an implementation of DDS that is not ours, and lets a program in Python use a
-#   virtual arm through `dobot-ros2` and a station, on the loopback.
-# - `package` packs every crate as `cargo publish` does, unpacks all of them into one workspace and checks
-#   that: a file that is missing in a package is missing there. `cargo publish --dry-run --workspace` builds
-#   each crate anew with all that it depends on; it is for the day of a release.
-# - `licences` looks at every dependency on every platform with `cargo tree` alone.
-#
-# Why not others:
-#
-# - Other targets: they would have to be installed. What is Unix-only sits behind a `cfg`; that no
-#   `std` slips into the lower rooms is proved by linking (`no-std`) on the host.
-# - Advisories: they come from the network and change without a commit.
+# Not checked here: other targets, which would have to be installed, and advisories, which change without a commit.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
-# What is compiled once and thrown away need not be compiled bit by bit.
+# A build that is thrown away gains nothing from incremental compilation.
 [[ -z ${CI:-} ]] || export CARGO_INCREMENTAL=0
+# The Python module finds the interpreter's symbols when it is loaded.
+export PYO3_BUILD_EXTENSION_MODULE=1
 
-# name, what it does; in the order in which CI runs them, cheap ones first
-readonly CI_STEPS=(
-  "fmt          is all code formatted?"
-  "licences     does every dependency have a licence that we may ship?"
-  "lint         clippy over everything, warnings are errors; do the sources keep to the Rust version that each crate names?"
-  "test         all tests, those in the documentation included"
-  "doc          the documentation, warnings are errors; do the READMEs show its examples?"
-  "package      does every crate build from its package?"
-  "no-std       do wire, arm, motion, trajectory and controller link without the standard library?"
-  "examples     run every example; none needs an arm"
-  "api          try a station's API with requests made from its own document"
-  "models       do PyPI's yourdfpy and mujoco bring the tool to where our kinematics do?"
-  "recordings   do PyPI's mcap, pandas and datasets, and Foxglove's client, read what is recorded?"
-  "fleet        a class in three networks: stations, a router that is killed, PyPI's eclipse-zenoh as a peer, and the board in a browser"
-  "ros2         does PyPI's cyclonedds use the arm over ROS 2: states, targets, jogs, trajectories, a stop?"
-  "python       does the Python package build, install, and do what its tests and types say?"
-  "page         types, unit tests, and the page with a real pointer in a real browser"
-  "bench-check  run every benchmark once, unoptimised"
-  "fuzz         15 seconds of each fuzz target, as many at once as there are cores"
+# Name and purpose, in the order in which they run: cheap ones first.
+readonly PUSH_STEPS=(
+  "fmt          Is all code formatted?"
+  "licences     Does every dependency have a licence that we may ship?"
+  "lint         Run clippy; warnings are errors. Check the Rust version that each crate names"
+  "test         Run cargo test"
+  "doc          Build the documentation; warnings are errors. Compare the READMEs with its examples"
+  "no-std       Link wire, arm, motion, trajectory and controller without the standard library"
+  "examples     Run every example; none needs an arm"
+  "api          Send a station requests that schemathesis makes from its OpenAPI document"
+  "python       Run the Python package's tests and notebooks; check its types with mypy and pyright"
+  "page         Check types, run unit tests, and test the page with a real pointer in a browser"
+)
+readonly WIDE_STEPS=(
+  "lint-all     Run clippy with all features"
+  "test-all     Run the tests of the crates that have more features, with all of them"
+  "doc-all      Build the documentation of the remaining crates"
+  "package      Pack every crate and check the packages"
+  "models       Load the arm's models with yourdfpy and mujoco, and compare the kinematics"
+  "python-full  Run the tests of the parts of the Python package that need the feature full"
+  "recordings   Read recordings and tables with mcap, pandas and datasets, and live data with Foxglove's client"
+  "fleet        Run a class in three networks, with eclipse-zenoh as a peer and the board in browsers"
+  "ros2         Use an arm over ROS 2 with cyclonedds"
+  "bench-check  Run every benchmark once, unoptimised"
+  "fuzz         Run every fuzz target with a fixed number of inputs"
 )
 readonly OTHER_STEPS=(
-  "bench          all benchmarks (not part of CI; see docs/performance.md)"
-  "compare-vpype  pen-up travel beside vpype's and LKH's (fetched from PyPI; takes an hour)"
-  "compare-toppra arm time beside the time-optimal motion of toppra (fetched from PyPI)"
+  "times          Print the build and test times of the last run"
+  "budget         Print the number of packages and the five largest libraries"
+  "fuzz-long      Fuzz with random seeds for FUZZ_SECONDS, or until you stop it"
+  "bench          Run all benchmarks (docs/performance.md)"
+  "compare-vpype  Compare pen-up travel with vpype and LKH; takes an hour"
+  "compare-toppra Compare arm time with the time-optimal motion of toppra"
 )
+
+# Crates that take minutes to build and that few people change; `wide` tests them.
+readonly RARE=(--exclude dobot-fleet --exclude dobot-ros2 --exclude dobot-mcp)
+# The crates that `cargo test` does not build, or not with all features.
+readonly FEATURED=(-p dobot-api -p dobot-cli -p dobot-fleet -p dobot-mcp -p dobot-ros2 -p dobot-station -p dobot-tables
+  -p dobot-arm-python -p dobot-examples -p dobot-features)
 
 # The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
 # whose files, unchanged here, keep it.
@@ -139,25 +132,43 @@ dependencies() {
 
 step_lint() {
   needs_component clippy clippy
-  cargo clippy --locked --workspace --all-targets --all-features -- -D warnings
+  build cargo clippy --locked --workspace "${RARE[@]}" --all-targets -- -D warnings
 }
 
-# What failed stands at the end once more, for it happened long before.
+step_lint-all() {
+  needs_component clippy clippy
+  build cargo clippy --locked --all-features "${FEATURED[@]}" --lib --bins --tests --examples -- -D warnings
+}
+
+# The tests of `cargo test`. The selection of packages is that of the other steps, so that one build serves all.
 step_test() {
-  local told
-  told=$(mktemp)
-  if cargo test --locked --workspace --all-features --no-fail-fast 2>&1 | tee "$told"; then
-    rm "$told"
+  build_all
+  report_failures cargo test --locked --workspace "${RARE[@]}" --lib --bins --tests --no-fail-fast
+  report_failures cargo test --locked --workspace "${RARE[@]}" --doc --no-fail-fast
+}
+
+step_test-all() {
+  build_rare
+  report_failures cargo test --locked --all-features "${FEATURED[@]}" --lib --bins --tests --no-fail-fast
+  report_failures cargo test --locked --all-features "${FEATURED[@]}" --doc --no-fail-fast
+}
+
+# Repeats the failures at the end, where they are found.
+report_failures() {
+  local log
+  log=$(mktemp)
+  if "$@" 2>&1 | tee "$log"; then
+    rm "$log"
   else
-    grep -aE "^test .* FAILED$|^thread '.*panicked at|^error: test failed" -A3 "$told" || true
-    rm "$told"
+    grep -aE "^test .* FAILED$|^thread '.*panicked at|^error: test failed" -A3 "$log" || true
+    rm "$log"
     return 1
   fi
 }
 
 step_doc() {
   local readme library
-  RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --all-features --no-deps
+  RUSTDOCFLAGS="-D warnings" build cargo doc --locked --workspace "${RARE[@]}" --no-deps
   for readme in crates/*/README.md page/README.md; do
     library=${readme%README.md}src/lib.rs
     [[ -e $library ]] || continue
@@ -166,7 +177,11 @@ step_doc() {
   done
 }
 
-# The first example of a library's documentation, without the lines that a reader does not see.
+step_doc-all() {
+  RUSTDOCFLAGS="-D warnings" build cargo doc --locked --all-features "${FEATURED[@]}" --no-deps
+}
+
+# The first example of a library's documentation, without its hidden lines.
 example_of_library() {
   sed -n 's/^\/\/! \{0,1\}//p' "$1" |
     awk '!within && /^```(no_run)?$/ { within = 1; next } within && /^```$/ { exit } within && !/^#( |$)/'
@@ -176,60 +191,65 @@ example_of_readme() {
   awk '/^```rust$/ { within = 1; next } within && /^```$/ { exit } within' "$1"
 }
 
+# `cargo publish --dry-run` would build each crate anew with all of its dependencies; it is for the day of a release.
 step_package() {
   local target folder crate
   target=${CARGO_TARGET_DIR:-target}
   folder=$target/unpacked
   rm -rf "$folder" "$target"/package/*.crate
   mkdir -p "$folder"
-  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile
+  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile --exclude dobot-examples --exclude dobot-features --exclude dobot-fuzz --exclude dobot-arm-python
   {
     printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
     for crate in "$target"/package/dobot-*.crate; do
-      # With the time of now: in a package all files are of the same day, and a changed one would look unchanged.
+      # With the current time: all files in a package have the same date, and a changed one would look unchanged.
       tar -xmzf "$crate" -C "$folder"
       crate=$(basename "$crate" .crate)
       printf '%s = { path = "%s" }\n' "${crate%-[0-9]*}" "$crate"
     done
-    # The same profiles, so that what was built before is used.
+    # The same profiles, so that existing builds are reused.
     sed -n '/^\[profile/,$p' Cargo.toml
   } >"$folder/Cargo.toml"
   cp Cargo.lock "$folder"
-  cargo check --manifest-path "$folder/Cargo.toml" --target-dir "$target" --workspace --all-features
+  build cargo check --manifest-path "$folder/Cargo.toml" --target-dir "$target" --workspace --all-features
 }
 
 step_no-std() {
-  cargo run --locked --release --manifest-path tests/no-std/Cargo.toml --target-dir target/no-std
-  echo "it links, and what it calculates is right"
+  build cargo build --locked --release --manifest-path tests/no-std/Cargo.toml --target-dir target/no-std
+  target/no-std/release/dobot-no-std
+  echo "it links, and its results are right"
 }
 
-# The command that each example names is what a person types; here the binaries that `test` has built are run, since a
-# build of one package has other features than a build of all, and would compile the dependencies once more.
-step_examples() {
-  local file room name command
-  build_all
-  for file in crates/*/examples/*.rs crates/*/examples/*/main.rs; do
-    [[ -e $file ]] || continue
-    room=$(cut -d/ -f2 <<<"$file")
-    name=${file#crates/*/examples/}
-    name=${name%.rs}
-    name=${name%/main}
-    command=$(sed -n "1s/^\/\/! \`cargo run -p dobot-$room --example \($name\( -- [^\`]*\)\?\)\`.*/\1/p" "$file")
-    if [[ -z $command ]]; then
-      fail "$file: the first line is not the command that runs it, as in //! \`cargo run -p dobot-$room --example $name\`"
-    fi
-    run_example "$command"
-  done
-}
-
-# The programs, with every feature, as `test` builds them: without the examples there would be no dependencies of
-# tests, and with that other features, and all would be built once more.
+# What the steps run: tests, programs, examples, the Python module.
 build_all() {
-  cargo build --locked --workspace --all-features --bins --examples
+  build cargo build --locked --workspace "${RARE[@]}" --lib --bins --tests --examples
+}
+
+# The same for the rare crates and features.
+build_rare() {
+  build cargo build --locked --all-features "${FEATURED[@]}" --lib --bins --tests --examples
 }
 
 built() {
   echo "${CARGO_TARGET_DIR:-target}/debug"
+}
+
+# Runs the command in the first line of each example.
+step_examples() {
+  local file name command
+  build_all
+  for file in examples/rust/examples/*.rs examples/rust/examples/*/main.rs; do
+    name=${file#examples/rust/examples/}
+    name=${name%.rs}
+    name=${name%/main}
+    # Its command needs the feature `fleet`.
+    [[ $name != scale ]] || continue
+    command=$(sed -n "1s/^\/\/! \`cargo run -p dobot-examples --example \($name\( -- [^\`]*\)\?\)\`.*/\1/p" "$file")
+    if [[ -z $command ]]; then
+      fail "$file: the first line is not its command, as in //! \`cargo run -p dobot-examples --example $name\`"
+    fi
+    run_example "$command"
+  done
 }
 
 run_example() {
@@ -237,10 +257,10 @@ run_example() {
   bash -c "'$(built)/examples/'${1/ -- / }" </dev/null
 }
 
-# The station says in a file where it is; its arm is a virtual one.
+# The station writes its address to a file; its arm is a virtual one.
 step_api() {
   local folder address station
-  needs_venv
+  needs_packages ci
   needs_command curl curl
   needs_command node nodejs
   build_all
@@ -248,7 +268,7 @@ step_api() {
   "$(built)/dobot" up --virtual --http 127.0.0.1:0 --raw off --data "$folder" >"$folder/log" &
   station=$!
   STATION=$station
-  for _ in {1..100}; do
+  for _ in {1..300}; do
     address=$(sed -n 's/^address = "\(.*\)"/\1/p' "$folder/station.toml" 2>/dev/null) || true
     [[ -n $address ]] && break
     sleep 0.1
@@ -258,7 +278,7 @@ step_api() {
   run_example "move_and_jog -- '$address'"
   run_example "draw -- examples/drawings/square.svg '$address'"
   tests/api/examples.sh "$address"
-  EXAMPLES=${EXAMPLES:-20} tests/api/schemathesis.sh "$address"
+  EXAMPLES=${EXAMPLES:-20} SCHEMATHESIS=$VENV/bin/schemathesis tests/api/schemathesis.sh "$address"
   kill -INT "$station"
   wait "$station"
   STATION=
@@ -266,84 +286,93 @@ step_api() {
 }
 
 step_models() {
-  needs_venv
-  build_all
-  tests/models/check.sh "$(built)"
+  needs_packages wide
+  build_rare
+  PATH=$VENV/bin:$PATH tests/models/check.sh "$(built)"
 }
 
 step_recordings() {
   local folder
-  needs_venv
+  needs_packages wide
+  needs_command node nodejs
+  needs_command npm npm
+  npm ci --prefix page --no-audit --no-fund
+  build_rare
   folder=$(mktemp -d)
-  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test repairs -- --exact samples --ignored
+  export PATH=$VENV/bin:$PATH
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --all-features "${FEATURED[@]}" -p dobot-record --test it -- --exact repairs::samples --ignored
   tests/recordings/read.sh "$folder"
   rm -rf "$folder"
   mkdir "$folder"
-  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --workspace --all-features --test export -- --exact samples --ignored
-  build_all
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --all-features "${FEATURED[@]}" -p dobot-tables --test it -- --exact export::samples --ignored
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
-  needs_command node nodejs
-  needs_command npm npm
   rm -rf "$folder"
   mkdir "$folder"
-  tests/foxglove/look_on.sh "$(realpath "$(built)/dobot")" "$folder"
+  tests/foxglove/look_on.sh "$DOBOT" "$folder"
   tests/recordings/read.sh "$folder" scene.py
   rm -rf "$folder"
 }
 
 step_fleet() {
-  local folder
-  needs_venv
+  needs_packages wide
   needs_command ip iproute2
-  folder=$(mktemp -d)
-  python3 -m venv "$folder"
-  "$folder/bin/pip" install --quiet eclipse-zenoh
-  build_all
-  tests/fleet/class.sh "$(realpath "$(built)/dobot")" "$folder/bin/python"
-  rm -rf "$folder"
-  needs_command node nodejs
-  needs_command npm npm
-  needs_command chromium chromium
-  npm ci --prefix page --no-audit --no-fund
-  tests/fleet/board.sh "$(realpath "$(built)/dobot")" "$(command -v chromium)"
+  needs_browser
+  build_rare
+  tests/fleet/class.sh "$DOBOT" "$VENV/bin/python"
+  tests/fleet/board.sh "$DOBOT" "$CHROMIUM"
 }
 
 step_ros2() {
-  needs_venv
-  build_all
-  tests/ros2/check.sh "$(built)"
+  needs_packages wide
+  build_rare
+  PATH=$VENV/bin:$PATH tests/ros2/check.sh "$(built)"
 }
 
+# The module is built with the other crates and put beside the package's Python files; release/wheel.sh builds the wheel.
 step_python() {
-  local folder program tests notebooks
-  needs_venv
-  needs_component clippy clippy
-  cargo fmt --manifest-path python/Cargo.toml --check
-  cargo clippy --locked --manifest-path python/Cargo.toml -- -D warnings
-  folder=$(mktemp -d)
-  python3 -m venv "$folder/venv"
-  # Built for tests, in a third of the time: the wheel that people get is the one of release/wheel.sh.
-  "$folder/venv/bin/pip" install --quiet --config-settings=build-args="--profile dev" ./python
-  "$folder/venv/bin/pip" install --quiet ipykernel matplotlib mypy nbmake numpy pandas pandas-stubs pyarrow pyright pyserial pytest types-pyserial
+  local folder tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
+  needs_packages ci
   build_all
-  program=$(realpath "$(built)/dobot")
-  tests=$PWD/python/tests notebooks=$PWD/examples/notebooks
-  # Elsewhere than beside the package's sources, so that the installed one is tested.
-  (cd "$folder" && DOBOT=$program venv/bin/pytest --quiet -p no:cacheprovider "$tests" && venv/bin/pytest --quiet -p no:cacheprovider --nbmake "$notebooks" && venv/bin/mypy --strict "$tests" && venv/bin/mypy --strict -p dobot_arm \
-    && venv/bin/pyright --pythonpath venv/bin/python "$tests" && venv/bin/pyright --pythonpath venv/bin/python venv/lib/python3*/site-packages/dobot_arm)
+  folder=$(assembled_package)
+  (
+    # Away from the sources, so that the assembled package is tested.
+    cd "$folder"
+    export PYTHONPATH=$folder MYPYPATH=$folder
+    "$VENV/bin/pytest" --quiet -p no:cacheprovider --ignore "$tests/full" "$tests"
+    "$VENV/bin/pytest" --quiet -p no:cacheprovider --nbmake "$notebooks"
+    "$VENV/bin/mypy" --strict "$tests"
+    "$VENV/bin/mypy" --strict -p dobot_arm
+    "$VENV/bin/pyright" --pythonpath "$VENV/bin/python" "$tests" "$folder/dobot_arm"
+  )
   rm -rf "$folder"
 }
 
-# The browser is Debian's, and playwright-core from npm moves the pointer in it.
+# Parts that only a module with the feature `full` has.
+step_python-full() {
+  local folder tests=$PWD/python/tests/full
+  needs_packages wide
+  build_rare
+  folder=$(assembled_package)
+  (cd "$folder" && PYTHONPATH=$folder "$VENV/bin/pytest" --quiet -p no:cacheprovider "$tests")
+  rm -rf "$folder"
+}
+
+# A folder with the package's Python files and the module that was built last.
+assembled_package() {
+  local folder
+  folder=$(mktemp -d)
+  cp -r python/dobot_arm "$folder"
+  cp "$(built)/lib_core.so" "$folder/dobot_arm/_core.abi3.so"
+  # The pytest plug-in is an entry point of the installed package.
+  mkdir "$folder/dobot_arm-0.dist-info"
+  printf 'Metadata-Version: 2.1\nName: dobot-arm\nVersion: 0\n' >"$folder/dobot_arm-0.dist-info/METADATA"
+  printf '[pytest11]\ndobot-arm = dobot_arm.pytest_plugin\n' >"$folder/dobot_arm-0.dist-info/entry_points.txt"
+  echo "$folder"
+}
+
 step_page() {
-  needs_command node nodejs
-  needs_command npm npm
-  needs_command chromium chromium
+  needs_browser
   build_all
-  npm ci --prefix page --no-audit --no-fund
-  DOBOT=$(realpath "$(built)/dobot")
-  CHROMIUM=$(command -v chromium)
-  export DOBOT CHROMIUM
   npm run vendor --prefix page -- --check
   npm run types --prefix page -- --check
   npm run check --prefix page
@@ -351,93 +380,186 @@ step_page() {
   npm run browser --prefix page
 }
 
+# Debian's Chromium, driven by playwright-core.
+needs_browser() {
+  needs_command node nodejs
+  needs_command npm npm
+  needs_command chromium chromium
+  npm ci --prefix page --no-audit --no-fund
+  CHROMIUM=$(command -v chromium)
+  export CHROMIUM
+}
+
 step_bench-check() {
-  cargo test --locked --workspace --all-features --bench '*'
-}
-
-# What `cargo fuzz run --sanitizer none` does, without having to install it. There is no `unsafe` for a
-# sanitizer to look into.
-step_fuzz() {
-  local host
-  host=$(rustc -vV | sed -n 's/^host: //p')
-  local -a coverage=(
-    --cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
-    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
-    -Cllvm-args=-sanitizer-coverage-pc-table
-  )
-  cargo fmt --manifest-path fuzz/Cargo.toml --check
-  needs_command c++ g++
-  (
-    cd fuzz
-    export RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}"
-    cargo build --locked --release --target "$host"
-    export PROGRAMS=${CARGO_TARGET_DIR:-target}/$host/release
-    export -f fuzz_target
-    basename -s .rs fuzz_targets/*.rs | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I{} bash -c 'fuzz_target {}'
-  )
-}
-
-# One target on one core; what it prints comes when it is over.
-fuzz_target() {
-  local status=0
-  mkdir -p "corpus/$1" "artifacts/$1"
-  "$PROGRAMS/$1" "corpus/$1" "-artifact_prefix=artifacts/$1/" "-max_total_time=${FUZZ_SECONDS:-15}" -seed=1 -timeout=10 \
-    -max_len=1000 -print_final_stats=1 >"artifacts/$1/log" 2>&1 || status=$?
-  printf '%s\n%s\n' "== $1" "$(tail -n 12 "artifacts/$1/log")"
-  return "$status"
+  build cargo test --locked --workspace "${RARE[@]}" --bench '*' --no-run
+  cargo test --locked --workspace "${RARE[@]}" --bench '*'
 }
 
 step_bench() {
   # A plain byte bridge, to compare the station with.
   needs_command socat socat
-  cargo bench --locked --workspace --bench '*'
+  cargo bench --locked --workspace "${RARE[@]}" --bench '*'
+}
+
+# The number of inputs for each fuzz target: five to ten seconds.
+readonly FUZZ_RUNS='dxf 50000
+files 30000
+firmware_1_1 3000
+gcode 50000
+hpgl 50000
+lightburn 30000
+mcap 50000
+pictures 5000
+points 50000
+policy 20000
+programs 10000
+requests 1500
+specification 3000
+svg 10000
+texts 50000
+vendor_files 50000'
+
+# The same inputs each time: made from the seeds alone, with a fixed random seed.
+step_fuzz() {
+  build_fuzz
+  export -f fuzz_target fuzz_some
+  xargs -P "$(getconf _NPROCESSORS_ONLN)" -L 1 bash -c 'fuzz_some "$@"' fuzz <<<"$FUZZ_RUNS"
+}
+
+# Other inputs each time, made from all that were found before. Each target runs for a minute in turn, until the time is over or
+# a target fails.
+step_fuzz-long() {
+  local ends share=60
+  build_fuzz
+  ends=$((SECONDS + ${FUZZ_SECONDS:-1000000000}))
+  export -f fuzz_target fuzz_longer
+  while ((SECONDS < ends)); do
+    share=$((ends - SECONDS < share ? ends - SECONDS : share))
+    cut -d' ' -f1 <<<"$FUZZ_RUNS" |
+      xargs -P "$(getconf _NPROCESSORS_ONLN)" -I{} bash -c "fuzz_longer {} $share"
+  done
+}
+
+# What `cargo fuzz build --sanitizer none` does, without having to install it. There is no `unsafe` for a sanitizer to
+# look into. `--target` keeps the flags from build scripts.
+build_fuzz() {
+  local host
+  local -a coverage=(
+    --cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4
+    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters
+    -Cllvm-args=-sanitizer-coverage-pc-table
+  )
+  host=$(rustc -vV | sed -n 's/^host: //p')
+  export FUZZ_FOLDER=${CARGO_TARGET_DIR:-target}/fuzz
+  export FUZZ_PROGRAMS=$FUZZ_FOLDER/$host/fuzz
+  needs_command c++ g++
+  RUSTC_BOOTSTRAP=1 RUSTFLAGS="${coverage[*]}" build cargo build --locked -p dobot-fuzz --features libfuzzer \
+    --profile fuzz --target "$host" --target-dir "$FUZZ_FOLDER"
+}
+
+fuzz_some() {
+  local corpus status=0
+  corpus=$(mktemp -d)
+  fuzz_target "$1" "$corpus" "-runs=$2" -seed=1 || status=$?
+  rm -rf "$corpus"
+  return "$status"
+}
+
+fuzz_longer() {
+  mkdir -p "$FUZZ_FOLDER/corpus/$1"
+  fuzz_target "$1" "$FUZZ_FOLDER/corpus/$1" "-max_total_time=$2"
+}
+
+# One target on one core. It prints its log only if it fails; what it finds becomes a seed.
+fuzz_target() {
+  local target=$1 corpus=$2 status=0
+  mkdir -p "$FUZZ_FOLDER/found"
+  "$FUZZ_PROGRAMS/$target" "$corpus" "fuzz/seeds/$target" "${@:3}" "-artifact_prefix=$FUZZ_FOLDER/found/$target-" \
+    -timeout=60 -max_len=1000 -print_final_stats=1 >"$FUZZ_FOLDER/$target.log" 2>&1 || status=$?
+  if [[ $status == 0 ]]; then
+    echo "$target: nothing found with $(sed -n 's/^stat::number_of_executed_units: *//p' "$FUZZ_FOLDER/$target.log") inputs"
+  else
+    printf '%s\n%s\n' "$target:" "$(tail -n 40 "$FUZZ_FOLDER/$target.log")"
+  fi
+  return "$status"
 }
 
 step_compare-vpype() {
   needs_drawings order_drawings
-  needs_python vpype elkai
-  target/compare/bin/python tests/compare/travel.py
+  needs_packages compare
+  "$VENV/bin/python" tests/compare/travel.py
 }
 
 step_compare-toppra() {
   needs_drawings plan_json
-  needs_python toppra numpy
-  target/compare/bin/python tests/compare/toppra_time.py target/drawings/*.svg
+  needs_packages compare
+  "$VENV/bin/python" tests/compare/toppra_time.py target/drawings/*.svg
 }
 
-# The drawings that programs are compared on, and ours to be compared.
+# The drawings to compare programs on, and our example that processes them.
 needs_drawings() {
-  cargo run --locked --release -p dobot-draw --example benchmark_drawings -- target/drawings
-  cargo build --locked --release -p dobot-draw --example "$1"
+  cargo run --locked --release -p dobot-examples --example benchmark_drawings -- target/drawings
+  cargo build --locked --release -p dobot-examples --example "$1"
 }
 
-needs_python() {
+# The number of packages in the program of a plain clone, and what takes most space in a build.
+step_budget() {
+  local packages
+  packages=$(cargo tree --locked -p dobot-cli --edges normal,build --prefix none --format '{p}' | sed 's/ (\*)$//' | sort -u | wc -l)
+  echo "packages: $packages (at most 300)"
+  ((packages <= 300)) || fail "$packages packages; which of them does a plain clone need?"
+  echo "largest libraries in $(built):"
+  find "$(built)/deps" -name '*.rlib' -printf '%s %f\n' | sort -rn | awk '!seen[gensub(/-[0-9a-f]+\.rlib/, "", 1, $2)]++ && n++ < 5 { printf "  %5.1f MB  %s\n", $1 / 1e6, $2 }'
+}
+
+# One virtual environment for all steps. The packages in tests/python/NAME.txt are installed the first time.
+needs_packages() {
+  local list=tests/python/$1.txt
+  if [[ -n $INSTALLING ]]; then
+    wait "$INSTALLING" || true
+    INSTALLING=
+  fi
   needs_venv
-  [[ -x target/compare/bin/pip ]] || python3 -m venv target/compare
-  target/compare/bin/pip install --quiet "$@"
+  if ! cmp -s "$list" "$VENV/$1.txt"; then
+    [[ -x $VENV/bin/pip ]] || python3 -m venv "$VENV"
+    "$VENV/bin/pip" install --quiet --disable-pip-version-check --no-deps -r "$list"
+    # Written last: an interrupted installation is done again.
+    cp "$list" "$VENV/$1.txt"
+  fi
 }
 
-# Installs a Debian package for a command where that is possible, and else says what to do.
+# Installs Python packages while cargo builds.
+install_packages_early() {
+  case " $* " in
+    *" models "* | *" recordings "* | *" fleet "* | *" ros2 "*) needs_packages wide >/dev/null 2>&1 & ;;
+    *" api "* | *" python "*) needs_packages ci >/dev/null 2>&1 & ;;
+    *) return ;;
+  esac
+  INSTALLING=$!
+}
+
+# Installs a Debian package for a command where that is possible, and otherwise names it.
 needs_command() {
   local command=$1 package=$2
-  if command -v "$command" >/dev/null; then
-    return
+  if ! command -v "$command" >/dev/null; then
+    install_package "$command is missing" "$package"
   fi
-  if [[ $EUID != 0 ]] || ! command -v apt-get >/dev/null; then
-    fail "$command is missing; install it, on Debian with: apt-get install $package"
-  fi
-  apt-get update -q
-  apt-get install -qy --no-install-recommends "$package"
 }
 
 # Python's virtual environments are a package of their own on Debian.
 needs_venv() {
   needs_command python3 python3
   if ! python3 -c 'import ensurepip' 2>/dev/null; then
-    [[ $EUID == 0 ]] && command -v apt-get >/dev/null || fail "python3 has no venv; on Debian: apt-get install python3-venv"
-    apt-get update -q
-    apt-get install -qy --no-install-recommends python3-venv
+    install_package "python3 has no venv" python3-venv
   fi
+}
+
+install_package() {
+  if [[ $EUID != 0 ]] || ! command -v apt-get >/dev/null; then
+    fail "$1; install it, on Debian with: apt-get install $2"
+  fi
+  apt-get update -q
+  apt-get install -qy --no-install-recommends "$2"
 }
 
 needs_component() {
@@ -449,13 +571,15 @@ needs_component() {
 
 main() {
   local names=("$@") name
-  if [[ ${names[0]:-} =~ ^(help|-h|--help)$ ]]; then
-    help
-    return
-  fi
-  if [[ ${#names[@]} == 0 ]]; then
-    mapfile -t names < <(printf '%s\n' "${CI_STEPS[@]%% *}")
-  fi
+  case ${names[0]:-push} in
+    push) mapfile -t names < <(printf '%s\n' "${PUSH_STEPS[@]%% *}") ;;
+    wide) mapfile -t names < <(printf '%s\n' "${WIDE_STEPS[@]%% *}") ;;
+    times) exec cat "$TIMES" ;;
+    help | -h | --help)
+      help
+      return
+      ;;
+  esac
   for name in "${names[@]}"; do
     if [[ $name == *[!a-z0-9-]* ]] || ! declare -F "step_$name" >/dev/null; then
       help >&2
@@ -463,27 +587,44 @@ main() {
     fi
   done
   if ! command -v cargo >/dev/null; then
-    fail "cargo is missing; https://rustup.rs tells how to install Rust"
+    fail "cargo is missing; install Rust from https://rustup.rs"
   fi
+  mkdir -p target
+  printf '%-12s %8s %8s\n' step 'build s' 'test s' >"$TIMES"
+  install_packages_early "${names[@]}"
   for name in "${names[@]}"; do
     run "$name"
   done
-  echo "ci.sh: all passed (${names[*]}) in ${SECONDS} s"
+  printf '%-12s %17s\n' total "$SECONDS" >>"$TIMES"
+  cat "$TIMES"
+  [[ ${1:-push} != push ]] || step_budget
+  echo "ci.sh: all passed (${names[*]}) in $SECONDS s"
 }
 
 run() {
   local name=$1 began=$SECONDS
   echo "==> $name"
   CURRENT=$name
+  BUILT=0
   "step_$name"
   CURRENT=
-  echo "<== $name: passed in $((SECONDS - began)) s"
+  printf '%-12s %8s %8s\n' "$name" "$BUILT" "$((SECONDS - began - BUILT))" >>"$TIMES"
+  echo "<== $name: built in $BUILT s, tested in $((SECONDS - began - BUILT)) s"
   echo
 }
 
+# Runs a command whose time counts as building.
+build() {
+  local began=$SECONDS
+  "$@"
+  BUILT=$((BUILT + SECONDS - began))
+}
+
 help() {
-  echo "./ci.sh [STEP...]   runs the steps named, or all of CI's:"
-  printf '  %s\n' "${CI_STEPS[@]}"
+  echo "./ci.sh [STEP...]   runs these steps, or those named:"
+  printf '  %s\n' "${PUSH_STEPS[@]}"
+  echo "./ci.sh wide        runs:"
+  printf '  %s\n' "${WIDE_STEPS[@]}"
   echo "others:"
   printf '  %s\n' "${OTHER_STEPS[@]}"
 }
@@ -493,7 +634,14 @@ fail() {
   exit 1
 }
 
+DOBOT=$(built)/dobot
+[[ $DOBOT == /* ]] || DOBOT=$PWD/$DOBOT
+export DOBOT
+readonly TIMES=target/ci-times.txt
+readonly VENV=$PWD/target/venv
 CURRENT=
 STATION=
+INSTALLING=
+BUILT=0
 trap 'if [[ -n $STATION ]]; then kill "$STATION"; fi; if [[ -n $CURRENT ]]; then echo "ci.sh: $CURRENT failed" >&2; fi' EXIT
 main "$@"

@@ -17,7 +17,7 @@ main() {
   rm -rf "$folder"
   mkdir -p "$folder"
 
-  cargo build --locked --profile dist -p dobot-cli
+  cargo build --locked --profile dist -p dobot-cli --features full
   fill "$folder" "$host"
   (cd "$archives" && pack "$name" "$host")
 }
@@ -39,7 +39,7 @@ fill() {
 linked_licences() {
   local host=$1 sources package version licence file
   sources=${CARGO_HOME:-$HOME/.cargo}/registry/src
-  cargo tree --locked -p dobot-cli --edges normal --target "$host" --prefix none --format '{p}|{l}' |
+  cargo tree --locked -p dobot-cli --features full --edges normal --target "$host" --prefix none --format '{p}|{l}' |
     sed 's/ (\*)$//; s/ (proc-macro)//' | grep -v '^dobot-' | sort -u |
     while IFS='|' read -r package licence; do
       version=${package#* v}

@@ -30,7 +30,7 @@ main() {
     "$python" -m pip install --quiet ziglang
     for_linux=(--zig --compatibility manylinux_2_28)
   fi
-  (cd python && maturin build --release --locked --target "$target" --out "$wheels" ${for_linux[@]+"${for_linux[@]}"})
+  (cd python && maturin build --profile wheel --locked --target "$target" --out "$wheels" ${for_linux[@]+"${for_linux[@]}"})
   for wheel in "$wheels"/*.whl; do
     check "$wheel"
   done

@@ -2,27 +2,4 @@
 //! panic, and never more memory than a drawing needs.
 #![no_main]
 
-use dobot_source::Source;
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|input: &[u8]| {
-    let Some((&kind, rest)) = input.split_first() else {
-        return;
-    };
-    let begin = BEGINS[usize::from(kind) % BEGINS.len()];
-    let file = [begin, rest].concat();
-    if let Ok(source) = Source::of_file("-", file) {
-        dobot_fuzz::read(&source);
-    }
-});
-
-const BEGINS: [&[u8]; 8] = [
-    b"",
-    b"GIF89a\x04\x00\x04\x00\x80\x00\x00\x00\x00\x00\xff\xff\xff,\x00\x00\x00\x00\x04\x00\x04\x00\x00",
-    b"RIFF\x40\x00\x00\x00WEBPVP8L",
-    b"RIFF\x40\x00\x00\x00WEBPVP8 ",
-    b"BM\x46\x00\x00\x00\x00\x00\x00\x00\x36\x00\x00\x00\x28\x00\x00\x00\x04\x00\x00\x00\x04\x00\x00\x00\x01\x00\x18\x00",
-    b"II*\0\x08\x00\x00\x00",
-    b"MM\0*\x00\x00\x00\x08",
-    b"\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03",
-];
+libfuzzer_sys::fuzz_target!(|input: &[u8]| dobot_fuzz::files(input));

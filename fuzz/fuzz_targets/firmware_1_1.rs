@@ -2,14 +2,4 @@
 //! but never reaches the motors.
 #![no_main]
 
-use dobot_controller::Personality;
-use libfuzzer_sys::fuzz_target;
-
-fuzz_target!(|input: &[u8]| {
-    dobot_fuzz::drive(Personality::Firmware11, input, |controller, status| {
-        assert!([0.0, 1.0].contains(&status.float(9)), "{status:?}");
-        let joints = controller.joints_at(std::time::Duration::MAX);
-        let angles = [joints.base, joints.rear, joints.fore, joints.servo];
-        assert!(angles.iter().all(|it| it.0.is_finite()), "{joints:?}");
-    });
-});
+libfuzzer_sys::fuzz_target!(|input: &[u8]| dobot_fuzz::firmware_1_1(input));

@@ -15,6 +15,7 @@ import { watch } from "./panels/watch.js";
 import { isDarkTheme, keepWishes, readWishes } from "./parts/wishes.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
+import { looksSame } from "./state/same.js";
 import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/select.js";
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
@@ -69,6 +70,7 @@ const viewOf = createViewOf();
 // --- The state, drawn: once for each picture of the screen, however much has changed -----------------
 
 let asked = 0;
+/** @type {Page | null} */ let drawn = null;
 const changed = () => (asked ||= requestAnimationFrame(draw));
 
 const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, dark.matches);
@@ -76,6 +78,7 @@ const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, dark.matche
 function draw() {
   asked = 0;
   const { page } = store;
+  drawn = page;
   const say = speak(page.language);
   document.documentElement.lang = page.language;
   document.documentElement.dataset.theme = isDark(page) ? "dark" : "light";
@@ -130,7 +133,9 @@ let kept = store.page.teach.text;
 /** @type {number | undefined} */ let keeping;
 
 store.listen((page, message) => {
-  changed();
+  // The stage hears that the arm stood; all else stays as it is.
+  if (message.type === "state" && drawn && looksSame(drawn, page)) drawStage(page, speak(page.language));
+  else changed();
   if (message.type === "problem") {
     clearTimeout(told);
     told = setTimeout(forget, TOLD_MS);
@@ -151,6 +156,8 @@ part("stage").addEventListener("target", (event) => {
   store.send(taughtPlace(store.page) ? { type: "teach_placed", place, phase } : { type: "target_placed", place });
 });
 dark.addEventListener("change", changed);
+// A field that somebody was in shows what holds once it is left.
+document.addEventListener("focusout", changed);
 setInterval(() => {
   // A clock that ticks for nothing draws nothing.
   if (silence_ms({ ...store.page, now_ms: Date.now() }) > 0 || silence_ms(store.page) > 0) store.send({ type: "tick", now_ms: Date.now() });

@@ -18,20 +18,19 @@ after(async () => {
   await bench.end();
 });
 
-/** Puts a finger on the middle of an element, or takes it away. */
-async function finger(type, selector) {
-  const { x, y, width, height } = await page.locator(selector).boundingBox();
-  const touchPoints = type === "touchEnd" ? [] : [{ x: x + width / 2, y: y + height / 2 }];
-  await session.send("Input.dispatchTouchEvent", { type, touchPoints });
+/** Fingers that are on the glass: each on the middle of an element. */
+async function fingers(type, ...selectors) {
+  const boxes = await Promise.all(selectors.map((selector) => page.locator(selector).boundingBox()));
+  await session.send("Input.dispatchTouchEvent", { type, touchPoints: boxes.map(({ x, y, width, height }, id) => ({ x: x + width / 2, y: y + height / 2, id })) });
 }
 
 test("a finger that holds a button jogs, its lifting stops, and the stage stays in sight", async () => {
   const from = told.packets.length;
-  await finger("touchStart", "[data-axis=y_plus]");
+  await fingers("touchStart", "[data-axis=y_plus]");
   await moved(page, "y_mm", 5);
   const stage = await page.locator("#stage").boundingBox();
   assert.ok(stage.y >= 0 && stage.height > 200 && stage.y + stage.height < 500);
-  await finger("touchEnd", "[data-axis=y_plus]");
+  await fingers("touchEnd");
   await rest(page);
   const jogs = told.jogs(from).map((it) => it.text);
   assert.deepEqual(new Set(jogs), new Set(["linear 3", "linear 0"]));
@@ -43,10 +42,12 @@ test("STOP is within reach of a thumb, and nothing hangs over the edge", async (
   assert.ok(stop.y > 600 && stop.width > 300);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   const from = told.packets.length;
-  await finger("touchStart", "[data-axis=x_plus]");
+  await fingers("touchStart", "[data-axis=x_plus]");
   await moved(page, "x_mm", 3);
-  await page.evaluate(() => document.querySelector("#stop").click());
+  // The thumb of the other hand, while the finger stays.
+  await fingers("touchStart", "[data-axis=x_plus]", "#stop");
+  await fingers("touchEnd", "[data-axis=x_plus]");
   await page.waitForSelector("#stopped");
-  await finger("touchEnd", "[data-axis=x_plus]");
+  await fingers("touchEnd");
   assert.equal(told.jogs(from).at(-1).text, "linear 0");
 });

@@ -6,14 +6,17 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use dobot_record::{OpenError, Recording};
-use dobot_tables::{
-    ExportError, TableForm, export_files, export_lerobot, holds_packets, read_tables,
-};
+#[cfg(feature = "full")]
+use dobot_tables::export_lerobot;
+use dobot_tables::{ExportError, TableForm, export_files, holds_packets, read_tables};
+#[cfg(not(feature = "full"))]
+use pyo3::exceptions::PyNotImplementedError;
 use pyo3::exceptions::{PyFileExistsError, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::columns::Columns;
+#[cfg(feature = "full")]
 use crate::failure::value_error;
 
 /// A stretch of a recording; times are seconds since its recorder was started.
@@ -72,7 +75,7 @@ impl Log {
         overwrite: bool,
     ) -> PyResult<PathBuf> {
         let form = if parquet {
-            TableForm::Parquet
+            parquet_form()?
         } else {
             TableForm::Csv
         };
@@ -90,7 +93,14 @@ impl Log {
         })
     }
 
+    #[cfg(not(feature = "full"))]
+    fn export_lerobot(&self, _out: PathBuf, _task: &str) -> PyResult<(u32, u32)> {
+        self.check()?;
+        Err(not_built())
+    }
+
     /// Writes a dataset of LeRobot into a new folder; gives its episodes and frames.
+    #[cfg(feature = "full")]
     fn export_lerobot(&self, py: Python<'_>, out: PathBuf, task: &str) -> PyResult<(u32, u32)> {
         py.detach(|| {
             self.check()?;
@@ -121,6 +131,24 @@ impl Log {
     }
 }
 
+#[cfg(feature = "full")]
+#[expect(clippy::unnecessary_wraps, reason = "a build without Parquet fails")]
+fn parquet_form() -> PyResult<TableForm> {
+    Ok(TableForm::Parquet)
+}
+
+#[cfg(not(feature = "full"))]
+fn parquet_form() -> PyResult<TableForm> {
+    Err(not_built())
+}
+
+#[cfg(not(feature = "full"))]
+fn not_built() -> PyErr {
+    PyNotImplementedError::new_err(
+        "this module is built without Parquet and LeRobot; the wheels have them",
+    )
+}
+
 fn failed(error: ExportError) -> PyErr {
     match error {
         ExportError::File { file, source } if source.kind() == ErrorKind::AlreadyExists => {
@@ -128,6 +156,7 @@ fn failed(error: ExportError) -> PyErr {
             PyFileExistsError::new_err(format!("{file} is there; overwrite=True writes over it"))
         }
         ExportError::File { source, .. } | ExportError::Io(source) => source.into(),
+        #[cfg(feature = "full")]
         ExportError::NoMotion | ExportError::NoTask => value_error(&error),
         other => PyOSError::new_err(other.to_string()),
     }

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+import dobot_arm as dobot
+
 
 @pytest.fixture
 def station(tmp_path: Path) -> Iterator[str]:
@@ -33,3 +35,20 @@ def station(tmp_path: Path) -> Iterator[str]:
             yield address
         finally:
             process.terminate()
+
+
+@pytest.fixture
+def recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The recording of a move from (200, 0, 60) to (220, 40, 20)."""
+    program = os.environ.get("DOBOT")
+    if program is None:
+        pytest.skip("the environment variable DOBOT names no `dobot` program")
+    monkeypatch.setenv("DOBOT_DATA", str(tmp_path / "data"))
+    monkeypatch.setenv("PATH", str(Path(program).parent))
+    with dobot.serve("specification", speed=20) as served:
+        with dobot.connect(served.tcp, dialect="specification") as arm:
+            arm.confirm_pose()
+            arm.move_to(200, 0, 60)
+            arm.move_to(220, 40, 20)
+    [file] = (tmp_path / "data" / "recordings").glob("*.mcap")
+    yield file

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -62,23 +60,6 @@ def test_what_is_no_script_is_told_with_its_line(tmp_path: Path) -> None:
         dobot.simulate()
 
 
-@pytest.fixture
-def recording(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """The recording of a move from (200, 0, 60) to (220, 40, 20)."""
-    program = os.environ.get("DOBOT")
-    if program is None:
-        pytest.skip("the environment variable DOBOT names no `dobot` program")
-    monkeypatch.setenv("DOBOT_DATA", str(tmp_path / "data"))
-    monkeypatch.setenv("PATH", str(Path(program).parent))
-    with dobot.serve("specification", speed=20) as served:
-        with dobot.connect(served.tcp, dialect="specification") as arm:
-            arm.confirm_pose()
-            arm.move_to(200, 0, 60)
-            arm.move_to(220, 40, 20)
-    [file] = (tmp_path / "data" / "recordings").glob("*.mcap")
-    yield file
-
-
 def test_a_recording_is_read_as_tables(recording: Path) -> None:
     log = dobot.log(recording)
     assert log.damage is None
@@ -103,13 +84,6 @@ def test_a_recording_is_exported(recording: Path, tmp_path: Path) -> None:
     log.export(out, overwrite=True)
     with pytest.raises(ValueError, match=r"\.parquet"):
         log.export(tmp_path / "run.xlsx")
-    pandas = pytest.importorskip("pandas")
-    pytest.importorskip("pyarrow")
-    log.export(tmp_path / "run.parquet")
-    frame = pandas.read_parquet(tmp_path / "run.parquet")
-    assert list(frame["x_mm"]) == list(log.statuses["x_mm"])
-    [dataset] = log.export(tmp_path / "dataset", task="Go there.")
-    assert (Path(dataset) / "meta" / "info.json").exists()
     with pytest.raises(ValueError, match="no packet"):
         dobot.log(recording, start=1e6).export(tmp_path / "none.csv")
 

@@ -3,28 +3,23 @@
 #
 #   tests/api/schemathesis.sh [ADDRESS]     such as http://127.0.0.1:8642, which is the default
 #
-# Only for a station with a virtual arm: it may move. schemathesis is fetched into a virtual environment
-# at the first run; Python 3 is enough. EXAMPLES=1000 makes it thorough.
+# Only for a station with a virtual arm: it may move. SCHEMATHESIS names the program, of the version in tests/python/ci.txt.
+# EXAMPLES=1000 makes it thorough.
 set -euo pipefail
 
 readonly ADDRESS=${1:-http://127.0.0.1:8642}
-readonly VERSION=4.32.5
 CONFIG=$(realpath "$(dirname "$0")/schemathesis.toml")
 readonly CONFIG
-readonly FOLDER=${XDG_CACHE_HOME:-$HOME/.cache}/dobot/schemathesis-$VERSION
+readonly SCHEMATHESIS=${SCHEMATHESIS:-schemathesis}
 
-if [[ ! -x $FOLDER/bin/schemathesis ]]; then
-  python3 -m venv "$FOLDER"
-  "$FOLDER/bin/pip" install --quiet "schemathesis==$VERSION"
-fi
-
-# It keeps what it found beside itself: not in this project.
-mkdir -p "$FOLDER/work"
-cd "$FOLDER/work"
+# It keeps its findings in the current folder.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
 
 # What the document allows may still be refused by lease, policy or link: that is not checked. The
 # WebSocket has tests of its own.
-"$FOLDER/bin/schemathesis" --config-file "$CONFIG" run "$ADDRESS/api/v1/openapi.json" \
+"$SCHEMATHESIS" --config-file "$CONFIG" run "$ADDRESS/api/v1/openapi.json" \
   --url "$ADDRESS" \
   --checks not_a_server_error,status_code_conformance,content_type_conformance,response_schema_conformance,response_headers_conformance,negative_data_rejection,unsupported_method \
   --exclude-path /api/v1/ws \

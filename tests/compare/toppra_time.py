@@ -1,7 +1,7 @@
 """Compares plans with the time-optimal motion that toppra finds.
 
-    cargo run --release -p dobot-draw --example benchmark_drawings -- target/drawings
-    cargo build --release -p dobot-draw --example plan_json
+    cargo run --release -p dobot-examples --example benchmark_drawings -- target/drawings
+    cargo build --release -p dobot-examples --example plan_json
     python tests/compare/toppra_time.py target/drawings/*.svg
 
 needs Python with toppra and numpy (PyPI). It runs from the root of the project.

@@ -89,7 +89,7 @@ def ordered(kicks):
 
 
 def cargo_example(name, *arguments):
-    command = ["cargo", "run", "-q", "--release", "-p", "dobot-draw", "--example", name, "--"]
+    command = ["cargo", "run", "-q", "--release", "-p", "dobot-examples", "--example", name, "--"]
     return subprocess.run([*command, *arguments], check=True, text=True, stdout=subprocess.PIPE).stdout
 
 

@@ -3,15 +3,7 @@
 #
 #   tests/ros2/check.sh PROGRAMS     the folder with the programs `dobot` and `dobot-ros2`
 #
-# It is fetched into a virtual environment at the first run; Python 3 is enough, and no ROS is needed.
+# The `python3` in the search path has the packages of tests/python/wide.txt.
 set -euo pipefail
 
-readonly VERSION=11.0.1
-readonly FOLDER=${XDG_CACHE_HOME:-$HOME/.cache}/dobot/cyclonedds-$VERSION
-
-if [[ ! -e $FOLDER/installed ]]; then
-  python3 -m venv "$FOLDER"
-  "$FOLDER/bin/pip" install --quiet "cyclonedds==$VERSION"
-  touch "$FOLDER/installed"
-fi
-"$FOLDER/bin/python" "$(dirname "${BASH_SOURCE[0]}")/check.py" "$1"
+python3 "$(dirname "${BASH_SOURCE[0]}")/check.py" "$1"

@@ -98,6 +98,8 @@ kinds! {
         "This station has no work of this number for its fleet, or was offered none under this key. `GET /api/v1/fleet/work` lists what was submitted here.";
     NO_SUCH_ARM = 404 "no-such-arm" "there is no such virtual arm"
         "This station gives no virtual arm of this name now. `GET /api/v1/fleet/virtual-arms` lists those that it gives.";
+    NOT_BUILT = 501 "not-built" "the station is built without this"
+        "Parts that few people use are in the released archives and in builds with the feature `full`. The detail says which part this station lacks.";
     METHOD = 405 "method" "this address does not take this method"
         "The path exists, but not with this method. The Allow header lists those that it takes.";
     TIMEOUT = 408 "timeout" "the request came too slowly"
@@ -174,6 +176,8 @@ kinds! {
         "The new policy holds, but it could not be written to its file: after the next start of the station the old one holds again.";
     RECORDING = 500 "recording" "the recordings cannot be read"
         "The folder with the recordings, or one of them, cannot be read. Look at its permissions; `dobot log` reads recordings, too.";
+    INTERNAL = 500 "internal" "the station has a bug here"
+        "A part of the station broke off, and nothing else is affected. The detail says where: please report it, with what was asked for.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
         "A number lies outside its range. The detail says which one, and what is allowed.";
     KEY_REUSED = 422 "key-reused" "the key was that of another request"

@@ -7,7 +7,8 @@ mod inbox;
 #[cfg(feature = "options")]
 mod options;
 mod stream;
-mod trust;
+#[cfg(feature = "tls")]
+mod tls;
 
 use std::fmt;
 use std::time::Duration;
@@ -30,8 +31,7 @@ pub use self::fetch::{delete, fetch, is_station, post};
 pub use self::find::{SearchError, StationSearch, running};
 #[cfg(feature = "options")]
 pub use self::options::StationOptions;
-pub use self::stream::ConnectError;
-pub use self::trust::TrustError;
+pub use self::stream::{ConnectError, TrustError};
 
 /// A client of a station, over its WebSocket.
 ///

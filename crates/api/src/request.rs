@@ -204,7 +204,28 @@ impl Request {
             | Self::Lock { .. }
             | Self::Unlock
             | Self::SetSlots { .. } => Role::Admin,
-            _ => Role::Control,
+            Self::Command { .. }
+            | Self::Jog { .. }
+            | Self::Release
+            | Self::ResetStop
+            | Self::TakeLease
+            | Self::ReleaseLease
+            | Self::AskLease
+            | Self::GrantLease { .. }
+            | Self::Message { .. }
+            | Self::ArmLaser { .. }
+            | Self::DisarmLaser
+            | Self::ConfirmPose
+            | Self::TellAngles
+            | Self::Detect
+            | Self::StartJob { .. }
+            | Self::StepJob { .. }
+            | Self::PauseJob
+            | Self::SetJobSpeed { .. }
+            | Self::SetJobHeight { .. }
+            | Self::CancelJob { .. }
+            | Self::MoveJob { .. }
+            | Self::ForgetJob { .. } => Role::Control,
         }
     }
 }

@@ -6,7 +6,7 @@ use dobot_geometry::{Point, least_width};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, solve};
+use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, norm_squared, solve};
 use crate::{FitError, SHEET_POINTS, Touch};
 
 /// A calibration, and how well it explains the touches.
@@ -262,7 +262,7 @@ fn unsure(solved: &Solved) -> Vec<Unsure> {
 /// The point, of those of the sheet and of the same on a block, that would tell most.
 fn advice(solved: &Solved, tool: Tool) -> Option<Advice> {
     let Numbers { arm, paper, .. } = solved.numbers;
-    let now = solved.spread.rows(0, 5).norm_squared();
+    let now = norm_squared(&solved.spread[..5]);
     let heights = [0.0, BLOCK_MM];
     let candidates = heights.iter().flat_map(|&height_mm| {
         SHEET_POINTS.into_iter().filter_map(move |place_mm| {

@@ -1,7 +1,9 @@
 //! Least squares that a wrong point cannot pull far, with what is known beforehand.
 
+use std::array::from_fn;
+
 use dobot_arm::{Calibration, Joints, Plane, Tool};
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use dobot_geometry::{inverse, solve as solve_linear};
 
 use crate::Touch;
 
@@ -33,8 +35,8 @@ pub(crate) struct Solved {
     /// The sum of squares, in units of what a touch may be wrong.
     pub(crate) cost: f64,
     /// How sure each number is: its deviation, in units of what was known before.
-    pub(crate) spread: SVector<f64, COUNT>,
-    information: SMatrix<f64, COUNT, COUNT>,
+    pub(crate) spread: [f64; COUNT],
+    information: [[f64; COUNT]; COUNT],
 }
 
 /// How many numbers there are.
@@ -44,8 +46,8 @@ pub(crate) const COUNT: usize = 12;
 pub(crate) const TOUCH_MM: f64 = 0.3;
 
 impl Numbers {
-    fn of(scaled: &SVector<f64, COUNT>, middle: &SVector<f64, COUNT>, suspect: Suspect) -> Self {
-        let n = scaled.component_mul(&SVector::from(BEFORE)) + middle;
+    fn of(scaled: &[f64; COUNT], middle: &[f64; COUNT], suspect: Suspect) -> Self {
+        let n: [f64; COUNT] = from_fn(|i| scaled[i] * BEFORE[i] + middle[i]);
         Self {
             arm: Calibration {
                 base_deg: n[0],
@@ -93,22 +95,20 @@ impl Solved {
     /// How unsure all numbers of the arm would be together with one more touch there.
     pub(crate) fn unsure_with(&self, touch: &Touch, tool: Tool) -> f64 {
         let mut more = self.information;
-        let middle = SVector::zeros();
+        let middle = [0.0; COUNT];
         let scaled = self.numbers.scaled();
-        for row in jacobian(&[*touch], tool, Suspect::Nothing, &scaled, &middle).row_iter() {
-            more += row.transpose() * row;
+        for row in jacobian(&[*touch], tool, Suspect::Nothing, &scaled, &middle) {
+            add_square(&mut more, &row, 1.0);
         }
-        let spread = more
-            .try_inverse()
-            .map_or(f64::INFINITY, |it| it.diagonal().rows(0, 5).sum());
+        let spread = inverse(&more).map_or(f64::INFINITY, |it| (0..5).map(|i| it[i][i]).sum());
         spread.max(0.0)
     }
 }
 
 impl Numbers {
-    fn scaled(&self) -> SVector<f64, COUNT> {
+    fn scaled(&self) -> [f64; COUNT] {
         let Self { arm, paper, .. } = self;
-        SVector::from([
+        let numbers = [
             arm.base_deg,
             arm.rear_deg,
             arm.fore_deg,
@@ -121,29 +121,32 @@ impl Numbers {
             paper.slope_y,
             0.0,
             0.0,
-        ])
-        .component_div(&SVector::from(BEFORE))
+        ];
+        from_fn(|i| numbers[i] / BEFORE[i])
     }
 }
 
 /// The numbers with the least sum of squares, each square of a touch beyond [`HUBER`] counted as its
 /// root (Huber's rule), and each number beyond [`BEFORE`] counted too (Levenberg and Marquardt).
 pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
-    let mut middle = SVector::<f64, COUNT>::zeros();
+    let mut middle = [0.0; COUNT];
     // Where the first touch says; what is known before of the height is next to nothing.
     middle[7] = touches.first().map_or(0.0, |it| {
         Calibration::default().true_place_of(&it.told, tool).z.0 - it.height_mm
     });
-    let mut at = SVector::<f64, COUNT>::zeros();
+    let mut at = [0.0; COUNT];
     let mut damping = 1e-3;
     let mut cost = cost_of(touches, tool, suspect, &at, &middle);
     for _ in 0..ROUNDS {
         let (information, pull) = normal(touches, tool, suspect, &at, &middle);
-        let damped = information + SMatrix::from_diagonal(&information.diagonal()) * damping;
-        let Some(step) = damped.cholesky().map(|it| it.solve(&pull)) else {
+        let mut damped = information;
+        for (i, row) in damped.iter_mut().enumerate() {
+            row[i] *= 1.0 + damping;
+        }
+        let Some(step) = solve_linear(&damped, &pull) else {
             break;
         };
-        let next = at - step;
+        let next = from_fn(|i| at[i] - step[i]);
         let next_cost = cost_of(touches, tool, suspect, &next, &middle);
         if next_cost < cost {
             let is_done = cost - next_cost < 1e-9 * cost.max(1e-9);
@@ -159,11 +162,8 @@ pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
         }
     }
     let (information, _) = normal(touches, tool, suspect, &at, &middle);
-    let spread = information
-        .try_inverse()
-        .map_or(SVector::repeat(1.0), |it| {
-            it.diagonal().map(|v| v.max(0.0).sqrt())
-        });
+    let spread =
+        inverse(&information).map_or([1.0; COUNT], |it| from_fn(|i| it[i][i].max(0.0).sqrt()));
     Solved {
         numbers: Numbers::of(&at, &middle, suspect),
         cost,
@@ -177,43 +177,51 @@ fn normal(
     touches: &[Touch],
     tool: Tool,
     suspect: Suspect,
-    at: &SVector<f64, COUNT>,
-    middle: &SVector<f64, COUNT>,
-) -> (SMatrix<f64, COUNT, COUNT>, SVector<f64, COUNT>) {
+    at: &[f64; COUNT],
+    middle: &[f64; COUNT],
+) -> ([[f64; COUNT]; COUNT], [f64; COUNT]) {
     let rows = jacobian(touches, tool, suspect, at, middle);
     let away = residuals(touches, tool, suspect, at, middle);
-    let mut information = SMatrix::identity();
+    let mut information = from_fn(|i| from_fn(|j| if i == j { 1.0 } else { 0.0 }));
     let mut pull = *at;
-    for index in 0..touches.len() {
-        let own = away.rows(3 * index, 3);
-        let weight = (HUBER / own.norm().max(1e-12)).min(1.0);
-        for number in 3 * index..3 * index + 3 {
-            let row: SVector<f64, COUNT> =
-                rows.row(number).transpose().fixed_rows::<COUNT>(0).into();
-            information += row * row.transpose() * weight;
-            pull += row * (away[number] * weight);
+    for (rows, own) in rows.chunks_exact(3).zip(away.chunks_exact(3)) {
+        let weight = (HUBER / norm(own).max(1e-12)).min(1.0);
+        for (row, away) in rows.iter().zip(own) {
+            add_square(&mut information, row, weight);
+            for (pull, number) in pull.iter_mut().zip(row) {
+                *pull += number * away * weight;
+            }
         }
     }
     (information, pull)
+}
+
+/// Adds a row times itself: what one number of a touch tells.
+fn add_square(information: &mut [[f64; COUNT]; COUNT], row: &[f64; COUNT], weight: f64) {
+    for (sums, a) in information.iter_mut().zip(row) {
+        for (sum, b) in sums.iter_mut().zip(row) {
+            *sum += a * b * weight;
+        }
+    }
 }
 
 fn cost_of(
     touches: &[Touch],
     tool: Tool,
     suspect: Suspect,
-    at: &SVector<f64, COUNT>,
-    middle: &SVector<f64, COUNT>,
+    at: &[f64; COUNT],
+    middle: &[f64; COUNT],
 ) -> f64 {
     let away = residuals(touches, tool, suspect, at, middle);
-    let of_touch = |index: usize| {
-        let norm = away.rows(3 * index, 3).norm();
+    let of_touch = |own: &[f64]| {
+        let norm = norm(own);
         if norm <= HUBER {
             norm * norm
         } else {
             HUBER * (2.0 * norm - HUBER)
         }
     };
-    (0..touches.len()).map(of_touch).sum::<f64>() + at.norm_squared()
+    away.chunks_exact(3).map(of_touch).sum::<f64>() + norm_squared(at)
 }
 
 /// How far each touch is away, three numbers each, in units of [`TOUCH_MM`].
@@ -221,33 +229,43 @@ fn residuals(
     touches: &[Touch],
     tool: Tool,
     suspect: Suspect,
-    at: &SVector<f64, COUNT>,
-    middle: &SVector<f64, COUNT>,
-) -> DVector<f64> {
+    at: &[f64; COUNT],
+    middle: &[f64; COUNT],
+) -> Vec<f64> {
     let numbers = Numbers::of(at, middle, suspect);
     let all = touches.iter().enumerate().flat_map(|(index, touch)| {
         let is_after = matches!(suspect, Suspect::StepBefore(step) if index >= step);
         numbers.away_mm(touch, tool, is_after)
     });
-    DVector::from_iterator(3 * touches.len(), all.map(|it| it / TOUCH_MM))
+    all.map(|it| it / TOUCH_MM).collect()
 }
 
 fn jacobian(
     touches: &[Touch],
     tool: Tool,
     suspect: Suspect,
-    at: &SVector<f64, COUNT>,
-    middle: &SVector<f64, COUNT>,
-) -> DMatrix<f64> {
-    let mut rows = DMatrix::zeros(3 * touches.len(), COUNT);
+    at: &[f64; COUNT],
+    middle: &[f64; COUNT],
+) -> Vec<[f64; COUNT]> {
+    let mut rows = vec![[0.0; COUNT]; 3 * touches.len()];
     for column in 0..COUNT {
         let mut ends = [*at; 2];
         ends[0][column] -= DIFFERENCE;
         ends[1][column] += DIFFERENCE;
         let [before, after] = ends.map(|it| residuals(touches, tool, suspect, &it, middle));
-        rows.set_column(column, &((after - before) / (2.0 * DIFFERENCE)));
+        for (row, (after, before)) in rows.iter_mut().zip(after.iter().zip(&before)) {
+            row[column] = (after - before) / (2.0 * DIFFERENCE);
+        }
     }
     rows
+}
+
+fn norm(numbers: &[f64]) -> f64 {
+    norm_squared(numbers).sqrt()
+}
+
+pub(crate) fn norm_squared(numbers: &[f64]) -> f64 {
+    numbers.iter().map(|it| it * it).sum()
 }
 
 /// What is known before any touch: how far each number is from its middle, typically. In degrees,

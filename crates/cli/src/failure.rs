@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use dobot_api::{ConnectError, RemoteError};
+use dobot_api::{ConnectError, NotBuilt, RemoteError};
 use dobot_client::{LinkError, OpenError, SendError};
 use dobot_draw::OptionsError;
 use dobot_rules::{NoArm, OpenArmError};
@@ -93,6 +93,9 @@ fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
     }
     if let Some(error) = cause.downcast_ref::<NoArm>() {
         return error.hint();
+    }
+    if cause.is::<NotBuilt>() {
+        return Some(NotBuilt::HINT.into());
     }
     let link = cause.downcast_ref::<LinkError>();
     let send = match link {

@@ -7,7 +7,7 @@ use crate::PrepareError;
 
 /// Ends a preparation from another thread: whoever asked for it does not want it any more.
 ///
-/// It ends between two steps of the way from a source to a plan, two areas or two strokes.
+/// It ends between two steps of the way from a source to a plan, two areas, two strokes, or two tries for a shorter way.
 #[derive(Clone, Debug, Default)]
 pub struct GiveUp(Arc<AtomicBool>);
 
@@ -17,8 +17,12 @@ impl GiveUp {
         self.0.store(true, Ordering::Relaxed);
     }
 
+    pub(crate) fn is_given_up(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+
     pub(crate) fn check(&self) -> Result<(), PrepareError> {
-        if self.0.load(Ordering::Relaxed) {
+        if self.is_given_up() {
             return Err(PrepareError::GivenUp);
         }
         Ok(())

@@ -32,20 +32,21 @@ pub use self::tool::{PassesBy, ToolOptions};
 /// assert!(prepared.plan.summary().drawn_mm > 40.0); // of letters 10 mm high
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema, clap::Args)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "options", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Options {
     /// What is drawn.
-    #[command(flatten)]
+    #[cfg_attr(feature = "options", command(flatten))]
     pub what: ContentOptions,
     /// Where it goes.
-    #[command(flatten)]
+    #[cfg_attr(feature = "options", command(flatten))]
     pub place: PlaceOptions,
     /// With what it is drawn.
-    #[command(flatten)]
+    #[cfg_attr(feature = "options", command(flatten))]
     pub tool: ToolOptions,
     /// How it is drawn.
-    #[command(flatten)]
+    #[cfg_attr(feature = "options", command(flatten))]
     pub way: PathOptions,
 }
 

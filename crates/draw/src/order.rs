@@ -25,6 +25,7 @@ use self::search::LocalSearch;
 use self::stops::{Stop, cost, drawn, given, turn_loops};
 pub use self::travel::Travel;
 use self::turns::Turns;
+use crate::give_up::GiveUp;
 use dobot_geometry::{Point, Stroke};
 use dobot_random::Random;
 
@@ -49,8 +50,18 @@ pub struct Search {
 /// order given. Strokes without points come last.
 #[must_use]
 pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke> {
+    order_until(strokes, start, search, &GiveUp::default())
+}
+
+/// The same, but the best order so far as soon as somebody gives it up.
+pub(crate) fn order_until(
+    strokes: Vec<Stroke>,
+    start: Point,
+    search: &Search,
+    give_up: &GiveUp,
+) -> Vec<Stroke> {
     let given = given(&strokes);
-    let mut way = searched(&strokes, &given, start, search);
+    let mut way = searched(&strokes, &given, start, search, give_up);
     let cost = |way: &[Stop]| cost(&strokes, way, start, search.travel);
     if cost(&way) >= cost(&given) {
         way = given;
@@ -60,7 +71,13 @@ pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke>
 
 /// The best way found. Where strokes are closed, it is searched in rounds: a loop that is turned
 /// may belong elsewhere in the order.
-fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -> Vec<Stop> {
+fn searched(
+    strokes: &[Stroke],
+    given: &[Stop],
+    start: Point,
+    search: &Search,
+    give_up: &GiveUp,
+) -> Vec<Stop> {
     let mut random = Random::new(search.seed);
     let turn = |way: &mut Vec<Stop>| turn_loops(strokes, way, start, search.travel);
     let nodes_of = |way: &[Stop]| Nodes::new(strokes, way, start, search.travel);
@@ -71,15 +88,16 @@ fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -
         if rounds > 1 {
             nodes = nodes_of(&way);
         }
-        let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way));
+        let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way), give_up);
         local_search.settle_all();
         let mean = cost(strokes, &way, start, search.travel) / lossy(way.len().max(1));
         let most = kicks(search, way.len());
         let kicks = most / rounds;
         let warmth = mean * patience(most, way.len());
         local_search.anneal(kicks - kicks / 2, warmth, &mut random);
-        let (tour, left) = moved(&nodes, local_search.tour(), kicks / 2, &mut random);
-        local_search.set(tour);
+        let mut turns = Turns::new(&nodes, local_search.tour(), give_up);
+        let left = moved(&mut turns, kicks / 2, &mut random);
+        local_search.set(turns.tour());
         local_search.anneal(left, warmth / 4.0, &mut random);
         way = nodes.way(local_search.tour());
         turn(&mut way);
@@ -87,10 +105,9 @@ fn searched(strokes: &[Stroke], given: &[Stop], start: Point, search: &Search) -
     way
 }
 
-/// Moves parts of a tour, every stroke turned as suits, as long as that brings much. Returns the tour, and how many of
-/// the kicks are left.
-fn moved(nodes: &Nodes, tour: &[u32], kicks: u32, random: &mut Random) -> (Vec<u32>, u32) {
-    let mut turns = Turns::new(nodes, tour);
+/// Moves parts of a tour, every stroke turned as suits, as long as that brings much. Returns how many of the kicks are
+/// left.
+fn moved(turns: &mut Turns, kicks: u32, random: &mut Random) -> u32 {
     turns.settle_all();
     let some = kicks.div_ceil(SHARES);
     let mut left = kicks;
@@ -102,7 +119,7 @@ fn moved(nodes: &Nodes, tour: &[u32], kicks: u32, random: &mut Random) -> (Vec<u
             break;
         }
     }
-    (turns.tour(), left)
+    left
 }
 
 /// In small drawings everything has been tried before the kicks are used up. In large ones a kick costs more and gains less, so

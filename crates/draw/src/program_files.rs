@@ -34,17 +34,28 @@ impl<R: FnMut(&str) -> Result<Vec<u8>, String>> Files for ProgramFiles<R> {
     }
 
     fn drawing(&mut self, path: &str, drawing: &Drawing) -> Result<Vec<Command>, String> {
-        let told = |error: &dyn std::fmt::Display| format!("{path}: {error}");
         let bytes = (self.read)(path)?;
-        let options = drawing.options.clone();
-        let options = options.try_into().map_err(|error| told(&error))?;
-        let subject = Subject::of_file(path, bytes).map_err(|error| told(&error))?;
-        let asked = DrawingRequest::new(options, subject, &Materials::built_in())
-            .map_err(|error| told(&error))?;
-        let prepared = asked
-            .calibrated(self.calibration.clone())
-            .prepare(Some(self.dialect), drawing.pen_down)
-            .map_err(|error| told(&error))?;
-        Ok(prepared.0.plan.commands().collect())
+        commands(path, bytes, drawing, self.dialect, self.calibration.clone())
+            .map_err(|error| format!("{path}: {error}"))
     }
+}
+
+/// What a drawing becomes. It is no method, so that it is compiled once and not for each `R`.
+fn commands(
+    path: &str,
+    bytes: Vec<u8>,
+    drawing: &Drawing,
+    dialect: Dialect,
+    calibration: Option<CalibrationFile>,
+) -> Result<Vec<Command>, String> {
+    let options = drawing.options.clone();
+    let options = options.try_into().map_err(|error| error.to_string())?;
+    let subject = Subject::of_file(path, bytes).map_err(|error| error.to_string())?;
+    let asked = DrawingRequest::new(options, subject, &Materials::built_in())
+        .map_err(|error| error.to_string())?;
+    let prepared = asked
+        .calibrated(calibration)
+        .prepare(Some(dialect), drawing.pen_down)
+        .map_err(|error| error.to_string())?;
+    Ok(prepared.0.plan.commands().collect())
 }

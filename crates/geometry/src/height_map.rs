@@ -1,8 +1,6 @@
 //! Heights of a surface between the places at which they are known.
 
-use nalgebra::{DMatrix, DVector};
-
-use crate::{Point, Rect, bounds};
+use crate::{Point, Rect, bounds, solve};
 
 /// A surface through known heights, bent as little as it can be (a thin-plate spline). Beyond the rectangle around the
 /// known places it stays as high as on its edge.
@@ -35,23 +33,24 @@ impl HeightMap {
             return None;
         }
         let places: Vec<Point> = known.iter().map(|[x, y, _]| Point::new(*x, *y)).collect();
-        let mut matrix = DMatrix::zeros(count + 3, count + 3);
-        let mut heights = DVector::zeros(count + 3);
+        let mut matrix = vec![vec![0.0; count + 3]; count + 3];
+        let mut heights = vec![0.0; count + 3];
         for (row, place) in places.iter().enumerate() {
             for (column, other) in places.iter().enumerate() {
-                matrix[(row, column)] = bend(place.distance(*other));
+                matrix[row][column] = bend(place.distance(*other));
             }
             for (column, share) in [1.0, place.x, place.y].into_iter().enumerate() {
-                matrix[(row, count + column)] = share;
-                matrix[(count + column, row)] = share;
+                matrix[row][count + column] = share;
+                matrix[count + column][row] = share;
             }
             heights[row] = known[row][2];
         }
-        let found = matrix.lu().solve(&heights)?;
+        let mut found = solve(&matrix, &heights)?;
         let plane = [found[count], found[count + 1], found[count + 2]];
+        found.truncate(count);
         let map = Self {
             around: bounds(places.iter().copied()),
-            weights: found.rows(0, count).iter().copied().collect(),
+            weights: found,
             places,
             plane,
         };

@@ -16,6 +16,7 @@ mod curve;
 mod deviation;
 mod direction;
 mod height_map;
+mod linear;
 mod segment_index;
 mod stroke;
 
@@ -27,6 +28,7 @@ pub use curve::{chords, corners};
 pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};
 pub use direction::direction;
 pub use height_map::HeightMap;
+pub use linear::{inverse, solve};
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};
 

@@ -76,14 +76,20 @@ impl HttpAgents {
         }
         let (waits, here) = watch::channel(());
         request.extensions_mut().insert(Visit { token, here });
-        let response = self.service.handle(request).await;
+        let response = self.handle(request).await;
         Ok(response.map(|body| {
             Body::new(Awaited {
-                body: Body::new(body),
+                body,
                 _waits: waits,
                 _place: place,
             })
         }))
+    }
+
+    /// What the protocol answers. The future is boxed so that the protocol is compiled in this crate, and not in the one
+    /// that awaits it.
+    fn handle(&self, request: Request) -> Pin<Box<dyn Future<Output = Response> + Send + '_>> {
+        Box::pin(async { self.service.handle(request).await.map(Body::new) })
     }
 
     /// Ends all sessions; what is under way stops the arm.

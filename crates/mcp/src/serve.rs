@@ -25,6 +25,25 @@ pub async fn serve(
     agents: Agents,
     input: impl AsyncRead + Send + Unpin + 'static,
     output: impl AsyncWrite + Send + Unpin + 'static,
+    ending: watch::Receiver<bool>,
+) -> Result<(), ServeError> {
+    boxed(agents, Box::new(input), Box::new(output), ending).await
+}
+
+type Serving = Pin<Box<dyn Future<Output = Result<(), ServeError>> + Send>>;
+
+/// All of it is of one type, so that the protocol is compiled in this crate, and not for each kind of streams.
+fn boxed(agents: Agents, input: Input, output: Output, ending: watch::Receiver<bool>) -> Serving {
+    Box::pin(run(agents, input, output, ending))
+}
+
+type Input = Box<dyn AsyncRead + Send + Unpin>;
+type Output = Box<dyn AsyncWrite + Send + Unpin>;
+
+async fn run(
+    agents: Agents,
+    input: Input,
+    output: Output,
     mut ending: watch::Receiver<bool>,
 ) -> Result<(), ServeError> {
     let gone = agents.gone();
@@ -51,12 +70,12 @@ pub async fn serve(
 }
 
 /// Input that tells when it ends.
-struct UntilEnd<R> {
-    input: R,
+struct UntilEnd {
+    input: Input,
     gone: watch::Sender<bool>,
 }
 
-impl<R: AsyncRead + Unpin> AsyncRead for UntilEnd<R> {
+impl AsyncRead for UntilEnd {
     fn poll_read(
         mut self: Pin<&mut Self>,
         context: &mut Context<'_>,

@@ -1,4 +1,6 @@
 //! What the system that keeps a service running is told (the protocol of `sd_notify`, systemd).
+//!
+//! The crate `sd-notify` sends on a blocking socket, for which the arm would wait, and knows no abstract names (`@...`).
 
 use std::time::Duration;
 

@@ -3,7 +3,9 @@
 mod harness;
 
 use dobot_api::{ClientId, Role};
-use dobot_rules::{Ends, Handle, Message, PassedPacket, Refusal, Rules};
+#[cfg(feature = "full")]
+use dobot_rules::PassedPacket;
+use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
 
@@ -96,11 +98,13 @@ impl FakeDriver {
     }
 
     /// Tells a state.
+    #[cfg(feature = "full")]
     pub(crate) fn tell(&self, state: dobot_api::State) {
         self.ends.tell(state);
     }
 
     /// Tells that a packet passed.
+    #[cfg(feature = "full")]
     pub(crate) fn tell_passed(&self, packet: PassedPacket) {
         self.ends.tell_passed(packet);
     }

@@ -4,6 +4,10 @@
 //! it come from, who asks, how often) to its route (`routes`: a row a request), or becomes a WebSocket
 //! (`socket`). Whatever is not done is answered with a problem document (`dobot_api::kinds`).
 
+#[cfg(feature = "full")]
+mod agents;
+#[cfg(not(feature = "full"))]
+#[path = "http/not_built/agents.rs"]
 mod agents;
 mod answer;
 mod app;
@@ -26,6 +30,7 @@ mod metrics;
 mod packets;
 mod page;
 mod paging;
+mod panic;
 mod programs;
 mod rate;
 mod recordings;
@@ -37,6 +42,10 @@ mod station_api;
 mod strict_json;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "full")]
+mod tls;
+#[cfg(not(feature = "full"))]
+#[path = "http/not_built/tls.rs"]
 mod tls;
 mod tokens;
 

@@ -38,6 +38,10 @@ mod config;
 #[cfg(test)]
 mod fake;
 mod fleet;
+#[cfg(feature = "full")]
+mod foxglove;
+#[cfg(not(feature = "full"))]
+#[path = "not_built/foxglove.rs"]
 mod foxglove;
 mod http;
 mod program;

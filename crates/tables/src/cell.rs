@@ -8,6 +8,10 @@ pub(crate) struct Column {
 }
 
 /// What stands in a column.
+#[cfg_attr(
+    not(feature = "parquet"),
+    expect(dead_code, reason = "only datasets have these columns")
+)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Nanoseconds since 1970.
@@ -25,6 +29,10 @@ pub(crate) enum Kind {
 }
 
 /// What stands in one row of a column, of the column's kind. Lists are not empty.
+#[cfg_attr(
+    not(feature = "parquet"),
+    expect(dead_code, reason = "only datasets have these columns")
+)]
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Cell {
     Time(i64),

@@ -17,6 +17,7 @@ use crate::table::Table;
 pub enum TableForm {
     /// Text that every program reads.
     Csv,
+    #[cfg(feature = "parquet")]
     /// Columns with types, and a fifth of the size.
     Parquet,
 }
@@ -27,6 +28,7 @@ impl TableForm {
     pub const fn ending(self) -> &'static str {
         match self {
             Self::Csv => "csv",
+            #[cfg(feature = "parquet")]
             Self::Parquet => "parquet",
         }
     }
@@ -55,6 +57,7 @@ pub fn export_files(
         }
     })?;
     let (statuses, commands) = match form {
+        #[cfg(feature = "parquet")]
         TableForm::Parquet => (
             Table::statuses_parquet(statuses)?,
             Table::commands_parquet(commands)?,

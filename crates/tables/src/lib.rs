@@ -38,13 +38,18 @@
 mod cell;
 mod columns;
 mod error;
+#[cfg(feature = "parquet")]
 mod features;
 mod files;
+#[cfg(feature = "parquet")]
 mod frames;
 mod in_memory;
+#[cfg(feature = "parquet")]
 mod lerobot;
+#[cfg(feature = "parquet")]
 mod parquet_table;
 mod rows;
+#[cfg(feature = "parquet")]
 mod summary;
 mod table;
 
@@ -52,6 +57,7 @@ pub use columns::STATUS_FLOATS;
 pub use error::ExportError;
 pub use files::{TableForm, export_files};
 pub use in_memory::{TableColumn, Tables, Values, read_tables};
+#[cfg(feature = "parquet")]
 pub use lerobot::{Dataset, export_lerobot};
 pub use rows::{Written, export_tables, holds_packets};
 pub use table::Table;

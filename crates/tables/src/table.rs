@@ -8,6 +8,7 @@ use jiff::Timestamp;
 use crate::cell::{Cell, Column};
 use crate::columns::{of_commands, of_statuses};
 use crate::error::ExportError;
+#[cfg(feature = "parquet")]
 use crate::parquet_table::ParquetTable;
 
 /// A table that is being written: CSV or Parquet.
@@ -15,6 +16,7 @@ pub struct Table<W: Write + Send>(Form<W>);
 
 enum Form<W: Write + Send> {
     Csv(Box<csv::Writer<W>>),
+    #[cfg(feature = "parquet")]
     Parquet(Box<ParquetTable<W>>),
 }
 
@@ -37,6 +39,7 @@ impl<W: Write + Send> Table<W> {
         Self::csv(file, &of_commands())
     }
 
+    #[cfg(feature = "parquet")]
     /// A table of statuses as Parquet.
     ///
     /// # Errors
@@ -46,6 +49,7 @@ impl<W: Write + Send> Table<W> {
         Self::parquet(file, &of_statuses())
     }
 
+    #[cfg(feature = "parquet")]
     /// A table of commands as Parquet.
     ///
     /// # Errors
@@ -55,9 +59,14 @@ impl<W: Write + Send> Table<W> {
         Self::parquet(file, &of_commands())
     }
 
+    #[cfg_attr(
+        not(feature = "parquet"),
+        expect(clippy::needless_pass_by_value, reason = "Parquet keeps the cells")
+    )]
     pub(crate) fn push(&mut self, cells: Vec<Cell>) -> Result<(), ExportError> {
         match &mut self.0 {
             Form::Csv(csv) => Ok(csv.write_record(cells.iter().map(text))?),
+            #[cfg(feature = "parquet")]
             Form::Parquet(parquet) => parquet.push(cells),
         }
     }
@@ -65,6 +74,7 @@ impl<W: Write + Send> Table<W> {
     pub(crate) fn finish(self) -> Result<(), ExportError> {
         match self.0 {
             Form::Csv(mut csv) => Ok(csv.flush()?),
+            #[cfg(feature = "parquet")]
             Form::Parquet(parquet) => parquet.finish(),
         }
     }
@@ -75,6 +85,7 @@ impl<W: Write + Send> Table<W> {
         Ok(Self(Form::Csv(Box::new(csv))))
     }
 
+    #[cfg(feature = "parquet")]
     fn parquet(file: W, columns: &[Column]) -> Result<Self, ExportError> {
         let parquet = ParquetTable::new(file, columns, &[])?;
         Ok(Self(Form::Parquet(Box::new(parquet))))

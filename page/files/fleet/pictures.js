@@ -1,6 +1,7 @@
 // Draws the pictures of all tiles that are in sight: each when its arm, its size or the theme is another one.
 
 import { Motion } from "../stage/motion.js";
+import { createLimit } from "../stage/pace.js";
 import { paint } from "./picture.js";
 
 /** @typedef {import("./members.js").Member} Member */
@@ -13,6 +14,7 @@ export function createPictures({ isStill }) {
   /** @type {WeakMap<Element, Canvas>} */ const canvases = new WeakMap();
   /** @type {Set<HTMLCanvasElement>} */ const inSight = new Set();
   /** @type {{ members: ReadonlyMap<string, Member>, dark: boolean, old: boolean }} */ let shown = { members: new Map(), dark: false, old: false };
+  const isDue = createLimit();
   let asked = 0;
 
   const sight = new IntersectionObserver((entries) => {
@@ -29,8 +31,10 @@ export function createPictures({ isStill }) {
 
   const soon = () => (asked ||= requestAnimationFrame(draw));
 
-  function draw() {
+  /** @param {number} now_ms */
+  function draw(now_ms) {
     asked = 0;
+    if (!isDue(now_ms)) return soon();
     let moving = false;
     for (const canvas of inSight) {
       if (!canvas.isConnected) forget(canvas);

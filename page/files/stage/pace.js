@@ -1,5 +1,5 @@
-// How fine the stage is drawn: as fine as the screen is, and less so on a computer that does not keep up. Pure, but for what
-// it has seen.
+// How fine and how often the stage is drawn: as fine as the screen is, and less so on a computer that does not keep up. Pure,
+// but for what it has seen.
 
 /** @typedef {{ density: number, mirrors: boolean, shadows: boolean }} Quality Pixels for one of the page, at most. */
 
@@ -16,6 +16,20 @@ const WITHOUT_CARD = 3;
 /** Slower than that, for most of a row of frames, is too slow: 30 frames per second. */
 const SLOW_MS = 34;
 const ROW = 16;
+/** A screen may be faster than that; an arm that moves is not seen to move better. */
+const FRAME_MS = 1000 / 60;
+/** A screen of 60 Hz is never exactly one. */
+const EARLY_MS = 2;
+
+/** Limits the frames to 60 in a second. @returns {(now_ms: number) => boolean} whether a frame is due; then it has to be drawn */
+export function createLimit() {
+  let due_ms = 0;
+  return (now_ms) => {
+    if (now_ms < due_ms) return false;
+    due_ms = (now_ms - due_ms < FRAME_MS ? due_ms : now_ms - EARLY_MS) + FRAME_MS;
+    return true;
+  };
+}
 
 /** @param {boolean} card whether there is a graphics card */
 export function createPace(card) {

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createPace } from "./pace.js";
+import { createLimit, createPace } from "./pace.js";
 
 const FINEST = { density: 2, mirrors: true, shadows: true };
 
@@ -32,3 +32,14 @@ test("a single slow frame, or a pause between two motions, is nothing", () => {
   for (let n = 0; n < 100; n += 1) pace.drawn(n * 16 + (n > 50 ? 900 : 0), true);
   assert.deepEqual(pace.quality(2), FINEST);
 });
+
+for (const hz of [24, 50, 59.94, 60, 75, 120, 144, 240]) {
+  test(`a screen of ${hz} Hz draws as often as it can, and 60 times in a second at most`, () => {
+    const isDue = createLimit();
+    let drawn = 0;
+    // After a pause, as an arm that begins to move.
+    for (let frame = 0; frame < 10 * hz; frame += 1) drawn += Number(isDue(5000 + (frame * 1000) / hz));
+    assert.ok(drawn <= 601, `${drawn} in ten seconds`);
+    assert.ok(drawn >= 10 * Math.min(hz, 60) - 2, `${drawn} in ten seconds`);
+  });
+}

@@ -1,10 +1,10 @@
 // The stage: shows a `View` (see `view.js`), in three dimensions, or in two where there is no WebGL. It draws only when
-// something changed, and has no state of its own but the camera and what it heard last.
+// something changed and it is in sight, and has no state of its own but the camera and what it heard last.
 
 import { createDeep } from "./deep.js";
 import { createFlat } from "./flat.js";
 import { Motion } from "./motion.js";
-import { createPace } from "./pace.js";
+import { createLimit, createPace } from "./pace.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Preset} Preset */
@@ -22,10 +22,11 @@ export function createStage(element) {
   element.classList.add("stage");
   element.append(note);
   const motion = new Motion();
+  const isDue = createLimit();
   let pace = createPace(true);
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   /** @type {View | null} */ let view = null;
-  let asked = 0, inked = 0;
+  let asked = 0, inked = 0, inSight = true;
   /** @type {ReturnType<typeof createDeep> | ReturnType<typeof createFlat>} */ let drawing;
 
   const outside = {
@@ -33,7 +34,7 @@ export function createStage(element) {
       return still.matches;
     },
     changed() {
-      asked ||= requestAnimationFrame(draw);
+      if (inSight && !document.hidden) asked ||= requestAnimationFrame(draw);
     },
     /** @param {import("./view.js").Target} detail */
     target: (detail) => void element.dispatchEvent(new CustomEvent("target", { detail })),
@@ -42,11 +43,19 @@ export function createStage(element) {
   /** @param {number} now_ms */
   function draw(now_ms) {
     asked = 0;
+    if (!isDue(now_ms)) return outside.changed();
     const at = motion.at(performance.now() / 1000);
     const swings = drawing.frame(at?.joints ?? null, performance.now() / 1000);
     const again = (at?.moving ?? false) || swings;
     if (pace.drawn(now_ms, again)) resize();
     if (again) outside.changed();
+  }
+
+  /** Comes into sight, or goes out of it: what changed meanwhile is drawn when it is back. */
+  function turnUp() {
+    cancelAnimationFrame(asked);
+    asked = 0;
+    outside.changed();
   }
 
   function resize() {
@@ -102,6 +111,12 @@ export function createStage(element) {
 
   const watched = new ResizeObserver(resize);
   watched.observe(element);
+  const sight = new IntersectionObserver((entries) => {
+    inSight = entries.at(-1)?.isIntersecting ?? true;
+    turnUp();
+  });
+  sight.observe(element);
+  document.addEventListener("visibilitychange", turnUp);
   element.addEventListener("keydown", press);
   build(true);
 
@@ -115,15 +130,18 @@ export function createStage(element) {
       const changed = ink !== inked || !isSame(view, next);
       inked = ink;
       view = next;
+      // What is set anew is styled anew, also where it is the same.
       if (note.textContent !== next.note) note.textContent = next.note;
-      note.hidden = next.note === "";
+      if (note.hidden !== (next.note === "")) note.hidden = !note.hidden;
       element.classList.toggle("is-old", next.old);
-      element.setAttribute("aria-label", next.label);
+      if (element.ariaLabel !== next.label) element.ariaLabel = next.label;
       if (changed) drawing.show(next);
     },
     end() {
       cancelAnimationFrame(asked);
       watched.disconnect();
+      sight.disconnect();
+      document.removeEventListener("visibilitychange", turnUp);
       element.removeEventListener("keydown", press);
       drawing.end();
       note.remove();

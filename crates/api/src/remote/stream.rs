@@ -1,18 +1,18 @@
 //! The bytes between a station and its client, encrypted or not.
 
 use std::io;
-use std::sync::Arc;
 use std::time::Duration;
 
-use rustls::pki_types::ServerName;
 use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::TcpStream;
 use tokio::time::timeout;
-use tokio_rustls::TlsConnector;
 
-use super::trust::{TrustError, client_config};
-use super::{CertificateTrust, StationAddress};
-use crate::Problem;
+#[cfg(not(feature = "tls"))]
+use super::CertificateTrust;
+use super::StationAddress;
+#[cfg(feature = "tls")]
+use super::tls::encrypt;
+use crate::{NotBuilt, Problem};
 
 /// Bytes both ways.
 pub(super) trait Bytes: AsyncRead + AsyncWrite + Send + Unpin {}
@@ -40,6 +40,12 @@ pub enum ConnectError {
     /// Over https it has to be said why one may trust what answers.
     #[error("nothing says why the certificate of {address} may be trusted")]
     NoTrust {
+        /// Where.
+        address: String,
+    },
+    /// The station is served over https, and this program is built without TLS.
+    #[error("{address} is encrypted, and this program is built without TLS")]
+    NotBuilt {
         /// Where.
         address: String,
     },
@@ -94,6 +100,7 @@ impl ConnectError {
             Self::NoStation { .. } | Self::Silent { .. } => {
                 Some("is it https rather than http, or another port? 8642 is usual".into())
             }
+            Self::NotBuilt { .. } => Some(NotBuilt::HINT.into()),
             Self::Refused(problem) => problem.hint.clone(),
             Self::Trust(_) | Self::Token => None,
         }
@@ -109,6 +116,26 @@ impl ConnectError {
             why: why.to_string(),
         }
     }
+}
+
+/// Why a file of certificates is of no use.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum TrustError {
+    /// It cannot be read.
+    #[error("cannot read certificates from {file}: {why}")]
+    Unreadable {
+        /// The file.
+        file: String,
+        /// Why not.
+        why: String,
+    },
+    /// There is none in it.
+    #[error("there is no certificate in {file}; allowed is a PEM file with one at least")]
+    Empty {
+        /// The file.
+        file: String,
+    },
 }
 
 /// Does something that takes a station no time.
@@ -143,27 +170,16 @@ pub(super) async fn open(address: &StationAddress) -> Result<Box<dyn Bytes>, Con
     encrypt(address, address.trust.as_ref().ok_or_else(no_trust)?, tcp).await
 }
 
+#[cfg(not(feature = "tls"))]
+#[expect(clippy::unused_async, reason = "with the feature `tls` it waits")]
 async fn encrypt(
     address: &StationAddress,
-    trust: &CertificateTrust,
-    tcp: TcpStream,
+    _: &CertificateTrust,
+    _: TcpStream,
 ) -> Result<Box<dyn Bytes>, ConnectError> {
-    let connector = TlsConnector::from(Arc::new(client_config(trust)?));
-    let name = ServerName::try_from(address.host().to_owned());
-    let name = name.map_err(|it| ConnectError::no_station(address, it))?;
-    match connector.connect(name, tcp).await {
-        Ok(stream) => Ok(Box::new(stream)),
-        Err(source) if is_certificate(&source) => Err(ConnectError::Untrusted {
-            address: address.to_string(),
-            source,
-        }),
-        Err(source) => Err(ConnectError::no_station(address, source)),
-    }
-}
-
-fn is_certificate(error: &io::Error) -> bool {
-    let tls = error.get_ref().and_then(|it| it.downcast_ref());
-    matches!(tls, Some(rustls::Error::InvalidCertificate(_)))
+    Err(ConnectError::NotBuilt {
+        address: address.to_string(),
+    })
 }
 
 const PATIENCE: Duration = Duration::from_secs(5);

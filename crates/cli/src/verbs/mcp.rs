@@ -2,10 +2,13 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "full")]
 use dobot_mcp::{Agents, FilesFolder, NoStation, Settings, serve};
+#[cfg(feature = "full")]
 use tokio::sync::watch;
 
 use crate::failure::Failure;
+#[cfg(feature = "full")]
 use crate::interrupt::interrupt;
 use crate::reach::Station;
 
@@ -32,6 +35,7 @@ pub(crate) struct Args {
     station: Station,
 }
 
+#[cfg(feature = "full")]
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let station = args.station;
     let mut settings = Settings::finding(move || {
@@ -54,4 +58,10 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     });
     let agents = Agents::new(settings);
     Ok(serve(agents, tokio::io::stdin(), tokio::io::stdout(), ending).await?)
+}
+
+#[cfg(not(feature = "full"))]
+#[expect(clippy::unused_async, reason = "with the feature `full` it serves")]
+pub(crate) async fn run(_: Args) -> Result<(), Failure> {
+    Err(dobot_api::NotBuilt("tools for agents (MCP)").into())
 }

@@ -16,9 +16,10 @@ use dobot_client::Address;
 use dobot_controller::Personality;
 use dobot_rules::{Notification, ServiceManager};
 use dobot_sim::Speed;
+#[cfg(feature = "full")]
+use dobot_station::FoxglovePortError;
 use dobot_station::{
-    Config, DEFAULT_HTTP, DEFAULT_RAW, FoxglovePortError, RawPortError, ServeError, StartError,
-    Station, TlsFiles,
+    Config, DEFAULT_HTTP, DEFAULT_RAW, RawPortError, ServeError, StartError, Station, TlsFiles,
 };
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::Receiver;
@@ -278,6 +279,7 @@ fn no_start(error: StartError) -> Failure {
         StartError::Raw(RawPortError::InUse { .. }) => {
             "`--raw 127.0.0.1:0` takes a free port, `--raw off` does without"
         }
+        #[cfg(feature = "full")]
         StartError::Foxglove(FoxglovePortError::Listen { .. }) => {
             "another program may have the port; `--foxglove=127.0.0.1:0` takes a free one"
         }

@@ -1,18 +1,19 @@
 //! The program as a process: exit codes, standard output and errors.
 
-#[cfg(unix)]
+#[cfg(all(unix, feature = "full"))]
 mod agents;
 mod arguments;
 mod calibrating;
 mod captures;
 mod conformance;
+#[cfg(feature = "full")]
 mod datasets;
 mod decoding;
 mod defaults;
 mod drawing;
 #[cfg(unix)]
 mod guarding;
-#[cfg(unix)]
+#[cfg(all(unix, feature = "full"))]
 mod http_agents;
 #[cfg(unix)]
 mod killing;

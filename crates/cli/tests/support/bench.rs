@@ -81,7 +81,7 @@ impl Bench {
     pub(crate) fn next_command(&self) -> Option<(Instant, Command)> {
         match self.arm.next() {
             Passed::ToArm(at, command) => Some((at, command)),
-            _ => None,
+            Passed::FromArm(..) | Passed::Opened | Passed::Closed => None,
         }
     }
 

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 
 use super::nodes::{Near, Nodes};
 use super::tour::{MOST, Tour};
+use crate::give_up::GiveUp;
 
 /// Exchanges edges as long as the tour gets shorter (Lin and Kernighan's way): an edge is taken
 /// out, a shorter one to a near node put in, an edge there taken out, and so on, until joining the
@@ -18,10 +19,11 @@ pub(super) struct LocalSearch<'a> {
     queued: Vec<bool>,
     /// The ends of the edges taken out, in pairs.
     ends: [u32; 2 * MOST],
+    give_up: &'a GiveUp,
 }
 
 impl<'a> LocalSearch<'a> {
-    pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>) -> Self {
+    pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>, give_up: &'a GiveUp) -> Self {
         let size = tour.len();
         Self {
             nodes,
@@ -29,6 +31,7 @@ impl<'a> LocalSearch<'a> {
             queued: vec![false; size],
             tour: Tour::new(tour, (WRITES / size).max(LEAST_REACH)),
             ends: [0; 2 * MOST],
+            give_up,
         }
     }
 
@@ -57,7 +60,7 @@ impl<'a> LocalSearch<'a> {
         let mut best = self.tour.order().to_vec();
         for kick in 0_u64.. {
             let done = kick * KICK_WRITES + (self.tour.written() - begin);
-            if done >= work {
+            if done >= work || self.give_up.is_given_up() {
                 break;
             }
             #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
@@ -172,6 +175,9 @@ impl<'a> LocalSearch<'a> {
         let mut gain = 0.0;
         while let Some(node) = self.queue.pop_front() {
             self.queued[node as usize] = false;
+            if self.give_up.is_given_up() {
+                continue;
+            }
             while let Some(more) = self.improve(node) {
                 gain += more;
             }

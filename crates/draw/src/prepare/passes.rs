@@ -13,7 +13,7 @@ use crate::cutting::{inner_first, layers_inner_first};
 use crate::doubles::without_doubles;
 use crate::hatch::hatch;
 use crate::merge::merge;
-use crate::order::order;
+use crate::order::order_until;
 use crate::place::PlaceError;
 use crate::progress::PrepareStep;
 
@@ -358,7 +358,7 @@ fn in_order(
     let mut all = Vec::new();
     for group in groups.into_iter().filter(|it| !it.is_empty()) {
         let group = match settings.search(tool) {
-            Some(search) => order(group, here, &search),
+            Some(search) => order_until(group, here, &search, &settings.give_up),
             None => group,
         };
         all.append(&mut if settings.joins_dots() {

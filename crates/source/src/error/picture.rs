@@ -22,6 +22,16 @@ pub enum ImageError {
         /// What the decoder says.
         problem: String,
     },
+    /// A width or height of 0, which a GIF file may have.
+    #[error(
+        "the picture has {width} x {height} pixels; at least 1 x 1 is needed: save it anew as PNG or JPEG"
+    )]
+    NoPixels {
+        /// From left to right.
+        width: usize,
+        /// From top to bottom.
+        height: usize,
+    },
     /// More pixels than are ever needed.
     #[error(
         "the picture has {width} x {height} pixels; at most {limit} million are allowed: make it smaller"

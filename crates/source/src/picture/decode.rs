@@ -43,9 +43,12 @@ impl Header {
         stored
     }
 
-    /// Refuses pictures of more pixels than that.
+    /// Refuses pictures without pixels and those with more than that: not every decoder does.
     pub(super) fn check(self, most: usize) -> Result<Self, ImageError> {
         let (width, height) = (self.width, self.height);
+        if width == 0 || height == 0 {
+            return Err(ImageError::NoPixels { width, height });
+        }
         if width.saturating_mul(height) <= most {
             return Ok(self);
         }

@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 use std::collections::BTreeSet;
+use std::io::Cursor;
 
 use dobot_geometry::{Point, Stroke, bounds, bounds_of_strokes, steps};
 use image::ImageFormat::{Bmp, Gif, Tiff, WebP};
@@ -477,7 +478,7 @@ fn pictures_of_other_formats_are_drawn_as_the_same_png() {
         _ => image::Rgba([0; 4]),
     });
     let file = |format| {
-        let mut bytes = std::io::Cursor::new(Vec::new());
+        let mut bytes = Cursor::new(Vec::new());
         let picture = image::DynamicImage::from(picture.clone());
         picture.write_to(&mut bytes, format).unwrap();
         bytes.into_inner()
@@ -544,6 +545,59 @@ fn gigapixels_are_refused_before_they_are_read() {
         error.to_string(),
         "the picture has 100000 x 50000 pixels; at most 100 million are allowed: make it smaller"
     );
+}
+
+#[test]
+fn a_picture_without_pixels_is_refused_with_its_size() {
+    let told = |file: &[u8]| read(file, &ReadOptions::default()).unwrap_err().to_string();
+    let needed = "at least 1 x 1 is needed: save it anew as PNG or JPEG";
+    for size in [[0, 16], [16, 0], [0, 0]] {
+        let [width, height] = size;
+        assert_eq!(
+            told(&sized(Gif, size)),
+            format!("the picture has {width} x {height} pixels; {needed}")
+        );
+        for format in [Bmp, Tiff] {
+            let told = told(&sized(format, size));
+            assert!(told.starts_with("the "), "{format:?} {size:?}: {told}");
+        }
+    }
+}
+
+#[test]
+fn pictures_whose_header_says_that_they_are_huge_are_refused() {
+    let told = |format| {
+        let file = sized(format, [u16::MAX, u16::MAX]);
+        let error = read(&file, &ReadOptions::default()).unwrap_err();
+        error.to_string()
+    };
+    let wanted = "the picture has 65535 x 65535 pixels; at most 25 million are allowed";
+    for format in [Gif, Bmp] {
+        assert!(told(format).starts_with(wanted), "{format:?}");
+    }
+    // Its parts have sizes too, and these do not fit.
+    assert!(told(Tiff).starts_with("the TIFF picture cannot be read: "));
+}
+
+/// A picture of 16 x 16 pixels whose header says that it has another size.
+fn sized(format: image::ImageFormat, [width, height]: [u16; 2]) -> Vec<u8> {
+    let picture = image::RgbImage::from_pixel(16, 16, image::Rgb([90; 3]));
+    let mut file = Cursor::new(Vec::new());
+    picture.write_to(&mut file, format).unwrap();
+    let mut file = file.into_inner();
+    let places = match format {
+        Gif => [6, 8],
+        Bmp => [18, 22],
+        // The tags of TIFF for width and height, each with one number.
+        _ => [0_u8, 1].map(|tag| {
+            let is_entry = |it: &[u8]| it[..2] == [tag, 1] && it[4..8] == [1, 0, 0, 0];
+            8 + file.windows(8).position(is_entry).unwrap()
+        }),
+    };
+    for (place, size) in places.into_iter().zip([width, height]) {
+        file[place..place + 2].copy_from_slice(&size.to_le_bytes());
+    }
+    file
 }
 
 #[test]

@@ -10,7 +10,7 @@ use axum::http::header::CONTENT_TYPE;
 use axum::response::Response;
 use dobot_api::Problem;
 use dobot_api::problem_kinds::{INVALID, MALFORMED, MEDIA_TYPE, TOO_MANY_CLIENTS, UNKNOWN_PATH};
-use dobot_mcp::HttpAgents;
+pub(super) use dobot_mcp::HttpAgents;
 
 use super::answer::{NotDone, collect};
 use super::app::{App, Peer};

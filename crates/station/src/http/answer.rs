@@ -1,5 +1,6 @@
 //! Answers, and what requests are read into.
 
+use std::any::Any;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -14,7 +15,9 @@ use axum::http::request::Parts;
 use axum::http::{HeaderValue, StatusCode};
 use axum::response::{IntoResponse, Response};
 use dobot_api::Problem;
-use dobot_api::problem_kinds::{MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS};
+use dobot_api::problem_kinds::{
+    INTERNAL, MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS,
+};
 use dobot_rules::Refusal;
 use futures_util::StreamExt;
 use schemars::JsonSchema;
@@ -22,7 +25,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::app::App;
-use super::strict_json;
+use super::{panic, strict_json};
 
 /// How large a body may be, unless its route takes more.
 pub(super) const BODY: usize = 64 * 1024;
@@ -131,10 +134,8 @@ where
     type Rejection = NotDone;
 
     async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
-        let (parts, body) = request.into_parts();
-        let bytes = collect(body, LIMIT).await?;
-        check_type(&parts)?;
-        Ok(Self(read(bytes).await?))
+        let text = required(request, LIMIT).await?;
+        Ok(Self(read(text).await?))
     }
 }
 
@@ -149,14 +150,30 @@ where
     type Rejection = NotDone;
 
     async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
-        let (parts, body) = request.into_parts();
-        let bytes = collect(body, BODY).await?;
-        if bytes.is_empty() {
-            return Ok(Self(T::default()));
+        match optional(request, BODY).await? {
+            Some(text) => Ok(Self(read(text).await?)),
+            None => Ok(Self(T::default())),
         }
-        check_type(&parts)?;
-        Ok(Self(read(bytes).await?))
     }
+}
+
+/// The text of a body.
+async fn required(request: Request, limit: usize) -> Result<Bytes, Problem> {
+    let (parts, body) = request.into_parts();
+    let text = collect(body, limit).await?;
+    check_type(&parts)?;
+    Ok(text)
+}
+
+/// The text of a body that may be missing.
+async fn optional(request: Request, limit: usize) -> Result<Option<Bytes>, Problem> {
+    let (parts, body) = request.into_parts();
+    let text = collect(body, limit).await?;
+    if text.is_empty() {
+        return Ok(None);
+    }
+    check_type(&parts)?;
+    Ok(Some(text))
 }
 
 pub(super) async fn collect(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
@@ -227,8 +244,17 @@ pub(super) async fn read_beside<T: Send + 'static>(
 pub(super) async fn beside<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Result<T, Problem> {
-    let done = tokio::task::spawn_blocking(work).await;
-    done.map_err(|_| Problem::from(Refusal::Ending))
+    let done = run_beside(Box::new(move || Box::new(work()))).await?;
+    Ok(*done.downcast().expect("it is what the work gave"))
+}
+
+/// Of one type for all work, since the runtime is compiled anew for each type of task.
+type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
+
+async fn run_beside(work: Work) -> Result<Box<dyn Any + Send>, Problem> {
+    let done = tokio::task::spawn_blocking(|| panic::caught(work)).await;
+    let done = done.map_err(|_| Problem::from(Refusal::Ending))?;
+    done.map_err(|panic| INTERNAL.problem(panic))
 }
 
 /// The number in a path.

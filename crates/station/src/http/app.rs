@@ -8,11 +8,11 @@ use std::time::Duration;
 
 use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
 use dobot_api::{Problem, Role, StationAddress};
-use dobot_mcp::HttpAgents;
 use dobot_rules::{Handle, OwnVirtualArm, PlannedFor};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
 
+use super::agents::HttpAgents;
 use super::drawings::Drawings;
 use super::http_leases::HttpLeases;
 use super::learners::Learners;

@@ -14,10 +14,10 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::watch;
 use tokio::task::JoinSet;
 use tokio::time::{interval, sleep, timeout};
-use tokio_rustls::TlsAcceptor;
 
 use super::app::{App, MOST_SOCKETS, Peer, ended};
 use super::routes;
+use super::tls::TlsAcceptor;
 
 /// How long the head of a request, or a TLS handshake, may take.
 const HEAD_WITHIN: Duration = Duration::from_secs(10);

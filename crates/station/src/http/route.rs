@@ -1,10 +1,13 @@
 //! One route: what it takes, does and answers, for the router and the document alike.
 
+use std::fmt;
+use std::pin::Pin;
 use std::sync::Arc;
 
-use axum::extract::FromRequest;
+use axum::extract::{FromRequest, Request as HttpRequest};
 use axum::handler::Handler;
 use axum::http::Method;
+use axum::response::Response;
 use axum::routing::{MethodFilter, MethodRouter, on};
 #[cfg(test)]
 use dobot_api::Problem;
@@ -38,7 +41,36 @@ pub(super) struct Route {
     pub(super) gives: Vec<Gives>,
     pub(super) problems: Vec<ProblemKind>,
     pub(super) queries: &'static [Query],
-    pub(super) handler: MethodRouter<Arc<App>>,
+    pub(super) action: Action,
+}
+
+/// What a route does. It is one type for all routes, since `axum` is compiled anew for each type of handler.
+#[derive(Clone)]
+pub(super) struct Action(Arc<dyn Fn(HttpRequest, Arc<App>) -> Answering + Send + Sync>);
+
+/// An answer on its way.
+type Answering = Pin<Box<dyn Future<Output = Response> + Send>>;
+
+impl Action {
+    fn new<T: 'static>(handler: impl Handler<T, Arc<App>, Future = Answering>) -> Self {
+        Self(Arc::new(move |request, app| {
+            handler.clone().call(request, app)
+        }))
+    }
+}
+
+impl Handler<(), Arc<App>> for Action {
+    type Future = Answering;
+
+    fn call(self, request: HttpRequest, app: Arc<App>) -> Answering {
+        (self.0)(request, app)
+    }
+}
+
+impl fmt::Debug for Action {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Action").finish_non_exhaustive()
+    }
 }
 
 /// A body.
@@ -115,13 +147,21 @@ impl Takes {
 
 impl Route {
     /// A route that does what a handler says.
-    pub(super) fn new<H: Handler<T, Arc<App>>, T: 'static>(
+    pub(super) fn new<T: 'static>(
         method: Method,
         path: &'static str,
         summary: &'static str,
-        handler: H,
+        handler: impl Handler<T, Arc<App>, Future = Answering>,
     ) -> Self {
-        let filter = MethodFilter::try_from(method.clone()).expect("it is a method of HTTP");
+        Self::with(method, path, summary, Action::new(handler))
+    }
+
+    const fn with(
+        method: Method,
+        path: &'static str,
+        summary: &'static str,
+        action: Action,
+    ) -> Self {
         Self {
             method,
             path,
@@ -133,8 +173,14 @@ impl Route {
             gives: Vec::new(),
             problems: Vec::new(),
             queries: &[],
-            handler: on(filter, handler),
+            action,
         }
+    }
+
+    /// The route for the router.
+    pub(super) fn handler(&self) -> MethodRouter<Arc<App>> {
+        let filter = MethodFilter::try_from(self.method.clone()).expect("it is a method of HTTP");
+        on(filter, self.action.clone())
     }
 
     pub(super) fn open(mut self) -> Self {

@@ -37,7 +37,7 @@ use super::{auth, calls, page};
 /// The router with everything.
 pub(super) fn router(app: Arc<App>) -> Router {
     let all = ROUTES.iter().fold(Router::new(), |router, route| {
-        router.route(route.path, route.handler.clone())
+        router.route(route.path, route.handler())
     });
     all.method_not_allowed_fallback(calls::method)
         .fallback(calls::unknown_path)

@@ -26,15 +26,36 @@ use super::routes::{NewFaults, NewTouches, PaperTouches};
 /// not what it has to be: missing, unknown, of another type, too large for the arm's numbers.
 pub(super) fn read<T: DeserializeOwned>(text: &[u8]) -> Result<T, Problem> {
     look_through(text).map_err(|error| not_plain(&error))?;
+    parse(text).map_err(|wrong| invalid(text, wrong, |text| parse::<T>(text).err()))
+}
+
+fn parse<T: DeserializeOwned>(text: &[u8]) -> Result<T, Wrong> {
     let mut json = serde_json::Deserializer::from_slice(text);
-    serde_path_to_error::deserialize(&mut json).map_err(|error| {
-        let path = error.path().to_string();
-        let message = bare(error.inner());
-        let field = culprit::<T>(text, &path, &message).unwrap_or(path);
-        INVALID.problem(match &*field {
-            "." => message,
-            field => format!("{field}: {message}"),
-        })
+    serde_path_to_error::deserialize(&mut json).map_err(|error| Wrong::new(&error))
+}
+
+/// What is wrong with a value, and where.
+struct Wrong {
+    path: String,
+    message: String,
+}
+
+impl Wrong {
+    fn new(error: &serde_path_to_error::Error<serde_json::Error>) -> Self {
+        Self {
+            path: error.path().to_string(),
+            message: bare(error.inner()),
+        }
+    }
+}
+
+/// What is wrong with a text; `check` reads one as the same type.
+fn invalid(text: &[u8], wrong: Wrong, check: fn(&[u8]) -> Option<Wrong>) -> Problem {
+    let field = culprit(text, &wrong, check).unwrap_or(wrong.path);
+    let message = wrong.message;
+    INVALID.problem(match &*field {
+        "." => message,
+        field => format!("{field}: {message}"),
     })
 }
 
@@ -56,8 +77,8 @@ fn bare(error: &serde_json::Error) -> String {
 ///
 /// Fields are looked at in their order, so the wrong one is the last one whose replacement makes a
 /// difference to the message.
-fn culprit<T: DeserializeOwned>(text: &[u8], path: &str, message: &str) -> Option<String> {
-    if text.len() > LARGEST_SEARCH || !message.starts_with("invalid ") {
+fn culprit(text: &[u8], wrong: &Wrong, check: fn(&[u8]) -> Option<Wrong>) -> Option<String> {
+    if text.len() > LARGEST_SEARCH || !wrong.message.starts_with("invalid ") {
         return None;
     }
     let body: Value = serde_json::from_slice(text).ok()?;
@@ -65,14 +86,13 @@ fn culprit<T: DeserializeOwned>(text: &[u8], path: &str, message: &str) -> Optio
     collect(&body, String::new(), String::new(), &mut leaves);
     let mut below = leaves
         .into_iter()
-        .filter(|leaf| leaf.name.starts_with(path.trim_start_matches('.')));
+        .filter(|leaf| leaf.name.starts_with(wrong.path.trim_start_matches('.')));
     let differs = |leaf: &Leaf| {
         let mut other = body.clone();
         if let Some(value) = other.pointer_mut(&leaf.pointer) {
             *value = Value::Array(vec![Value::Null]);
         }
-        serde_json::from_value::<T>(other).map_or_else(|error| bare(&error), |_| String::new())
-            != message
+        check(other.to_string().as_bytes()).is_none_or(|it| it.message != wrong.message)
     };
     below.rfind(differs).map(|leaf| leaf.name)
 }

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+#[cfg(feature = "full")]
 mod agents;
 mod attacks;
 mod bad_input;
@@ -23,6 +24,8 @@ mod slots;
 mod sockets;
 mod token_routes;
 mod virtual_arms;
+#[cfg(not(feature = "full"))]
+mod without_agents;
 
 use std::net::SocketAddr;
 use std::sync::Arc;

@@ -11,7 +11,7 @@ use rustls::ServerConfig;
 use rustls::pki_types::pem::PemObject;
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use sha2::{Digest, Sha256};
-use tokio_rustls::TlsAcceptor;
+pub(super) use tokio_rustls::TlsAcceptor;
 
 use super::tokens::hex;
 use crate::TlsFiles;

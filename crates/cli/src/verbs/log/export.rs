@@ -8,8 +8,12 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use clap::ValueEnum;
+#[cfg(not(feature = "full"))]
+use dobot_api::NotBuilt;
 use dobot_record::Recording;
-use dobot_tables::{ExportError, TableForm, export_files, export_lerobot, holds_packets};
+#[cfg(feature = "full")]
+use dobot_tables::export_lerobot;
+use dobot_tables::{ExportError, TableForm, export_files, holds_packets};
 
 use super::open;
 use crate::failure::Failure;
@@ -77,8 +81,12 @@ impl Export {
         let mut recording = open(file)?;
         let told = match form {
             Form::Csv => self.tables(TableForm::Csv, &mut recording, stretch, &out),
+            #[cfg(feature = "full")]
             Form::Parquet => self.tables(TableForm::Parquet, &mut recording, stretch, &out),
+            #[cfg(feature = "full")]
             Form::Lerobot => self.dataset(&mut recording, stretch, &out),
+            #[cfg(not(feature = "full"))]
+            Form::Parquet | Form::Lerobot => unreachable!("`check` refuses them"),
         }?;
         if let Some(damage) = recording.damage() {
             eprintln!(
@@ -90,6 +98,10 @@ impl Export {
     }
 
     fn check(&self, form: Form) -> Result<(), Failure> {
+        #[cfg(not(feature = "full"))]
+        if form != Form::Csv {
+            return Err(NotBuilt("Parquet and LeRobot").into());
+        }
         let (option, why) = match form {
             Form::Lerobot if self.force => ("--force", "a folder is never written over"),
             Form::Csv | Form::Parquet if self.task.is_some() => {
@@ -118,6 +130,7 @@ impl Export {
         ))
     }
 
+    #[cfg(feature = "full")]
     fn dataset(
         &self,
         recording: &mut Recording,
@@ -155,6 +168,7 @@ fn no_tables(out: &Path, error: ExportError) -> Failure {
     }
 }
 
+#[cfg(feature = "full")]
 fn no_dataset(out: &Path, error: ExportError) -> Failure {
     let exists = matches!(&error, ExportError::Io(it) if it.kind() == ErrorKind::AlreadyExists);
     let error = anyhow::Error::from(error).context(out.display().to_string());
@@ -172,7 +186,7 @@ impl Form {
     const fn ending(self) -> &'static str {
         match self {
             Self::Csv => TableForm::Csv.ending(),
-            Self::Parquet => TableForm::Parquet.ending(),
+            Self::Parquet => "parquet",
             Self::Lerobot => "lerobot",
         }
     }
@@ -185,4 +199,5 @@ impl Form {
 }
 
 /// What the arm does where nobody says.
+#[cfg(feature = "full")]
 const TASK: &str = "Move the arm as in the recording.";

@@ -2,7 +2,7 @@
 
 use axum::http::Method;
 use dobot_api::problem_kinds::{
-    INVALID, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_CLIENTS, UNKNOWN_PATH,
+    INVALID, MEDIA_TYPE, NOT_BUILT, TIMEOUT, TOO_LARGE, TOO_MANY_CLIENTS, UNKNOWN_PATH,
 };
 
 use super::super::agents;
@@ -32,6 +32,7 @@ fn agents(method: Method, summary: &'static str) -> Route {
         .problems(&[
             INVALID,
             MEDIA_TYPE,
+            NOT_BUILT,
             TIMEOUT,
             TOO_LARGE,
             TOO_MANY_CLIENTS,

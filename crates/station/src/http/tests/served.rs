@@ -60,6 +60,20 @@ async fn a_station_that_others_can_reach_does_not_start_without_tokens() {
     assert_eq!(Running::read(&web.folders.running()).unwrap(), None);
 }
 
+#[cfg(not(feature = "full"))]
+#[tokio::test]
+async fn a_station_without_tls_is_not_served_to_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let web = Web::new(EVERYWHERE, Folders::at(folder.path()));
+    let mut tokens = Tokens::open(&web.folders.tokens()).unwrap();
+    tokens.add(Role::Watch, "me").unwrap();
+    let error = serve(&web, driver().0).await.unwrap_err();
+    assert!(matches!(error, ServeError::Tls(_)), "{error}");
+    assert!(error.to_string().contains("built without TLS"), "{error}");
+    assert_eq!(Running::read(&web.folders.running()).unwrap(), None);
+}
+
+#[cfg(feature = "full")]
 #[tokio::test]
 async fn a_station_that_others_can_reach_speaks_tls_with_a_certificate_of_its_own() {
     let folder = tempfile::tempdir().unwrap();
@@ -97,6 +111,7 @@ async fn a_station_that_others_can_reach_speaks_tls_with_a_certificate_of_its_ow
     assert!(!plain.contains("HTTP"), "{plain}");
 }
 
+#[cfg(feature = "full")]
 /// A connection of one who trusts the station's certificate, and nobody else's.
 async fn connect(web: &Web, port: u16) -> tokio_rustls::client::TlsStream<TcpStream> {
     use rustls::pki_types::pem::PemObject;

@@ -1,0 +1,118 @@
+//! What touches of a sheet tell of an arm, and what they do not.
+
+use dobot_arm::{Calibration, Degrees, Position, Tool};
+use dobot_calibrate::{FitError, SHEET_POINTS, Touch, Trust, fit};
+
+const ARM: Calibration = Calibration {
+    base_deg: 3.0,
+    rear_deg: -24.4,
+    fore_deg: -3.9,
+    reach_mm: 6.0,
+    left_mm: 2.0,
+    axis_mm: [0.0, 0.0],
+    backlash_deg: [0.0; 3],
+    table: None,
+};
+
+/// The paper rises by two degrees to the front.
+fn touch([x, y]: [f64; 2], miss_mm: [f64; 2]) -> Touch {
+    let z = -45.0 + 0.035 * x;
+    let place = Position::new(x + miss_mm[0], y + miss_mm[1], z);
+    Touch {
+        place_mm: [x, y],
+        height_mm: 0.0,
+        told: ARM.told_joints(place, Tool::SuctionCup).unwrap(),
+    }
+}
+
+fn nine() -> Vec<Touch> {
+    SHEET_POINTS.map(|it| touch(it, [0.0, 0.0])).to_vec()
+}
+
+#[test]
+fn an_old_arm_finds_every_place_of_its_paper_again() {
+    let found = fit(&nine(), Tool::SuctionCup).unwrap();
+    assert_eq!(found.trust, Trust::Good);
+    for [x, y] in [[150.0, -100.0], [230.0, 40.0], [270.0, 100.0]] {
+        let wanted = Position::new(x, y, found.paper.z_at([x, y]));
+        let told = found.arm.told_place(wanted, Tool::SuctionCup).unwrap();
+        let came = ARM.true_place(told, Tool::SuctionCup).unwrap();
+        let away = (came.x.0 - x).hypot(came.y.0 - y);
+        assert!(away < 0.15, "{x}, {y}: {away} mm away");
+        let height = came.z.0 - (-45.0 + 0.035 * came.x.0);
+        assert!(height.abs() < 0.1, "{x}, {y}: {height} mm above the paper");
+    }
+}
+
+#[test]
+fn one_wrong_touch_of_nine_is_named_and_left_out() {
+    for wrong in 0..9 {
+        let mut touches = nine();
+        touches[wrong] = touch(SHEET_POINTS[wrong], [4.0, -3.0]);
+        let found = fit(&touches, Tool::SuctionCup).unwrap();
+        assert_eq!(found.left_out, Some(wrong), "touch {}", wrong + 1);
+        assert_eq!(found.trust, Trust::Doubtful);
+        let away = found.residual_mm(wrong);
+        assert!(
+            (3.5..=7.0).contains(&away),
+            "touch {}: {away} mm",
+            wrong + 1
+        );
+    }
+}
+
+#[test]
+fn three_points_are_too_few() {
+    let error = fit(&nine()[..3], Tool::SuctionCup).unwrap_err();
+    assert_eq!(error, FitError::TooFew { found: 3 });
+}
+
+#[test]
+fn points_in_a_line_are_refused() {
+    let line = [165.0, 190.0, 215.0, 240.0, 265.0].map(|x| touch([x, 10.0], [0.0, 0.0]));
+    let error = fit(&line, Tool::SuctionCup).unwrap_err();
+    assert!(matches!(error, FitError::InLine { .. }), "{error}");
+}
+
+#[test]
+fn a_reset_between_two_touches_is_told_with_its_place() {
+    let mut touches = nine();
+    for touch in &mut touches[5..] {
+        touch.told.base = touch.told.base - Degrees(31.0);
+    }
+    let error = fit(&touches, Tool::SuctionCup).unwrap_err();
+    assert!(matches!(error, FitError::Reset { last: 5, .. }), "{error}");
+}
+
+#[test]
+fn a_print_of_nine_tenths_is_told() {
+    let touches = SHEET_POINTS.map(|[x, y]| Touch {
+        place_mm: [x, y],
+        ..touch([x * 0.9, y * 0.9], [0.0, 0.0])
+    });
+    let error = fit(&touches, Tool::SuctionCup).unwrap_err();
+    let FitError::ScaledPrint { percent } = error else {
+        panic!("{error}");
+    };
+    assert!((89.0..91.0).contains(&percent), "{percent}");
+}
+
+#[test]
+fn points_touched_in_another_order_contradict_each_other() {
+    let mut touches = nine();
+    let told: Vec<_> = touches.iter().map(|it| it.told).collect();
+    for (index, touch) in touches.iter_mut().enumerate() {
+        touch.told = told[(index * 4 + 1) % 9];
+    }
+    let error = fit(&touches, Tool::SuctionCup).unwrap_err();
+    assert!(error.to_string().contains("ouch"), "{error}");
+}
+
+#[test]
+fn four_corners_say_which_point_would_tell_more() {
+    let found = fit(&nine()[1..5], Tool::SuctionCup).unwrap();
+    assert_eq!(found.trust, Trust::Unchecked);
+    assert!(!found.unsure.is_empty());
+    let advice = found.advice.unwrap();
+    assert!(advice.gain > 0.1, "{advice:?}");
+}

@@ -1,0 +1,3 @@
+//! Drawings, carried out.
+
+mod virtual_arm;

@@ -1,0 +1,29 @@
+//! What can go wrong, in virtual time: each case gives its figures.
+
+pub(crate) mod cables;
+#[allow(
+    dead_code,
+    reason = "tests ask less of it than the example of its name"
+)]
+pub(crate) mod carries;
+pub(crate) mod chance;
+pub(crate) mod clients;
+pub(crate) mod commands;
+pub(crate) mod disks;
+pub(crate) mod floods;
+#[allow(
+    dead_code,
+    reason = "tests ask less of it than the example of its name"
+)]
+pub(crate) mod fuzz;
+pub(crate) mod guardians;
+pub(crate) mod jobs;
+pub(crate) mod kills;
+#[path = "../../../../sim/tests/it/light.rs"]
+pub(crate) mod light;
+pub(crate) mod lines;
+pub(crate) mod paper;
+pub(crate) mod scene;
+pub(crate) mod spread;
+pub(crate) mod stands;
+pub(crate) mod stops;

@@ -1,0 +1,112 @@
+//! Everything that can go wrong, a few times each: the example `reliability` does it thousands of times.
+
+use crate::cases::{cables, clients, disks, floods, fuzz, guardians, kills, lines, stands, stops};
+
+/// Fails with the first thing that should not be, and says how many there are.
+fn right(wrong: &[String]) {
+    assert!(wrong.is_empty(), "{} of them: {}", wrong.len(), wrong[0]);
+}
+
+#[test]
+fn a_killed_station_loses_nothing_repeats_nothing_and_switches_the_laser_off_first() {
+    let it = kills::run(60);
+    right(&it.wrong);
+    assert_eq!((it.lost, it.repeated, it.unclear), (0, 0, 0));
+    assert_eq!((it.not_off_first, it.burnt_at_rest), (0, 0));
+    assert!(it.at_work > 40 && it.burning > 5, "{it:?}");
+}
+
+#[test]
+fn a_cable_may_be_pulled_in_every_phase_of_a_job() {
+    for it in cables::run(18) {
+        right(&it.wrong);
+        assert_eq!((it.lost, it.repeated), (0, 0), "{}", it.during);
+        assert_eq!(it.looks_reset, 0, "{}", it.during);
+    }
+}
+
+#[test]
+fn a_bad_line_never_spoils_a_drawing_silently() {
+    for it in lines::run(12) {
+        right(&it.wrong);
+        assert_eq!(it.silently_wrong, 0, "{}: {:?}", it.fault, it.example);
+        if it.fault.ends_with(":from") {
+            assert_eq!(it.done, it.drawings, "{}: {:?}", it.fault, it.reason);
+        }
+    }
+}
+
+#[test]
+fn an_arm_whose_client_vanishes_is_stopped() {
+    for it in clients::run(16) {
+        right(&it.wrong);
+        assert!(it.packet_s.most() <= 0.21, "{}: {}", it.how, it.packet_s);
+        assert!(it.over_s.most() < 2.5, "{}: {}", it.how, it.over_s);
+        assert_eq!(it.not_free, 0, "{}", it.how);
+    }
+}
+
+#[test]
+fn a_guardian_brings_every_motion_to_rest_and_darkens_every_light_when_the_station_is_no_more() {
+    for it in guardians::run(4) {
+        right(&it.wrong);
+        assert_eq!((it.unasked, it.burnt), (0, 0), "{} {}", it.fate, it.doing);
+        assert!(it.packet_s.most() <= 0.4, "{} {}", it.fate, it.doing);
+        // What is under way goes to its end; a button runs down from its speed within 1.2 s.
+        if it.doing != guardians::GuardedMotion::Moving
+            && it.doing != guardians::GuardedMotion::Burning
+        {
+            let rest_s = it.rest_s.most();
+            assert!(rest_s <= 0.4 + 1.2, "{} {}: {rest_s} s", it.fate, it.doing);
+        }
+        assert!(
+            it.stood_s.most() <= 0.5,
+            "{} {}: {}",
+            it.fate,
+            it.doing,
+            it.stood_s
+        );
+    }
+}
+
+#[test]
+fn a_flood_overruns_neither_arm_nor_station() {
+    for it in floods::run(4) {
+        right(&it.wrong);
+        assert_eq!((it.overrun, it.not_served), (0, 0), "{}", it.who);
+        assert!(it.most_waiting <= 64, "{}: {}", it.who, it.most_waiting);
+    }
+}
+
+#[test]
+fn a_full_disk_pauses_the_job_and_it_goes_on_when_there_is_room() {
+    let it = disks::run(24);
+    right(&it.wrong);
+    assert_eq!((it.lost, it.repeated), (0, 0));
+    assert!(it.paused > 8, "{it:?}");
+}
+
+#[test]
+fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
+    for it in stops::run(30) {
+        right(&it.wrong);
+        assert_eq!((it.late, it.burnt), (0, 0), "{}", it.doing);
+    }
+}
+
+#[test]
+fn the_laser_does_not_burn_on_the_spot_whoever_sent_what_burns() {
+    for it in stands::run(12) {
+        right(&it.wrong);
+        assert_eq!(it.late, 0, "{} {}: {}", it.sender, it.link, it.stood_s);
+        assert_eq!(it.displaced, 0, "{} {}", it.sender, it.link);
+        assert!(it.stood_s.most() <= stands::MOST_S, "{}", it.stood_s);
+    }
+}
+
+#[test]
+fn an_arm_is_never_lost_whatever_it_is_asked() {
+    let it = fuzz::run(0, 200);
+    right(&it.wrong);
+    assert!(it.taken > it.requests / 5 && it.packets > 10_000, "{it:?}");
+}

@@ -1,0 +1,166 @@
+//! Jobs that wait for a person, to change the pen.
+
+use std::time::Duration;
+
+use dobot_api::{JobPause, JobPhase, NewJob, Request};
+use dobot_controller::Personality;
+use dobot_geometry::{Point, Stroke};
+
+use super::drawing;
+use super::strokes::{
+    DOWN_MM, PERSONALITIES, assert_drawn_once, finish, pen_job, run_to, started, view,
+    wait_until_paused,
+};
+
+const MESSAGE: &str = "put the blue pen in";
+
+fn lines() -> [Stroke; 2] {
+    [0.0, 20.0].map(|y| Stroke::open(vec![Point::new(200.0, y), Point::new(240.0, y)]))
+}
+
+fn two_pens(personality: Personality) -> NewJob {
+    let [first, second] = lines();
+    pen_job(personality, &[(first, None), (second, Some(MESSAGE))])
+}
+
+#[test]
+fn a_job_waits_for_the_person_once_and_goes_on() {
+    for personality in PERSONALITIES {
+        let planned = two_pens(personality);
+        let (mut it, anna, job) = started(personality, &planned);
+        wait_until_paused(&mut it, job);
+        let paused = view(&it);
+        assert_eq!(paused.phase, JobPhase::Paused);
+        assert_eq!(paused.reason.as_deref(), Some(MESSAGE));
+        assert_eq!(paused.completed, planned.pauses[0].before);
+        let z_mm = it.arm().samples().last().unwrap().position.z.0;
+        assert!(
+            z_mm > DOWN_MM + 4.9,
+            "{personality}: the pen is at {z_mm} mm"
+        );
+        assert!(it.notices().iter().any(|it| it.text.contains(MESSAGE)));
+        it.run_for(Duration::from_mins(1));
+        assert_eq!(view(&it).phase, JobPhase::Paused);
+        it.start(anna, job).unwrap();
+        finish(&mut it, job);
+        let waited = |it: &&dobot_api::Notice| it.text.contains(MESSAGE);
+        assert_eq!(it.notices().iter().filter(waited).count(), 1);
+        assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
+    }
+}
+
+#[test]
+fn a_station_that_is_killed_while_a_job_waits_does_not_wait_again() {
+    for personality in PERSONALITIES {
+        let (mut it, _, job) = started(personality, &two_pens(personality));
+        wait_until_paused(&mut it, job);
+        it.crash(Duration::from_secs(1)).unwrap();
+        it.run_for(Duration::from_secs(2));
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        it.start(anna, job).unwrap();
+        finish(&mut it, job);
+        assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
+    }
+}
+
+#[test]
+fn a_station_that_is_killed_before_the_person_was_told_waits_all_the_same() {
+    for personality in PERSONALITIES {
+        let planned = two_pens(personality);
+        for before_ms in [0, 100, 200, 400] {
+            let (mut it, _, job) = started(personality, &planned);
+            run_to(&mut it, planned.pauses[0].before - 1);
+            it.run_for(Duration::from_millis(before_ms));
+            let told = it.job(job).unwrap().behind.pauses == 1;
+            it.crash(Duration::from_secs(1)).unwrap();
+            wait_until_paused(&mut it, job);
+            let anna = it.client("Anna");
+            it.ask(anna, Request::TakeLease).unwrap();
+            it.run_for(Duration::from_secs(2));
+            it.ask(anna, Request::ConfirmPose).unwrap();
+            it.start(anna, job).unwrap();
+            if !told {
+                it.run_for(Duration::from_millis(10));
+                wait_until_paused(&mut it, job);
+                assert_eq!(view(&it).reason.as_deref(), Some(MESSAGE));
+                it.start(anna, job).unwrap();
+            }
+            finish(&mut it, job);
+            assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
+        }
+    }
+}
+
+#[test]
+fn a_person_who_pauses_right_before_it_is_told_all_the_same() {
+    let personality = Personality::Firmware11;
+    let planned = two_pens(personality);
+    let (mut it, anna, job) = started(personality, &planned);
+    run_to(&mut it, planned.pauses[0].before - 1);
+    it.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut it, job);
+    if view(&it).reason.as_deref() != Some(MESSAGE) {
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(10));
+        wait_until_paused(&mut it, job);
+    }
+    assert_eq!(view(&it).reason.as_deref(), Some(MESSAGE));
+    it.start(anna, job).unwrap();
+    finish(&mut it, job);
+}
+
+#[test]
+fn a_pause_that_makes_no_sense_is_refused() {
+    let personality = Personality::Specification;
+    let mut it = drawing::virtual_station(personality);
+    let pause = |before, message: &str| JobPause {
+        before,
+        message: message.to_owned(),
+    };
+    let planned = two_pens(personality);
+    let len = planned.commands.len();
+    for (pauses, text) in [
+        (
+            vec![pause(len, "x")],
+            format!("a pause stands before command {len}; allowed are 0 to"),
+        ),
+        (
+            vec![pause(3, "x"), pause(3, "x")],
+            "a pause stands before command 3; allowed are 4 to".into(),
+        ),
+        (
+            vec![pause(3, "")],
+            "the message of a pause has 0 characters; allowed are 1 to 200".into(),
+        ),
+        (
+            vec![pause(3, &"x".repeat(201))],
+            "the message of a pause has 201 characters".into(),
+        ),
+        (
+            vec![pause(3, "a\u{1b}[2J")],
+            "the message of a pause is \"a\\u{1b}[2J\"".into(),
+        ),
+        (
+            vec![pause(3, "x"); 1_001],
+            "the job has 1001 pauses; allowed are up to 1000".into(),
+        ),
+    ] {
+        let refused = it
+            .submit(&NewJob {
+                pauses,
+                ..planned.clone()
+            })
+            .expect_err(&text);
+        assert!(refused.to_string().contains(&text), "{refused}");
+    }
+    let spiral = pen_job(personality, &[(super::strokes::spiral(), None)]);
+    let moving = NewJob {
+        pauses: vec![pause(40, "x")],
+        program: dobot_api::JobProgram::default(),
+        ..spiral
+    };
+    let refused = it.submit(&moving).unwrap_err();
+    assert_eq!(refused.kind(), "bad-job");
+}

@@ -1,0 +1,128 @@
+//! Anyone may stop the arm, and it stays stopped.
+
+use std::time::Duration;
+
+use dobot_api::{News, Request};
+use dobot_controller::Personality;
+use dobot_rules::VirtualStation;
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, Packet};
+
+use super::drawing::{spiral, virtual_station};
+
+const STOP: Request = Request::Stop { reason: None };
+
+fn target(y_mm: f32) -> Request {
+    Request::Command {
+        command: MoveTo::to(220.0, y_mm, 30.0).into(),
+    }
+}
+
+/// What was put on the wire since then.
+fn sent_since(it: &VirtualStation, since: usize) -> Vec<Command> {
+    let packets = it.packets()[since..].iter();
+    let frame = |bytes: &[u8; 42]| Packet::from_bytes(bytes).expect("the station sends packets");
+    packets
+        .map(|(_, bytes)| Command::parse(&frame(bytes), &Dialect::FIRMWARE_1_1).unwrap())
+        .collect()
+}
+
+const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
+
+#[test]
+fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment() {
+    for stop_ms in (3_300..3_500).step_by(10) {
+        let mut it = virtual_station(Personality::Firmware11);
+        let (anna, ben) = (it.client("Anna"), it.client("Ben"));
+        it.ask(anna, Request::TakeLease).unwrap();
+        let job = it.submit(&spiral(12)).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(stop_ms));
+        let (before, at) = (it.packets().len(), it.now());
+        it.ask(ben, STOP).unwrap();
+        assert_eq!(sent_since(&it, before)[0], LASER_OFF);
+        assert_eq!(it.packets()[before].0, at, "after {stop_ms} ms");
+        // A packet that left just before may have spoilt it: it is said again.
+        it.run_for(Duration::from_secs(10));
+        let said = sent_since(&it, before);
+        assert!(said.iter().filter(|it| **it == LASER_OFF).count() >= 2);
+    }
+}
+
+#[test]
+fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let reason = Some("a hand".to_owned());
+    it.ask(anna, Request::Stop { reason }).unwrap();
+    let refused = it.ask(anna, target(20.0)).unwrap_err();
+    assert_eq!(refused.to_string(), "the arm was stopped by Anna: a hand");
+    it.run_for(Duration::from_mins(1));
+    assert_eq!(it.ask(anna, target(20.0)).unwrap_err().kind(), "stopped");
+    it.ask(anna, Request::ResetStop).unwrap();
+    it.ask(anna, target(20.0)).unwrap();
+}
+
+#[test]
+fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(anna, target(100.0)).unwrap();
+    it.run_for(Duration::from_millis(800));
+    it.ask(anna, STOP).unwrap();
+    assert_eq!(
+        it.ask(anna, Request::ResetStop).unwrap_err().kind(),
+        "still-moving"
+    );
+    let minute = it.now() + Duration::from_mins(1);
+    let at_rest = |it: &VirtualStation| {
+        it.supervisor()
+            .state()
+            .stop
+            .is_some_and(|stop| stop.at_rest)
+    };
+    assert!(it.run_until(minute, at_rest));
+    it.ask(anna, Request::ResetStop).unwrap();
+}
+
+#[test]
+fn what_waits_is_never_sent_after_a_stop() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    for y_mm in [100.0, -100.0, 100.0, -100.0, 100.0] {
+        it.ask(anna, target(y_mm)).unwrap();
+    }
+    it.run_for(Duration::from_millis(500));
+    let before = it.packets().len();
+    it.ask(anna, STOP).unwrap();
+    it.run_for(Duration::from_mins(1));
+    let moved = sent_since(&it, before)
+        .into_iter()
+        .filter(|it| matches!(it, Command::MoveTo(_)))
+        .count();
+    assert_eq!(moved, 0);
+    let failed = |it: &&dobot_api::Notice| matches!(it.news, News::CommandFailed { .. });
+    assert!(it.notices().iter().filter(failed).count() >= 3);
+}
+
+#[test]
+fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
+    for eighth in 1..40 {
+        let mut it = virtual_station(Personality::Firmware11);
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let job = it.submit(&spiral(12)).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(125 * eighth));
+        it.ask(anna, STOP).unwrap();
+        let stop = it.supervisor().state().stop.unwrap();
+        let promised = Duration::from_secs_f64(stop.rests_by_s);
+        it.run_until(promised, |_| false);
+        let there = it.arm().mechanics().joints_at(it.now());
+        it.run_for(Duration::from_secs(30));
+        let later = it.arm().mechanics().joints_at(it.now());
+        assert_eq!(there, later, "stopped after {eighth} eighths of a second");
+    }
+}

@@ -1,0 +1,9 @@
+//! Plans carried out by a virtual arm in this process, in virtual time.
+
+mod bench;
+mod breaks;
+mod calibrated;
+mod lasers;
+mod policy;
+mod traces;
+mod true_places;

@@ -1,0 +1,28 @@
+//! The address for agents, in a build without them.
+
+use dobot_api::problem_kinds::NOT_BUILT;
+use dobot_api::{NotBuilt, StationAddress};
+
+use super::answer::NotDone;
+
+/// No tools for agents.
+#[derive(Debug)]
+pub(super) struct HttpAgents;
+
+impl HttpAgents {
+    pub(super) fn new(_: StationAddress) -> Self {
+        Self
+    }
+
+    #[expect(
+        clippy::unused_self,
+        reason = "with the feature `full` sessions end here"
+    )]
+    pub(super) fn end(&self) {}
+}
+
+/// Tells an agent that it cannot come here.
+pub(super) async fn agents() -> Result<(), NotDone> {
+    let text = NotBuilt("tools for agents (MCP)").to_string();
+    Err(NOT_BUILT.hinted(text, NotBuilt::HINT).into())
+}

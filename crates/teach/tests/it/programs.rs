@@ -1,0 +1,482 @@
+//! Programs: what their text means, and what is said of bad ones.
+
+use std::collections::BTreeMap;
+
+use dobot_safety::Policy;
+use dobot_teach::{Compiled, Drawing, Files, NoFiles, Program, barrier_reason, check};
+use dobot_trajectory::Model;
+use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteVector};
+
+/// Files in memory; a drawing is one line of 10 mm.
+struct TestFiles(BTreeMap<&'static str, &'static str>);
+
+impl Files for TestFiles {
+    fn program(&mut self, path: &str) -> Result<String, String> {
+        let text = self.0.get(path).ok_or(format!("there is no {path}"))?;
+        Ok((*text).to_owned())
+    }
+
+    fn drawing(&mut self, _: &str, drawing: &Drawing) -> Result<Vec<Command>, String> {
+        #[expect(clippy::cast_possible_truncation, reason = "a small number")]
+        let down = MoveTo::to(200.0, 0.0, drawing.pen_down as f32);
+        Ok(vec![
+            down.into(),
+            WriteVector::by(10.0, 0.0, 0.0, 20.0).into(),
+        ])
+    }
+}
+
+fn compiled(text: &str) -> Compiled {
+    Program::from_toml(text)
+        .unwrap()
+        .compile(&mut NoFiles)
+        .unwrap()
+}
+
+fn places(compiled: &Compiled) -> Vec<[f32; 3]> {
+    let place = |it: &Command| match it {
+        Command::MoveTo(it) => Some([it.x_mm, it.y_mm, it.z_mm]),
+        _ => None,
+    };
+    compiled.commands.iter().filter_map(place).collect()
+}
+
+/// The error of reading or compiling.
+fn error(text: &str, files: &mut dyn Files) -> String {
+    let done = Program::from_toml(text).and_then(|it| it.compile(files));
+    done.unwrap_err().to_string()
+}
+
+const GO: &str = "[[steps]]\ngo = { x = 200, y = 0, z = 0 }\n";
+
+/// A text, the line that is wrong in it, and words of its error.
+const BAD: &[(&str, &str, &[&str])] = &[
+    ("title = ", "line 1: ", &[]),
+    ("[[step]]", "line 1: ", &["unknown field `step`", "steps"]),
+    ("steps = []", "", &["no steps"]),
+    (
+        "[[steps]]\ngo = 3",
+        "line 2: ",
+        &["invalid type", "name of a point"],
+    ),
+    (
+        "[[steps]]\ngo = \"a\"",
+        "line 1: ",
+        &["no point \"a\"", "[points.a]"],
+    ),
+    (
+        "[points]\nb = {x=1,y=2,z=3}\n[[steps]]\ngo = \"a\"",
+        "line 3: ",
+        &["there are b"],
+    ),
+    (
+        "[[steps]]\ngo = { x = 1, y = 2 }",
+        "line 2: ",
+        &["a point has x, y", "x, y and z"],
+    ),
+    (
+        "[[steps]]\ngo = { x = nan, y = 2, z = 1 }",
+        "line 2: ",
+        &["NaN", "1000000"],
+    ),
+    (
+        "[[steps]]\ngo = { x = 1e9, y = 2, z = 1 }",
+        "line 2: ",
+        &["1000000000"],
+    ),
+    (
+        "[[steps]]\ngo = { x = 1, y = 2, z = 1 }\npath = \"walk\"",
+        "line 3: ",
+        &["walk", "jump"],
+    ),
+    (
+        "[[steps]]\nlaser = true\nwait = \"x\"",
+        "line 1: ",
+        &["laser and wait", "one of"],
+    ),
+    (
+        "[[steps]]\nlaser = true\npause = 1",
+        "line 1: ",
+        &["pause beside laser", "nothing"],
+    ),
+    ("[[steps]]", "line 1: ", &["nothing to do"]),
+    (
+        "[[steps]]\npause = 700",
+        "line 1: ",
+        &["pause is 700 s", "655"],
+    ),
+    (
+        "[[steps]]\ngripper = 91",
+        "line 1: ",
+        &["gripper is 91", "-90 to 90"],
+    ),
+    (
+        "[[steps]]\nwait = \"\"",
+        "line 1: ",
+        &["0 letters", "1 to 200"],
+    ),
+    (
+        "[[steps]]\nrepeat = 0\nsteps = [{pause=1}]",
+        "line 2: ",
+        &["repeat is 0"],
+    ),
+    (
+        "[[steps]]\nrepeat = \"often\"\nsteps = [{pause=1}]",
+        "line 2: ",
+        &["often", "forever"],
+    ),
+    ("[[steps]]\nrepeat = 2", "line 1: ", &["has no steps"]),
+    ("[[steps]]\nspeed = {}", "line 1: ", &["speed says nothing"]),
+    (
+        "[[steps]]\nspeed = { percent = 0 }",
+        "line 1: ",
+        &["percent is 0", "100"],
+    ),
+    (
+        "[[steps]]\ntool = \"cup\"",
+        "line 1: ",
+        &["no tool \"cup\"", "[tools.cup]"],
+    ),
+    (
+        "[[steps]]\neach = \"tray\"\nsteps = [{go=\"tray\"}]",
+        "line 1: ",
+        &["no grid \"tray\""],
+    ),
+    (
+        "start_speed_percent = 0\n[[steps]]\npause = 1",
+        "line 1: ",
+        &["start_speed_percent is 0"],
+    ),
+    ("[[steps]]\npause = 1", "line 1: ", &["where the arm is"]),
+    (
+        "[[steps]]\nlaser = false",
+        "line 1: ",
+        &["nothing in it moves"],
+    ),
+    (
+        "[[steps]]\nrepeat = \"forever\"\nsteps=[{go={x=200,y=0,z=0}}]\n[[steps]]\npause = 1",
+        "line 1: ",
+        &["last step"],
+    ),
+    (
+        "[[steps]]\nrepeat = 1000000000\nsteps=[{go={x=200,y=0,z=0}}]\n[[steps]]\npause = 1",
+        "line 1: ",
+        &["1000000000 steps", "1000000"],
+    ),
+    (
+        "[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\narc = { through = {x=210,y=0,z=0}, to = {x=220,y=0,z=0} }",
+        "line 3: ",
+        &["on one line"],
+    ),
+    (
+        "[frames.f]\norigin = {x=200,y=0,z=0}\nx = {x=200,y=0,z=0}\ny = {x=200,y=10,z=0}\n[[steps]]\ngo = {x=1,y=1,z=1,frame=\"f\"}",
+        "line 5: ",
+        &["its second point is its origin"],
+    ),
+];
+
+#[test]
+fn a_bad_program_is_told_with_its_line_what_was_found_and_what_is_allowed() {
+    for (text, start, parts) in BAD {
+        let error = error(text, &mut NoFiles);
+        assert!(error.starts_with(start), "{error}\n{text}");
+        for part in *parts {
+            assert!(error.contains(part), "`{part}` is missing: {error}");
+        }
+        assert!(!error.contains('\n') && !error.ends_with('.'), "{error}");
+    }
+}
+
+#[test]
+fn what_is_nested_too_deep_is_refused_quickly() {
+    let arrays = format!("steps = {}", "[".repeat(100_000));
+    let inline = format!("steps = {}", "[{repeat=2,steps=".repeat(50_000));
+    let header = format!("[[{}steps]]\npause = 1", "steps.".repeat(20_000));
+    for text in [arrays, inline, header] {
+        assert!(!error(&text, &mut NoFiles).is_empty());
+    }
+    let nested = (0..40).fold("{ pause = 1 }".to_owned(), |inner, _| {
+        format!("{{ repeat = 2, steps = [{inner}] }}")
+    });
+    let error = error(&format!("steps = [{nested}]"), &mut NoFiles);
+    assert!(!error.is_empty(), "{error}");
+}
+
+#[test]
+fn a_target_carries_grip_and_pause_and_what_is_not_said_stays() {
+    let it = compiled(
+        "[[steps]]\ngo = { x = 200, y = 10, z = -5, rotation = 15 }\npath = \"movl\"\nsuction = true\ngripper = 45\npause = 0.5\n\
+         [[steps]]\ngo = { base = 10, rear = 20, fore = 30 }\n[[steps]]\nsuction = false\npause = 1",
+    );
+    let Command::MoveTo(first) = it.commands[0] else {
+        panic!("{:?}", it.commands)
+    };
+    assert_eq!(
+        [first.x_mm, first.y_mm, first.z_mm, first.rotation_deg],
+        [200.0, 10.0, -5.0, 15.0]
+    );
+    assert_eq!(
+        (first.mode, first.suction, first.gripper_deg, first.pause_s),
+        (MovingMode::MovL, true, 45.0, 0.5)
+    );
+    let [Command::MoveJoints(second), Command::MoveJoints(here)] = it.commands[1..] else {
+        panic!("{:?}", it.commands)
+    };
+    assert!(second.suction && second.gripper_deg == 45.0 && second.pause_s == 0.0);
+    assert_eq!(
+        (here.rear_deg, here.mode, here.suction, here.pause_s),
+        (20.0, MovingMode::MovJ, false, 1.0)
+    );
+    assert_eq!(
+        it.steps.iter().map(|it| it.line).collect::<Vec<_>>(),
+        [1, 7, 9]
+    );
+}
+
+#[test]
+fn a_grid_has_its_cells_row_by_row_then_layer_by_layer() {
+    let it = compiled(
+        "[grids.tray]\nat = { x = 200, y = 0, z = 0 }\ncolumns = 2\nrows = 2\nlayers = 2\npitch = { x = 30, y = 20, z = 10 }\n\
+         [[steps]]\neach = \"tray\"\nsteps = [{ go = \"tray\" }]",
+    );
+    let expected = [
+        [200.0, 0.0, 0.0],
+        [230.0, 0.0, 0.0],
+        [200.0, 20.0, 0.0],
+        [230.0, 20.0, 0.0],
+        [200.0, 0.0, 10.0],
+        [230.0, 0.0, 10.0],
+        [200.0, 20.0, 10.0],
+        [230.0, 20.0, 10.0],
+    ];
+    assert_eq!(places(&it), expected);
+}
+
+#[test]
+fn grids_side_by_side_need_as_many_cells() {
+    let text = "[grids.a]\nat = {x=200,y=0,z=0}\ncolumns=3\npitch={x=20}\n[grids.b]\nat={x=200,y=90,z=0}\nrows=2\npitch={y=20}\n[[steps]]\neach=[\"a\",\"b\"]\nsteps=[{go=\"a\"},{go=\"b\"}]";
+    assert!(
+        error(text, &mut NoFiles).contains("grid \"a\" 3"),
+        "{}",
+        error(text, &mut NoFiles)
+    );
+    let it = compiled(&text.replace("rows=2", "rows=3"));
+    assert_eq!(places(&it)[4..], [[240.0, 0.0, 0.0], [200.0, 130.0, 0.0]]);
+}
+
+#[test]
+fn a_frame_turns_and_lifts_what_lies_in_it() {
+    // Its x axis points left in the base frame, its y axis back.
+    let it = compiled(
+        "[frames.f]\norigin = {x=200,y=50,z=10}\nx = {x=200,y=80,z=10}\ny = {x=180,y=50,z=10}\n\
+         [points]\np = { x = 5, y = 7, z = 2, frame = \"f\" }\n[[steps]]\ngo = \"p\"\noffset = { x = 1, z = 3 }",
+    );
+    let Command::MoveTo(to) = it.commands[0] else {
+        panic!("{:?}", it.commands)
+    };
+    for (found, expected) in [
+        (to.x_mm, 193.0),
+        (to.y_mm, 56.0),
+        (to.z_mm, 15.0),
+        (to.rotation_deg, 90.0),
+    ] {
+        assert!(
+            (found - expected).abs() < 1e-4,
+            "found {found}, expected {expected} within 1e-4"
+        );
+    }
+}
+
+#[test]
+fn the_length_of_a_tool_is_added_to_points_but_not_to_taught_angles() {
+    let it = compiled(
+        "[tools.cup]\nkind = \"suction_cup\"\nlength = 60\n[[steps]]\ntool = \"cup\"\n[[steps]]\ngo = {x=200,y=0,z=-100}\n[[steps]]\ngo = {base=0,rear=30,fore=30}",
+    );
+    assert_eq!(places(&it), [[200.0, 0.0, -40.0]]);
+    assert!(matches!(it.commands[2], Command::MoveJoints(it) if it.rear_deg == 30.0));
+}
+
+#[test]
+fn a_repeat_at_the_end_stands_once_and_says_so() {
+    let body = "[[steps.steps]]\ngo = {x=200,y=0,z=0}\nsuction = true\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\nsuction = false\n";
+    let it = compiled(&format!(
+        "[[steps]]\ngo={{x=220,y=0,z=40}}\n[[steps]]\nrepeat = 10000000\n{body}"
+    ));
+    assert_eq!((it.commands.len(), it.first_apart), (3, false));
+    assert_eq!(
+        it.repeat.map(|it| (it.from, it.times)),
+        Some((1, Some(10_000_000)))
+    );
+    let forever = compiled(&format!("[[steps]]\nrepeat = \"forever\"\n{body}"));
+    assert_eq!(
+        forever.repeat.map(|it| (it.from, it.times)),
+        Some((0, None))
+    );
+    assert!(forever.job().program.check(forever.commands.len()).is_ok());
+}
+
+#[test]
+fn a_first_cycle_that_differs_stands_before_the_others() {
+    // The first time the gripper is at 0 on the way to the first point; later it is as it was left.
+    let it = compiled(
+        "[[steps]]\nrepeat = 5\n[[steps.steps]]\ngo = {x=200,y=0,z=0}\n[[steps.steps]]\ngo = {x=200,y=50,z=0}\ngripper = 30",
+    );
+    assert_eq!((it.commands.len(), it.first_apart), (4, true));
+    assert_eq!(it.repeat.map(|it| (it.from, it.times)), Some((2, Some(4))));
+}
+
+#[test]
+fn only_the_first_motion_starts_softly() {
+    let it = compiled(&format!(
+        "start_speed_percent = 20\n[[steps]]\nspeed = {{ percent = 80 }}\n{GO}{GO}"
+    ));
+    let percents: Vec<f32> = it
+        .commands
+        .iter()
+        .filter_map(|it| match it {
+            Command::PlaybackAdjustment(it) => Some(it.speed_percent),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(percents, [80.0, 16.0, 80.0]);
+    assert!(
+        matches!(it.commands[2], Command::MoveTo(_))
+            && matches!(it.commands[4], Command::MoveTo(_))
+    );
+}
+
+#[test]
+fn a_barrier_waits_as_for_a_person_and_is_told_by_its_name() {
+    let it = compiled(&format!("{GO}[[steps]]\nbarrier = \"handed over\"\n{GO}"));
+    let at = it.steps.iter().find(|it| it.barrier.is_some()).unwrap();
+    assert_eq!(at.barrier.as_deref(), Some("handed over"));
+    let [pause] = &it.pauses[..] else {
+        panic!("{:?}", it.pauses)
+    };
+    assert_eq!(pause.before, at.first);
+    assert_eq!(pause.message, barrier_reason("handed over"));
+}
+
+#[test]
+fn a_barrier_before_the_first_motion_is_told_with_what_helps() {
+    let text = format!("[[steps]]\nbarrier = \"ready\"\n{GO}");
+    let program = Program::from_toml(&text).unwrap();
+    let error = program.compile(&mut NoFiles).unwrap_err().to_string();
+    for part in ["line 1", "\"ready\"", "first motion", "step with go"] {
+        assert!(error.contains(part), "{part} is missing: {error}");
+    }
+}
+
+#[test]
+fn a_wait_stands_before_a_command_of_its_own_and_the_job_takes_it() {
+    let it = compiled(&format!("{GO}[[steps]]\nwait = \"put a cube here\""));
+    assert_eq!(
+        it.pauses.iter().map(|it| it.before).collect::<Vec<_>>(),
+        [1]
+    );
+    assert_eq!(it.commands.len(), 2);
+    let before = compiled(&format!("[[steps]]\nwait = \"ready?\"\n{GO}"));
+    assert_eq!((before.pauses[0].before, before.steps.len()), (0, 1));
+}
+
+#[test]
+fn a_called_program_has_its_own_names_and_its_own_folder() {
+    let mut files = TestFiles(BTreeMap::from([
+        (
+            "sub/a.toml",
+            "[points]\np = {x=210,y=0,z=0}\n[[steps]]\ngo=\"p\"\n[[steps]]\ncall = \"b.toml\"",
+        ),
+        ("sub/b.toml", "[[steps]]\ngo={x=230,y=0,z=0}"),
+    ]));
+    let text =
+        "[points]\np = {x=200,y=0,z=0}\n[[steps]]\ngo=\"p\"\n[[steps]]\ncall=\"./sub/a.toml\"";
+    let it = Program::from_toml(text)
+        .unwrap()
+        .compile(&mut files)
+        .unwrap();
+    assert_eq!(
+        places(&it),
+        [[200.0, 0.0, 0.0], [210.0, 0.0, 0.0], [230.0, 0.0, 0.0]]
+    );
+    assert_eq!(it.steps[2].file.as_deref(), Some("sub/b.toml"));
+}
+
+#[test]
+fn calls_that_never_end_are_found() {
+    let mut files = TestFiles(BTreeMap::from([
+        (
+            "a.toml",
+            "[[steps]]\ngo={x=200,y=0,z=0}\n[[steps]]\ncall = \"b.toml\"",
+        ),
+        ("b.toml", "[[steps]]\ncall = \"a.toml\""),
+    ]));
+    let error = error("[[steps]]\ncall = \"a.toml\"", &mut files);
+    assert_eq!(
+        error,
+        "b.toml: line 1: the calls never end: a.toml calls b.toml calls a.toml again"
+    );
+}
+
+#[test]
+fn a_drawing_is_a_step_and_behind_it_the_program_says_where_to_go() {
+    let drawing = "[[steps]]\ndrawing = { file = \"star.svg\", pen_down = -40 }\n";
+    let mut files = TestFiles(BTreeMap::new());
+    let it = Program::from_toml(&format!("{drawing}{GO}"))
+        .unwrap()
+        .compile(&mut files)
+        .unwrap();
+    assert_eq!((it.commands.len(), it.steps[1].first), (3, 2));
+    let error = error(&format!("{drawing}[[steps]]\npause = 1"), &mut files);
+    assert!(
+        error.starts_with("line 3: ") && error.contains("drawing"),
+        "{error}"
+    );
+}
+
+#[test]
+fn all_problems_are_listed_with_step_line_and_remedy() {
+    let it = compiled(
+        "[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\ngo = {x=500,y=0,z=0}\n[[steps]]\ngo = {x=200,y=0,z=-250}\n[[steps]]\ngo={x=220,y=0,z=0}\n[[steps]]\nspeed = { line = 5000 }",
+    );
+    let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
+    let report = check(&it, &Policy::default(), start);
+    let found: Vec<(usize, usize)> = report
+        .problems
+        .iter()
+        .map(|it| (it.step, it.line))
+        .collect();
+    assert_eq!(found, [(2, 3), (3, 5), (5, 9)], "{:#?}", report.problems);
+    assert!(report.problems.iter().all(|it| !it.remedy.is_empty()));
+    assert_eq!(report.steps_s.len(), 5);
+}
+
+#[test]
+fn a_laser_that_is_left_on_is_a_problem() {
+    let it = compiled(&format!("{GO}[[steps]]\nlaser = true"));
+    let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
+    let report = check(&it, &Policy::default(), start);
+    assert!(
+        report
+            .problems
+            .iter()
+            .any(|it| it.message.contains("still on")),
+        "{report:?}"
+    );
+}
+
+#[test]
+fn a_cycle_takes_as_long_as_its_way_there_and_back() {
+    // 100 mm at 50 mm/s with ramps of half a second at 100 mm/s2: 2.5 s each way.
+    let it = compiled(
+        "[[steps]]\nrepeat = 4\n[[steps.steps]]\ngo={x=220,y=50,z=0}\npath=\"movl\"\n[[steps.steps]]\ngo={x=220,y=-50,z=0}\npath=\"movl\"",
+    );
+    let start = Model::new(Dialect::SPECIFICATION, &Status::AT_ZERO);
+    let report = check(&it, &Policy::default(), start);
+    let cycle_s = report.cycle_s.unwrap();
+    assert!(
+        (cycle_s - 5.0).abs() < 1e-6,
+        "found {cycle_s}, expected 5 within 1e-6: {report:?}"
+    );
+    let total_s = report.total_s.unwrap();
+    assert!((total_s - report.once_s - 15.0).abs() < 1e-6);
+}

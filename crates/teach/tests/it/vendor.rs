@@ -1,0 +1,221 @@
+//! Files of the vendor's programs: the samples, and surprises.
+
+use dobot_teach::vendor::{
+    JogParams, PlaybackParams, VendorPoint, points_of, program_of, read_play, read_points,
+    write_play, write_points,
+};
+use dobot_teach::{NoFiles, Program};
+use dobot_wire::{Command, Configuration, MovingMode};
+use proptest::prelude::*;
+
+const POINTS: &str = include_str!("../data/PlayBackPoints.xml");
+const PLAY: &str = include_str!("../data/program.play");
+
+fn points(text: &str) -> (Vec<VendorPoint>, Vec<String>) {
+    let read = read_points(text.as_bytes()).unwrap();
+    (read.it, read.warnings)
+}
+
+#[test]
+fn the_samples_are_written_as_they_were_read() {
+    let (it, warnings) = points(POINTS);
+    assert!(warnings.is_empty(), "{warnings:?}");
+    assert_eq!(write_points(&it), POINTS);
+    let read = read_play(PLAY.as_bytes()).unwrap();
+    assert!(read.warnings.is_empty());
+    assert_eq!(write_play(&read.it), PLAY);
+    let jog = include_str!("../data/JogParams.json");
+    assert_eq!(JogParams::read(jog.as_bytes()).unwrap().write(), jog);
+    let playback = include_str!("../data/PlayBackParams.json");
+    assert_eq!(
+        PlaybackParams::read(playback.as_bytes()).unwrap().write(),
+        playback
+    );
+}
+
+#[test]
+fn an_old_file_becomes_a_program_and_its_targets() {
+    let program = program_of(&points(POINTS).0);
+    let again = Program::from_toml(&program.to_toml()).unwrap();
+    assert_eq!(again, program);
+    let (back, lost) = points_of(&again);
+    assert_eq!((write_points(&back).as_str(), lost.len()), (POINTS, 0));
+    let compiled = program.compile(&mut NoFiles).unwrap();
+    let Command::MoveJoints(second) = compiled.commands[1] else {
+        panic!("{compiled:?}")
+    };
+    assert_eq!(
+        (
+            second.base_deg,
+            second.rear_deg,
+            second.fore_deg,
+            second.servo_deg
+        ),
+        (25.3125, 48.7, 52.25, -25.3)
+    );
+    assert_eq!(
+        (second.mode, second.suction, second.pause_s),
+        (MovingMode::Jump, true, 0.5)
+    );
+}
+
+#[test]
+fn speeds_become_configuration() {
+    let playback = PlaybackParams::read(include_bytes!("../data/PlayBackParams.json")).unwrap();
+    let [
+        Command::Configuration(Configuration::Playback {
+            jump_height_mm,
+            joint_speed_deg_s,
+            ..
+        }),
+        Command::PlaybackAdjustment(percents),
+    ] = playback.commands()
+    else {
+        panic!("{playback:?}")
+    };
+    assert_eq!((jump_height_mm, joint_speed_deg_s), (20.0, 200.0));
+    assert_eq!(
+        (percents.speed_percent, percents.acceleration_percent),
+        (48.0, 38.0)
+    );
+    let jog = JogParams::read(include_bytes!("../data/JogParams.json")).unwrap();
+    assert_eq!(
+        jog.command(),
+        Configuration::teach([15.0, 50.0, 30.0, 10.0, 40.0, 40.0]).into()
+    );
+}
+
+#[test]
+fn surprises_are_read_with_a_warning_each() {
+    let (expected, _) = points(POINTS);
+    let other_root = POINTS.replace("playBack", "playback");
+    let commas = POINTS.replace("25.3125", "25,3125");
+    let missing = POINTS.replacen("        <gripper>0</gripper>\n", "", 1);
+    for text in [other_root, commas, missing] {
+        let (it, warnings) = points(&text);
+        assert_eq!(it, expected);
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        assert!(warnings[0].starts_with("line "), "{warnings:?}");
+    }
+    let (it, warnings) = points(&POINTS.replace('\n', "\r\n"));
+    assert_eq!((it, warnings.len()), (expected.clone(), 0));
+    let marked = [b"\xEF\xBB\xBF", POINTS.as_bytes()].concat();
+    assert_eq!(read_points(&marked).unwrap().it, expected);
+}
+
+#[test]
+fn other_encodings_are_read() {
+    let (expected, _) = points(POINTS);
+    let declared = POINTS.replace("UTF-8", "UTF-16");
+    let little: Vec<u8> = declared.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = declared.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let chinese = POINTS.replace("UTF-8", "GBK").into_bytes();
+    let comment = [
+        &chinese[..chinese.len() - 12],
+        b"<!-- \xB5\xE3 -->",
+        &chinese[chinese.len() - 12..],
+    ]
+    .concat();
+    for bytes in [
+        [&b"\xFF\xFE"[..], &little].concat(),
+        [&b"\xFE\xFF"[..], &big].concat(),
+        little,
+        big,
+        comment,
+    ] {
+        let read = read_points(&bytes).unwrap();
+        assert_eq!((read.it, read.warnings.len()), (expected.clone(), 1));
+    }
+}
+
+#[test]
+fn a_bad_file_is_told_with_its_line_what_was_found_and_what_is_allowed() {
+    let bomb = "<?xml version='1.0'?>\n<!DOCTYPE b [<!ENTITY a \"aa\"><!ENTITY b \"&a;&a;\">]>\n<playBack><point><x>&b;</x></point></playBack>";
+    for (text, start, part) in [
+        (bomb, "line ", "DTD"),
+        ("<points/>", "line 1: ", "<points>"),
+        ("<playBack>\n<point>", "line ", "no XML"),
+        ("<playBack/>", "line 1: ", "no points"),
+        (
+            "<playBack>\n<point><x>1</x><y>2</y></point></playBack>",
+            "line 2: ",
+            "no <z>",
+        ),
+        (
+            "<playBack><point><x>a</x><y>2</y><z>3</z></point></playBack>",
+            "line 1: ",
+            "\"a\"",
+        ),
+        (
+            "<playBack><point><x>nan</x><y>2</y><z>3</z></point></playBack>",
+            "line 1: ",
+            "nan",
+        ),
+        (
+            "<playBack><point><motionStyle>FLY</motionStyle><x>1</x><y>2</y><z>3</z></point></playBack>",
+            "line 1: ",
+            "JUMP, MOVL and MOVJ",
+        ),
+    ] {
+        let error = read_points(text.as_bytes()).unwrap_err().to_string();
+        assert!(error.starts_with(start) && error.contains(part), "{error}");
+    }
+    for (text, part) in [
+        ("", "no points"),
+        ("6;;0:Jump;1;2", "5 fields"),
+        ("3;;0:Jump;1;2;3;4;NO;0;0;", "state"),
+        ("6;;0:Fly;1;2;3;4;NO;0;0;", "0:Fly"),
+        ("6;;0:Jump;1;2;3;4;MAYBE;0;0;", "YES and NO"),
+        ("6;;0:Jump;1;2;inf;4;NO;0;0;", "\"inf\""),
+        ("6;;0:Jump;1;2;3;4;NO;0;900;", "655"),
+    ] {
+        let error = read_play(text.as_bytes()).unwrap_err().to_string();
+        assert!(error.contains(part), "{error}");
+    }
+    let error = PlaybackParams::read(b"{\n\"jumpheight\": 3}")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.starts_with("line 2: ") && error.contains("jumpHeight"),
+        "{error}"
+    );
+    assert!(PlaybackParams::read(b"{\"velocityRatio\": 0}").is_err());
+}
+
+#[test]
+fn what_the_other_form_cannot_carry_is_told() {
+    let program = Program::from_toml("start_speed_percent = 20\n[[steps]]\ngo = {x=200,y=0,z=0}\n[[steps]]\ngo={base=0,rear=45,fore=45}\n[[steps]]\nwait = \"?\"").unwrap();
+    let (it, lost) = points_of(&program);
+    assert_eq!((it.len(), lost.len()), (1, 3), "{lost:?}");
+}
+
+proptest! {
+    #[test]
+    fn points_are_written_and_read_again_unchanged(
+        joints_deg in prop::array::uniform4(-180.0..180.0_f64),
+        grab: bool,
+        gripper_deg in -90.0..90.0_f64,
+        pause_s in 0.0..655.0_f64,
+        mode in prop::sample::select(vec![MovingMode::Jump, MovingMode::MovL, MovingMode::MovJ]),
+    ) {
+        let it = VendorPoint { joints_deg, mode, grab, gripper_deg, pause_s };
+        let read = read_points(write_points(&[it]).as_bytes()).unwrap();
+        prop_assert_eq!((&read.it[..], read.warnings.len()), (&[it][..], 0));
+        let play = read_play(write_play(&[it]).as_bytes()).unwrap().it[0];
+        for (found, expected) in play.joints_deg.iter().zip(joints_deg) {
+            prop_assert!((found - expected).abs() <= 0.0005 + 1e-9);
+        }
+        let program = program_of(&[it]);
+        prop_assert_eq!(Program::from_toml(&program.to_toml()).unwrap(), program);
+    }
+
+    #[test]
+    fn any_text_is_read_or_refused(text in "\\PC{0,200}") {
+        let _ = read_points(text.as_bytes());
+        let _ = read_play(text.as_bytes());
+        let _ = PlaybackParams::read(text.as_bytes());
+        if let Ok(program) = Program::from_toml(&text) {
+            let _ = program.compile(&mut NoFiles);
+        }
+    }
+}

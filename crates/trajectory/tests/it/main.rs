@@ -1,0 +1,3 @@
+//! Where commands lead.
+
+mod course;

@@ -1,0 +1,159 @@
+//! `cargo run -p dobot-examples --example arm_time`
+//!
+//! Plans curves of many kinds and prints as a table, for speeds, accelerations and arms, how long the
+//! pen draws, the bounds of that, how far it is from the curve, and how much it accelerates. Arguments, each optional: tolerance
+//! in mm, name of the curves. The ratio is to the larger bound of each stroke.
+
+use std::error::Error;
+use std::time::Instant;
+
+use dobot_draw::{Settings, prepare_passes, simplify};
+use dobot_geometry::{PathDistance, Stroke, deviation, steps};
+use dobot_plan::{ChainVector, DrawingTool, Machine, MoveKind, Pass, Plan, acceleration};
+
+mod curves;
+
+use curves::Curves;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut tolerance_mm = 0.05;
+    let mut name = None;
+    for argument in std::env::args().skip(1) {
+        match argument.parse() {
+            Ok(given) => tolerance_mm = given,
+            Err(_) => name = Some(argument),
+        }
+    }
+    println!(
+        "| curves | mm/s² | mm/s | optimum | link | arm | ours | ratio | vectors | mean off | most off | acceleration | planned in |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    let all = curves::all();
+    for curves in all
+        .iter()
+        .filter(|it| name.as_ref().is_none_or(|name| name == it.name))
+    {
+        for (acceleration_mm_s2, speed_mm_s) in CASES {
+            let case = Case {
+                tolerance_mm,
+                acceleration_mm_s2,
+                speed_mm_s,
+            };
+            case.print(curves)?;
+        }
+    }
+    Ok(())
+}
+
+/// What the arm is asked for.
+struct Case {
+    tolerance_mm: f64,
+    acceleration_mm_s2: f64,
+    speed_mm_s: f64,
+}
+
+impl Case {
+    fn print(&self, curves: &Curves) -> Result<(), Box<dyn Error>> {
+        let optima_s: Vec<f64> = curves.meant.iter().map(|it| self.optimum_s(it)).collect();
+        let links_s: Vec<f64> = curves.given.iter().map(|it| self.link_s(it)).collect();
+        let both = optima_s.iter().zip(&links_s);
+        let bound_s: f64 = both.map(|(optimum_s, link_s)| optimum_s.max(*link_s)).sum();
+        for (arm, has_ticks) in [("even", false), ("stock", true)] {
+            println!(
+                "| {} | {} | {} | {:.1} s | {:.1} s | {arm} | {}",
+                curves.name,
+                self.acceleration_mm_s2,
+                self.speed_mm_s,
+                optima_s.iter().sum::<f64>(),
+                links_s.iter().sum::<f64>(),
+                self.drawn(curves, has_ticks, bound_s)?
+            );
+        }
+        Ok(())
+    }
+
+    /// The same drawn by an arm.
+    fn drawn(
+        &self,
+        curves: &Curves,
+        has_ticks: bool,
+        bound_s: f64,
+    ) -> Result<String, Box<dyn Error>> {
+        let settings = self.settings(has_ticks);
+        let pass = Pass::new(settings.tool, curves.given.clone());
+        let begin = Instant::now();
+        let plan = prepare_passes(vec![pass], &settings, |_| Ok::<(), String>(()))?.plan;
+        let took_s = begin.elapsed().as_secs_f64();
+        let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
+        let drawn_s: f64 = draws.clone().map(|it| f64::from(it.duration_s)).sum();
+        let (mean_mm, largest_mm) = off(&curves.given, &plan);
+        Ok(format!(
+            "{drawn_s:.1} s | {:.3} | {} | {mean_mm:.4} mm | {largest_mm:.4} mm | {:.3} | {:.0} ms |",
+            drawn_s / bound_s,
+            draws.count(),
+            acceleration(&plan, settings.machine.cornering().window_s) / self.acceleration_mm_s2,
+            1e3 * took_s
+        ))
+    }
+
+    fn settings(&self, has_ticks: bool) -> Settings {
+        Settings {
+            tolerance_mm: self.tolerance_mm,
+            machine: Machine {
+                acceleration_mm_s2: self.acceleration_mm_s2,
+                corner_deviation_mm: 2.0 * self.tolerance_mm,
+                // What is measured is the curve, not where it lies before the arm.
+                joint_speed_deg_s: 10_000.0,
+                has_ticks,
+                ..Machine::default()
+            },
+            tool: DrawingTool::default().at_speed(self.speed_mm_s),
+            ..Settings::default()
+        }
+    }
+
+    /// How long the fastest motion along the curve itself takes, in s: its points are so many that
+    /// arcs between them are the curve.
+    fn optimum_s(&self, curve: &Stroke) -> f64 {
+        let chain: Vec<ChainVector> = curve
+            .segments()
+            .filter(|(a, b)| a != b)
+            .map(|(a, b)| ChainVector::of([b.x - a.x, b.y - a.y, 0.0], self.speed_mm_s))
+            .collect();
+        let cornering = self.settings(false).machine.cornering();
+        cornering.durations_s(&chain).iter().sum()
+    }
+
+    /// How long the link takes for the fewest vectors, in s.
+    fn link_s(&self, stroke: &Stroke) -> f64 {
+        let fewest = simplify(stroke, FEWEST_SHARE * self.tolerance_mm);
+        #[expect(clippy::cast_precision_loss, reason = "some thousands")]
+        let vectors = (fewest.points.len() - 1) as f64;
+        vectors * Machine::default().link.period_s
+    }
+}
+
+/// How far a plan is from what was wanted, in mm: in the mean and at most.
+fn off(wanted: &[Stroke], plan: &Plan) -> (f64, f64) {
+    let drawn = plan.paths(MoveKind::Draw);
+    let mut wanted_path = PathDistance::new(wanted);
+    let points = drawn
+        .iter()
+        .flat_map(Stroke::segments)
+        .flat_map(|(a, b)| steps(a, b, 0.05));
+    let (sum, count) = points.fold((0.0, 0.0), |(sum, count), p| {
+        (sum + wanted_path.distance_mm(p), count + 1.0)
+    });
+    (sum / count, deviation(wanted, &drawn).largest_mm())
+}
+
+/// Accelerations in mm/s², each with a speed in mm/s.
+const CASES: [(f64, f64); 5] = [
+    (100.0, 40.0),
+    (100.0, 80.0),
+    (200.0, 60.0),
+    (200.0, 100.0),
+    (200.0, 200.0),
+];
+/// The rest is for reading curves.
+const FEWEST_SHARE: f64 = 0.9;

@@ -1,0 +1,22 @@
+//! `cargo run -p dobot-examples --example benchmark_drawings -- target/drawings`
+//!
+//! Writes the drawings that the numbers of docs/performance.md are measured with, each as a file
+//! would have them and in shuffled order. The same ones every time.
+
+use std::error::Error;
+use std::fs;
+use std::path::PathBuf;
+
+mod drawings;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = std::env::args().nth(1);
+    let folder = PathBuf::from(folder.unwrap_or_else(|| "target/drawings".to_owned()));
+    fs::create_dir_all(&folder)?;
+    for drawing in drawings::ALL {
+        let file = folder.join(drawing.name).with_extension("svg");
+        fs::write(&file, drawing.svg())?;
+        println!("{}", file.display());
+    }
+    Ok(())
+}

@@ -1,0 +1,46 @@
+//! `cargo run -p dobot-examples --example poses -- pen`: a thousand places of the arm, as CSV, to check a model by.
+//!
+//! Each has joint angles, the place and the turn of the tool that they lead to, and whether the stock arm may be there.
+
+use dobot_arm::{Joints, Limits, Span, Tool, forward};
+use dobot_random::Random;
+
+fn main() {
+    let tool = match std::env::args().nth(1).as_deref() {
+        None | Some("cup" | "pen") => Tool::SuctionCup,
+        Some("gripper") => Tool::Gripper,
+        Some("laser") => Tool::Laser,
+        Some(other) => {
+            eprintln!("error: the tool is `{other}`; allowed are cup, gripper, pen and laser");
+            std::process::exit(2);
+        }
+    };
+    println!("base_deg,rear_deg,fore_deg,servo_deg,x_mm,y_mm,z_mm,rotation_deg,allowed");
+    let mut random = Random::new(1);
+    // A little more than the joints may turn, so that there is something to refuse.
+    let mut within = |span: Span<_>| {
+        let (min, max): (dobot_arm::Degrees, dobot_arm::Degrees) = (span.min, span.max);
+        (max - min) * (1.1 * random.share() - 0.05) + min
+    };
+    for _ in 0..1000 {
+        let joints = Joints {
+            base: within(Limits::STOCK.base),
+            rear: within(Limits::STOCK.rear),
+            fore: within(Limits::STOCK.fore),
+            servo: within(Limits::STOCK.servo),
+        };
+        let pose = forward(&joints, tool);
+        let allowed = Limits::STOCK.check(&joints, tool).is_ok();
+        println!(
+            "{},{},{},{},{},{},{},{},{allowed}",
+            joints.base.0,
+            joints.rear.0,
+            joints.fore.0,
+            joints.servo.0,
+            pose.position.x.0,
+            pose.position.y.0,
+            pose.position.z.0,
+            pose.rotation.0
+        );
+    }
+}

@@ -1,0 +1,30 @@
+//! `cargo run -p dobot-examples --example reliability -- --quick`: what becomes of jobs when everything goes wrong.
+//!
+//! Without `--quick`, and with `> docs/reliability.md` behind it, it writes that file anew.
+
+#[path = "../../../../crates/rules/tests/it/cases/mod.rs"]
+mod cases;
+mod report;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let quick = match std::env::args().nth(1).as_deref() {
+        None => false,
+        Some("--quick") => true,
+        Some(other) => {
+            eprintln!("error: {other} is no argument; --quick is the only one");
+            return ExitCode::from(2);
+        }
+    };
+    let mut report = report::Report::default();
+    report.all(if quick { 40 } else { 1 });
+    if std::io::stdout().write_all(report.text.as_bytes()).is_err() {
+        return ExitCode::FAILURE;
+    }
+    for wrong in &report.wrong {
+        eprintln!("wrong: {wrong}");
+    }
+    ExitCode::from(u8::from(!report.wrong.is_empty()))
+}

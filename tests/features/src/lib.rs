@@ -1,0 +1,1 @@
+//! Features of shared libraries; see `Cargo.toml`.
