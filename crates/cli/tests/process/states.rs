@@ -5,13 +5,13 @@ use dobot_wire::{
     WriteVector,
 };
 
-use crate::support::arm::{WiredArm, fast_arm};
+use crate::support::arm::{WiredArm, real_time_arm};
 use crate::support::program::dobot;
 
-/// What an arm of this kind got by a verb.
+/// What an arm of this kind got by a verb. It keeps to a clock, as a jog does.
 fn packets(dialect: &str, verb: &[&str]) -> Vec<Command> {
     let serve = ["--tcp", "127.0.0.1:0", "--personality", dialect];
-    let arm = WiredArm::new(fast_arm(&serve));
+    let arm = WiredArm::new(real_time_arm(&serve));
     let to = [
         "--to",
         &arm.address,
@@ -120,7 +120,7 @@ fn the_linear_jog_moves_what_both_jogs_have() {
     ] {
         let packets = packets(
             "specification",
-            &["jog", button, "--frame", "linear", "--for", "0.1"],
+            &["jog", button, "--frame", "linear", "--for", "1"],
         );
         let is_it = |it: &Command| matches!(it, Command::LinearJog(jog) if jog.axis == axis);
         assert!(packets.iter().any(is_it), "{button}: {packets:?}");
