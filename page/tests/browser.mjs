@@ -17,9 +17,9 @@ function options(executablePath) {
 }
 
 /** Starts the browser for all files. */
-export const serve = () => chromium.launchServer(options(CHROMIUM));
+export const serve = async () => chromium.launchServer(options(CHROMIUM));
 
-export const launch = (executablePath = CHROMIUM) => (SHARED ? chromium.connect(SHARED) : chromium.launch(options(executablePath)));
+export const launch = async (executablePath = CHROMIUM) => (SHARED ? chromium.connect(SHARED) : chromium.launch(options(executablePath)));
 
 /** Ends what a file has opened: its pages are gone before what they talk to is. */
 export async function leave(browser) {
