@@ -67,9 +67,10 @@ async function createFront() {
   });
   server.listen(0, "127.0.0.1");
   await once(server, "listening");
+  const { port } = server.address();
   // A station answers to its own name only.
-  const named = (bytes) => Buffer.from(bytes.toString("latin1").replaceAll(`127.0.0.1:${server.address().port}`, `127.0.0.1:${way.port}`), "latin1");
-  return { server, way, url: `http://127.0.0.1:${server.address().port}/` };
+  const named = (bytes) => Buffer.from(bytes.toString("latin1").replaceAll(`127.0.0.1:${port}`, `127.0.0.1:${way.port}`), "latin1");
+  return { server, way, url: `http://127.0.0.1:${port}/` };
 }
 
 /**
@@ -101,10 +102,13 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
     return begun.child;
   };
   let child = await begin();
-  if (patient) {
-    const answer = await fetch(new URL("api/v1/policy", front.url), { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ text: "[jog]\ndead_man_s = 1\n" }) });
+  /** How long a button counts as held of which nothing is heard; as a station has it without an argument. */
+  async function setDeadMan(seconds) {
+    const text = seconds ? `[jog]\ndead_man_s = ${seconds}\n` : "";
+    const answer = await fetch(new URL("api/v1/policy", front.url), { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ text }) });
     if (!answer.ok) throw new Error(await answer.text());
   }
+  if (patient) await setDeadMan(1);
   const browser = await launch();
   const errors = [];
   /** One more visitor, whose page runs scripts of the test before its own. */
@@ -124,7 +128,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
   }
   const page = await visit({ viewport, ...options }, scripts);
   return {
-    page, told, errors, visit, enter, url: front.url,
+    page, told, errors, visit, enter, setDeadMan, url: front.url,
     /** Makes all that is said between browser and station late, both ways. */
     slow: (delay_ms) => (front.way.delay_ms = delay_ms),
     /** Kills the station, and begins another one with its data. */

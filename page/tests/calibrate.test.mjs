@@ -11,7 +11,7 @@ const PAPER_MM = -30, REAR_MM = 135, FORE_MM = 160, CUP_MM = 55.07;
 let bench, page, lease;
 
 before(async () => {
-  bench = await open({ virtual: true, speed: 8 });
+  bench = await open({ virtual: true });
   ({ page } = bench);
   await page.click("#first-close");
   await page.click("#take");

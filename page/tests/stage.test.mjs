@@ -109,6 +109,32 @@ test("nothing is drawn while nothing changes, however often an arm that rests sa
   assert.equal(frames, 0);
 });
 
+test("nothing is drawn while the stage is scrolled out of sight, and what changed meanwhile is seen when it is back", async () => {
+  await show({ arm: reported(60, 20) });
+  await page.evaluate(() => {
+    const above = document.body.insertBefore(document.createElement("div"), document.querySelector("#stage"));
+    Object.assign(above, { id: "above" }).style.setProperty("height", "3000px");
+  });
+  await drawn(page);
+  const asked = await page.evaluate(async (arm) => {
+    let asked = 0;
+    const kept = window.requestAnimationFrame;
+    window.requestAnimationFrame = (action) => (asked += 1, kept.call(window, action));
+    window.show({ arm });
+    for (let n = 0; n < 5; n += 1) await new Promise((done) => kept.call(window, done));
+    window.requestAnimationFrame = kept;
+    return asked;
+  }, reported(61, -40));
+  assert.equal(asked, 0);
+  await page.mouse.wheel(0, 4000);
+  await page.waitForFunction(() => document.querySelector("#stage").getBoundingClientRect().top < 100);
+  await page.evaluate(() => document.querySelector("#above").remove());
+  await drawn(page);
+  const back = await picture();
+  await show({ arm: reported(62, -40) });
+  assert.equal(await picture(), back);
+});
+
 test("after the last status the arm stands where it was reported, however it came there", async () => {
   for (const [n, base_deg] of [0, 8, 16, 24].entries()) await page.evaluate((arm) => window.show({ arm }), reported(40 + 0.08 * n, base_deg));
   await drawn(page);

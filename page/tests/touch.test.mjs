@@ -18,19 +18,20 @@ after(async () => {
   await bench.end();
 });
 
-/** Fingers that are on the glass: each on the middle of an element. */
-async function fingers(type, ...selectors) {
-  const boxes = await Promise.all(selectors.map((selector) => page.locator(selector).boundingBox()));
-  await session.send("Input.dispatchTouchEvent", { type, touchPoints: boxes.map(({ x, y, width, height }, id) => ({ x: x + width / 2, y: y + height / 2, id })) });
+/** Puts a finger on the middle of an element, or takes it away. */
+async function finger(type, selector) {
+  const { x, y, width, height } = await page.locator(selector).boundingBox();
+  const touchPoints = type === "touchEnd" ? [] : [{ x: x + width / 2, y: y + height / 2 }];
+  await session.send("Input.dispatchTouchEvent", { type, touchPoints });
 }
 
 test("a finger that holds a button jogs, its lifting stops, and the stage stays in sight", async () => {
   const from = told.packets.length;
-  await fingers("touchStart", "[data-axis=y_plus]");
+  await finger("touchStart", "[data-axis=y_plus]");
   await moved(page, "y_mm", 5);
   const stage = await page.locator("#stage").boundingBox();
   assert.ok(stage.y >= 0 && stage.height > 200 && stage.y + stage.height < 500);
-  await fingers("touchEnd");
+  await finger("touchEnd", "[data-axis=y_plus]");
   await rest(page);
   const jogs = told.jogs(from).map((it) => it.text);
   assert.deepEqual(new Set(jogs), new Set(["linear 3", "linear 0"]));
@@ -42,12 +43,11 @@ test("STOP is within reach of a thumb, and nothing hangs over the edge", async (
   assert.ok(stop.y > 600 && stop.width > 300);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   const from = told.packets.length;
-  await fingers("touchStart", "[data-axis=x_plus]");
+  await finger("touchStart", "[data-axis=x_plus]");
   await moved(page, "x_mm", 3);
-  // The thumb of the other hand, while the finger stays.
-  await fingers("touchStart", "[data-axis=x_plus]", "#stop");
-  await fingers("touchEnd", "[data-axis=x_plus]");
+  // By a mouse, while the finger stays.
+  await page.mouse.click(stop.x + stop.width / 2, stop.y + stop.height / 2);
   await page.waitForSelector("#stopped");
-  await fingers("touchEnd");
+  await finger("touchEnd", "[data-axis=x_plus]");
   assert.equal(told.jogs(from).at(-1).text, "linear 0");
 });
