@@ -320,6 +320,7 @@ step_fleet() {
   build_rare
   tests/fleet/class.sh "$DOBOT" "$VENV/bin/python"
   tests/fleet/board.sh "$DOBOT" "$CHROMIUM"
+  npm run browser:fleet --prefix page
 }
 
 step_ros2() {

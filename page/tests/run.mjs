@@ -2,6 +2,7 @@
 // some of them only, as in `-- stage watch`. `npm run browser:fleet` runs those that take a `dobot` with the feature `fleet`.
 import { spawnSync } from "node:child_process";
 import { readdir } from "node:fs/promises";
+import { basename } from "node:path";
 import { run } from "node:test";
 import { spec } from "node:test/reporters";
 import { serve } from "./browser.mjs";
@@ -9,7 +10,7 @@ import { serve } from "./browser.mjs";
 /** So many files at once: most of the time each waits for its arm. */
 const AT_ONCE = 3;
 /** Those that take longest, so that none of them is alone in the end. */
-const FIRST = ["film", "teach_by_hand"];
+const FIRST = ["axe", "board", "film", "learn"];
 /** Those that are run when they are named. */
 const NAMED = ["fleet"];
 
@@ -33,6 +34,10 @@ process.env.BROWSER_ENDPOINT = browser.wsEndpoint();
 const took = new Map();
 const tests = run({ files: names.map((name) => new URL(`${name}.test.mjs`, folder).pathname), concurrency: AT_ONCE });
 tests.on("test:fail", () => (process.exitCode = 1));
-tests.on("test:pass", ({ file, details }) => took.set(file, (took.get(file) ?? 0) + details.duration_ms));
+for (const event of ["test:pass", "test:fail"]) tests.on(event, ({ file, details }) => took.set(file, (took.get(file) ?? 0) + details.duration_ms));
 tests.compose(new spec()).pipe(process.stdout);
 tests.once("end", () => void browser.close());
+process.once("exit", () => {
+  const slowest = [...took].sort(([, one], [, other]) => other - one).slice(0, 5);
+  for (const [file, ms] of slowest) console.log(`${basename(file ?? "")}: ${(ms / 1000).toFixed(0)} s`);
+});
