@@ -108,7 +108,7 @@ fn params(tool: &'static str, arguments: Value) -> CallToolRequestParams {
 /// It is drawn so slowly that it is not over before it is stopped.
 pub(crate) fn square() -> Value {
     let svg = std::fs::read_to_string(example("square.svg")).expect("it is there");
-    json!({"svg": svg, "options": {"place": {"pen_down": -40}, "tool": {"speed": 5}}})
+    json!({"svg": svg, "options": {"place": {"pen_down": -40}, "tool": {"speed": 2}}})
 }
 
 fn is_vector(it: &Command) -> bool {

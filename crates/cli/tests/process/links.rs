@@ -187,8 +187,7 @@ fn a_peer_that_closes_in_the_middle_of_a_drawing_is_told_with_how_far_it_got() {
 
 #[test]
 fn an_arm_that_falls_silent_in_a_drawing_gets_laser_off_and_nothing_that_moves_it() {
-    // Its vectors are short: an arm may be silent for as long as those take that it has.
-    let (outcome, _, after) = troubled("rosette.svg", 6, Trouble::Silence);
+    let (outcome, _, after) = troubled(6, Trouble::Silence);
     outcome.fails(1, &["no valid status for", "dobot jobs start 1 --to tcp:"]);
     // What was permitted already may still have been on its way.
     let parting: Vec<_> = after.iter().skip_while(|it| vector(it).is_some()).collect();

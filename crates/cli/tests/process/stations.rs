@@ -73,7 +73,8 @@ fn a_jog_through_the_station_moves_and_comes_to_rest() {
 
 #[test]
 fn settings_and_switches_go_through_the_station() {
-    let up = Up::new(&[]);
+    // As fast as a clock: the next status already tells what a switch did.
+    let up = Up::at_speed("1", &[]);
     up.dobot(&["set", "moves", "--joint-speed", "100"])
         .succeeds();
     let on = up.json(&["jog", "suction-on"]);
@@ -238,9 +239,9 @@ fn a_drawing_that_is_refused_leaves_nothing_to_be_started() {
 #[test]
 fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
     let up = Up::new(&[]);
-    // Slowly, so that it is not over before it is interrupted.
+    // Slowly: it is not to be over before it is interrupted.
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
-    let drawing = Going::new(up.command(&[&draw[..], &["--speed", "5"]].concat()));
+    let drawing = Going::new(up.command(&[&draw[..], &["--speed", "2"]].concat()));
     up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
     let paused = up.json(&["jobs", "show", "1"]);
@@ -262,6 +263,8 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
         "-40",
         "--arm-laser",
         "600",
+        "--speed",
+        "2",
     ];
     let (drawing, mut errors) = Going::with_errors(up.command(&burn));
     up.runs_a_job();

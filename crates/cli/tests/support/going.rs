@@ -73,11 +73,17 @@ impl Going {
         Pid::from_child(&self.child)
     }
 
+    /// As Ctrl-C does.
+    #[cfg(unix)]
+    pub(crate) fn is_interrupted(&self) {
+        kill_process(self.pid(), Signal::INT).expect("it is there");
+    }
+
     /// As Ctrl-C does; the exit code.
     #[cfg(unix)]
-    pub(crate) fn interrupt(mut self) -> Option<i32> {
-        kill_process(Pid::from_child(&self.child), Signal::INT).expect("it is there");
-        self.child.wait().expect("it ends").code()
+    pub(crate) fn interrupt(self) -> Option<i32> {
+        self.is_interrupted();
+        self.ends()
     }
 
     /// Waits until it has ended; the exit code.

@@ -24,16 +24,13 @@ pub(crate) enum Trouble {
 
 /// Stands between the program and a virtual arm, and makes trouble after so many write vectors.
 /// Returns what came of the program, the commands before that and those after it.
-pub(crate) fn troubled(
-    drawing: &str,
-    vectors: usize,
-    trouble: Trouble,
-) -> (Outcome, Vec<Command>, Vec<Command>) {
+pub(crate) fn troubled(vectors: usize, trouble: Trouble) -> (Outcome, Vec<Command>, Vec<Command>) {
     let mut arm = real_time_arm(&["--tcp", "127.0.0.1:0"]);
     let arm_address: SocketAddr = arm.address()[4..].parse().expect("it is one");
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
-    let drawing = example(drawing);
+    // Its vectors are short: an arm may be silent for as long as those take that it has.
+    let drawing = example("rosette.svg");
     let child = command(&[
         "draw",
         &drawing,

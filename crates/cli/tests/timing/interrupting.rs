@@ -33,7 +33,7 @@ const FINELINER_LIFT_MM: f32 = 5.0;
 /// The vector that is drawn comes to its end, the pen goes up, and the last word is laser off.
 fn parts(trouble: Trouble, told: &[&str]) {
     // Travel, lower, and four vectors with the pen down.
-    let (outcome, before, after) = troubled("harbour.svg", 6, trouble);
+    let (outcome, before, after) = troubled(6, trouble);
     let outcome = outcome.fails(1, told);
     assert!(
         after.last().is_some_and(is_laser_off),
