@@ -126,7 +126,7 @@ step_licences() {
 }
 
 dependencies() {
-  cargo tree --workspace --locked --target all --edges normal,build --prefix none \
+  cargo tree --workspace --exclude dobot-fuzz --locked --target all --edges normal,build --prefix none \
     --format '{l}|{p}' | sed '/^$/d; s/^ *//; s/ (\*)$//' | sort -u
 }
 

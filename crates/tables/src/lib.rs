@@ -1,6 +1,6 @@
 //! Recordings as tables: CSV, Parquet, and datasets that LeRobot loads.
 //!
-//! [`export_tables`] makes two tables of a recording, one of its statuses and one of its commands; [`export_lerobot`] makes
+//! [`export_tables`] makes two tables of a recording, one of its statuses and one of its commands; `export_lerobot` makes
 //! a dataset of its motion. Both read the recording once, from its beginning, and hold some megabytes of it at the most; of a
 //! dataset they hold some kilobytes for each episode too.
 //! `docs/recordings.md` describes every column.
