@@ -130,8 +130,9 @@ export function createStage(element) {
       const changed = ink !== inked || !isSame(view, next);
       inked = ink;
       view = next;
+      // What is set anew is styled anew, also where it is the same.
       if (note.textContent !== next.note) note.textContent = next.note;
-      note.hidden = next.note === "";
+      if (note.hidden !== (next.note === "")) note.hidden = !note.hidden;
       element.classList.toggle("is-old", next.old);
       if (element.ariaLabel !== next.label) element.ariaLabel = next.label;
       if (changed) drawing.show(next);
