@@ -4,13 +4,11 @@ import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createConnection, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { chromium } from "playwright-core";
+import { setTimeout } from "node:timers/promises";
+import { launch, leave, visitor } from "./browser.mjs";
 import { end, start } from "./program.mjs";
 
-const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const PACKET_LEN = 42;
-// Drawn by the processor, so that it runs everywhere.
-const WEBGL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 /** Ten floats for each packet to the arm, and when it passed. */
 class Told {
@@ -40,18 +38,16 @@ class Told {
 
 const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
 
-/** A browser; with `webgl` it draws in three dimensions. */
-export const launch = (webgl = false, executablePath = CHROMIUM) => chromium.launch({ executablePath, args: ["--no-sandbox", "--disable-background-networking", "--disable-features=LocalNetworkAccessChecks", ...(webgl ? WEBGL : ["--disable-gpu", "--disable-3d-apis"])] });
-
 /** With FILES=disk the page is that of the folder, so that nothing has to be built after a change of it. */
 export async function serveFromDisk(context, station) {
   if (process.env.FILES !== "disk") return;
+  const as = (await fetch(station)).headers;
   await context.route((url) => url.href.startsWith(station) && !url.pathname.startsWith("/api/"), async (route) => {
     const { pathname } = new URL(route.request().url());
     const name = pathname === "/" ? "/index.html" : pathname === "/fleet" ? "/fleet/index.html" : pathname;
     const body = await readFile(new URL(`../files${name}`, import.meta.url)).catch(() => null);
     if (!body) return route.continue();
-    const headers = { ...(await route.fetch({ url: station })).headers(), "content-type": `${TYPES[name.split(".").at(-1)] ?? "text/plain"}; charset=utf-8`, "content-length": String(body.length) };
+    const headers = { ...Object.fromEntries(as), "content-type": `${TYPES[name.split(".").at(-1)] ?? "text/plain"}; charset=utf-8`, "content-length": String(body.length) };
     return route.fulfill({ body, headers });
   });
 }
@@ -59,9 +55,10 @@ export async function serveFromDisk(context, station) {
 /** A way to a station that can be slow, and that stays where it is when the station begins anew at another port. */
 async function createFront() {
   const way = { port: 0, delay_ms: 0 };
+  const later = (action) => void globalThis.setTimeout(action, way.delay_ms);
   const late = (from, to, change = (bytes) => bytes) => {
-    from.on("data", (bytes) => setTimeout(() => to.writable && to.write(change(bytes)), way.delay_ms));
-    for (const ending of ["end", "close", "error"]) from.on(ending, () => setTimeout(() => to.destroy(), way.delay_ms));
+    from.on("data", (bytes) => later(() => to.writable && to.write(change(bytes))));
+    for (const ending of ["end", "close", "error"]) from.on(ending, () => later(() => to.destroy()));
   };
   const server = createServer({ noDelay: true }, (client) => {
     const station = createConnection({ port: way.port, host: "127.0.0.1", noDelay: true });
@@ -70,15 +67,20 @@ async function createFront() {
   });
   server.listen(0, "127.0.0.1");
   await once(server, "listening");
+  const { port } = server.address();
   // A station answers to its own name only.
-  const named = (bytes) => Buffer.from(bytes.toString("latin1").replaceAll(`127.0.0.1:${server.address().port}`, `127.0.0.1:${way.port}`), "latin1");
-  return { server, way, url: `http://127.0.0.1:${server.address().port}/` };
+  const named = (bytes) => Buffer.from(bytes.toString("latin1").replaceAll(`127.0.0.1:${port}`, `127.0.0.1:${way.port}`), "latin1");
+  return { server, way, url: `http://127.0.0.1:${port}/` };
 }
 
-/** Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it. */
-export async function open({ viewport = { width: 1440, height: 900 }, webgl = false, virtual = false, options = {} } = {}) {
+/**
+ * Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it.
+ * `speed` is for what only has to come about: the arm's time passes so many times as fast as a clock. A page that is late to say
+ * that a button is still held, as on a busy machine, lets go of it; with `patient` it has a second, which is longer than it has.
+ */
+export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, speed = 1, patient = true, options = {}, scripts = [] } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
-  const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", "firmware-1.1"], /^tcp:127\.0\.0\.1:(\d+)/);
+  const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", "firmware-1.1", "--speed", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
   const told = new Told();
   const tap = createServer((station) => {
     const way = createConnection({ port: Number(arm?.found), host: "127.0.0.1", noDelay: true });
@@ -91,7 +93,7 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
   tap.listen(0, "127.0.0.1");
   await once(tap, "listening");
   // What the station's own virtual arm speaks, it knows.
-  const to = virtual ? ["--virtual"] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", "firmware-1.1"];
+  const to = virtual ? ["--virtual", "--speed", String(speed)] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", "firmware-1.1"];
   const front = await createFront();
   const begin = async () => {
     const words = ["up", ...to, "--http", "127.0.0.1:0", "--raw", "off", "--data", folder];
@@ -100,21 +102,33 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
     return begun.child;
   };
   let child = await begin();
-  const browser = await launch(webgl);
+  /** How long a button counts as held of which nothing is heard; as a station has it without an argument. */
+  async function setDeadMan(seconds) {
+    const text = seconds ? `[jog]\ndead_man_s = ${seconds}\n` : "";
+    const answer = await fetch(new URL("api/v1/policy", front.url), { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ text }) });
+    if (!answer.ok) throw new Error(await answer.text());
+  }
+  if (patient) await setDeadMan(1);
+  const browser = await launch();
   const errors = [];
-  /** One more visitor, who has seen nothing of this browser yet. */
-  async function visit(options) {
-    const context = await browser.newContext(options);
+  /** One more visitor, whose page runs scripts of the test before its own. */
+  async function visit(options, scripts = []) {
+    const context = await visitor(browser, { webgl, ...options });
+    for (const script of [scripts].flat()) await context.addInitScript(script);
     await serveFromDisk(context, front.url);
     const page = await context.newPage();
     page.on("pageerror", (error) => errors.push(error));
-    await page.goto(front.url);
-    await page.waitForFunction(() => document.querySelector("[data-pose=x_mm]")?.textContent !== "–");
+    await enter(page);
     return page;
   }
-  const page = await visit({ viewport, ...options });
+  /** Opens the page, or opens it anew. */
+  async function enter(page) {
+    await page.goto(front.url);
+    await page.waitForFunction(() => document.querySelector("[data-pose=x_mm]")?.textContent !== "–");
+  }
+  const page = await visit({ viewport, ...options }, scripts);
   return {
-    page, told, errors, visit, url: front.url,
+    page, told, errors, visit, enter, setDeadMan, url: front.url,
     /** Makes all that is said between browser and station late, both ways. */
     slow: (delay_ms) => (front.way.delay_ms = delay_ms),
     /** Kills the station, and begins another one with its data. */
@@ -125,7 +139,7 @@ export async function open({ viewport = { width: 1440, height: 900 }, webgl = fa
     /** What the station answers at a path of the API. */
     ask: async (path) => (await fetch(new URL(path, front.url))).json(),
     async end() {
-      await browser.close();
+      await leave(browser);
       front.server.close();
       await end(child, "SIGINT");
       if (arm) await end(arm.child, "SIGINT");
@@ -167,13 +181,17 @@ export async function rest(page) {
 
 /** Waits until what the station answers at a path is so. (`waitForFunction` takes the promise of an async function for true.) */
 export async function answered(page, path, isSo) {
-  const ask = (path) => page.evaluate(async (path) => (await fetch(path)).json(), path);
   for (let tries = 0; tries < 600; tries += 1) {
-    const answer = await ask(path);
+    const answer = await (await fetch(new URL(path, page.url()))).json();
     if (isSo(answer)) return answer;
-    await page.waitForTimeout(50);
+    await setTimeout(50);
   }
   throw new Error(`${path} never answers what was waited for: ${isSo}`);
+}
+
+/** What is in a file that the page handed out. */
+export async function contents(download) {
+  return Buffer.concat(await (await download.createReadStream()).toArray());
 }
 
 /** Waits until so much of the station's time has passed. */

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
-import { launch } from "./bench.mjs";
+import { launch, leave, visitor } from "./browser.mjs";
 import { crowd, job, learner, member, queue, standIn, time } from "./stand_in.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
@@ -15,7 +15,7 @@ let opened = [];
 const errors = [];
 
 before(async () => { browser = await launch(); });
-after(() => browser.close());
+after(() => leave(browser));
 afterEach(async () => {
   for (const it of opened.splice(0)) await it();
   assert.deepEqual(errors.splice(0), []);
@@ -24,7 +24,7 @@ afterEach(async () => {
 /** The board of these stations, and the stand-in that tells them. */
 async function open(members, { answer, submitted, ...options } = {}) {
   const station = await standIn(members, answer, submitted);
-  const context = await browser.newContext({ viewport: SIZES.desktop, reducedMotion: "reduce", ...options });
+  const context = await visitor(browser, { viewport: SIZES.desktop, reducedMotion: "reduce", ...options });
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(error));
   opened.push(() => context.close(), () => station.end());

@@ -6,7 +6,8 @@ import { mkdir, writeFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { launch, takeAndMove } from "./bench.mjs";
+import { takeAndMove } from "./bench.mjs";
+import { launch, visitor } from "./browser.mjs";
 import { end, start } from "./program.mjs";
 
 const PAGE = "http://127.0.0.1:8642/";
@@ -50,9 +51,9 @@ async function addStudent(name) {
 async function visit(network, path) {
   const script = resolve(`${network}.sh`);
   await writeFile(script, `#!/bin/sh\nexec ${inside(network).join(" ")} "${process.env.CHROMIUM}" "$@"\n`, { mode: 0o755 });
-  const browser = await launch(false, script);
+  const browser = await launch(script);
   browsers.push(browser);
-  const page = await (await browser.newContext({ viewport: { width: 1440, height: 900 } })).newPage();
+  const page = await (await visitor(browser, { viewport: { width: 1440, height: 900 } })).newPage();
   page.setDefaultTimeout(PATIENCE_MS);
   page.on("pageerror", (error) => errors.push(error));
   await page.goto(`${PAGE}${path}`);

@@ -6,7 +6,7 @@ import { open } from "./bench.mjs";
 let bench, page;
 
 before(async () => {
-  bench = await open({ virtual: true });
+  bench = await open({ virtual: true, speed: 8 });
   ({ page } = bench);
   await fetch(`${bench.url}api/v1/world`, { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ scene: "[pen]\ndown_z_mm = -40\n" }) });
   if (await page.isVisible("#confirm-pose")) {

@@ -29,10 +29,6 @@ if (spawnSync("img2webp", ["-version"]).error) throw new Error("img2webp is not 
 const bench = await open({ virtual: true, webgl: true, viewport: SIZE, options: { deviceScaleFactor: 1, colorScheme: "light" } });
 const { page } = bench;
 
-// Where no graphics card draws, and each frame is taken as well, a page is late to say that a button is still held.
-const changed = await fetch(new URL("api/v1/policy", bench.url), { method: "PUT", headers: { "content-type": "application/json" }, body: JSON.stringify({ text: "[jog]\ndead_man_s = 1\n" }) });
-if (!changed.ok) throw new Error(await changed.text());
-
 /** A pointer and a line of text over the page, for those who look on. */
 await page.evaluate(() => {
   const over = (name, style) => {

@@ -8,7 +8,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
-import { launch, serveFromDisk, takeAndMove } from "./bench.mjs";
+import { serveFromDisk, takeAndMove } from "./bench.mjs";
+import { launch, leave, visitor } from "./browser.mjs";
 import { end, start } from "./program.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
@@ -57,7 +58,7 @@ before(async () => {
   page = await visit("desk-1", "fleet");
 });
 after(async () => {
-  await browser?.close();
+  if (browser) await leave(browser);
   for (const { child } of stations.values()) await end(child, "SIGKILL");
   if (router) await end(router.child, "SIGKILL");
   await rm(folder, { recursive: true });
@@ -67,7 +68,7 @@ after(async () => {
 /** A page of a station, in a window of its own. */
 async function visit(name, path = "") {
   const { url } = stations.get(name);
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const context = await visitor(browser, { viewport: { width: 1440, height: 900 } });
   await serveFromDisk(context, url);
   const opened = await context.newPage();
   opened.on("pageerror", (error) => errors.push(error));
@@ -203,7 +204,7 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
   await page.waitForSelector("#arm-page");
   const at = await page.getAttribute("#arm-page", "href");
   await page.waitForSelector(`${tile("zoe-b")}[data-presence=present]`);
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const context = await visitor(browser, { viewport: { width: 1440, height: 900 } });
   const own = await context.newPage();
   own.on("pageerror", (error) => errors.push(error));
   await own.goto(at);

@@ -76,6 +76,7 @@ test("at a limit the button is let go once, and the reason stands beside it", as
 });
 
 test("a page that is blocked for 3 s lets go at once, and does not move the arm again when it wakes", async () => {
+  await bench.setDeadMan();
   await press(page, "y_plus");
   await moved(page, "y_mm", 5);
   const blocked = performance.now();
@@ -86,6 +87,7 @@ test("a page that is blocked for 3 s lets go at once, and does not move the arm 
   await page.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("fell silent"));
   await rest(page);
   assert.deepEqual(toldOfButtons(), [AXES.y_plus, RELEASED]);
+  await bench.setDeadMan(1);
   // A new press is a new press.
   await page.mouse.up();
   await page.mouse.down();
@@ -101,11 +103,13 @@ test("a window that loses the focus and a tab that is hidden let go", async () =
 });
 
 test("an error of something else moves nothing that is under the pointer", async () => {
+  // So tall that nothing has to be scrolled.
+  await page.setViewportSize({ width: 1130, height: 1800 });
+  await page.click("#voice > summary");
+  await page.click("#say-text");
   const box = await page.locator("[data-axis=y_minus]:visible").boundingBox();
-  await page.evaluate(() => {
-    document.querySelector("#say-text").value = "dance";
-    document.querySelector("#say").requestSubmit();
-  });
+  await page.fill("#say-text", "dance");
+  await page.press("#say-text", "Enter");
   await page.waitForSelector("#problem:visible");
   assert.deepEqual(await page.locator("[data-axis=y_minus]:visible").boundingBox(), box);
   assert.equal(await buttonAt(page, box), "y_minus");

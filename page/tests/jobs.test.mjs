@@ -1,9 +1,8 @@
 // Jobs: what others queued is put in order, done, done again and forgotten by hand, judged on where the arm was sent; recordings:
 // where the arm was, on the stage; and packets, as they pass.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
-import { moved, open, passed, pose, rest, takeControl } from "./bench.mjs";
+import { contents, moved, open, passed, pose, rest, takeControl } from "./bench.mjs";
 
 let bench, page, told;
 
@@ -119,7 +118,7 @@ test("a recording plays by itself, and is handed out as the file that it is", as
   await page.waitForFunction(() => Number(document.querySelector("#player-time").value) === Number(document.querySelector("#player-time").max));
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("[data-recording] [data-act=save]")]);
   assert.match(download.suggestedFilename(), /^dobot-.*\.mcap$/);
-  const bytes = await readFile(await download.path());
+  const bytes = await contents(download);
   assert.deepEqual([...bytes.subarray(0, 5)], [0x89, ...Buffer.from("MCAP")]);
   await page.click("#recorded-end");
 });
@@ -168,7 +167,7 @@ test("every packet to the arm is shown and exported as it was sent, and the list
   assert.match((await says()).at(-1), /^linear_jog axis y_plus/);
   await page.click("#packets-pause");
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#packets-save")]);
-  const lines = (await readFile(await download.path(), "utf8")).trimEnd().split("\n").map((it) => JSON.parse(it));
+  const lines = String(await contents(download)).trimEnd().split("\n").map((it) => JSON.parse(it));
   const floats = lines.map(({ bytes }) => Array.from({ length: 10 }, (_, n) => Buffer.from(bytes, "hex").readFloatLE(1 + 4 * n)));
   assert.deepEqual(floats, told.packets.slice(from).map((it) => it.floats));
 

@@ -26,7 +26,7 @@ afterEach(async () => {
 const choose = (name, value) => page.check(`[name=${name}][value='${value}']`, { force: true });
 const at = (name, value, within = 0.15) => page.waitForFunction(([name, value, within]) => Math.abs(Number(document.querySelector(`[data-pose=${name}]`).textContent) - value) < within, [name, value, within]);
 const reads = (id, text) => page.waitForFunction(([id, text]) => document.getElementById(id).textContent.includes(text), [id, text]);
-const unfold = (id) => page.evaluate((id) => { document.getElementById(id).open = true; }, id);
+const unfold = async (id) => (await page.isVisible(`#${id}[open]`)) || page.click(`#${id} > summary`);
 /** The buttons that moved the arm since the test began. */
 const pressed = () => new Set(told.jogs(from).map((it) => it.text).filter((it) => !it.endsWith(" 0")));
 /** The states of the packets since the test began. */

@@ -11,7 +11,7 @@ const PLACES = [[180, -60], [180, 60], [250, 10]];
 let bench, page, told;
 
 before(async () => {
-  bench = await open({ webgl: true });
+  bench = await open({ speed: 8 });
   ({ page, told } = bench);
   await takeControl(page);
 });

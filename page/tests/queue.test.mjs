@@ -1,7 +1,7 @@
 // The queue of the board, of a stand-in for its station: what was submitted, what is in doubt, and the form for more.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { launch } from "./bench.mjs";
+import { launch, leave, visitor } from "./browser.mjs";
 import { SILENT, member, standIn, work } from "./stand_in.mjs";
 
 const WORK = "/api/v1/fleet/work";
@@ -12,7 +12,7 @@ let opened = [];
 const errors = [];
 
 before(async () => { browser = await launch(); });
-after(() => browser.close());
+after(() => leave(browser));
 afterEach(async () => {
   for (const it of opened.splice(0)) await it();
   assert.deepEqual(errors.splice(0), []);
@@ -28,7 +28,7 @@ const of = (n) => ({ member: { name: DESKS[n].name, id: DESKS[n].id } });
 /** The board with its queue open; `submitted` is what the station tells of it, and can be changed. */
 async function open(submitted, answer) {
   const station = await standIn(DESKS, answer, submitted);
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
+  const context = await visitor(browser, { viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
   const page = await context.newPage();
   page.on("pageerror", (error) => errors.push(error));
   opened.push(() => context.close(), () => station.end());

@@ -6,7 +6,7 @@ import { answered, open, takeControl, typeTarget } from "./bench.mjs";
 let real, virtual;
 
 before(async () => {
-  real = await open();
+  real = await open({ patient: false });
   virtual = await open({ virtual: true });
   await takeControl(real.page);
 });

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { forward } from "../files/stage/links.js";
+import { drawn } from "./browser.mjs";
 import { onScreen, openStage, reported } from "./stage_bench.mjs";
 
 const PAPER = { from_mm: [150, -105], to_mm: [298, 105] };
@@ -22,12 +23,7 @@ after(async () => {
 /** Gives the stage parts of a view and waits until they are drawn. */
 async function show(parts) {
   await page.evaluate((parts) => window.show(parts), parts);
-  await drawn();
-}
-
-/** The frame after the next one, and a moment for those behind the last status. */
-async function drawn() {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150)))));
+  await drawn(page);
 }
 
 const picture = async () => (await page.screenshot()).toString("base64");
@@ -92,7 +88,7 @@ test("marks are added to what is there, and nothing is lost", async () => {
       window.show({ marks: window.grown });
     }
   }, once);
-  await drawn();
+  await drawn(page);
   assert.equal(await picture(), whole);
 });
 
@@ -100,22 +96,48 @@ test("nothing is drawn while nothing changes, however often an arm that rests sa
   const resting = { rear_deg: 30, fore_deg: 45, servo_deg: 0, base_deg: 20, suction: false, gripper_deg: 0 };
   await show({ marks: null, arm: { ...resting, at_s: 50 } });
   await show({ arm: { ...resting, at_s: 50.08 } });
-  await drawn();
+  await drawn(page);
   const frames = await page.evaluate(async (resting) => {
     let asked = 0;
     const kept = window.requestAnimationFrame;
     window.requestAnimationFrame = (action) => (asked += 1, kept.call(window, action));
     for (let n = 1; n <= 5; n += 1) window.show({ arm: { ...resting, at_s: 51 + n * 0.08 }, tool: { kind: "suction_cup", length_mm: 40 } });
-    await new Promise((done) => setTimeout(done, 400));
+    for (let n = 0; n < 5; n += 1) await new Promise((done) => kept.call(window, done));
     window.requestAnimationFrame = kept;
     return asked;
   }, resting);
   assert.equal(frames, 0);
 });
 
+test("nothing is drawn while the stage is scrolled out of sight, and what changed meanwhile is seen when it is back", async () => {
+  await show({ arm: reported(60, 20) });
+  await page.evaluate(() => {
+    const above = document.body.insertBefore(document.createElement("div"), document.querySelector("#stage"));
+    Object.assign(above, { id: "above" }).style.setProperty("height", "3000px");
+  });
+  await drawn(page);
+  const asked = await page.evaluate(async (arm) => {
+    let asked = 0;
+    const kept = window.requestAnimationFrame;
+    window.requestAnimationFrame = (action) => (asked += 1, kept.call(window, action));
+    window.show({ arm });
+    for (let n = 0; n < 5; n += 1) await new Promise((done) => kept.call(window, done));
+    window.requestAnimationFrame = kept;
+    return asked;
+  }, reported(61, -40));
+  assert.equal(asked, 0);
+  await page.mouse.wheel(0, 4000);
+  await page.waitForFunction(() => document.querySelector("#stage").getBoundingClientRect().top < 100);
+  await page.evaluate(() => document.querySelector("#above").remove());
+  await drawn(page);
+  const back = await picture();
+  await show({ arm: reported(62, -40) });
+  assert.equal(await picture(), back);
+});
+
 test("after the last status the arm stands where it was reported, however it came there", async () => {
   for (const [n, base_deg] of [0, 8, 16, 24].entries()) await page.evaluate((arm) => window.show({ arm }), reported(40 + 0.08 * n, base_deg));
-  await page.waitForTimeout(600);
+  await drawn(page);
   const end = await picture();
   await show({ arm: reported(40.4, 24) });
   assert.equal(await picture(), end);
@@ -127,12 +149,12 @@ test("each preset of the camera shows something else, and so do drag, wheel and 
   for (const key of ["1", "2", "3", "4"]) {
     await page.focus("#stage");
     await page.keyboard.press(key);
-    await drawn();
+    await drawn(page);
     seen.add(await picture());
   }
   assert.equal(seen.size, 4);
   await look("iso");
-  await drawn();
+  await drawn(page);
   const hands = {
     async orbit() {
       await page.mouse.move(150, 150);
@@ -152,7 +174,7 @@ test("each preset of the camera shows something else, and so do drag, wheel and 
     nearer: () => page.keyboard.press("+"),
   };
   for (const [name, action] of Object.entries(hands)) {
-    assert.ok(await changes(async () => (await action(), await drawn())), name);
+    assert.ok(await changes(async () => (await action(), await drawn(page))), name);
   }
   assert.deepEqual(await targets(), []);
 });
@@ -160,7 +182,7 @@ test("each preset of the camera shows something else, and so do drag, wheel and 
 test("the target is dragged over the table by its tip, in millimetres", async () => {
   await show({ ...WITH_ARM, ghost: GHOST, draggable: true });
   await look("top");
-  await drawn();
+  await drawn(page);
   const from = onScreen("top", GHOST);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
@@ -180,7 +202,7 @@ test("the target is dragged over the table by its tip, in millimetres", async ()
 test("without a ghost the arm's own tool can be taken, and not where nothing may be dragged", async () => {
   await show({ ...WITH_ARM, arm: reported(50, 0), ghost: null, draggable: true });
   await look("top");
-  await drawn();
+  await drawn(page);
   const from = onScreen("top", forward(reported(50, 0), "suction_cup"));
   const pull = async () => {
     await page.mouse.move(from.x, from.y);
@@ -197,7 +219,7 @@ test("without a ghost the arm's own tool can be taken, and not where nothing may
 test("seen from the side, the tip is dragged up and down, too", async () => {
   await show({ ...WITH_ARM, ghost: GHOST, draggable: true });
   await look("side");
-  await drawn();
+  await drawn(page);
   const at = onScreen("side", GHOST);
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
@@ -213,7 +235,7 @@ test("fingers do it, too: one turns, two zoom, and one on the target drags it", 
   const touch = await glass.context().newCDPSession(glass);
   const send = (type, ...points) => touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   const seen = async () => {
-    await glass.waitForTimeout(250);
+    await drawn(glass);
     return (await glass.screenshot()).toString("base64");
   };
   try {
@@ -247,9 +269,9 @@ test("fingers do it, too: one turns, two zoom, and one on the target drags it", 
 test("in a window of another shape all of the arm is still seen, and what was dragged stays where it is", async () => {
   await show({ ...WITH_ARM, arm: reported(55, 0), ghost: GHOST, draggable: true });
   await look("top");
-  for (const size of [{ width: 500, height: 800 }, { width: 1000, height: 700 }]) {
+  for (const size of [{ width: 350, height: 560 }, { width: 700, height: 490 }]) {
     await page.setViewportSize(size);
-    await drawn();
+    await drawn(page);
     const { x, y } = onScreen("top", GHOST, size);
     await page.mouse.move(x, y);
     assert.ok(await page.evaluate(() => document.querySelector("canvas").classList.contains("is-over-handle")), JSON.stringify(size));
@@ -273,12 +295,12 @@ test("a graphics card that is taken away leaves two dimensions, and three are ba
 });
 
 test("a browser without WebGL shows the arm in two dimensions, and drags it", async () => {
-  const flat = await openStage({ webgl: false });
+  const flat = await openStage({ webgl: false, viewport: { width: 1000, height: 700 } });
   try {
     const kind = await flat.page.evaluate(() => document.querySelector("#stage").dataset.shown);
     assert.equal(kind, "2d");
     await flat.page.evaluate((parts) => window.show(parts), { ...WITH_ARM, ghost: GHOST, draggable: true });
-    await flat.page.waitForTimeout(200);
+    await drawn(flat.page);
     // From above, in the left half: 700 mm wide, 500 mm tall.
     const scale = Math.min(500 / 700, 700 / 590) * 0.94;
     const at = { x: 250 + -GHOST.y_mm * scale, y: 350 - (GHOST.x_mm - 50) * scale };

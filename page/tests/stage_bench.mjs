@@ -2,12 +2,11 @@
 import { once } from "node:events";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
-import { chromium } from "playwright-core";
 import { PerspectiveCamera, Vector3 } from "three";
 import { LENS_DEG, place, preset } from "../files/stage/camera.js";
+import { launch, leave, visitor } from "./browser.mjs";
 
-const SIZE = { width: 1000, height: 700 };
-const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const SIZE = { width: 700, height: 490 };
 const POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; img-src data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
 
@@ -20,13 +19,12 @@ async function answer(request, response) {
   return response.writeHead(200, { "content-type": `${type}; charset=utf-8`, "content-security-policy": POLICY }).end(bytes);
 }
 
-/** A browser with the stage; `webgl` says whether it has WebGL. WebGL is drawn by the processor, so that it runs everywhere. */
+/** A browser with the stage; `webgl` says whether it has WebGL. */
 export async function openStage({ viewport = SIZE, webgl = true, ...options } = {}) {
   const server = createServer(answer).listen(0, "127.0.0.1");
   await once(server, "listening");
-  const drawn = process.env.CARD ? [] : webgl ? ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] : ["--disable-gpu", "--disable-3d-apis"];
-  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--no-sandbox", "--disable-background-networking", ...drawn] });
-  const context = await browser.newContext({ viewport, ...options });
+  const browser = await launch();
+  const context = await visitor(browser, { webgl, viewport, ...options });
   const page = await context.newPage();
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
@@ -38,7 +36,7 @@ export async function openStage({ viewport = SIZE, webgl = true, ...options } = 
   return {
     page, errors,
     async end() {
-      await browser.close();
+      await leave(browser);
       server.close();
     },
   };

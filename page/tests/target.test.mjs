@@ -2,12 +2,13 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { open, pose, rest, takeControl, typeTarget } from "./bench.mjs";
+import { drawn } from "./browser.mjs";
 import { onScreen } from "./stage_bench.mjs";
 
 let bench, page, told, from;
 
 before(async () => {
-  bench = await open({ webgl: true, viewport: { width: 900, height: 600 } });
+  bench = await open({ webgl: true, viewport: { width: 900, height: 600 }, options: { reducedMotion: "reduce" } });
   ({ page, told } = bench);
   await takeControl(page);
 });
@@ -56,7 +57,7 @@ test("a field without a number asks for one, and nothing is sent", async () => {
 test("the tip that is dragged on the stage says where to go, and Go brings the arm there", async () => {
   await page.waitForSelector("#stage[data-shown='3d']");
   await page.click("[data-look=top]");
-  await page.waitForTimeout(700);
+  await drawn(page);
   const box = await page.locator("#stage").boundingBox();
   const tip = onScreen("top", { x_mm: await pose(page, "x_mm"), y_mm: await pose(page, "y_mm"), z_mm: await pose(page, "z_mm") }, box);
   await page.mouse.move(box.x + tip.x, box.y + tip.y);

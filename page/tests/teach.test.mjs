@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, beforeEach, test } from "node:test";
-import { open, passed, pose, rest, takeControl } from "./bench.mjs";
+import { contents, open, passed, pose, rest, takeControl } from "./bench.mjs";
 
 let bench, page, told, from;
 
@@ -112,10 +112,10 @@ test("a program is kept when the page is loaded again, and is the same after it 
   await page.check("[name=teach-mode][value=text]", { force: true });
   const text = await page.inputValue("#teach-text");
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#teach-save")]);
-  const path = await download.path();
+  const saved = await contents(download);
   await page.click("#teach-new");
   await page.waitForFunction(() => document.querySelector("#teach-text").value === "");
-  await page.setInputFiles("#teach-file", { name: "again.toml", mimeType: "text/plain", buffer: await readFile(path) });
+  await page.setInputFiles("#teach-file", { name: "again.toml", mimeType: "text/plain", buffer: saved });
   await page.waitForFunction((text) => document.querySelector("#teach-text").value === text, text);
   await page.waitForFunction((text) => localStorage.getItem("dobot.program") === text, text);
   await page.reload();
@@ -129,7 +129,7 @@ test("a file of the vendor's program is opened as a program, and written again",
   await page.waitForFunction(() => document.querySelector("#teach-title").textContent.includes("PlayBackPoints.toml"));
   await page.waitForSelector("#step-0");
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#teach-xml")]);
-  const again = await readFile(await download.path(), "utf8");
+  const again = String(await contents(download));
   const points = (text) => (String(text).match(/<point>/g) ?? []).length;
   assert.ok(points(vendor) > 2);
   assert.equal(points(again), points(vendor), again);
@@ -141,7 +141,8 @@ test("a program of ten thousand steps shows few rows at once, and any of them wh
   await page.check("[name=teach-mode][value=table]", { force: true });
   await page.waitForSelector("#step-39");
   assert.ok((await page.locator(".step").count()) <= 40);
-  await page.evaluate(() => { document.querySelector("#steps").scrollTop = 5000 * 34; });
+  await page.hover("#step-5");
+  await page.mouse.wheel(0, 5000 * 34);
   await page.waitForSelector("#step-5000");
   assert.ok((await page.locator(".step").count()) <= 40);
 });

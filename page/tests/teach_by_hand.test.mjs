@@ -2,17 +2,19 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 import { open, passed, rest, takeControl } from "./bench.mjs";
+import { drawn } from "./browser.mjs";
 import { onScreen } from "./stage_bench.mjs";
 
 let bench, page, told;
 
 before(async () => {
-  bench = await open({ webgl: true, viewport: { width: 1100, height: 800 }, options: { hasTouch: true } });
+  bench = await open({ webgl: true, viewport: { width: 1100, height: 800 }, speed: 8, options: { hasTouch: true, reducedMotion: "reduce" } });
   ({ page, told } = bench);
   await takeControl(page);
   await rest(page);
   await page.waitForSelector("#stage[data-shown='3d']");
   await page.click("[data-look=top]");
+  await drawn(page);
   await page.click("#tab-teach");
 });
 after(() => bench.end());

@@ -29,7 +29,7 @@ export const VIEWS = {
   move: async (page) => {
     await page.click("#first-close");
     await confirm(page);
-    for (const id of ["pads", "speeds", "voice"]) await page.evaluate((id) => { document.getElementById(id).open = true; }, id);
+    for (const id of ["pads", "speeds", "voice"]) await page.click(`#${id} > summary`);
   },
   target: async (page) => {
     await page.click("#first-close");

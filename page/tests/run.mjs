@@ -1,0 +1,43 @@
+// Runs the browser tests: some files at once, in one browser. `npm run browser --prefix page`, with names of files behind it for
+// some of them only, as in `-- stage watch`. `npm run browser:fleet` runs those that take a `dobot` with the feature `fleet`.
+import { spawnSync } from "node:child_process";
+import { readdir } from "node:fs/promises";
+import { basename } from "node:path";
+import { run } from "node:test";
+import { spec } from "node:test/reporters";
+import { serve } from "./browser.mjs";
+
+/** So many files at once: most of the time each waits for its arm. */
+const AT_ONCE = 3;
+/** Those that take longest, so that none of them is alone in the end. */
+const FIRST = ["axe", "board", "film", "learn"];
+/** Those that are run when they are named. */
+const NAMED = ["fleet"];
+
+function fail(message) {
+  console.error(`error: ${message}`);
+  process.exit(1);
+}
+
+const folder = new URL("./", import.meta.url);
+const all = (await readdir(folder)).filter((name) => name.endsWith(".test.mjs")).map((name) => name.replace(".test.mjs", ""));
+const wanted = process.argv.slice(2);
+const unknown = wanted.find((name) => !all.includes(name));
+if (unknown) fail(`there are no tests called ${unknown}; there are ${all.join(", ")}`);
+const names = wanted.length ? wanted : [...FIRST, ...all.filter((name) => !FIRST.includes(name) && !NAMED.includes(name))];
+const dobot = process.env.DOBOT ?? "dobot";
+if (spawnSync(dobot, ["--version"]).error) fail(`${dobot} does not run: build it with cargo build, and say where it is with DOBOT=PATH`);
+const browser = await serve().catch((error) => fail(error.message));
+process.env.BROWSER_ENDPOINT = browser.wsEndpoint();
+
+/** How long each file took, in ms. */
+const took = new Map();
+const tests = run({ files: names.map((name) => new URL(`${name}.test.mjs`, folder).pathname), concurrency: AT_ONCE });
+tests.on("test:fail", () => (process.exitCode = 1));
+for (const event of ["test:pass", "test:fail"]) tests.on(event, ({ file, details }) => took.set(file, (took.get(file) ?? 0) + details.duration_ms));
+tests.compose(new spec()).pipe(process.stdout);
+tests.once("end", () => void browser.close());
+process.once("exit", () => {
+  const slowest = [...took].sort(([, one], [, other]) => other - one).slice(0, 5);
+  for (const [file, ms] of slowest) console.log(`${basename(file ?? "")}: ${(ms / 1000).toFixed(0)} s`);
+});
