@@ -16354,7 +16354,10 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unknown-path`: there is nothing at this address */
+            /**
+             * @description - `not-built`: the station is built without this
+             *     - `unknown-path`: there is nothing at this address
+             */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -16407,15 +16410,6 @@ export interface operations {
                 headers: {
                     /** @description How long to wait, in seconds */
                     "Retry-After"?: string;
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description - `not-built`: the station is built without this */
-            501: {
-                headers: {
                     [name: string]: unknown;
                 };
                 content: {
@@ -16481,7 +16475,10 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unknown-path`: there is nothing at this address */
+            /**
+             * @description - `not-built`: the station is built without this
+             *     - `unknown-path`: there is nothing at this address
+             */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -16534,15 +16531,6 @@ export interface operations {
                 headers: {
                     /** @description How long to wait, in seconds */
                     "Retry-After"?: string;
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description - `not-built`: the station is built without this */
-            501: {
-                headers: {
                     [name: string]: unknown;
                 };
                 content: {
@@ -16608,7 +16596,10 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `unknown-path`: there is nothing at this address */
+            /**
+             * @description - `not-built`: the station is built without this
+             *     - `unknown-path`: there is nothing at this address
+             */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -16661,15 +16652,6 @@ export interface operations {
                 headers: {
                     /** @description How long to wait, in seconds */
                     "Retry-After"?: string;
-                    [name: string]: unknown;
-                };
-                content: {
-                    "application/problem+json": components["schemas"]["Problem"];
-                };
-            };
-            /** @description - `not-built`: the station is built without this */
-            501: {
-                headers: {
                     [name: string]: unknown;
                 };
                 content: {

@@ -13,7 +13,7 @@ Kind = Literal[
     "lease-gone", "let-go", "locked", "malformed", "media-type", "member-away",
     "member-refused", "method", "name-taken", "no-fleet", "no-job-runs", "no-lease",
     "no-link", "no-such-arm", "no-such-drawing", "no-such-job", "no-such-member",
-    "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking",
+    "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking", "not-built",
     "not-reached", "not-virtual", "out-of-range", "policy", "policy-file",
     "recording", "role", "slot", "still-moving", "stopped", "timeout", "token-file",
     "token-name", "token-taken", "too-large", "too-many", "too-many-clients",

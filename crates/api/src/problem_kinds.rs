@@ -98,7 +98,7 @@ kinds! {
         "This station has no work of this number for its fleet, or was offered none under this key. `GET /api/v1/fleet/work` lists what was submitted here.";
     NO_SUCH_ARM = 404 "no-such-arm" "there is no such virtual arm"
         "This station gives no virtual arm of this name now. `GET /api/v1/fleet/virtual-arms` lists those that it gives.";
-    NOT_BUILT = 501 "not-built" "the station is built without this"
+    NOT_BUILT = 404 "not-built" "the station is built without this"
         "Parts that few people use are in the released archives and in builds with the feature `full`. The detail says which part this station lacks.";
     METHOD = 405 "method" "this address does not take this method"
         "The path exists, but not with this method. The Allow header lists those that it takes.";

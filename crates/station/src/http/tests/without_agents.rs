@@ -6,6 +6,6 @@ use super::Harness;
 async fn an_agent_learns_how_to_get_a_station_with_tools() {
     let harness = Harness::near();
     let refused = harness.json("POST", "/mcp", "{}").await;
-    refused.is(501).is_problem("not-built");
+    refused.is(404).is_problem("not-built");
     assert!(refused.body.contains("--features full"), "{refused:?}");
 }
