@@ -38,7 +38,8 @@ readonly PUSH_STEPS=(
   "examples     Run every example; none needs an arm"
   "api          Send a station requests that schemathesis makes from its OpenAPI document"
   "python       Run the Python package's tests and notebooks; check its types with mypy and pyright"
-  "page         Check types, run unit tests, and test the page with a real pointer in a browser"
+  "page         Check the page's types and packages, and run its unit tests"
+  "browser      Test the page with a real pointer in a browser"
 )
 readonly WIDE_STEPS=(
   "lint-all     Run clippy with all features"
@@ -294,9 +295,7 @@ step_models() {
 step_recordings() {
   local folder
   needs_packages wide
-  needs_command node nodejs
-  needs_command npm npm
-  npm ci --prefix page --no-audit --no-fund
+  needs_page
   build_rare
   folder=$(mktemp -d)
   export PATH=$VENV/bin:$PATH
@@ -372,21 +371,30 @@ assembled_package() {
 }
 
 step_page() {
-  needs_browser
+  needs_page
   build_all
   npm run vendor --prefix page -- --check
   npm run types --prefix page -- --check
   npm run check --prefix page
   npm run unit --prefix page
+}
+
+step_browser() {
+  needs_browser
+  build_all
   npm run browser --prefix page
+}
+
+needs_page() {
+  needs_command node nodejs
+  needs_command npm npm
+  npm ci --prefix page --no-audit --no-fund
 }
 
 # Debian's Chromium, driven by playwright-core.
 needs_browser() {
-  needs_command node nodejs
-  needs_command npm npm
+  needs_page
   needs_command chromium chromium
-  npm ci --prefix page --no-audit --no-fund
   CHROMIUM=$(command -v chromium)
   export CHROMIUM
 }
