@@ -518,7 +518,8 @@ step_budget() {
   echo "packages: $packages (at most 315)"
   ((packages <= 315)) || fail "$packages packages; which of them does a plain clone need?"
   echo "largest libraries in $(built):"
-  find "$(built)/deps" -name '*.rlib' -printf '%s %f\n' | sort -rn | awk '!seen[gensub(/-[0-9a-f]+\.rlib/, "", 1, $2)]++ && n++ < 5 { printf "  %5.1f MB  %s\n", $1 / 1e6, $2 }'
+  find "$(built)/deps" -name '*.rlib' -printf '%s %f\n' | sed 's/ lib\(.*\)-[0-9a-f]*\.rlib$/ \1/' | sort -rn |
+    awk '!seen[$2]++ && n++ < 5 { printf "  %5.1f MB  %s\n", $1 / 1e6, $2 }'
 }
 
 # One virtual environment for all steps. The packages in tests/python/NAME.txt are installed the first time.
