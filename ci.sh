@@ -10,8 +10,8 @@
 # compiler. A missing program ends its step with the name of its Debian package; as root, the script installs it.
 #
 # - Everything is built once, in `target/`, with the profile `dev` and the same features (see tests/features): `lint` and `doc`
-#   check, `test` builds, and the other steps use what `test` has built. `no-std` is the exception: it links only with `panic = "abort"` and link-time
-#   optimisation, and it is small. `wide` adds the features `full` and `fleet`, and the crates `fleet`, `ros2` and `mcp`.
+#   check, `test` builds, and the other steps use what `test` has built. `no-std` is the exception: it links only with
+#   `panic = "abort"` and link-time optimisation, and it is small. `wide` adds the features `full` and `fleet`, and the crates `fleet`, `ros2` and `mcp`.
 # - `lint` also rejects what the standard library gained after a crate's `rust-version` (clippy's `incompatible_msrv`).
 # - `examples` runs the command in the first line of each example.
 # - `bench-check` runs every benchmark once, unoptimised. `bench` measures; it needs a calm machine (docs/performance.md).
@@ -199,7 +199,8 @@ step_package() {
   folder=$target/unpacked
   rm -rf "$folder" "$target"/package/*.crate
   mkdir -p "$folder"
-  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile --exclude dobot-examples --exclude dobot-features --exclude dobot-fuzz --exclude dobot-arm-python
+  cargo package --quiet --workspace --no-verify --allow-dirty --exclude-lockfile \
+    --exclude dobot-arm-python --exclude dobot-examples --exclude dobot-features --exclude dobot-fuzz
   {
     printf '[workspace]\nresolver = "3"\nmembers = ["dobot-*"]\n[patch.crates-io]\n'
     for crate in "$target"/package/dobot-*.crate; do

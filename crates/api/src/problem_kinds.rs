@@ -177,7 +177,7 @@ kinds! {
     RECORDING = 500 "recording" "the recordings cannot be read"
         "The folder with the recordings, or one of them, cannot be read. Look at its permissions; `dobot log` reads recordings, too.";
     INTERNAL = 500 "internal" "the station has a bug here"
-        "A part of the station broke off, and nothing else is affected. The detail says where: please report it, with what was asked for.";
+        "Part of the station failed; nothing else is affected. The detail says where: please report it together with the request.";
     OUT_OF_RANGE = 422 "out-of-range" "a number is not allowed"
         "A number lies outside its range. The detail says which one, and what is allowed.";
     KEY_REUSED = 422 "key-reused" "the key was that of another request"

@@ -196,7 +196,7 @@ fn normal(
     (information, pull)
 }
 
-/// Adds a row times itself: what one number of a touch tells.
+/// Adds the weighted outer product of a row of the Jacobian with itself.
 fn add_square(information: &mut [[f64; COUNT]; COUNT], row: &[f64; COUNT], weight: f64) {
     for (sums, a) in information.iter_mut().zip(row) {
         for (sum, b) in sums.iter_mut().zip(row) {

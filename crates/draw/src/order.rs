@@ -53,7 +53,7 @@ pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke>
     order_until(strokes, start, search, &GiveUp::default())
 }
 
-/// The same, but the best order so far as soon as somebody gives it up.
+/// Like [`order`], but returns the best order found so far once the drawing is cancelled.
 pub(crate) fn order_until(
     strokes: Vec<Stroke>,
     start: Point,

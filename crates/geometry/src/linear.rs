@@ -1,8 +1,8 @@
 //! Systems of linear equations.
 
-/// The `x` of `matrix * x = right`; `None` where the matrix is singular, or not all of it is finite.
+/// Solves `matrix * x = right` for `x`; `None` if the matrix is singular or a number is not finite.
 ///
-/// A matrix that is nearly singular has an answer too, and not a good one.
+/// For a nearly singular matrix the result is inaccurate.
 ///
 /// ```
 /// let x = dobot_geometry::solve(&[[2.0, 1.0], [1.0, 3.0]], &[4.0, 7.0]).expect("not singular");
@@ -19,7 +19,7 @@ pub fn solve(matrix: &[impl AsRef<[f64]>], right: &[f64]) -> Option<Vec<f64>> {
     Some(eliminate(matrix, right)?.concat())
 }
 
-/// The inverse of a matrix, row by row; `None` where [`solve`] has none.
+/// The inverse of a matrix, row by row; `None` if the matrix is singular or a number is not finite.
 ///
 /// # Panics
 ///
@@ -34,8 +34,7 @@ pub fn inverse(matrix: &[impl AsRef<[f64]>]) -> Option<Vec<Vec<f64>>> {
     eliminate(matrix, identity)
 }
 
-/// Gauss and Jordan: what stands on the right when the matrix on the left has become the identity. The row with the
-/// largest number is taken first, so that no rounding error grows.
+/// Gauss-Jordan elimination with partial pivoting: the right-hand side once the matrix has become the identity.
 fn eliminate(
     matrix: &[impl AsRef<[f64]>],
     right: impl Iterator<Item = Vec<f64>>,

@@ -16,7 +16,7 @@ const WITHOUT_CARD = 3;
 /** Slower than that, for most of a row of frames, is too slow: 30 frames per second. */
 const SLOW_MS = 34;
 const ROW = 16;
-/** A screen may be faster than that; an arm that moves is not seen to move better. */
+/** More than 60 frames per second do not look smoother. */
 const FRAME_MS = 1000 / 60;
 /** A screen of 60 Hz is never exactly one. */
 const EARLY_MS = 2;

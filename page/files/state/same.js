@@ -1,4 +1,4 @@
-// Whether two states of the page look the same: a station tells again and again of an arm that rests. Pure.
+// Whether two states of the page look the same: a station keeps reporting an arm that rests. Pure.
 
 import { silence_ms } from "./select.js";
 

@@ -44,10 +44,12 @@ pub enum ConnectError {
         address: String,
     },
     /// The station is served over https, and this program is built without TLS.
-    #[error("{address} is encrypted, and this program is built without TLS")]
+    #[error("{address} is encrypted, and {part}")]
     NotBuilt {
         /// Where.
         address: String,
+        /// What is missing.
+        part: NotBuilt,
     },
     /// The token cannot be sent.
     #[error("the token is not one: it has characters that no token has")]
@@ -179,6 +181,7 @@ async fn encrypt(
 ) -> Result<Box<dyn Bytes>, ConnectError> {
     Err(ConnectError::NotBuilt {
         address: address.to_string(),
+        part: NotBuilt("TLS"),
     })
 }
 

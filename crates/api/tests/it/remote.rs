@@ -42,7 +42,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> Fake<S> {
         sent.unwrap();
     }
 
-    pub(crate) async fn hear(&mut self) -> Value {
+    pub(crate) async fn receive(&mut self) -> Value {
         let message = self.0.next().await.unwrap().unwrap();
         serde_json::from_str(message.to_text().unwrap()).unwrap()
     }
@@ -102,7 +102,7 @@ async fn the_name_and_the_token_reach_the_station() {
 async fn an_answer_is_told_from_what_comes_before_it_and_nothing_of_that_is_lost() {
     let (mut remote, mut fake) = pair().await;
     let serve = async {
-        let asked = fake.hear().await;
+        let asked = fake.receive().await;
         assert_eq!(asked["request"], json!({"type": "take_lease"}));
         fake.say(state(1.0)).await;
         fake.say(notice(1, &json!({"type": "link_up"}), "here"))
@@ -171,7 +171,7 @@ async fn whoever_asks_hears_no_state_from_before_the_last_one() {
     }
     is_heard(&mut fake).await;
     let serve = async {
-        let asked = fake.hear().await;
+        let asked = fake.receive().await;
         fake.say(json!({"id": asked["id"], "reply": {"type": "done"}}))
             .await;
     };
@@ -204,12 +204,12 @@ async fn an_answer_that_comes_too_late_is_not_taken_for_another_one() {
     let (mut remote, mut fake) = pair().await;
     let given_up = tokio::select! {
         biased;
-        asked = fake.hear() => asked,
+        asked = fake.receive() => asked,
         reply = remote.request(Request::TakeLease) => panic!("{reply:?}"),
     };
     let answer = |asked: &Value, reply: Value| json!({"id": asked["id"], "reply": reply});
     let serve = async {
-        let asked = fake.hear().await;
+        let asked = fake.receive().await;
         fake.say(answer(&given_up, json!({"type": "lease", "lease": null})))
             .await;
         fake.say(answer(&asked, json!({"type": "done"}))).await;
@@ -222,7 +222,7 @@ async fn an_answer_that_comes_too_late_is_not_taken_for_another_one() {
 async fn a_refusal_comes_with_its_text_its_kind_and_its_hint() {
     let (mut remote, mut fake) = pair().await;
     let serve = async {
-        let asked = fake.hear().await;
+        let asked = fake.receive().await;
         let problem = json!({
             "type": "/api/v1/problems/no-lease", "title": "no control", "status": 409,
             "detail": "the page has control", "hint": "ask",

@@ -45,7 +45,7 @@ async fn over_tls(
         let stream = listener.accept().await.unwrap().0;
         if let Ok(stream) = acceptor.accept(stream).await {
             let mut fake = Fake::welcome(stream).await.0;
-            fake.hear().await;
+            fake.receive().await;
         }
     });
     let remote = Remote::connect(&address, "test").await;

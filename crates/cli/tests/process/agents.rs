@@ -24,7 +24,7 @@ impl Desk {
         let arm = WiredArm::new(fast_arm(&["--tcp", "127.0.0.1:0"]));
         let to = ["--arm", &arm.address, "--dialect", "specification"];
         let up = Up::with_arm(&to, &[]);
-        hears(&up, |it| it["arm"].is_object());
+        wait_for_state(&up, |it| it["arm"].is_object());
         up.dobot(&["move", "200", "0", "30", "--pose-confirmed"])
             .succeeds();
         let desk = Self { up, arm };
@@ -269,7 +269,7 @@ async fn a_call_that_is_cancelled_stops_the_arm() {
 
 /// Waits until the arm is stopped because an agent gave up.
 pub(crate) async fn stopped(up: &Up) {
-    hears(up, |it| it["stop"].is_object());
+    wait_for_state(up, |it| it["stop"].is_object());
     let other = Agent::new(up, &[]).await;
     let seen = Agent::done(other.call("look", json!({})).await);
     let alarms = seen["alarms"].to_string();
@@ -277,9 +277,9 @@ pub(crate) async fn stopped(up: &Up) {
     assert_ne!(seen["job"]["phase"], "running", "{seen}");
 }
 
-/// Waits until a station tells such a state, and lets the agents go on meanwhile.
-fn hears(up: &Up, is_it: impl Fn(&Value) -> bool) {
-    tokio::task::block_in_place(|| up.hears(is_it));
+/// Waits for a state of a station without blocking the agents.
+fn wait_for_state(up: &Up, is_it: impl Fn(&Value) -> bool) {
+    tokio::task::block_in_place(|| up.wait_for_state(is_it));
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -343,7 +343,7 @@ pub(crate) async fn only_queues(desk: &Desk, agent: &Agent) {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_program_is_checked_and_run_to_its_end() {
     let up = Up::new(&[]);
-    hears(&up, |it| it["arm"].is_object());
+    wait_for_state(&up, |it| it["arm"].is_object());
     let agent = Agent::new(&up, &[]).await;
     let program =
         json!({"text": "title = \"there\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n"});
@@ -359,7 +359,7 @@ async fn a_program_is_checked_and_run_to_its_end() {
 #[tokio::test(flavor = "multi_thread")]
 async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
     let up = Up::new(&[]);
-    hears(&up, |it| it["arm"].is_object());
+    wait_for_state(&up, |it| it["arm"].is_object());
     let folder = tempfile::tempdir().expect("there is room");
     let inside = folder.path().join("inside");
     std::fs::create_dir(&inside).expect("there is room");
@@ -396,7 +396,7 @@ async fn no_agent_burns_and_none_reads_outside_of_its_folder() {
 #[tokio::test(flavor = "multi_thread")]
 async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
     let up = Up::new(&[]);
-    hears(&up, |it| it["arm"].is_object());
+    wait_for_state(&up, |it| it["arm"].is_object());
     let mut killed = Going::talking(up.command(&["mcp"]));
     killed.says(r#"{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"killed","version":"1"}}}"#);
     killed.reads("serverInfo");
@@ -404,10 +404,10 @@ async fn an_agent_that_is_killed_amid_a_move_leaves_the_arm_to_others() {
     killed.says(r#"{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"move_to","arguments":{"x_mm":220,"y_mm":0,"z_mm":20,"pause_s":600}}}"#);
     let other = Agent::new(&up, &[]).await;
     let control = async || Agent::done(other.call("look", json!({})).await)["control"].clone();
-    hears(&up, |it| it["lease"].is_object());
+    wait_for_state(&up, |it| it["lease"].is_object());
     assert_eq!(control().await["name"], "agent killed");
     killed.kill();
-    hears(&up, |it| it["lease"].is_null());
+    wait_for_state(&up, |it| it["lease"].is_null());
     assert_eq!(control().await, Value::Null);
 }
 

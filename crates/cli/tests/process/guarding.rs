@@ -1,4 +1,4 @@
-//! A station that ends, is killed or does not start: what its arm is told all the same.
+//! The packets that still reach the arm of a station that ends, is killed or does not start.
 
 use std::io::Read;
 use std::net::TcpListener;
@@ -14,7 +14,7 @@ fn bench() -> Bench {
     Bench::new(fast_arm(&["--tcp", "127.0.0.1:0"]))
 }
 
-/// The first thing that the arm is told by a station that does not start.
+/// The first command that an arm receives from a station that does not start.
 fn first_of_a_failing_start(bench: &Bench, others: &[&str], parts: &[&str]) {
     run(&mut bench.up(others), b"").fails(1, parts);
     assert_eq!(bench.command().1, LASER_OFF);
@@ -47,7 +47,7 @@ fn over_a_virtual_serial_port_a_killed_station_is_spoken_for_too() {
     let mut up = Up::with_arm(&arm, &[]);
     up.dobot(&["confirm", "--yes"]).succeeds();
     let _holder = Going::new(up.command(&["jog", "base+", "--for", "60"]));
-    up.hears(|it| it["arm"]["base_deg"].as_f64() > Some(3.0));
+    up.wait_for_state(|it| it["arm"]["base_deg"].as_f64() > Some(3.0));
     up.station.kill();
     let ports = ["up", "--http", "127.0.0.1:0", "--raw", "off"];
     let mut again = Going::new(up.command(&[&ports[..], &arm].concat()));

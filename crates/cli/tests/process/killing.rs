@@ -84,7 +84,7 @@ fn a_station_that_is_killed_while_it_burns_switches_the_laser_off_first_and_fini
         // The job is paused from the first moment on; where the arm rests is found out later, and whoever
         // goes on at once waits for that.
         let is_patient = kill != 2;
-        api.hears(|it| {
+        api.wait_for_state(|it| {
             let job = &it["job"];
             assert_ne!(job["phase"], "failed", "{job}");
             let reason = job["reason"].as_str().unwrap_or_default();

@@ -249,7 +249,7 @@ fn a_client_that_does_something_else_fails_with_both_sides() {
     }
 }
 
-/// Exports a recording as tables of this kind, and tells what is refused.
+/// Exports a recording in this format and returns the error.
 pub(crate) fn export_tables(form: &str) {
     let (folder, file) = recording();
     let out = |name: &str| folder.path().join(name);

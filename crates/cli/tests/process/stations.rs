@@ -73,7 +73,7 @@ fn a_jog_through_the_station_moves_and_comes_to_rest() {
 
 #[test]
 fn settings_and_switches_go_through_the_station() {
-    // As fast as a clock: the next status already tells what a switch did.
+    // In real time: the next status already shows the effect of a switch.
     let up = Up::at_speed("1", &[]);
     up.dobot(&["set", "moves", "--joint-speed", "100"])
         .succeeds();

@@ -252,7 +252,7 @@ fn an_arm_that_was_calibrated_by_the_api_alone_draws_the_harbour_where_it_should
     api.asks("POST", &format!("jobs/{job}/start"), &json!({}));
     // A state that was told before the start knows nothing of the job.
     let jobs = || api.asks("GET", "jobs", &Value::Null);
-    api.hears(|it| it["job"]["phase"] != "running" && jobs()[0]["phase"] != "running");
+    api.wait_for_state(|it| it["job"]["phase"] != "running" && jobs()[0]["phase"] != "running");
     let jobs = jobs();
     assert_eq!(jobs[0]["phase"], "done", "{jobs}");
     let after = deviation(&wanted(), &arm.ink()[marks..]);

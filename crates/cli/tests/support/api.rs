@@ -34,8 +34,8 @@ impl Api {
         api
     }
 
-    /// Listens until the station tells such a state, and returns it.
-    pub(crate) fn hears(&self, is_it: impl Fn(&Value) -> bool) -> Value {
+    /// Waits for a state that matches, and returns it.
+    pub(crate) fn wait_for_state(&self, is_it: impl Fn(&Value) -> bool) -> Value {
         let Self { address, .. } = self;
         let mut way = self.connect();
         write!(
@@ -48,7 +48,9 @@ impl Api {
         let lines = lines.take_while(|_| Instant::now() < until);
         let data = lines.filter_map(|it| it.strip_prefix("data:").map(read_json));
         let mut states = data.filter_map(|mut it| it.get_mut("state").map(Value::take));
-        states.find(is_it).expect("the station tells such a state")
+        states
+            .find(is_it)
+            .expect("the station reports a matching state")
     }
 
     /// What it answers, which is no problem.

@@ -23,7 +23,7 @@ pub(crate) fn fast_arm(arguments: &[&str]) -> Going {
     real_time_arm(&[&["--speed", FAST], arguments].concat())
 }
 
-/// An arm at the end of a wire that tells what passes it.
+/// An arm behind a wire that records the packets.
 pub(crate) struct WiredArm {
     _arm: Going,
     /// The end that a station connects to.

@@ -70,7 +70,7 @@ impl Bench {
         }
     }
 
-    /// Waits until the arm tells the same place for two seconds: on a busy machine the program hears of its rest later.
+    /// Waits until the arm reports the same position for two seconds: on a busy machine the program learns later that it rests.
     pub(crate) fn rests(&self) {
         let (mut last, mut same) = (None, 0);
         while same < 25 {

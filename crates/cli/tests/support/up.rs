@@ -27,12 +27,12 @@ impl Up {
         Self::at_speed(FAST, arguments)
     }
 
-    /// Time passes so many times as fast for its arm.
+    /// The speed of its arm, as a multiple of real time.
     pub(crate) fn at_speed(speed: &str, arguments: &[&str]) -> Self {
         Self::with_arm(&["--virtual", "--speed", speed], arguments)
     }
 
-    /// A station with an arm that is told so.
+    /// A station that is started with these arguments for its arm.
     pub(crate) fn with_arm(arm: &[&str], arguments: &[&str]) -> Self {
         let folder = tempfile::tempdir().expect("there is room");
         let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
@@ -66,14 +66,14 @@ impl Up {
         serde_json::from_str(&outcome.stdout).expect("it is JSON")
     }
 
-    /// Waits until the station tells such a state.
-    pub(crate) fn hears(&self, is_it: impl Fn(&Value) -> bool) -> Value {
-        Api::new(&self.page).hears(is_it)
+    /// Waits until the station reports a matching state.
+    pub(crate) fn wait_for_state(&self, is_it: impl Fn(&Value) -> bool) -> Value {
+        Api::new(&self.page).wait_for_state(is_it)
     }
 
     /// Waits until a job runs.
     pub(crate) fn runs_a_job(&self) {
-        self.hears(|it| it["job"]["phase"] == "running");
+        self.wait_for_state(|it| it["job"]["phase"] == "running");
     }
 
     /// Where it tells others where it is.

@@ -1,4 +1,4 @@
-//! A wire between a station and its arm that tells what passes it.
+//! A wire between a station and its arm that records the packets.
 
 use std::io::{ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
@@ -19,7 +19,7 @@ pub(crate) enum Passed {
     Closed,
 }
 
-/// A wire to the arm that tells what passes it.
+/// A wire to the arm that records the packets.
 pub(crate) fn wire(arm: SocketAddr) -> (SocketAddr, Receiver<Passed>) {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = listener.local_addr().expect("it has an address");

@@ -1,4 +1,4 @@
-//! A station that is killed or stands still: how soon its arm is told.
+//! How soon the arm of a station that is killed or frozen receives its packets.
 
 use std::io::BufRead;
 use std::net::TcpListener;

@@ -15,7 +15,7 @@ pub enum ImageError {
     )]
     UnknownFormat,
     /// The file breaks off, or is not what its first bytes say.
-    #[error("the {format} picture cannot be read: {problem}; save it anew as PNG or JPEG")]
+    #[error("the {format} picture cannot be read: {problem}; save it again as PNG or JPEG")]
     Damaged {
         /// Which one.
         format: &'static str,
@@ -24,7 +24,7 @@ pub enum ImageError {
     },
     /// A width or height of 0, which a GIF file may have.
     #[error(
-        "the picture has {width} x {height} pixels; at least 1 x 1 is needed: save it anew as PNG or JPEG"
+        "the picture has {width} x {height} pixels; at least 1 x 1 is needed: save it again as PNG or JPEG"
     )]
     NoPixels {
         /// From left to right.

@@ -462,7 +462,9 @@ fn a_file_that_breaks_off_is_refused() {
                 "{error}"
             );
             assert!(
-                error.to_string().ends_with("; save it anew as PNG or JPEG"),
+                error
+                    .to_string()
+                    .ends_with("; save it again as PNG or JPEG"),
                 "{error}"
             );
         }
@@ -550,7 +552,7 @@ fn gigapixels_are_refused_before_they_are_read() {
 #[test]
 fn a_picture_without_pixels_is_refused_with_its_size() {
     let told = |file: &[u8]| read(file, &ReadOptions::default()).unwrap_err().to_string();
-    let needed = "at least 1 x 1 is needed: save it anew as PNG or JPEG";
+    let needed = "at least 1 x 1 is needed: save it again as PNG or JPEG";
     for size in [[0, 16], [16, 0], [0, 0]] {
         let [width, height] = size;
         assert_eq!(

@@ -1,17 +1,17 @@
-//! Panics, and where they were.
+//! Panics of background work, with their source location.
 
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
-/// Does some work. Where it panics: the place and the message, in one line.
+/// Runs some work. If it panics, the error is the source location and the message in one line.
 pub(super) fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     remember();
     // What the work has changed is given up with it.
     catch_unwind(AssertUnwindSafe(work)).map_err(|_| LAST.take())
 }
 
-/// From now on each thread remembers its last panic, which is still told as before. Only the hook knows the place.
+/// Makes each thread keep its last panic; the previous hook still reports it. Only a hook gets the location.
 fn remember() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

@@ -86,7 +86,7 @@ impl Export {
             #[cfg(feature = "full")]
             Form::Lerobot => self.dataset(&mut recording, stretch, &out),
             #[cfg(not(feature = "full"))]
-            Form::Parquet | Form::Lerobot => unreachable!("`check` refuses them"),
+            Form::Parquet | Form::Lerobot => Err(NotBuilt("Parquet and LeRobot").into()),
         }?;
         if let Some(damage) = recording.damage() {
             eprintln!(
@@ -98,10 +98,6 @@ impl Export {
     }
 
     fn check(&self, form: Form) -> Result<(), Failure> {
-        #[cfg(not(feature = "full"))]
-        if form != Form::Csv {
-            return Err(NotBuilt("Parquet and LeRobot").into());
-        }
         let (option, why) = match form {
             Form::Lerobot if self.force => ("--force", "a folder is never written over"),
             Form::Csv | Form::Parquet if self.task.is_some() => {
