@@ -73,7 +73,9 @@ let asked = 0;
 /** @type {Page | null} */ let drawn = null;
 const changed = () => (asked ||= requestAnimationFrame(draw));
 
-const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, dark.matches);
+// Read only on a change: reading `matches` between frames makes Chromium swallow the event.
+let isSystemDark = dark.matches;
+const isDark = (/** @type {Page} */ { theme }) => isDarkTheme(theme, isSystemDark);
 
 function draw() {
   asked = 0;
@@ -155,7 +157,10 @@ part("stage").addEventListener("target", (event) => {
   const place = { x_mm, y_mm, z_mm, rotation_deg };
   store.send(taughtPlace(store.page) ? { type: "teach_placed", place, phase } : { type: "target_placed", place });
 });
-dark.addEventListener("change", changed);
+dark.addEventListener("change", ({ matches }) => {
+  isSystemDark = matches;
+  changed();
+});
 // A field that somebody was in shows what holds once it is left.
 document.addEventListener("focusout", changed);
 setInterval(() => {

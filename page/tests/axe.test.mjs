@@ -14,10 +14,11 @@ before(async () => {
 });
 after(() => bench.end());
 
-/** What is wrong in a view, by rule and place. */
-async function violations(page) {
-  const { violations, passes } = await page.evaluate(() => window.axe.run());
-  assert.ok(passes.length > 15, "axe has looked at it");
+/** What is wrong in a view, by rule and place. The themes differ in colours alone: all rules are checked in one of them. */
+async function violations(page, theme) {
+  const all = theme === THEMES[0];
+  const { violations, passes } = await page.evaluate((rules) => window.axe.run(rules), all ? {} : { runOnly: ["color-contrast"] });
+  assert.ok(passes.length > (all ? 15 : 0), "axe has looked at it");
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map((it) => it.target.join(" ")).join(", ")}`);
 }
 
@@ -33,7 +34,7 @@ for (const size of Object.keys(SIZES)) {
       for (const theme of THEMES) {
         await page.emulateMedia({ colorScheme: theme });
         await page.waitForSelector(`:root[data-theme=${theme}]`);
-        assert.deepEqual(await violations(page), [], `${name}, ${theme}`);
+        assert.deepEqual(await violations(page, theme), [], `${name}, ${theme}`);
       }
       if (name === "stopped") await letMove(page);
     }

@@ -114,6 +114,11 @@ test("nothing is drawn while the stage is scrolled out of sight, and what change
   await page.evaluate(() => {
     const above = document.body.insertBefore(document.createElement("div"), document.querySelector("#stage"));
     Object.assign(above, { id: "above" }).style.setProperty("height", "3000px");
+    // Observers are called in the order of their creation: after this one, that of the stage was called.
+    return new Promise((done) => {
+      const observer = new IntersectionObserver(([stage]) => stage.isIntersecting || done(observer.disconnect()));
+      observer.observe(document.querySelector("#stage"));
+    });
   });
   await drawn(page);
   const asked = await page.evaluate(async (arm) => {

@@ -241,7 +241,7 @@ fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
     let up = Up::new(&[]);
     // Slowly: it is not to be over before it is interrupted.
     let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
-    let drawing = Going::new(up.command(&[&draw[..], &["--speed", "2"]].concat()));
+    let drawing = Going::new(up.command(&[&draw[..], &["--speed", "0.5"]].concat()));
     up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
     let paused = up.json(&["jobs", "show", "1"]);
@@ -264,7 +264,7 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
         "--arm-laser",
         "600",
         "--speed",
-        "2",
+        "0.5",
     ];
     let (drawing, mut errors) = Going::with_errors(up.command(&burn));
     up.runs_a_job();
