@@ -148,9 +148,12 @@ step_test() {
   report_failures cargo test --locked --workspace "${RARE[@]}" --doc --no-fail-fast
 }
 
+# Of the tests of the program itself, only those that a plain build does not have.
 step_test-all() {
   build_rare
-  report_failures cargo test --locked --all-features "${FEATURED[@]}" --lib --bins --tests --no-fail-fast
+  report_failures cargo test --locked --all-features "${FEATURED[@]}" --lib --bins --test it --no-fail-fast
+  report_failures cargo test --locked --all-features "${FEATURED[@]}" --test process --no-fail-fast -- \
+    agents:: datasets:: http_agents:: together::
   report_failures cargo test --locked --all-features "${FEATURED[@]}" --doc --no-fail-fast
 }
 
