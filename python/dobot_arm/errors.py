@@ -17,7 +17,7 @@ Kind = Literal[
     "not-reached", "not-virtual", "out-of-range", "policy", "policy-file",
     "recording", "role", "slot", "still-moving", "stopped", "timeout", "token-file",
     "token-name", "token-taken", "too-large", "too-many", "too-many-clients",
-    "too-many-requests", "unauthorised", "unknown-path", "upgrade", "work-file",
+    "too-many-requests", "unauthorised", "unguarded", "unknown-path", "upgrade", "work-file",
     "work-phase", "work-refused",
 ]
 """Why something is refused: the kinds of problems of the API."""

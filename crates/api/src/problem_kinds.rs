@@ -136,6 +136,8 @@ kinds! {
         "The arm has not come to rest yet after a stop. The detail says how long that takes at the most.";
     LET_GO = 409 "let-go" "the button was let go"
         "The station let go of a button that its client still says: the client fell silent for a while, or the arm was stopped. Release the button, then press it again.";
+    UNGUARDED = 503 "unguarded" "no guardian watches over the arm"
+        "The process that stops the arm when the station is killed is gone, and the system starts no other one. The station tries again every few seconds; until it succeeds, nothing is jogged and the laser stays off.";
     LASER_DISARMED = 409 "laser-disarmed" "the laser is disarmed"
         "The laser burns only after a person has armed it for a while with `POST /api/v1/laser`.";
     JOB_RUNNING = 409 "job-running" "a job has the arm"

@@ -13,6 +13,7 @@ use dobot_wire::Dialect;
 use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::connect::{OwnVirtualArm, Source};
+use crate::disk::Disk;
 use crate::driver::{Driver, DriverParts};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
@@ -68,6 +69,9 @@ pub enum HostError {
     /// The journal of jobs cannot be opened.
     #[error(transparent)]
     Journal(#[from] JournalError),
+    /// The operating system has no thread left.
+    #[error("no thread can be started for the disk")]
+    Thread(#[source] std::io::Error),
     /// What is known of arms cannot be read.
     #[error(transparent)]
     KnownArms(#[from] KnownArmsError),
@@ -88,6 +92,7 @@ impl Host {
         let supervisor = supervisor(&setup, &source);
         let (handle, ends) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
         let own = handle.messages.clone();
+        let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
         let personality = source.personality().map(|it| it.to_string());
         let note = setup.folders.guardian();
@@ -98,6 +103,7 @@ impl Host {
             source,
             arms,
             slots: KeptSlots::at(&setup.folders.slots()),
+            disk,
             jobs: Jobs::new(journal, Arc::new(setup.policy), own.clone()),
             recording: Recording::new(recorder, personality),
             own,

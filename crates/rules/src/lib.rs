@@ -41,8 +41,10 @@
 
 mod approach;
 mod arm_thread;
+mod background;
 mod client;
 mod connect;
+mod disk;
 mod drawing_job;
 mod driver;
 mod finder;
@@ -64,6 +66,7 @@ mod text;
 mod virtual_station;
 
 pub use approach::{Approach, WantedArm};
+pub use background::Background;
 pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;

@@ -68,6 +68,9 @@ pub enum Refusal {
     /// The station let go of a button that is still pressed.
     #[error("the button was let go: {0}")]
     LetGo(String),
+    /// No guardian watches over the arm.
+    #[error("no guardian watches over the arm: {0}")]
+    Unguarded(String),
     /// There is no arm to talk to.
     #[error("there is no link to an arm: {0}")]
     NoLink(String),
@@ -205,6 +208,10 @@ impl Refusal {
             Self::LetGo(_) => (
                 problem_kinds::LET_GO,
                 "let go of the button, then press it again",
+            ),
+            Self::Unguarded(_) => (
+                problem_kinds::UNGUARDED,
+                "free memory or processes on this machine; the station starts another guardian as soon as it can",
             ),
             Self::NoLink(_) => (
                 problem_kinds::NO_LINK,

@@ -69,6 +69,8 @@ pub struct Supervisor {
     commands: Commands,
     detecting: Detecting,
     run: Option<Run>,
+    /// Why nobody would stop the arm if the station were killed.
+    unguarded: Option<String>,
     save: Save,
     outbox: Outbox,
 }
@@ -88,6 +90,7 @@ impl Supervisor {
             commands: Commands::default(),
             detecting: Detecting::default(),
             run: None,
+            unguarded: None,
             save: Save::default(),
             outbox: Outbox::new(),
         }

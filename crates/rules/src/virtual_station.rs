@@ -412,6 +412,14 @@ impl VirtualStation {
         self.settle();
     }
 
+    /// A guardian watches over the arm again, or why none does.
+    pub fn set_guardian(&mut self, gone: Option<&str>) {
+        let now = self.now();
+        self.supervisor
+            .handle_guardian(now, gone.map(str::to_owned));
+        self.step(now);
+    }
+
     /// The station is killed, and nobody starts it again: what is left is the arm.
     #[must_use]
     pub fn into_arm(self) -> VirtualArm {

@@ -56,6 +56,26 @@ impl Supervisor {
         self.disarm_laser(&why);
     }
 
+    /// Takes whether a guardian watches over the arm, or why none does: then nothing is jogged, and nothing burns.
+    pub fn handle_guardian(&mut self, now: Duration, gone: Option<String>) {
+        self.arm.set_time(now);
+        if let Some(why) = &gone
+            && self.unguarded.is_none()
+        {
+            let refusal = Refusal::Unguarded(why.clone());
+            let text = refusal.to_string();
+            self.withdraw(refusal);
+            self.disarm_laser(&text);
+        }
+        self.unguarded = gone;
+    }
+
+    /// Whether a guardian watches over the arm, or none is needed.
+    pub(super) fn check_guarded(&self) -> Result<(), Refusal> {
+        let gone = self.unguarded.clone().map(Refusal::Unguarded);
+        gone.map_or(Ok(()), Err)
+    }
+
     /// Takes that the station ends: nothing more is sent, and the laser goes off first.
     pub fn handle_end(&mut self, now: Duration) {
         self.handle_time(now);

@@ -408,6 +408,7 @@ impl Supervisor {
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
         self.leases.check_arms_laser(client)?;
         self.stop.check()?;
+        self.check_guarded()?;
         self.arm.arm_laser(for_s)?;
         let name = self.client_name(client);
         let text = format!("{name} armed the laser for {for_s:.0} s: goggles on");
