@@ -414,10 +414,10 @@ impl VirtualStation {
 
     /// A guardian watches over the arm again, or why none does.
     pub fn set_guardian(&mut self, gone: Option<&str>) {
-        let now = self.now();
+        let now = self.supervisor_now();
         self.supervisor
             .handle_guardian(now, gone.map(str::to_owned));
-        self.step(now);
+        self.settle();
     }
 
     /// The station is killed, and nobody starts it again: what is left is the arm.
