@@ -11,7 +11,7 @@ Kind = Literal[
     "ending", "forbidden-host", "forbidden-origin", "gives-no-arms", "internal",
     "invalid", "job-phase", "job-running", "journal", "key-reused", "laser-disarmed",
     "lease-gone", "let-go", "locked", "malformed", "media-type", "member-away",
-    "member-refused", "method", "name-taken", "no-fleet", "no-job-runs", "no-lease",
+    "member-refused", "method", "name-taken", "needs-a-person", "no-fleet", "no-job-runs", "no-lease",
     "no-link", "no-such-arm", "no-such-drawing", "no-such-job", "no-such-member",
     "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking", "not-built",
     "not-reached", "not-virtual", "out-of-range", "policy", "policy-file",

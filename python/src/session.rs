@@ -104,7 +104,7 @@ impl Session {
             Operation::CarryOut(_)
                 | Operation::Draw(_)
                 | Operation::Run(_)
-                | Operation::Resume
+                | Operation::Resume { .. }
                 | Operation::Press(..)
         );
         if moves && self.held.is_some() {
@@ -132,7 +132,7 @@ impl Session {
                 ));
             }
             Operation::Look(look) => return self.look(look),
-            Operation::Resume => self.resume(told).await?,
+            Operation::Resume { as_person } => self.resume(as_person, told).await?,
             Operation::Cancel => self.cancel().await?,
             Operation::Wait(time) => self.wait(time).await?,
             Operation::Press(jog, at_most) => self.press(jog, at_most).await?,

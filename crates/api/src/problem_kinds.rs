@@ -146,6 +146,8 @@ kinds! {
         "Only a running job can be paused. `/api/v1/jobs` lists all jobs.";
     DETECTING = 409 "detecting" "the arm is finding out its dialect"
         "While the arm makes the small motions that tell its dialect, nothing else moves it. Wait until it is done, or stop it.";
+    NEEDS_PERSON = 409 "needs-a-person" "a person has to confirm this"
+        "The job waits until a person has done something at the arm, such as change the pen. Only a person may say that it is done, with `POST /api/v1/jobs/{id}/confirm`; then start the job again.";
     JOB_PHASE = 409 "job-phase" "the job does not allow this now"
         "A job can be started when it is queued or paused, paused when it runs, and cancelled until it is over.";
     DRAWING_PHASE = 409 "drawing-phase" "the drawing is not planned yet"

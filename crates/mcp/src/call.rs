@@ -15,6 +15,7 @@ use tokio::sync::watch;
 use crate::Settings;
 use crate::drawings::Drawings;
 use crate::http::Visit;
+use crate::own_jobs::OwnJobs;
 use crate::refused::Refused;
 
 /// What all calls share.
@@ -22,6 +23,7 @@ use crate::refused::Refused;
 pub(crate) struct Shared {
     pub(crate) settings: Settings,
     pub(crate) drawings: Drawings,
+    pub(crate) own_jobs: OwnJobs,
     /// Whether the agent is gone.
     pub(crate) gone: watch::Sender<bool>,
 }
@@ -119,7 +121,12 @@ impl Call {
 
     /// Whether a person starts what this client would.
     pub(crate) fn asks(&self, station: &StationClient) -> bool {
-        self.shared.settings.asks || station.role() == Role::Queue
+        // Over HTTP the token says what an agent may do; without one it only queues.
+        let asks = match Visit::of(&self.context.extensions) {
+            Some(visit) => visit.token.is_none(),
+            None => self.shared.settings.asks,
+        };
+        asks || station.role() == Role::Queue
     }
 
     /// Refuses what a person does not start.

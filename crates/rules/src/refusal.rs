@@ -110,6 +110,14 @@ pub enum Refusal {
     /// The motions that tell the dialect did not tell it.
     #[error("the dialect was not found: {0}")]
     NotFound(String),
+    /// The job waits for a person.
+    #[error("job {job} waits for a person: {message}")]
+    NeedsPerson {
+        /// Its number.
+        job: u64,
+        /// What the person has to do.
+        message: String,
+    },
     /// No job runs.
     #[error("no job is running")]
     NoJobRuns,
@@ -235,6 +243,10 @@ impl Refusal {
             Self::NotFound(_) => (
                 problem_kinds::DIALECT_NOT_FOUND,
                 "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold",
+            ),
+            Self::NeedsPerson { .. } => (
+                problem_kinds::NEEDS_PERSON,
+                "a person goes on with it: on the page, or with `dobot jobs start` in a terminal",
             ),
             Self::NoJobRuns => (problem_kinds::NO_JOB_RUNS, "`dobot jobs` lists the jobs"),
             Self::NoSuchJob(_) => (problem_kinds::NO_SUCH_JOB, "`dobot jobs` lists the jobs"),

@@ -69,6 +69,8 @@ pub struct Supervisor {
     commands: Commands,
     detecting: Detecting,
     run: Option<Run>,
+    /// The job for which a person has done what it waits for.
+    confirmed_job: Option<u64>,
     /// Why nobody would stop the arm if the station were killed.
     unguarded: Option<String>,
     save: Save,
@@ -90,6 +92,7 @@ impl Supervisor {
             commands: Commands::default(),
             detecting: Detecting::default(),
             run: None,
+            confirmed_job: None,
             unguarded: None,
             save: Save::default(),
             outbox: Outbox::new(),

@@ -253,6 +253,7 @@ impl Supervisor {
                 self.detecting.forget_finding();
                 self.set_dialect(dialect)
             }
+            Request::ConfirmJob { job } => self.confirm_job(client, job),
             Request::PauseJob => self.pause_job(client),
             Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),

@@ -308,6 +308,7 @@ mod tests {
                 created_ms: 1_700_000_000_000,
                 phase: JobPhase::Paused,
                 reason: Some("a person asked for it".into()),
+                waits_for_person: false,
                 commands: 400,
                 completed: 100,
                 planned_s: Some(120.0),
