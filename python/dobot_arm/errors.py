@@ -14,7 +14,7 @@ Kind = Literal[
     "member-refused", "method", "name-taken", "needs-a-person", "no-fleet", "no-job-runs", "no-lease",
     "no-link", "no-such-arm", "no-such-drawing", "no-such-job", "no-such-member",
     "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking", "not-built",
-    "not-reached", "not-virtual", "out-of-range", "policy", "policy-file",
+    "not-delivered", "not-reached", "not-virtual", "out-of-range", "policy", "policy-file",
     "recording", "role", "slot", "still-moving", "stopped", "timeout", "token-file",
     "token-name", "token-taken", "too-large", "too-many", "too-many-clients",
     "too-many-requests", "unauthorised", "unguarded", "unknown-path", "upgrade", "work-file",

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use dobot_api::{JobView, LinkPhase, Reply, Request, State, fetch, Role};
+use dobot_api::{JobView, LinkPhase, Reply, Request, Role, State, fetch};
 use rmcp::handler::server::tool::schema_for_input;
 use rmcp::model::{CallToolResult, Implementation, JsonObject, ServerCapabilities, ServerConfig};
 use rmcp::service::RequestContext;

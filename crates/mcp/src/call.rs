@@ -114,7 +114,14 @@ impl Call {
             .request(Request::Stop { reason })
             .await?
         {
-            Reply::Stopping { rests_within_s } => Ok(rests_within_s),
+            Reply::Stopping {
+                delivered: false, ..
+            } => Err(Refused::new(
+                "not-delivered",
+                "the stop was NOT DELIVERED: there is no link to the arm",
+            )
+            .hinted("tell the person at the arm to switch it off by hand, at once")),
+            Reply::Stopping { rests_within_s, .. } => Ok(rests_within_s),
             _ => Ok(0.0),
         }
     }

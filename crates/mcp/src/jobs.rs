@@ -140,7 +140,9 @@ impl Call {
         let mut station = self.connect().await?;
         self.check_may_move(&station)?;
         let found = view(&mut station, asked.job).await?;
-        self.shared.own_jobs.check_may_resume(&self.name(), &found)?;
+        self.shared
+            .own_jobs
+            .check_may_resume(&self.name(), &found)?;
         station.request(Request::TakeLease).await?;
         start(&mut station, asked.job).await?;
         follow(&mut station, asked.job, time).await

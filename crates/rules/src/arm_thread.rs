@@ -182,6 +182,7 @@ mod tests {
             slots: KeptSlots::at(&folders.slots()),
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
+            stop: None,
             disk: Disk::start(own.clone()).unwrap(),
             own: own.clone(),
             heartbeats: HeartbeatSender::new(None, folders.guardian(), panic_stop.clone()),

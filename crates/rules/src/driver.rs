@@ -25,6 +25,7 @@ use crate::handle::{Ends, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::kept_slots::KeptSlots;
+use crate::kept_stop::KeptStop;
 use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
 use crate::supervisor::{Effect, Supervisor};
@@ -38,6 +39,7 @@ pub(crate) struct Driver {
     source: Source,
     arms: KnownArms,
     slots: KeptSlots,
+    stop: Option<KeptStop>,
     disk: Disk,
     link: Option<Link>,
     /// Where the arm is, or was last.
@@ -70,6 +72,7 @@ pub(crate) struct DriverParts {
     pub(crate) source: Source,
     pub(crate) arms: KnownArms,
     pub(crate) slots: KeptSlots,
+    pub(crate) stop: Option<KeptStop>,
     pub(crate) disk: Disk,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
@@ -104,6 +107,7 @@ impl Driver {
             source: parts.source,
             arms: parts.arms,
             slots: parts.slots,
+            stop: parts.stop,
             disk: parts.disk,
             link: None,
             address: None,
@@ -158,6 +162,22 @@ impl Driver {
             taken.map_err(|refusal| refusal.to_string())
         });
         taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
+    }
+
+    /// Takes up the stop that held when the station before this one ended.
+    pub(crate) fn recover_stop(&mut self) {
+        if let Some(stop) = self.stop.as_ref().and_then(KeptStop::read) {
+            let now = self.now();
+            self.supervisor.handle_kept_stop(now, stop.by, stop.reason);
+        }
+    }
+
+    /// Keeps the stop for a station that comes after this one, or that none holds any more.
+    fn keep_stop(&mut self) {
+        if let Some(stop) = &self.stop {
+            let new = stop.keep(self.supervisor.state().stop);
+            self.write_file(new.map(Some), "the stop cannot be kept");
+        }
     }
 
     /// Keeps the time slots for a station that comes after this one.
@@ -630,6 +650,9 @@ impl Driver {
 
     /// Keeps which dialect the arm speaks, once that is known.
     fn remember(&mut self, notice: &Notice) {
+        if matches!(notice.news, News::Stopped | News::StopReset) {
+            self.keep_stop();
+        }
         let (News::DialectKnown { dialect }, Some(address)) = (&notice.news, &self.address) else {
             return;
         };

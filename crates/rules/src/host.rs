@@ -19,6 +19,7 @@ use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
 use crate::kept_slots::KeptSlots;
+use crate::kept_stop::KeptStop;
 use crate::known_arms::{KnownArms, KnownArmsError};
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
@@ -36,6 +37,8 @@ pub struct Setup {
     pub folders: Folders,
     /// Where recordings are kept, and what is known of each arm: the same for all arms of a person.
     pub common: Folders,
+    /// Where a stop is kept, so that it holds at the next start too, if it is.
+    pub stop: Option<PathBuf>,
     /// The program that guards the arm when it is started as `PROGRAM guardian --note FILE`, if one
     /// does.
     pub guardian: Option<PathBuf>,
@@ -103,6 +106,7 @@ impl Host {
             source,
             arms,
             slots: KeptSlots::at(&setup.folders.slots()),
+            stop: setup.stop.map(KeptStop::at),
             disk,
             jobs: Jobs::new(journal, Arc::new(setup.policy), own.clone()),
             recording: Recording::new(recorder, personality),
@@ -110,6 +114,7 @@ impl Host {
             heartbeats: heartbeats.supervised(setup.service_manager.unwrap_or_default()),
         });
         let notes = approach.notes.into_iter().chain(trouble);
+        driver.recover_stop();
         Ok(Self {
             handle,
             virtual_arm,

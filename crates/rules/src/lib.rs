@@ -54,6 +54,7 @@ mod host;
 mod job_path;
 mod jobs;
 mod kept_slots;
+mod kept_stop;
 mod known_arms;
 mod planned_for;
 mod predict;

@@ -68,6 +68,9 @@ pub enum Refusal {
     /// The station let go of a button that is still pressed.
     #[error("the button was let go: {0}")]
     LetGo(String),
+    /// There is no link to send it over, and the arm may be moving or burning.
+    #[error("{0} was NOT DELIVERED: there is no link to the arm")]
+    NotDelivered(&'static str),
     /// No guardian watches over the arm.
     #[error("no guardian watches over the arm: {0}")]
     Unguarded(String),
@@ -216,6 +219,10 @@ impl Refusal {
             Self::LetGo(_) => (
                 problem_kinds::LET_GO,
                 "let go of the button, then press it again",
+            ),
+            Self::NotDelivered(_) => (
+                problem_kinds::NOT_DELIVERED,
+                "switch the arm off by hand; it is sent as soon as the link is back",
             ),
             Self::Unguarded(_) => (
                 problem_kinds::UNGUARDED,

@@ -130,7 +130,10 @@ impl Person {
     async fn confirm(self, station: &mut StationClient, job: u64) -> Result<(), Failure> {
         if self.as_person && station.role() < Role::Admin {
             return Err(Failure::new(
-                anyhow!("--as-person takes the role admin; this client has {}", station.role()),
+                anyhow!(
+                    "--as-person takes the role admin; this client has {}",
+                    station.role()
+                ),
                 "use an administrator's token, or start the job in a terminal or on the page",
             ));
         }

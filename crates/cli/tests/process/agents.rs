@@ -347,7 +347,10 @@ async fn an_agent_goes_on_only_with_what_it_has_paused_itself() {
     let agent = Agent::new(&desk.up, &[]).await;
     let resume = |job: u64| json!({"job": job, "action": "resume", "wait_s": 0});
     let refused = async |job, part: &str| {
-        let refused = Agent::refused(agent.call("change_job", resume(job)).await, "needs-a-person");
+        let refused = Agent::refused(
+            agent.call("change_job", resume(job)).await,
+            "needs-a-person",
+        );
         let detail = refused["detail"].as_str().expect("a detail");
         assert!(detail.contains(part), "{detail}");
         assert!(!desk.got().iter().any(is_motion), "{detail}");
@@ -358,7 +361,11 @@ async fn an_agent_goes_on_only_with_what_it_has_paused_itself() {
     Agent::done(agent.call("draw", draw).await);
     tokio::task::block_in_place(|| desk.draws());
     let paused = |it: &Value| it["job"]["phase"] == "paused";
-    Agent::done(agent.call("change_job", json!({"job": 1, "action": "pause"})).await);
+    Agent::done(
+        agent
+            .call("change_job", json!({"job": 1, "action": "pause"}))
+            .await,
+    );
     wait_for_state(&desk.up, paused);
     desk.got();
     Agent::done(agent.call("change_job", resume(1)).await);
@@ -375,7 +382,9 @@ async fn an_agent_goes_on_only_with_what_it_has_paused_itself() {
     std::fs::write(&program, text).expect("there is room");
     let program = program.to_str().expect("it is text");
     // Without a terminal it is left paused where it waits.
-    desk.up.dobot(&["play", program]).fails(1, &["change the pen"]);
+    desk.up
+        .dobot(&["play", program])
+        .fails(1, &["change the pen"]);
     desk.got();
     refused(2, "another client queued it").await;
     // And one of its own that waits for a person.
@@ -386,9 +395,13 @@ async fn an_agent_goes_on_only_with_what_it_has_paused_itself() {
     refused(3, "it waits for a person").await;
     // A script cannot, either; an administrator who says so can.
     let start = ["jobs", "start", "3"];
-    desk.up.dobot(&start).fails(1, &["waits for a person", "change the pen"]);
+    desk.up
+        .dobot(&start)
+        .fails(1, &["waits for a person", "change the pen"]);
     assert!(!desk.got().iter().any(is_motion));
-    desk.up.dobot(&[&start[..], &["--as-person"]].concat()).succeeds();
+    desk.up
+        .dobot(&[&start[..], &["--as-person"]].concat())
+        .succeeds();
     assert!(desk.got().iter().any(is_motion));
 }
 

@@ -271,6 +271,7 @@ mod tests {
                 at_s: 10.0,
                 rests_by_s: 10.5,
                 at_rest: true,
+                delivered: true,
             });
         });
         shows(&stopped, &["STOPPED by the page: smoke (at rest)"]);
@@ -399,6 +400,7 @@ mod tests {
                 at_s: 0.0,
                 rests_by_s: 0.0,
                 at_rest: false,
+                delivered: true,
             });
         });
         let screen = screen(&stopped, 20, 4).join("\n");

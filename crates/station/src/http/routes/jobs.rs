@@ -7,8 +7,7 @@ use axum::extract::State;
 use axum::response::Response;
 use dobot_api::problem_kinds::{
     BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, LOCKED, MALFORMED, NEEDS_PERSON,
-    NO_JOB_RUNS,
-    NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT, TOO_MANY,
+    NO_JOB_RUNS, NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT, TOO_MANY,
 };
 use dobot_api::{JobPath, JobView, NewJob, Reply, Request};
 use dobot_rules::Refusal;
@@ -111,7 +110,14 @@ fn carried_out() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the job runs")
         .problems(MOVES)
-        .problems(&[NO_SUCH_JOB, JOB_PHASE, BAD_JOB, CANNOT_RESUME, NEEDS_PERSON, JOURNAL]),
+        .problems(&[
+            NO_SUCH_JOB,
+            JOB_PHASE,
+            BAD_JOB,
+            CANNOT_RESUME,
+            NEEDS_PERSON,
+            JOURNAL,
+        ]),
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/confirm",
@@ -128,7 +134,14 @@ fn carried_out() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the step is under way")
         .problems(MOVES)
-        .problems(&[NO_SUCH_JOB, JOB_PHASE, BAD_JOB, CANNOT_RESUME, NEEDS_PERSON, JOURNAL]),
+        .problems(&[
+            NO_SUCH_JOB,
+            JOB_PHASE,
+            BAD_JOB,
+            CANNOT_RESUME,
+            NEEDS_PERSON,
+            JOURNAL,
+        ]),
         Route::asks(
             POST,
             "/api/v1/jobs/pause",
