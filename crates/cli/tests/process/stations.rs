@@ -264,7 +264,7 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
         "--arm-laser",
         "600",
         "--speed",
-        "0.5",
+        "1",
     ];
     let (drawing, mut errors) = Going::with_errors(up.command(&burn));
     up.runs_a_job();

@@ -1,7 +1,10 @@
 //! An arm, and a person who moves it with keys.
 
+use std::time::Instant;
+
 use dobot_wire::{Command, LinearJogAxis};
 
+use super::PATIENCE;
 use super::arm::{WiredArm, real_time_arm};
 use super::program::command;
 use super::terminal::{Keyboard, Terminal};
@@ -27,7 +30,9 @@ impl Bench {
 
     /// Waits for a command to the arm.
     pub(crate) fn gets(&self, mut is_it: impl FnMut(&Command) -> bool) -> Command {
+        let until = Instant::now() + PATIENCE;
         loop {
+            assert!(Instant::now() < until, "the arm does not get the command");
             if let Passed::ToArm(_, command) = self.arm.next()
                 && is_it(&command)
             {
@@ -73,7 +78,9 @@ impl Bench {
     /// Waits until the arm reports the same position for two seconds: on a busy machine the program learns later that it rests.
     pub(crate) fn rests(&self) {
         let (mut last, mut same) = (None, 0);
+        let until = Instant::now() + PATIENCE;
         while same < 25 {
+            assert!(Instant::now() < until, "the arm does not rest");
             if let Passed::FromArm(_, status) = self.arm.next() {
                 let place = Some([status.x_mm, status.y_mm, status.z_mm]);
                 same = if place == last { same + 1 } else { 0 };
