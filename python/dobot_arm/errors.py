@@ -11,13 +11,13 @@ Kind = Literal[
     "ending", "forbidden-host", "forbidden-origin", "gives-no-arms", "internal",
     "invalid", "job-phase", "job-running", "journal", "key-reused", "laser-disarmed",
     "lease-gone", "let-go", "locked", "malformed", "media-type", "member-away",
-    "member-refused", "method", "name-taken", "no-fleet", "no-job-runs", "no-lease",
+    "member-refused", "method", "name-taken", "needs-a-person", "no-fleet", "no-job-runs", "no-lease",
     "no-link", "no-such-arm", "no-such-drawing", "no-such-job", "no-such-member",
     "no-such-recording", "no-such-token", "no-such-work", "no-vectors", "not-asking", "not-built",
-    "not-reached", "not-virtual", "out-of-range", "policy", "policy-file",
+    "not-delivered", "not-reached", "not-virtual", "out-of-range", "policy", "policy-file",
     "recording", "role", "slot", "still-moving", "stopped", "timeout", "token-file",
     "token-name", "token-taken", "too-large", "too-many", "too-many-clients",
-    "too-many-requests", "unauthorised", "unknown-path", "upgrade", "work-file",
+    "too-many-requests", "unauthorised", "unguarded", "unknown-path", "upgrade", "work-file",
     "work-phase", "work-refused",
 ]
 """Why something is refused: the kinds of problems of the API."""

@@ -181,9 +181,18 @@ def check(arm: Connection, program: Program) -> Begun[ProgramReport]:
     return Begun(arm._core.check(program._taught), ProgramReport._of)
 
 
-def resume(arm: Connection, *, progress: Callable[..., object] | None = None) -> Begun[None]:
-    """Goes on with the job that told it was :class:`Paused`, and waits until that is over."""
-    return Begun(arm._core.resume(), _nothing, progress)
+def resume(
+    arm: Connection,
+    *,
+    as_person: bool = False,
+    progress: Callable[..., object] | None = None,
+) -> Begun[None]:
+    """Goes on with the job that told it was :class:`Paused`, and waits until that is over.
+
+    A job that waits for a person, to change the pen say, goes on only with ``as_person=True``: somebody at the arm
+    has done what it waits for.
+    """
+    return Begun(arm._core.resume(as_person), _nothing, progress)
 
 
 def cancel(arm: Connection) -> Begun[None]:

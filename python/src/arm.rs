@@ -168,8 +168,8 @@ impl Core {
         self.begin(Operation::Check(source))
     }
 
-    fn resume(&self) -> Pending {
-        self.begin(Operation::Resume)
+    fn resume(&self, as_person: bool) -> Pending {
+        self.begin(Operation::Resume { as_person })
     }
 
     fn cancel(&self) -> Pending {

@@ -94,8 +94,19 @@ impl Session {
         if let Some(held) = &mut self.held {
             held.over = Some(Failure::Stopped);
         }
-        let done = done.map(|_| Outcome::Nothing);
-        answer.tell(Told::Over(done.map_err(Failure::from)));
+        let done = match done {
+            Ok(Reply::Stopping {
+                delivered: false, ..
+            }) => Err(Failure::Failed {
+                text: "the stop was NOT DELIVERED: there is no link to the arm".to_owned(),
+                hint: Some(
+                    "switch the arm off by hand; the stop is sent as soon as the link is back"
+                        .to_owned(),
+                ),
+            }),
+            done => done.map(|_| Outcome::Nothing).map_err(Failure::from),
+        };
+        answer.tell(Told::Over(done));
     }
 
     async fn act(&mut self, operation: Operation, told: &Teller<Told>) -> Answer {
@@ -104,7 +115,7 @@ impl Session {
             Operation::CarryOut(_)
                 | Operation::Draw(_)
                 | Operation::Run(_)
-                | Operation::Resume
+                | Operation::Resume { .. }
                 | Operation::Press(..)
         );
         if moves && self.held.is_some() {
@@ -132,7 +143,7 @@ impl Session {
                 ));
             }
             Operation::Look(look) => return self.look(look),
-            Operation::Resume => self.resume(told).await?,
+            Operation::Resume { as_person } => self.resume(as_person, told).await?,
             Operation::Cancel => self.cancel().await?,
             Operation::Wait(time) => self.wait(time).await?,
             Operation::Press(jog, at_most) => self.press(jog, at_most).await?,

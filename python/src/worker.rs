@@ -43,8 +43,10 @@ pub(crate) enum Operation {
     Check(Arc<Source>),
     /// Look at the virtual arm of this process, or do something to it.
     Look(Box<Look>),
-    /// Go on with the job that rests.
-    Resume,
+    /// Go on with the job that rests; a person has done what it waits for, or not.
+    Resume {
+        as_person: bool,
+    },
     /// Give up the job that rests.
     Cancel,
     Wait(Duration),

@@ -139,6 +139,12 @@ impl Folders {
         self.data.join("slots.toml")
     }
 
+    /// The stop that holds the arm, if one does.
+    #[must_use]
+    pub fn stop(&self) -> PathBuf {
+        self.data.join("stop.toml")
+    }
+
     /// What the guardian of the arm did while the station could not.
     #[must_use]
     pub fn guardian(&self) -> PathBuf {

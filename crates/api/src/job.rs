@@ -209,6 +209,10 @@ pub struct JobView {
     pub phase: JobPhase,
     /// Why it is paused, stopped or failed.
     pub reason: Option<String>,
+    /// Whether it is paused where a person has to do something, such as change the pen: it goes on only after
+    /// [`Request::ConfirmJob`](crate::Request::ConfirmJob).
+    #[serde(default)]
+    pub waits_for_person: bool,
     /// How many commands it has; those of a cycle count once.
     pub commands: usize,
     /// How many of them are over, in this cycle.

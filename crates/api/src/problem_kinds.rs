@@ -136,6 +136,10 @@ kinds! {
         "The arm has not come to rest yet after a stop. The detail says how long that takes at the most.";
     LET_GO = 409 "let-go" "the button was let go"
         "The station let go of a button that its client still says: the client fell silent for a while, or the arm was stopped. Release the button, then press it again.";
+    NOT_DELIVERED = 503 "not-delivered" "it could not be sent to the arm"
+        "There is no link to the arm, so what stops it or switches its laser off has not left this computer. It is sent as soon as the link is back; until then the arm goes on. Switch it off by hand.";
+    UNGUARDED = 503 "unguarded" "no guardian watches over the arm"
+        "The process that stops the arm when the station is killed is gone, and the system starts no other one. The station tries again every few seconds; until it succeeds, nothing is jogged and the laser stays off.";
     LASER_DISARMED = 409 "laser-disarmed" "the laser is disarmed"
         "The laser burns only after a person has armed it for a while with `POST /api/v1/laser`.";
     JOB_RUNNING = 409 "job-running" "a job has the arm"
@@ -144,6 +148,8 @@ kinds! {
         "Only a running job can be paused. `/api/v1/jobs` lists all jobs.";
     DETECTING = 409 "detecting" "the arm is finding out its dialect"
         "While the arm makes the small motions that tell its dialect, nothing else moves it. Wait until it is done, or stop it.";
+    NEEDS_PERSON = 409 "needs-a-person" "a person has to confirm this"
+        "The job waits until a person has done something at the arm, such as change the pen. Only a person may say that it is done, with `POST /api/v1/jobs/{id}/confirm`; then start the job again.";
     JOB_PHASE = 409 "job-phase" "the job does not allow this now"
         "A job can be started when it is queued or paused, paused when it runs, and cancelled until it is over.";
     DRAWING_PHASE = 409 "drawing-phase" "the drawing is not planned yet"

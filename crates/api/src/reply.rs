@@ -24,10 +24,13 @@ pub enum Reply {
         /// The way.
         way: WayView,
     },
-    /// The stopping packet is on its way.
+    /// The arm is stopped; what stops it is on its way, if `delivered`.
     Stopping {
-        /// By when the arm is at rest at the latest, in seconds.
+        /// By when the arm is at rest at the latest, in seconds; without a meaning where nothing was delivered.
         rests_within_s: f64,
+        /// Whether a link takes the packets. If not, they are sent as soon as there is one: the arm has to be switched
+        /// off by hand.
+        delivered: bool,
     },
     /// The lease, as it is now.
     Lease {

@@ -129,6 +129,11 @@ pub enum Request {
         /// Its number.
         job: u64,
     },
+    /// Say that a person has done what a paused job waits for; it goes on with [`Request::StartJob`].
+    ConfirmJob {
+        /// Its number.
+        job: u64,
+    },
     /// Do the next step of a queued or paused job, and pause behind it.
     StepJob {
         /// Its number.
@@ -219,6 +224,7 @@ impl Request {
             | Self::TellAngles
             | Self::Detect
             | Self::StartJob { .. }
+            | Self::ConfirmJob { .. }
             | Self::StepJob { .. }
             | Self::PauseJob
             | Self::SetJobSpeed { .. }

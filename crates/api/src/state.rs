@@ -144,6 +144,14 @@ pub struct StopView {
     pub rests_by_s: f64,
     /// Whether it has been seen at rest since.
     pub at_rest: bool,
+    /// Whether the packets that stop it have left this computer: if not, it has to be switched off by hand.
+    #[serde(default = "delivered")]
+    pub delivered: bool,
+}
+
+/// A station of before this field says nothing else.
+const fn delivered() -> bool {
+    true
 }
 
 /// The laser's interlock.

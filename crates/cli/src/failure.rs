@@ -59,7 +59,10 @@ impl Failure {
                 eprintln!("error: {}", self.detail());
                 hint.inspect(|it| eprintln!("hint: {it}"));
             }
-            LogFormat::Json => tracing::error!(hint, "{:#}", self.error),
+            LogFormat::Json => {
+                tracing::error!(hint, "{:#}", self.error);
+                crate::stderr::flush();
+            }
         }
         ExitCode::FAILURE
     }

@@ -37,8 +37,12 @@ pub(crate) async fn start_shown(
     bar: &ProgressBar,
     mut see: impl FnMut(&State),
 ) -> Result<Duration, Failure> {
+    let mut is_confirmed = false;
     loop {
         take_control(station).await?;
+        if is_confirmed {
+            confirm(station, job).await?;
+        }
         station.request_at_rest(Request::StartJob { job }).await?;
         if !burns {
             station.request(Request::ReleaseLease).await?;
@@ -61,7 +65,17 @@ pub(crate) async fn start_shown(
                 go_on(station, (job, burns), why).await?;
             }
         }
+        is_confirmed = true;
     }
+}
+
+/// Says that a person has done what a paused job waits for, if it waits for one; control has been taken.
+pub(crate) async fn confirm(station: &mut StationClient, job: u64) -> Result<(), Failure> {
+    let jobs = station.jobs().await?;
+    if jobs.iter().any(|it| it.job == job && it.waits_for_person) {
+        station.request(Request::ConfirmJob { job }).await?;
+    }
+    Ok(())
 }
 
 /// Does the next step of a job, until it rests behind that.

@@ -8,6 +8,8 @@ use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
+use crate::stderr;
+
 /// How the log is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum LogFormat {
@@ -26,7 +28,7 @@ impl LogFormat {
             Ok(targets) => (targets, None),
             Err(problem) => (self.default_targets(), Some(problem)),
         };
-        let lines = tracing_subscriber::fmt::layer().with_writer(std::io::stderr);
+        let lines = tracing_subscriber::fmt::layer().with_writer(|| stderr::Lines);
         let lines = match self {
             Self::Text => lines.with_ansi(false).boxed(),
             Self::Json => lines.json().flatten_event(true).boxed(),
@@ -36,7 +38,7 @@ impl LogFormat {
             .init();
         if let Some(problem) = problem {
             match self {
-                Self::Text => eprintln!("{problem}"),
+                Self::Text => stderr::line(&problem),
                 Self::Json => tracing::warn!("{problem}"),
             }
         }
@@ -45,7 +47,7 @@ impl LogFormat {
     /// Tells a person what the program does; in a log for programs it is an event.
     pub(crate) fn tell(self, text: &str) {
         match self {
-            Self::Text => eprintln!("{text}"),
+            Self::Text => stderr::line(text),
             Self::Json => tracing::info!("{text}"),
         }
     }

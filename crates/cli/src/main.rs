@@ -12,6 +12,7 @@ mod output;
 mod pendant;
 mod program_file;
 mod reach;
+mod stderr;
 mod verbs;
 
 use std::ffi::OsString;
@@ -32,6 +33,7 @@ struct Cli {
 
 /// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
 fn main() -> ExitCode {
+    std::panic::set_hook(Box::new(stderr::report_panic));
     let words: Vec<OsString> = std::env::args_os().collect();
     let verb = match verbs::with_defaults(&words) {
         Some(Ok(verb)) => verb,
@@ -40,7 +42,9 @@ fn main() -> ExitCode {
     };
     let log = verb.log_format();
     log.start();
-    match verb.run() {
+    let outcome = verb.run();
+    stderr::flush();
+    match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(log),
     }

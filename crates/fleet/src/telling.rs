@@ -113,6 +113,7 @@ pub(crate) mod tests {
                 at_s: 1.3,
                 rests_by_s: 1.4,
                 at_rest: false,
+                delivered: true,
             }),
             ..later
         };

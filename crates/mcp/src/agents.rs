@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use dobot_api::{JobView, LinkPhase, Reply, Request, State, fetch};
+use dobot_api::{JobView, LinkPhase, Reply, Request, Role, State, fetch};
 use rmcp::handler::server::tool::schema_for_input;
 use rmcp::model::{CallToolResult, Implementation, JsonObject, ServerCapabilities, ServerConfig};
 use rmcp::service::RequestContext;
@@ -18,6 +18,7 @@ use crate::arguments::{
 };
 use crate::call::{Call, Shared, result};
 use crate::drawings::Drawings;
+use crate::own_jobs::OwnJobs;
 use crate::refused::Refused;
 
 /// The tools by which an agent uses the arm of a station.
@@ -34,6 +35,7 @@ impl Agents {
             shared: Arc::new(Shared {
                 settings,
                 drawings: Drawings::default(),
+                own_jobs: OwnJobs::default(),
                 gone: watch::Sender::new(false),
             }),
         }
@@ -257,13 +259,18 @@ async fn look(call: &Call) -> Result<Value, Refused> {
     let state: State = fetch(&station, "/api/v1/state").await?;
     let mut jobs: Vec<JobView> = fetch(&station, "/api/v1/jobs").await?;
     jobs.retain(|it| !it.phase.is_over());
-    let role = call.connect().await?.role();
+    let connected = call.connect().await?;
+    let asks = call.asks(&connected);
+    let role = if asks {
+        connected.role().min(Role::Queue)
+    } else {
+        connected.role()
+    };
     let alarms = alarms(&state);
-    let asks = call.shared.settings.asks;
     Ok(json!({
         "arm": state.arm, "alarms": alarms, "control": state.lease, "job": state.job, "jobs": jobs,
         "laser": state.laser, "link": state.link, "dialect": state.dialect, "role": role,
-        "a_person_starts_jobs": asks || role == dobot_api::Role::Queue,
+        "a_person_starts_jobs": asks,
     }))
 }
 

@@ -15,6 +15,7 @@ use tokio::sync::watch;
 use crate::Settings;
 use crate::drawings::Drawings;
 use crate::http::Visit;
+use crate::own_jobs::OwnJobs;
 use crate::refused::Refused;
 
 /// What all calls share.
@@ -22,6 +23,7 @@ use crate::refused::Refused;
 pub(crate) struct Shared {
     pub(crate) settings: Settings,
     pub(crate) drawings: Drawings,
+    pub(crate) own_jobs: OwnJobs,
     /// Whether the agent is gone.
     pub(crate) gone: watch::Sender<bool>,
 }
@@ -112,14 +114,26 @@ impl Call {
             .request(Request::Stop { reason })
             .await?
         {
-            Reply::Stopping { rests_within_s } => Ok(rests_within_s),
+            Reply::Stopping {
+                delivered: false, ..
+            } => Err(Refused::new(
+                "not-delivered",
+                "the stop was NOT DELIVERED: there is no link to the arm",
+            )
+            .hinted("tell the person at the arm to switch it off by hand, at once")),
+            Reply::Stopping { rests_within_s, .. } => Ok(rests_within_s),
             _ => Ok(0.0),
         }
     }
 
     /// Whether a person starts what this client would.
     pub(crate) fn asks(&self, station: &StationClient) -> bool {
-        self.shared.settings.asks || station.role() == Role::Queue
+        // Over HTTP the token says what an agent may do; without one it only queues.
+        let asks = match Visit::of(&self.context.extensions) {
+            Some(visit) => visit.token.is_none(),
+            None => self.shared.settings.asks,
+        };
+        asks || station.role() == Role::Queue
     }
 
     /// Refuses what a person does not start.

@@ -86,6 +86,7 @@ impl Call {
             );
             return Ok(json!({ "told": told, "job": view(station, job).await? }));
         }
+        self.shared.own_jobs.add(&self.name(), job);
         if let Err(refused) = start(station, job).await {
             station.forget_unbegun(job).await;
             return Err(refused);
@@ -128,6 +129,8 @@ impl Call {
                 );
             }
             station.request(Request::PauseJob).await?;
+            let paused = view(&mut station, job).await?;
+            self.shared.own_jobs.note_paused(&self.name(), &paused);
         }
         Ok(json!({ "job": view(&mut station, job).await? }))
     }
@@ -136,6 +139,10 @@ impl Call {
         let time = wait(asked.wait_s)?;
         let mut station = self.connect().await?;
         self.check_may_move(&station)?;
+        let found = view(&mut station, asked.job).await?;
+        self.shared
+            .own_jobs
+            .check_may_resume(&self.name(), &found)?;
         station.request(Request::TakeLease).await?;
         start(&mut station, asked.job).await?;
         follow(&mut station, asked.job, time).await

@@ -24,6 +24,7 @@ mod drawings;
 mod files;
 mod http;
 mod jobs;
+mod own_jobs;
 mod refused;
 mod serve;
 mod settings;

@@ -11,7 +11,8 @@ use crate::FilesFolder;
 /// How agents reach the arm, and what they may do.
 pub struct Settings {
     find: Box<dyn Fn() -> Found + Send + Sync>,
-    /// Drawings and programs are queued only, and a person starts each; other motion is refused.
+    /// Drawings and programs are queued only, and a person starts each; other motion is refused. True unless it is set
+    /// otherwise. Over HTTP the agent's token decides instead.
     pub asks: bool,
     /// Where the files are that agents may draw and run; none without it.
     pub files: Option<FilesFolder>,
@@ -46,7 +47,7 @@ impl Settings {
     {
         Self {
             find: Box::new(move || Box::pin(find())),
-            asks: false,
+            asks: true,
             files: None,
         }
     }

@@ -131,7 +131,15 @@ pub(crate) async fn stop(station: &mut StationClient, reason: &str) -> Result<St
     let reason = Some(reason.to_owned());
     let reply = station.request(Request::Stop { reason }).await;
     let within_s = match reply.map_err(|it| refused(&it))? {
-        Reply::Stopping { rests_within_s } => rests_within_s,
+        Reply::Stopping {
+            delivered: false, ..
+        } => {
+            return Err(
+                "the stop was NOT DELIVERED: there is no link to the arm; switch it off by hand"
+                    .to_owned(),
+            );
+        }
+        Reply::Stopping { rests_within_s, .. } => rests_within_s,
         _ => 0.0,
     };
     Ok(format!(

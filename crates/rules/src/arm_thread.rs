@@ -14,7 +14,7 @@ use crate::guardian::PanicStop;
 /// The thread that has the arm: the driver of its port runs there, and those who speak the arm's own
 /// protocol, so that no packet waits until a thousand others have been told where the arm is.
 ///
-/// When it panics laser off and the release are sent from here, since nothing else is left that could.
+/// When it panics, its [`PanicStop`] sends laser off and the release, since nothing else is left that could.
 #[derive(Debug)]
 pub(crate) struct ArmThread {
     runtime: Handle,
@@ -42,6 +42,7 @@ impl ArmThread {
         let (over, ended) = oneshot::channel();
         let thread = std::thread::Builder::new().name("arm".into());
         thread.spawn(move || {
+            panic_stop.send_on_panic();
             let work = || {
                 runtime.block_on(async {
                     match given.await {
@@ -51,10 +52,8 @@ impl ArmThread {
                     }
                 })
             };
-            let outcome = catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
-                panic_stop.send();
-                Err("the thread that has the arm panicked".to_owned())
-            });
+            let outcome = catch_unwind(AssertUnwindSafe(work))
+                .unwrap_or_else(|_| Err("the thread that has the arm panicked".to_owned()));
             // Nobody may be waiting for that.
             let _ = over.send(outcome);
         })?;
@@ -121,6 +120,7 @@ mod tests {
 
     use super::*;
     use crate::connect::Source;
+    use crate::disk::Disk;
     use crate::driver::DriverParts;
     use crate::guardian::{Hazards, HeartbeatSender, JogKind};
     use crate::handle::{Message, Rules};
@@ -182,6 +182,8 @@ mod tests {
             slots: KeptSlots::at(&folders.slots()),
             jobs: Jobs::new(journal, Arc::new(policy), own.clone()),
             recording: Recording::new(None, None),
+            stop: None,
+            disk: Disk::start(own.clone()).unwrap(),
             own: own.clone(),
             heartbeats: HeartbeatSender::new(None, folders.guardian(), panic_stop.clone()),
         });

@@ -3,6 +3,7 @@
 mod log;
 
 use std::collections::HashMap;
+use std::io;
 use std::time::Duration;
 
 use dobot_api::{CalibrationFile, Calibrations, ClientId, LinkPhase, News, Notice, Reply, Request};
@@ -18,12 +19,14 @@ use self::log::log;
 use crate::Found;
 use crate::Refusal;
 use crate::connect::{Connecting, Source};
-use crate::guardian::{HeartbeatSender, take_note};
+use crate::disk::Disk;
+use crate::guardian::HeartbeatSender;
 use crate::handle::{Ends, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::kept_slots::KeptSlots;
-use crate::known_arms::KnownArms;
+use crate::kept_stop::KeptStop;
+use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
 use crate::supervisor::{Effect, Supervisor};
 
@@ -36,6 +39,8 @@ pub(crate) struct Driver {
     source: Source,
     arms: KnownArms,
     slots: KeptSlots,
+    stop: Option<KeptStop>,
+    disk: Disk,
     link: Option<Link>,
     /// Where the arm is, or was last.
     address: Option<String>,
@@ -67,6 +72,8 @@ pub(crate) struct DriverParts {
     pub(crate) source: Source,
     pub(crate) arms: KnownArms,
     pub(crate) slots: KeptSlots,
+    pub(crate) stop: Option<KeptStop>,
+    pub(crate) disk: Disk,
     pub(crate) jobs: Jobs,
     pub(crate) recording: Recording,
     /// For tasks that tell the driver something.
@@ -100,6 +107,8 @@ impl Driver {
             source: parts.source,
             arms: parts.arms,
             slots: parts.slots,
+            stop: parts.stop,
+            disk: parts.disk,
             link: None,
             address: None,
             connecting: None,
@@ -155,12 +164,38 @@ impl Driver {
         taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
     }
 
+    /// Takes up the stop that held when the station before this one ended.
+    pub(crate) fn recover_stop(&mut self) {
+        if let Some(stop) = self.stop.as_ref().and_then(KeptStop::read) {
+            let now = self.now();
+            self.supervisor.handle_kept_stop(now, stop.by, stop.reason);
+        }
+    }
+
+    /// Keeps the stop for a station that comes after this one, or that none holds any more.
+    fn keep_stop(&mut self) {
+        if let Some(stop) = &self.stop {
+            let new = stop.keep(self.supervisor.state().stop);
+            self.write_file(new.map(Some), "the stop cannot be kept");
+        }
+    }
+
     /// Keeps the time slots for a station that comes after this one.
     fn keep_slots(&mut self) {
-        if let Err(error) = self.slots.keep(&self.supervisor.slots(), now_ms()) {
+        let slots = self.slots.keep(&self.supervisor.slots(), now_ms());
+        self.write_file(slots.map(Some), "the time slots cannot be kept");
+    }
+
+    /// Has a file written, if there is something new. `problem` says what is lost if that fails.
+    fn write_file(&mut self, new: io::Result<Option<NewText>>, problem: &'static str) {
+        let written = match new {
+            Ok(None) => Ok(()),
+            Ok(Some(new)) => self.disk.write(new, problem),
+            Err(error) => Err(format!("{problem}: {error}")),
+        };
+        if let Err(trouble) = written {
             let now = self.now();
-            let text = format!("the time slots cannot be kept: {error}");
-            self.supervisor.handle_trouble(now, text);
+            self.supervisor.handle_trouble(now, trouble);
         }
     }
 
@@ -206,24 +241,17 @@ impl Driver {
         Box::pin(self.part()).await
     }
 
-    /// Tells what the guardian did while this loop stood still.
-    fn remember_guardian(&mut self) {
-        for line in take_note(self.heartbeats.note()) {
-            let now = self.now();
-            self.supervisor.handle_trouble(now, line);
-        }
-    }
-
     /// Lets the guardian know that this loop goes round. One that stood still for longer than the
     /// guardian has patience acts as after a fault.
     fn send_heartbeat(&mut self) {
         if let Some(silent) = self.heartbeats.send_due() {
             let now = self.now();
             self.supervisor.handle_stall(now, silent);
-            self.remember_guardian();
+            self.disk.take_note(self.heartbeats.note());
         }
+        let (now, gone) = (self.now(), self.heartbeats.gone().cloned());
+        self.supervisor.handle_guardian(now, gone);
         if let Some(trouble) = self.heartbeats.poll_trouble() {
-            let now = self.now();
             self.supervisor.handle_trouble(now, trouble);
         }
     }
@@ -439,10 +467,8 @@ impl Driver {
         let calibrations = self.arms.calibrations(&address).replaced_by(calibration);
         self.supervisor
             .handle_calibration(now, client, &calibrations)?;
-        if let Err(error) = self.arms.calibrate(&address, calibrations.clone()) {
-            let text = format!("the calibration of the arm cannot be kept: {error}");
-            self.supervisor.handle_trouble(now, text);
-        }
+        let new = self.arms.calibrate(&address, calibrations.clone());
+        self.write_file(new, "the calibration of the arm cannot be kept");
         self.ends
             .change_rules(|it| it.calibrations = calibrations.clone());
         Ok(calibrations)
@@ -624,6 +650,9 @@ impl Driver {
 
     /// Keeps which dialect the arm speaks, once that is known.
     fn remember(&mut self, notice: &Notice) {
+        if matches!(notice.news, News::Stopped | News::StopReset) {
+            self.keep_stop();
+        }
         let (News::DialectKnown { dialect }, Some(address)) = (&notice.news, &self.address) else {
             return;
         };
@@ -631,11 +660,8 @@ impl Driver {
             return;
         }
         let finding = self.supervisor.finding();
-        if let Err(error) = self.arms.keep(address, *dialect, finding) {
-            let now = self.now();
-            let text = format!("which dialect the arm speaks cannot be kept: {error}");
-            self.supervisor.handle_trouble(now, text);
-        }
+        let new = self.arms.keep(address, *dialect, finding);
+        self.write_file(new, "the dialect of the arm cannot be kept");
     }
 
     /// Looks for the arm, in a task of its own.
@@ -694,6 +720,7 @@ impl Driver {
         let at_rest = self.supervisor.is_at_rest() || self.link.is_none();
         self.jobs.end(at_rest).await;
         self.recording.end();
+        self.disk.finish();
         self.failure.map_or(Ok(()), Err)
     }
 }

@@ -11,6 +11,8 @@ mod panic_stop;
 mod port;
 #[cfg(unix)]
 mod process;
+#[cfg(unix)]
+mod reporter;
 
 use std::time::Duration;
 

@@ -13,11 +13,13 @@ use dobot_wire::Dialect;
 use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::connect::{OwnVirtualArm, Source};
+use crate::disk::Disk;
 use crate::driver::{Driver, DriverParts};
 use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
 use crate::kept_slots::KeptSlots;
+use crate::kept_stop::KeptStop;
 use crate::known_arms::{KnownArms, KnownArmsError};
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
@@ -35,6 +37,8 @@ pub struct Setup {
     pub folders: Folders,
     /// Where recordings are kept, and what is known of each arm: the same for all arms of a person.
     pub common: Folders,
+    /// Where a stop is kept, so that it holds at the next start too, if it is.
+    pub stop: Option<PathBuf>,
     /// The program that guards the arm when it is started as `PROGRAM guardian --note FILE`, if one
     /// does.
     pub guardian: Option<PathBuf>,
@@ -68,6 +72,9 @@ pub enum HostError {
     /// The journal of jobs cannot be opened.
     #[error(transparent)]
     Journal(#[from] JournalError),
+    /// The operating system has no thread left.
+    #[error("no thread can be started for the disk")]
+    Thread(#[source] std::io::Error),
     /// What is known of arms cannot be read.
     #[error(transparent)]
     KnownArms(#[from] KnownArmsError),
@@ -88,6 +95,7 @@ impl Host {
         let supervisor = supervisor(&setup, &source);
         let (handle, ends) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
         let own = handle.messages.clone();
+        let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
         let personality = source.personality().map(|it| it.to_string());
         let note = setup.folders.guardian();
@@ -98,12 +106,15 @@ impl Host {
             source,
             arms,
             slots: KeptSlots::at(&setup.folders.slots()),
+            stop: setup.stop.map(KeptStop::at),
+            disk,
             jobs: Jobs::new(journal, Arc::new(setup.policy), own.clone()),
             recording: Recording::new(recorder, personality),
             own,
             heartbeats: heartbeats.supervised(setup.service_manager.unwrap_or_default()),
         });
         let notes = approach.notes.into_iter().chain(trouble);
+        driver.recover_stop();
         Ok(Self {
             handle,
             virtual_arm,

@@ -306,6 +306,14 @@ pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), R
         .map_err(|error| journal_refusal(&error))
 }
 
+/// Whether a job came to rest last where a person has to do something.
+fn waits_for_person(job: &Job) -> bool {
+    let last = job.behind.pauses.checked_sub(1);
+    let pause = last.and_then(|it| job.pauses.get(it));
+    job.state.phase() == JobPhase::Paused
+        && pause.is_some_and(|it| it.before == job.window.completed)
+}
+
 /// A job as the journal has it.
 pub(crate) fn view(job: &Job) -> JobView {
     JobView {
@@ -315,6 +323,7 @@ pub(crate) fn view(job: &Job) -> JobView {
         created_ms: job.created_ms,
         phase: job.state.phase(),
         reason: job.state.reason().map(str::to_owned),
+        waits_for_person: waits_for_person(job),
         commands: job.commands,
         completed: job.program.at(job.window.completed, job.commands).1,
         planned_s: job.planned_s,

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use dobot_api::TimeSlot;
 use serde::{Deserialize, Serialize};
 
-use crate::known_arms::{read_file, replace_file};
+use crate::known_arms::{NewText, read_file};
 
 /// The file with the time slots. It has their times by the computer's clock: nothing else goes on while no station runs.
 #[derive(Debug)]
@@ -51,11 +51,10 @@ impl KeptSlots {
         Ok(slots.filter(|it| it.ends_in_s >= LEFT_S).collect())
     }
 
-    /// Keeps these in place of those before.
-    pub(crate) fn keep(&self, slots: &[TimeSlot], now_ms: i64) -> io::Result<()> {
+    /// The file with these in place of those before.
+    pub(crate) fn keep(&self, slots: &[TimeSlot], now_ms: i64) -> io::Result<NewText> {
         let slot = slots.iter().map(|it| KeptSlot::of(it, now_ms)).collect();
-        let text = toml::to_string(&Content { slot }).map_err(io::Error::other)?;
-        replace_file(&self.0, &text)
+        NewText::of(&self.0, &Content { slot })
     }
 }
 
@@ -112,7 +111,7 @@ mod tests {
         let kept = KeptSlots::at(&folder.path().join("slots.toml"));
         assert_eq!(kept.read(5).unwrap(), []);
         let all = [slot("Anna", 0.0, 600.0), slot("Ben", 600.0, 1200.5)];
-        kept.keep(&all, 1_000_000).unwrap();
+        kept.keep(&all, 1_000_000).unwrap().write().unwrap();
         assert_eq!(
             kept.read(1_100_000).unwrap(),
             [slot("Anna", 0.0, 500.0), slot("Ben", 500.0, 1100.5)]

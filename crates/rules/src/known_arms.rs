@@ -28,6 +28,30 @@ struct KnownArm {
     calibrations: Calibrations,
 }
 
+/// The new text of a file, still to be written.
+#[derive(Debug)]
+#[must_use]
+pub(crate) struct NewText {
+    file: PathBuf,
+    text: String,
+}
+
+impl NewText {
+    pub(crate) fn of(file: &Path, content: &impl Serialize) -> io::Result<Self> {
+        Ok(Self {
+            file: file.to_owned(),
+            text: toml::to_string(content).map_err(io::Error::other)?,
+        })
+    }
+
+    /// Writes the file first beside the old one, so that a crash leaves one of the two whole.
+    pub(crate) fn write(&self) -> io::Result<()> {
+        let beside = self.file.with_extension("new");
+        fs::write(&beside, &self.text)?;
+        fs::rename(&beside, &self.file)
+    }
+}
+
 /// Why the file of the arms is of no use.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -81,13 +105,13 @@ impl KnownArms {
         known.map_or_else(Calibrations::default, |it| it.calibrations.clone())
     }
 
-    /// Keeps what an arm speaks, and how that was found, if it was.
+    /// Takes what an arm speaks, and how that was found, if it was.
     pub(crate) fn keep(
         &mut self,
         address: &str,
         dialect: Dialect,
         finding: Option<&Finding>,
-    ) -> io::Result<()> {
+    ) -> io::Result<Option<NewText>> {
         let evidence = finding.map(Finding::lines).unwrap_or_default();
         self.change(address, |it| {
             it.dialect = Some(dialect);
@@ -95,25 +119,28 @@ impl KnownArms {
         })
     }
 
-    /// Keeps how an arm differs from the drawing of it.
+    /// Takes how an arm differs from the drawing of it.
     pub(crate) fn calibrate(
         &mut self,
         address: &str,
         calibrations: Calibrations,
-    ) -> io::Result<()> {
+    ) -> io::Result<Option<NewText>> {
         self.change(address, |it| it.calibrations = calibrations)
     }
 
-    fn change(&mut self, address: &str, change: impl FnOnce(&mut KnownArm)) -> io::Result<()> {
+    fn change(
+        &mut self,
+        address: &str,
+        change: impl FnOnce(&mut KnownArm),
+    ) -> io::Result<Option<NewText>> {
         let before = self.known.get(address);
         let mut arm = before.cloned().unwrap_or_default();
         change(&mut arm);
         if before == Some(&arm) {
-            return Ok(());
+            return Ok(None);
         }
         self.known.insert(address.to_owned(), arm);
-        let text = toml::to_string(&self.known).map_err(io::Error::other)?;
-        replace_file(&self.file, &text)
+        NewText::of(&self.file, &self.known).map(Some)
     }
 }
 
@@ -123,13 +150,6 @@ pub(crate) fn read_file(file: &Path) -> io::Result<Option<String>> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         read => read.map(Some),
     }
-}
-
-/// Writes a file first beside the old one, so that a crash leaves one of the two whole.
-pub(crate) fn replace_file(file: &Path, text: &str) -> io::Result<()> {
-    let beside = file.with_extension("new");
-    fs::write(&beside, text)?;
-    fs::rename(&beside, file)
 }
 
 #[cfg(test)]
@@ -145,8 +165,10 @@ mod tests {
         let file = folder.path().join("arms.toml");
         let mut arms = KnownArms::read(&file).unwrap();
         assert_eq!(arms.dialect("serial:/dev/ttyUSB0@9600"), None);
-        arms.keep("serial:/dev/ttyUSB0@9600", Dialect::FIRMWARE_1_1, None)
-            .unwrap();
+        let new = arms.keep("serial:/dev/ttyUSB0@9600", Dialect::FIRMWARE_1_1, None);
+        new.unwrap().unwrap().write().unwrap();
+        let same = arms.keep("serial:/dev/ttyUSB0@9600", Dialect::FIRMWARE_1_1, None);
+        assert!(same.unwrap().is_none(), "there is nothing new to write");
         let again = KnownArms::read(&file).unwrap();
         let known = again.dialect("serial:/dev/ttyUSB0@9600");
         assert_eq!(known, Some(Dialect::FIRMWARE_1_1));
@@ -164,8 +186,9 @@ mod tests {
             calibration: Some(known),
             before: Some(CalibrationFile::default()),
         };
-        arms.keep("tcp:lab:9", Dialect::FIRMWARE_1_1, None).unwrap();
-        arms.calibrate("tcp:lab:9", calibrations.clone()).unwrap();
+        let _overwritten = arms.keep("tcp:lab:9", Dialect::FIRMWARE_1_1, None);
+        let new = arms.calibrate("tcp:lab:9", calibrations.clone());
+        new.unwrap().unwrap().write().unwrap();
         let again = KnownArms::read(&file).unwrap();
         assert_eq!(again.calibrations("tcp:lab:9"), calibrations);
         assert_eq!(again.dialect("tcp:lab:9"), Some(Dialect::FIRMWARE_1_1));

@@ -41,8 +41,10 @@
 
 mod approach;
 mod arm_thread;
+mod background;
 mod client;
 mod connect;
+mod disk;
 mod drawing_job;
 mod driver;
 mod finder;
@@ -52,6 +54,7 @@ mod host;
 mod job_path;
 mod jobs;
 mod kept_slots;
+mod kept_stop;
 mod known_arms;
 mod planned_for;
 mod predict;
@@ -64,6 +67,7 @@ mod text;
 mod virtual_station;
 
 pub use approach::{Approach, WantedArm};
+pub use background::Background;
 pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;

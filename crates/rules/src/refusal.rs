@@ -68,6 +68,12 @@ pub enum Refusal {
     /// The station let go of a button that is still pressed.
     #[error("the button was let go: {0}")]
     LetGo(String),
+    /// There is no link to send it over, and the arm may be moving or burning.
+    #[error("{0} was NOT DELIVERED: there is no link to the arm")]
+    NotDelivered(&'static str),
+    /// No guardian watches over the arm.
+    #[error("no guardian watches over the arm: {0}")]
+    Unguarded(String),
     /// There is no arm to talk to.
     #[error("there is no link to an arm: {0}")]
     NoLink(String),
@@ -107,6 +113,14 @@ pub enum Refusal {
     /// The motions that tell the dialect did not tell it.
     #[error("the dialect was not found: {0}")]
     NotFound(String),
+    /// The job waits for a person.
+    #[error("job {job} waits for a person: {message}")]
+    NeedsPerson {
+        /// Its number.
+        job: u64,
+        /// What the person has to do.
+        message: String,
+    },
     /// No job runs.
     #[error("no job is running")]
     NoJobRuns,
@@ -206,6 +220,14 @@ impl Refusal {
                 problem_kinds::LET_GO,
                 "let go of the button, then press it again",
             ),
+            Self::NotDelivered(_) => (
+                problem_kinds::NOT_DELIVERED,
+                "switch the arm off by hand; it is sent as soon as the link is back",
+            ),
+            Self::Unguarded(_) => (
+                problem_kinds::UNGUARDED,
+                "free memory or processes on this machine; the station starts another guardian as soon as it can",
+            ),
             Self::NoLink(_) => (
                 problem_kinds::NO_LINK,
                 "`dobot watch` shows what the station waits for",
@@ -228,6 +250,10 @@ impl Refusal {
             Self::NotFound(_) => (
                 problem_kinds::DIALECT_NOT_FOUND,
                 "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold",
+            ),
+            Self::NeedsPerson { .. } => (
+                problem_kinds::NEEDS_PERSON,
+                "a person goes on with it: on the page, or with `dobot jobs start` in a terminal",
             ),
             Self::NoJobRuns => (problem_kinds::NO_JOB_RUNS, "`dobot jobs` lists the jobs"),
             Self::NoSuchJob(_) => (problem_kinds::NO_SUCH_JOB, "`dobot jobs` lists the jobs"),

@@ -69,6 +69,10 @@ pub struct Supervisor {
     commands: Commands,
     detecting: Detecting,
     run: Option<Run>,
+    /// The job for which a person has done what it waits for.
+    confirmed_job: Option<u64>,
+    /// Why nobody would stop the arm if the station were killed.
+    unguarded: Option<String>,
     save: Save,
     outbox: Outbox,
 }
@@ -88,6 +92,8 @@ impl Supervisor {
             commands: Commands::default(),
             detecting: Detecting::default(),
             run: None,
+            confirmed_job: None,
+            unguarded: None,
             save: Save::default(),
             outbox: Outbox::new(),
         }
@@ -164,6 +170,7 @@ impl Supervisor {
         let (is_linked, unknown) = (self.link.is_there(), self.unknown_motion());
         self.halt.repeat(&mut self.arm, is_linked, unknown);
         self.save.handle_time(self.arm.now());
+        self.watch_delivery();
         // The job last: nothing of it is given before all that may hinder it was heard.
         self.pump();
     }
@@ -180,6 +187,12 @@ impl Supervisor {
             // What was said last may have got lost with the link.
             self.arm.send_urgent(LASER_OFF);
             self.halt.release_again(&self.arm);
+            if self.stop.handle_delivered() {
+                self.notify(
+                    News::Trouble,
+                    "the stop is delivered now: the link to the arm is back".into(),
+                );
+            }
         }
         // From here on it is known where the arm is, and whether it rests.
         self.outbox.pass_on(status);
@@ -311,6 +324,7 @@ impl Supervisor {
             self.arm.session().laser_armed_until(),
             self.halt.next(),
             self.save.next(),
+            self.stop.wakeup(),
             self.leases.wakeup(),
             self.arm.line_wakeup(),
         ]

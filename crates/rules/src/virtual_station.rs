@@ -267,7 +267,7 @@ impl VirtualStation {
                 Request::ForgetJob { job } if !self.is_at(job) => {
                     return jobs::forget(&self.journal, job).map(|()| Reply::Done);
                 }
-                Request::StartJob { job } => return self.start(client, job),
+                Request::StartJob { job } => return self.start_with(client, job, false),
                 Request::StepJob { job } => return self.start_with(client, job, true),
                 Request::CancelJob { job } if !self.is_at(job) => {
                     jobs::end_waiting(&self.journal, job, &self.supervisor.client_name(client))?;
@@ -319,12 +319,19 @@ impl VirtualStation {
         Ok(id.0)
     }
 
-    /// Starts a job, or goes on with it.
+    /// Starts a job, or goes on with it; a person has done what it waits for.
     ///
     /// # Errors
     ///
     /// [`Refusal`].
     pub fn start(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
+        let waits = self
+            .jobs()?
+            .iter()
+            .any(|it| it.job == job && it.waits_for_person);
+        if waits {
+            self.ask(client, Request::ConfirmJob { job })?;
+        }
         self.start_with(client, job, false)
     }
 
@@ -409,6 +416,14 @@ impl VirtualStation {
         self.arm.handle_time(self.now);
         let now = self.supervisor_now();
         self.supervisor.handle_stall(now, silent);
+        self.settle();
+    }
+
+    /// A guardian watches over the arm again, or why none does.
+    pub fn set_guardian(&mut self, gone: Option<&str>) {
+        let now = self.supervisor_now();
+        self.supervisor
+            .handle_guardian(now, gone.map(str::to_owned));
         self.settle();
     }
 

@@ -15,6 +15,7 @@ pub(crate) fn job(number: u64) -> JobView {
         created_ms: 1_700_000_000_000,
         phase: JobPhase::Running,
         reason: None,
+        waits_for_person: false,
         commands: 1200,
         completed: 480,
         planned_s: Some(300.0),

@@ -279,6 +279,7 @@ fn setup(config: &Config, policy: Policy) -> Setup {
         dialect: config.dialect,
         folders: config.folders.clone(),
         common: config.folders.clone(),
+        stop: Some(config.folders.stop()),
         guardian: config.guardian.clone(),
         service_manager: config.is_service.then(ServiceManager::of_environment),
     }

@@ -73,6 +73,9 @@ export function createSocket({ store, http }) {
     /** Asks for something; the answer always comes. @param {Request} request @returns {Promise<Answer>} */
     ask(request) {
       if (!socket || !isOpen()) return Promise.resolve(NO_CONNECTION);
+      // Whoever starts a job here is a person, and has seen what it waits for.
+      const { job } = store.page.station ?? {};
+      if ((request.type === "start_job" || request.type === "step_job") && job?.job === request.job && job.waits_for_person) void this.ask({ type: "confirm_job", job: request.job });
       const id = asked += 1;
       /** @type {Schemas["FromClient"]} */
       const message = { id, request };

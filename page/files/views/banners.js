@@ -69,7 +69,7 @@ function stopped({ page, say, act }) {
   const stop = page.station?.stop;
   if (!stop) return nothing;
   const why = stop.reason ? `: ${stop.reason}` : "";
-  const rest = say(stop.at_rest ? "stopped.at_rest" : "stopped.moving");
+  const rest = say(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving");
   return html`
     <section id="stopped" class="banner" data-tone="bad" role="alert">
       <p><strong>${say("stopped.title")}</strong> <span id="stopped-by">${say("stopped.by", { by: stop.by, why, rest })}</span></p>

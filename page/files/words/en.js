@@ -32,6 +32,7 @@ export const en = {
   "stopped.title": "The arm is stopped.",
   "stopped.by": "By {by}{why}. {rest}",
   "stopped.at_rest": "It is at rest.",
+  "stopped.not_delivered": "NOT DELIVERED: there is no link to the arm. Switch the arm off.",
   "stopped.moving": "It has not come to rest yet.",
   "stopped.reset": "Let it move again…",
   "pose.not_trusted": "The pose is not trusted.",

@@ -33,6 +33,7 @@ export const zh = {
   "stopped.title": "机械臂已停止。",
   "stopped.by": "停止者:{by}{why}。{rest}",
   "stopped.at_rest": "已静止。",
+  "stopped.not_delivered": "停止指令未送达:与机械臂没有连接。请关闭机械臂电源。",
   "stopped.moving": "尚未静止。",
   "stopped.reset": "允许再次运动…",
   "pose.not_trusted": "位姿尚不可信。",

@@ -90,10 +90,18 @@ impl Session {
         begun
     }
 
-    /// Goes on with the job that rests.
-    pub(super) async fn resume(&mut self, told: &Teller<Told>) -> Result<(), Failure> {
+    /// Goes on with the job that rests; with `as_person`, a person has done what it waits for.
+    pub(super) async fn resume(
+        &mut self,
+        as_person: bool,
+        told: &Teller<Told>,
+    ) -> Result<(), Failure> {
         let rests = self.rests()?;
         self.client.request(Request::TakeLease).await?;
+        if as_person {
+            let job = rests.job;
+            self.client.request(Request::ConfirmJob { job }).await?;
+        }
         self.start(rests, told).await
     }
 

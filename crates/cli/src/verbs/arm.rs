@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::verbs::calibrate;
 use crate::verbs::world::read_scene;
-use crate::{open_files, output};
+use crate::{open_files, output, stderr};
 
 /// Serve a virtual arm, in real time or faster, on TCP and on a virtual serial port
 #[derive(Debug, clap::Args)]
@@ -133,7 +133,11 @@ async fn serve(servers: Vec<Server>) -> Result<(), Failure> {
         } else {
             String::new()
         };
-        running.spawn(async move { server.run(|it| eprintln!("{name}{}", text(&it))).await });
+        running.spawn(async move {
+            server
+                .run(|it| stderr::line(&format!("{name}{}", text(&it))))
+                .await
+        });
     }
     match running.join_next().await {
         Some(Ok(ended)) => Ok(ended?),

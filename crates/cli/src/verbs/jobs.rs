@@ -1,13 +1,13 @@
 //! `dobot jobs`: drawings and programs that a station keeps.
 
 use std::fs;
-use std::io::Read;
+use std::io::{IsTerminal, Read, stdin};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
-use dobot_api::{JobPhase, JobView, NewJob, Reply, Request};
+use dobot_api::{JobPhase, JobView, NewJob, Reply, Request, Role};
 use dobot_rules::StationClient;
 
 use crate::connect::To;
@@ -63,11 +63,15 @@ enum Action {
         /// Let the laser be switched on for so many seconds: everybody's goggles are on
         #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
         arm_laser: Option<Duration>,
+        #[command(flatten)]
+        person: Person,
     },
     /// Do the next step of a queued or paused job, and pause behind it
     Step {
         /// Its number
         job: u64,
+        #[command(flatten)]
+        person: Person,
     },
     /// Pause the running job after what the arm has got already
     Pause,
@@ -113,6 +117,35 @@ enum Action {
     },
 }
 
+/// Whether a person confirms what a job waits for.
+#[derive(Clone, Copy, Debug, clap::Args)]
+struct Person {
+    /// Confirm what the job waits for, such as a new pen, without a terminal; takes an administrator's token
+    #[arg(long)]
+    as_person: bool,
+}
+
+impl Person {
+    /// Confirms what a job waits for, if a person is there; otherwise the start of the job is refused.
+    async fn confirm(self, station: &mut StationClient, job: u64) -> Result<(), Failure> {
+        if self.as_person && station.role() < Role::Admin {
+            return Err(Failure::new(
+                anyhow!(
+                    "--as-person takes the role admin; this client has {}",
+                    station.role()
+                ),
+                "use an administrator's token, or start the job in a terminal or on the page",
+            ));
+        }
+        // A virtual arm of this process harms nobody.
+        if self.as_person || stdin().is_terminal() || station.virtual_arm().is_some() {
+            take_control(station).await?;
+            follow::confirm(station, job).await?;
+        }
+        Ok(())
+    }
+}
+
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let action = args.action.clone().unwrap_or(Action::List);
     let act = async |station: &mut StationClient| act(station, &args, action).await;
@@ -123,8 +156,12 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
     let (request, done) = match action {
         Action::List => return list(station, args.json).await,
         Action::Show { job } => return show(station, job, args.json).await,
-        Action::Start { job, arm_laser } => return start(station, args, job, arm_laser).await,
-        Action::Step { job } => return step(station, args, job).await,
+        Action::Start {
+            job,
+            arm_laser,
+            person,
+        } => return start(station, args, job, arm_laser, person).await,
+        Action::Step { job, person } => return step(station, args, job, person).await,
         Action::Pause => (Request::PauseJob, "the job is paused".to_owned()),
         Action::Speed { percent } => {
             let done = "the job goes at another speed".to_owned();
@@ -191,6 +228,7 @@ async fn start(
     args: &Args,
     job: Option<u64>,
     laser: Option<Duration>,
+    person: Person,
 ) -> Result<(), Failure> {
     let job = match job {
         Some(job) => job,
@@ -199,6 +237,7 @@ async fn start(
     check_pose(station, args.to.pose_confirmed).await?;
     take_control(station).await?;
     arm_laser(station, laser).await?;
+    person.confirm(station, job).await?;
     // Whoever may burn keeps control.
     let burns = laser.is_some() || control::first_state(station).await?.laser.armed_for_s > 0.0;
     let time = follow::start(station, job, burns, |_| {}).await?;
@@ -229,8 +268,14 @@ async fn waiting(station: &mut StationClient) -> Result<u64, Failure> {
     }
 }
 
-async fn step(station: &mut StationClient, args: &Args, job: u64) -> Result<(), Failure> {
+async fn step(
+    station: &mut StationClient,
+    args: &Args,
+    job: u64,
+    person: Person,
+) -> Result<(), Failure> {
     check_pose(station, args.to.pose_confirmed).await?;
+    person.confirm(station, job).await?;
     follow::step(station, job).await?;
     show(station, job, args.json).await
 }

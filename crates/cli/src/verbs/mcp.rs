@@ -17,7 +17,7 @@ use crate::reach::Station;
 #[command(after_help = "\
 Examples:
   dobot mcp                            for the agent that starts it; its standard output belongs to the protocol
-  dobot mcp --ask                      drawings and programs are queued, and a person starts each on the page
+  dobot mcp --may-move                 the agent starts drawings and programs itself, and moves the arm
   dobot mcp --files ~/drawings         the agent may draw and run what is in this folder
   DOBOT_TOKEN=... dobot mcp --station https://lab.example:8642
 
@@ -25,8 +25,11 @@ A station runs beside it: `dobot up`. Over HTTP agents come to the station itsel
 has to be started for that. All of its rules hold, and the laser is never armed. What the agent gives up, or
 leaves under way when it ends, stops the arm.")]
 pub(crate) struct Args {
-    /// Queue drawings and programs only, for a person to start; other motion is refused
+    /// Let the agent move the arm and start drawings and programs (default: it queues them, and a person starts each)
     #[arg(long)]
+    may_move: bool,
+    /// The default
+    #[arg(long, hide = true, conflicts_with = "may_move")]
     ask: bool,
     /// The folder whose files the agent may draw and run
     #[arg(long, value_name = "FOLDER")]
@@ -48,7 +51,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
             })
         }
     });
-    settings.asks = args.ask;
+    settings.asks = args.ask || !args.may_move;
     settings.files = args.files.as_deref().map(FilesFolder::new).transpose()?;
     let (end, ending) = watch::channel(false);
     let interrupted = interrupt();

@@ -1,5 +1,6 @@
 //! `dobot stop`: stop the arm, or let it move again.
 
+use anyhow::anyhow;
 use dobot_api::{Reply, Request};
 
 use crate::failure::Failure;
@@ -36,7 +37,15 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let reason = args.reason;
     let reply = station.request(Request::Stop { reason }).await?;
     let text = match reply {
-        Reply::Stopping { rests_within_s } => {
+        Reply::Stopping {
+            delivered: false, ..
+        } => {
+            return Err(Failure::new(
+                anyhow!("no link to the arm: the stop was NOT DELIVERED"),
+                "switch the arm off by hand; the stop is sent as soon as the link is back",
+            ));
+        }
+        Reply::Stopping { rests_within_s, .. } => {
             format!("the arm is stopped; it rests within {rests_within_s:.2} s")
         }
         _ => "the arm is stopped".to_owned(),

@@ -33,6 +33,7 @@ use crate::interrupt::interrupt;
 use crate::logging::LogFormat;
 use crate::output::{self, clock};
 use crate::reach::{client_name, folders};
+use crate::stderr;
 
 #[expect(
     clippy::struct_excessive_bools,
@@ -266,9 +267,11 @@ async fn tell(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
     loop {
         match notices.recv().await {
             Ok(notice) if !shown || matches!(notice.news, News::CommandDone { .. }) => {}
-            Ok(notice) => eprintln!("{:>10}  {}", clock(notice.at_s), notice.text),
+            Ok(notice) => stderr::line(&format!("{:>10}  {}", clock(notice.at_s), notice.text)),
             Err(RecvError::Lagged(_)) if !shown => {}
-            Err(RecvError::Lagged(missed)) => eprintln!("{missed} notices were not shown"),
+            Err(RecvError::Lagged(missed)) => {
+                stderr::line(&format!("{missed} notices were not shown"));
+            }
             Err(RecvError::Closed) => return,
         }
     }

@@ -51,7 +51,8 @@ pub(crate) struct Agent(pub(crate) RunningService<RoleClient, ()>);
 
 impl Agent {
     async fn new(up: &Up, arguments: &[&str]) -> Self {
-        Self::of(up.command(&[&["mcp"], arguments].concat())).await
+        let arguments = [&["mcp", "--may-move"], arguments].concat();
+        Self::of(up.command(&arguments)).await
     }
 
     async fn of(command: std::process::Command) -> Self {
@@ -294,7 +295,7 @@ async fn an_agent_that_ends_amid_a_drawing_stops_the_arm() {
 #[tokio::test(flavor = "multi_thread")]
 async fn where_a_person_is_to_be_asked_drawings_are_queued_and_nothing_moves() {
     let desk = Desk::new();
-    let agent = Agent::new(&desk.up, &["--ask"]).await;
+    let agent = Agent::of(desk.up.command(&["mcp"])).await;
     only_queues(&desk, &agent).await;
 }
 
@@ -338,6 +339,70 @@ pub(crate) async fn only_queues(desk: &Desk, agent: &Agent) {
     let resume = json!({"job": queued["job"]["job"], "action": "resume"});
     Agent::refused(agent.call("change_job", resume).await, "needs-a-person");
     assert!(!desk.got().iter().any(is_motion));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn an_agent_goes_on_only_with_what_it_has_paused_itself() {
+    let desk = Desk::new();
+    let agent = Agent::new(&desk.up, &[]).await;
+    let resume = |job: u64| json!({"job": job, "action": "resume", "wait_s": 0});
+    let refused = async |job, part: &str| {
+        let refused = Agent::refused(
+            agent.call("change_job", resume(job)).await,
+            "needs-a-person",
+        );
+        let detail = refused["detail"].as_str().expect("a detail");
+        assert!(detail.contains(part), "{detail}");
+        assert!(!desk.got().iter().any(is_motion), "{detail}");
+    };
+    // Its own, which it has paused.
+    let planned = agent.plans(square()).await;
+    let draw = json!({"drawing": planned["drawing"], "wait_s": 0});
+    Agent::done(agent.call("draw", draw).await);
+    tokio::task::block_in_place(|| desk.draws());
+    let paused = |it: &Value| it["job"]["phase"] == "paused";
+    Agent::done(
+        agent
+            .call("change_job", json!({"job": 1, "action": "pause"}))
+            .await,
+    );
+    wait_for_state(&desk.up, paused);
+    desk.got();
+    Agent::done(agent.call("change_job", resume(1)).await);
+    tokio::task::block_in_place(|| desk.draws());
+    // Its own, which a person has paused.
+    desk.up.dobot(&["jobs", "pause"]).succeeds();
+    wait_for_state(&desk.up, paused);
+    desk.got();
+    refused(1, "did not pause it").await;
+    desk.up.dobot(&["jobs", "cancel", "1"]).succeeds();
+    // That of a person.
+    let program = desk.up.folder.path().join("wait.toml");
+    let text = "title = \"pen\"\n\n[[steps]]\ngo = { x = 200, y = 0, z = 50 }\n\n[[steps]]\nwait = \"change the pen\"\n\n[[steps]]\ngo = { x = 210, y = 0, z = 50 }\n";
+    std::fs::write(&program, text).expect("there is room");
+    let program = program.to_str().expect("it is text");
+    // Without a terminal it is left paused where it waits.
+    desk.up
+        .dobot(&["play", program])
+        .fails(1, &["change the pen"]);
+    desk.got();
+    refused(2, "another client queued it").await;
+    // And one of its own that waits for a person.
+    let run = json!({"program": {"text": text}, "wait_s": 600});
+    let waits = Agent::done(agent.call("run_program", run).await);
+    assert_eq!(waits["job"]["waits_for_person"], true, "{waits}");
+    desk.got();
+    refused(3, "it waits for a person").await;
+    // A script cannot, either; an administrator who says so can.
+    let start = ["jobs", "start", "3"];
+    desk.up
+        .dobot(&start)
+        .fails(1, &["waits for a person", "change the pen"]);
+    assert!(!desk.got().iter().any(is_motion));
+    desk.up
+        .dobot(&[&start[..], &["--as-person"]].concat())
+        .succeeds();
+    assert!(desk.got().iter().any(is_motion));
 }
 
 #[tokio::test(flavor = "multi_thread")]

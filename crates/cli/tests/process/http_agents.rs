@@ -58,6 +58,16 @@ enum Manner {
 
 const MANNERS: [Manner; 2] = [Manner::Session, Manner::EachRequest];
 
+/// An agent whose token lets it move the arm.
+async fn moving_agent(up: &Up, way: &Way, manner: Manner) -> Agent {
+    let name = match manner {
+        Manner::Session => "session",
+        Manner::EachRequest => "requests",
+    };
+    let token = up.dobot(&["token", "add", "control", name]).succeeds();
+    agent(up, way, manner, Some(token.stdout.trim())).await
+}
+
 async fn agent(up: &Up, way: &Way, manner: Manner, token: Option<&str>) -> Agent {
     let mut config = StreamableHttpClientTransportConfig::with_uri(format!("{}/mcp", up.page));
     if let Some(token) = token {
@@ -82,7 +92,7 @@ async fn an_agent_moves_the_arm_over_http_and_what_is_refused_reaches_no_arm() {
     let desk = Desk::new();
     let way = Way::new(&desk.up);
     for (manner, y_mm) in MANNERS.into_iter().zip([-30.0, 30.0]) {
-        let agent = agent(&desk.up, &way, manner, None).await;
+        let agent = moving_agent(&desk.up, &way, manner).await;
         let seen = Agent::done(agent.call("look", json!({})).await);
         assert_eq!(seen["alarms"], json!([]), "{seen}");
         let to = json!({"x_mm": 220, "y_mm": y_mm, "z_mm": 20, "path": "movj"});
@@ -102,7 +112,7 @@ async fn an_agent_over_http_that_is_killed_amid_a_drawing_stops_the_arm() {
     for manner in MANNERS {
         let desk = Desk::new();
         let way = Way::new(&desk.up);
-        let agent = agent(&desk.up, &way, manner, None).await;
+        let agent = moving_agent(&desk.up, &way, manner).await;
         let _drawing = agent.begins_to_draw(&desk).await;
         way.cut();
         stopped(&desk.up).await;
@@ -114,7 +124,7 @@ async fn a_call_over_http_that_is_cancelled_stops_the_arm() {
     for manner in MANNERS {
         let desk = Desk::new();
         let way = Way::new(&desk.up);
-        let agent = agent(&desk.up, &way, manner, None).await;
+        let agent = moving_agent(&desk.up, &way, manner).await;
         let drawing = agent.begins_to_draw(&desk).await;
         let why = Some("enough".to_owned());
         drawing.cancel(why).await.expect("it is sent");
@@ -132,6 +142,7 @@ async fn over_http_each_agent_may_do_what_its_own_token_may() {
         agent(&desk.up, &way, Manner::Session, Some(&token)).await
     };
     only_queues(&desk, &with_token("queue").await).await;
+    only_queues(&desk, &agent(&desk.up, &way, Manner::Session, None).await).await;
     let watcher = with_token("watch").await;
     let planned = watcher.plans(square()).await;
     let draw = json!({"drawing": planned["drawing"]});

@@ -407,3 +407,26 @@ fn a_program_is_done_step_by_step_and_then_to_the_end_of_its_cycles() {
     assert_eq!(all[0]["phase"], "done");
     assert_eq!(all[0]["program"]["cycles_done"], 3);
 }
+
+#[test]
+fn a_stop_and_its_reason_hold_at_the_next_start() {
+    let mut up = Up::new(&[]);
+    up.dobot(&["stop", "--reason", "finger caught"]).succeeds();
+    let kept = up.folder.path().join("stop.toml");
+    // It is kept behind the packets, by another thread.
+    while !std::fs::read_to_string(&kept).is_ok_and(|it| it.contains("finger caught")) {
+        std::thread::yield_now();
+    }
+    up.station.kill();
+    let again = up.again();
+    let stop = again.wait_for_state(|it| it["stop"]["at_rest"] == true);
+    assert_eq!(stop["stop"]["reason"], "finger caught", "{stop}");
+    let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
+    again.dobot(&draw).fails(1, &["finger caught"]);
+    again.dobot(&["stop", "--reset"]).succeeds();
+    let mut again = again;
+    again.station.kill();
+    let last = again.again();
+    let state = last.wait_for_state(|it| it["arm"].is_object());
+    assert_eq!(state["stop"], Value::Null, "{state}");
+}

@@ -1,8 +1,8 @@
 //! A `dobot` that goes on while a test talks to it.
 
-#[cfg(unix)]
-use std::io::Write;
 use std::io::{BufRead, BufReader};
+#[cfg(unix)]
+use std::io::{PipeReader, PipeWriter, Write, pipe};
 use std::process::{Child, ChildStderr, ChildStdout, Command, Stdio};
 
 #[cfg(unix)]
@@ -25,6 +25,13 @@ impl Going {
         let mut going = Self::start(command, Stdio::piped());
         let errors = going.child.stderr.take().expect("it is piped");
         (going, BufReader::new(errors))
+    }
+
+    /// Its standard error is a full pipe for as long as the reader is kept.
+    #[cfg(unix)]
+    pub(crate) fn with_full_errors(command: Command) -> (Self, PipeReader) {
+        let (reader, errors) = full_pipe();
+        (Self::start(command, errors.into()), reader)
     }
 
     /// One that is talked to.
@@ -104,6 +111,19 @@ impl Drop for Going {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
+}
+
+/// A pipe that takes nothing more.
+#[cfg(unix)]
+fn full_pipe() -> (PipeReader, PipeWriter) {
+    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
+    let (reader, mut writer) = pipe().expect("there is room");
+    let flags = fcntl_getfl(&writer).expect("it is open");
+    fcntl_setfl(&writer, flags | OFlags::NONBLOCK).expect("it is open");
+    while writer.write(&[b'.'; 4096]).is_ok() {}
+    while writer.write(b".").is_ok() {}
+    fcntl_setfl(&writer, flags).expect("it is open");
+    (reader, writer)
 }
 
 /// Reads until a line with this text.

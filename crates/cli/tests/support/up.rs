@@ -35,6 +35,15 @@ impl Up {
     /// A station that is started with these arguments for its arm.
     pub(crate) fn with_arm(arm: &[&str], arguments: &[&str]) -> Self {
         let folder = tempfile::tempdir().expect("there is room");
+        Self::in_folder(folder, arm, arguments)
+    }
+
+    /// Another station with the data of this one, which has ended, and a virtual arm.
+    pub(crate) fn again(self) -> Self {
+        Self::in_folder(self.folder, &["--virtual", "--speed", FAST], &[])
+    }
+
+    fn in_folder(folder: TempDir, arm: &[&str], arguments: &[&str]) -> Self {
         let ports = ["--http", "127.0.0.1:0", "--raw", "127.0.0.1:0"];
         let arguments = [&["up"], arm, &ports[..], arguments].concat();
         let mut station = Going::new(command_at(folder.path(), &arguments));

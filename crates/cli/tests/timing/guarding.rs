@@ -16,11 +16,12 @@ use crate::support::going::{Going, line_with};
 use crate::support::spiral::{LASER_OFF, burns, spiral};
 use crate::support::wire::Passed;
 
-const JOINT_RELEASE: Command = Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
+pub(crate) const JOINT_RELEASE: Command =
+    Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0));
 const LINEAR_RELEASE: Command = Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0));
 
 /// An arm behind a wire and a place for its station, while nothing else runs.
-struct Bench {
+pub(crate) struct Bench {
     bench: bench::Bench,
     _alone: MutexGuard<'static, ()>,
 }
@@ -34,7 +35,7 @@ impl Deref for Bench {
 }
 
 impl Bench {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let alone = alone();
         Self {
             bench: bench::Bench::new(real_time_arm(&["--tcp", "127.0.0.1:0"])),
@@ -50,13 +51,13 @@ impl Bench {
     }
 
     /// Somebody holds a button, and the arm moves.
-    fn jog(&self, button: &str) -> Going {
+    pub(crate) fn jog(&self, button: &str) -> Going {
         let holder = self.going(&["jog", button, "--for", "60"]);
         self.wait_for_jog();
         holder
     }
 
-    fn wait_for_jog(&self) {
+    pub(crate) fn wait_for_jog(&self) {
         let moves = |command: &Command| match command {
             Command::JointJog(it) => it.axis.moves(),
             Command::LinearJog(it) => it.axis.moves(),
@@ -106,7 +107,7 @@ impl Bench {
 
     /// The guardian said it within 0.4 s, both things, three times at least.
     #[track_caller]
-    fn check_words(&self, at: Instant, release: Command) {
+    pub(crate) fn check_words(&self, at: Instant, release: Command) {
         let (commands, rests) = self.until_at_rest();
         let said: Vec<_> = commands.iter().filter(|it| it.0 >= at).collect();
         let times = |wanted| said.iter().filter(|it| it.1 == wanted).count();

@@ -1,6 +1,8 @@
 //! The program as a process, where a clock decides: in real time, one test at a time.
 
 #[cfg(unix)]
+mod blocked;
+#[cfg(unix)]
 mod guarding;
 #[cfg(target_os = "linux")]
 mod holding;

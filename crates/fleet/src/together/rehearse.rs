@@ -177,6 +177,7 @@ impl<'a> Actor<'a> {
 
     fn start(&mut self) -> Result<(), Refusal> {
         let job = self.job;
+        self.station.ask(self.client, Request::ConfirmJob { job })?;
         let until = self.station.now() + RESTS_WITHIN;
         loop {
             match self.station.ask(self.client, Request::StartJob { job }) {

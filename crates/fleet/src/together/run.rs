@@ -371,10 +371,15 @@ impl Actor {
     }
 
     async fn start(self, lease: Option<String>) -> Start {
-        let asked = Asked {
-            lease,
-            ..Asked::post(&format!("/api/v1/jobs/{}/start", self.job))
+        let post = |action| Asked {
+            lease: lease.clone(),
+            ..Asked::post(&format!("/api/v1/jobs/{}/{action}", self.job))
         };
+        // It waits for the other arms here, as for a person.
+        if let Err(error) = self.ask::<Reply>(post("confirm")).await {
+            return error.start();
+        }
+        let asked = post("start");
         let until = Instant::now() + RESTS_WITHIN;
         loop {
             match self.ask::<Reply>(asked.clone()).await {

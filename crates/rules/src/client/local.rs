@@ -141,6 +141,7 @@ fn setup(arm: &LocalArm) -> Setup {
         dialect: arm.dialect,
         folders: arm.folders.of_arm(&arm.address.to_string()),
         common: arm.folders.clone(),
+        stop: None,
         guardian: arm.guardian.clone(),
         service_manager: None,
     }

@@ -2,7 +2,6 @@
 
 use std::io::{self, ErrorKind, Write};
 use std::os::fd::OwnedFd;
-use std::os::unix::process::CommandExt;
 use std::path::Path;
 use std::process::{ChildStdin, Command, Stdio};
 
@@ -30,8 +29,6 @@ impl Child {
             .arg(note)
             .stdin(Stdio::piped())
             .stdout(Stdio::from(port))
-            // Ctrl-C is for the station, which says goodbye then.
-            .process_group(0)
             .spawn()?;
         let heartbeats = child.stdin.take().expect("it is piped");
         // The arm never waits for its guardian.

@@ -26,9 +26,11 @@ pub(crate) struct HeartbeatSender {
     panic_stop: Arc<PanicStop>,
     #[cfg(unix)]
     guardian: Option<Child>,
-    /// When another one took the place of one that was gone.
+    /// When the last one was started.
     #[cfg(unix)]
-    replaced: Option<Duration>,
+    guardian_started: Duration,
+    /// Why there is no guardian, while there should be one.
+    gone: Option<String>,
     trouble: Option<String>,
     /// The system that keeps the station running.
     service_manager: ServiceManager,
@@ -49,7 +51,8 @@ impl HeartbeatSender {
             #[cfg(unix)]
             guardian: None,
             #[cfg(unix)]
-            replaced: None,
+            guardian_started: Duration::ZERO,
+            gone: None,
             trouble: None,
             service_manager: ServiceManager::default(),
             reported: Duration::ZERO,
@@ -66,15 +69,14 @@ impl HeartbeatSender {
     pub(crate) fn start(&mut self, link: &Link) {
         self.stop();
         if let Err(error) = self.guard(link) {
-            self.trouble = Some(format!(
-                "there is no guardian: {error}; if this station is killed, nobody switches the laser off"
-            ));
+            self.set_gone(&error);
         }
     }
 
     /// The link is gone, or the station ends as it should.
     pub(crate) fn stop(&mut self) {
         self.last = None;
+        self.gone = None;
         #[cfg(unix)]
         {
             self.panic_stop.set_port(None);
@@ -126,6 +128,11 @@ impl HeartbeatSender {
         &self.note
     }
 
+    /// Why no guardian watches over the arm, while one should.
+    pub(crate) const fn gone(&self) -> Option<&String> {
+        self.gone.as_ref()
+    }
+
     /// What people should know of it.
     pub(crate) const fn poll_trouble(&mut self) -> Option<String> {
         self.trouble.take()
@@ -146,37 +153,40 @@ impl HeartbeatSender {
     #[cfg(unix)]
     fn start_guardian(&mut self) -> std::io::Result<()> {
         if let (Some(program), Some(port)) = (&self.program, self.panic_stop.port()?) {
+            self.guardian_started = self.clock.now();
             self.guardian = Some(Child::start(program, &self.note, port)?);
             self.send();
         }
         Ok(())
     }
 
-    /// The guardian is gone while the station lives: another one takes its place, unless that one had
-    /// just done so.
+    /// Starts another guardian in place of one that is gone, unless that one had just been started: then a little later,
+    /// and so on until one stays.
     #[cfg(unix)]
-    fn replace(&mut self, gone: &std::io::Error) {
-        self.guardian = None;
-        let now = self.clock.now();
-        let before = self.replaced.replace(now);
-        let lately = before.is_some_and(|it| now.saturating_sub(it) < LATELY);
-        let started = if lately {
-            Ok(())
-        } else {
-            self.start_guardian()
-        };
-        self.trouble = Some(match started {
+    fn replace(&mut self) {
+        if self.clock.now().saturating_sub(self.guardian_started) < BETWEEN_STARTS {
+            return;
+        }
+        match self.start_guardian() {
             Ok(()) if self.guardian.is_some() => {
-                format!("the guardian was gone: {gone}; another one takes its place")
+                self.gone = None;
+                self.trouble =
+                    Some("the guardian was gone; another one takes its place".to_owned());
             }
-            started => {
-                let why = started.err().map_or(String::new(), |it| format!(" ({it})"));
-                format!(
-                    "the guardian is gone: {gone}{why}; until the arm is connected again, or the station started anew, \
-                     nobody switches the laser off if this station is killed"
-                )
-            }
-        });
+            Ok(()) => {}
+            Err(error) => self.set_gone(&error),
+        }
+    }
+
+    #[cfg(unix)]
+    fn set_gone(&mut self, error: &std::io::Error) {
+        self.guardian = None;
+        if self.gone.is_none() {
+            self.trouble = Some(format!(
+                "the guardian is gone: {error}; nothing is jogged and nothing burns until another one is there"
+            ));
+        }
+        self.gone = Some(error.to_string());
     }
 
     #[cfg(not(unix))]
@@ -187,16 +197,21 @@ impl HeartbeatSender {
     fn send(&mut self) {
         self.last = Some(self.clock.now());
         #[cfg(unix)]
-        if let Some(guardian) = &mut self.guardian
-            && let Err(error) = guardian.send(Heartbeat::Alive(self.hazards))
-        {
-            self.replace(&error);
+        match &mut self.guardian {
+            Some(guardian) => {
+                if let Err(error) = guardian.send(Heartbeat::Alive(self.hazards)) {
+                    self.set_gone(&error);
+                    self.replace();
+                }
+            }
+            None if self.gone.is_some() => self.replace(),
+            None => {}
         }
     }
 }
 
 /// From one heartbeat to the next, at most.
 pub(crate) const PERIOD: Duration = Duration::from_millis(80);
-/// A guardian that is gone again so soon is not replaced once more.
+/// How long to wait before yet another guardian is started.
 #[cfg(unix)]
-const LATELY: Duration = Duration::from_secs(10);
+const BETWEEN_STARTS: Duration = Duration::from_secs(3);

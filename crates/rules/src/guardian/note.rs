@@ -5,6 +5,7 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 use std::time::Duration;
 
+use tokio::sync::oneshot;
 use tokio::time::Instant;
 
 /// The guardian's end of the file: locked for as long as the guardian has the port.
@@ -36,6 +37,9 @@ impl Note {
 /// Reads what guardians have left, a line each, and empties the file.
 pub(crate) fn take_note(path: &Path) -> Vec<String> {
     let taken = || -> io::Result<String> {
+        if !path.metadata()?.is_file() {
+            return Ok(String::new());
+        }
         let mut file = OpenOptions::new().read(true).write(true).open(path)?;
         let mut text = String::new();
         file.read_to_string(&mut text)?;
@@ -49,19 +53,34 @@ pub(crate) fn take_note(path: &Path) -> Vec<String> {
     text.lines().map(str::to_owned).collect()
 }
 
-/// Waits until the guardian of a station before has let go of the port: it needs it for a moment.
+/// Waits until the guardian of a previous station has released the port, which takes it a moment. A file system that
+/// does not answer counts as released: switching the laser off waits for no disk.
 pub(crate) async fn wait_for_guardian(path: &Path) {
     let latest = Instant::now() + LONGEST;
-    while let Ok(file) = File::open(path) {
-        if file.try_lock_shared().is_ok() || Instant::now() >= latest {
-            return;
+    while Instant::now() < latest {
+        let (answer, locked) = oneshot::channel();
+        let path = path.to_owned();
+        // Of its own: a runtime would wait for it when it ends.
+        let asking = std::thread::Builder::new().name("note".into());
+        let _ = asking.spawn(move || answer.send(is_locked(&path)));
+        match tokio::time::timeout(ANSWER, locked).await {
+            Ok(Ok(true)) => tokio::time::sleep(SOON).await,
+            _ => return,
         }
-        tokio::time::sleep(SOON).await;
     }
+}
+
+/// Whether a guardian is at work.
+fn is_locked(path: &Path) -> bool {
+    // To open a pipe would wait for its other end.
+    path.metadata().is_ok_and(|it| it.is_file())
+        && File::open(path).is_ok_and(|it| it.try_lock_shared().is_err())
 }
 
 /// Longer than a guardian speaks.
 const LONGEST: Duration = Duration::from_secs(6);
+/// How long a file system may take for a small question.
+const ANSWER: Duration = Duration::from_millis(500);
 const SOON: Duration = Duration::from_millis(20);
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! What is sent to the arm when a part of the station panics.
 
-use std::sync::{Mutex, PoisonError};
+use std::cell::RefCell;
+use std::panic::{set_hook, take_hook};
+use std::sync::{Arc, Mutex, Once, PoisonError};
 
 #[cfg(unix)]
 use std::os::fd::OwnedFd;
@@ -47,9 +49,27 @@ impl PanicStop {
             .transpose()
     }
 
+    /// From now on, a panic of this thread sends laser off and the release before anything else: even before the
+    /// message about the panic, which may wait for a full pipe.
+    pub(crate) fn send_on_panic(self: Arc<Self>) {
+        static HOOK: Once = Once::new();
+        HOOK.call_once(|| {
+            let previous = take_hook();
+            set_hook(Box::new(move |panic| {
+                // A thread that ends has no hook left.
+                let stop = OF_THREAD.try_with(|it| it.borrow().clone());
+                if let Ok(Some(stop)) = stop {
+                    stop.send();
+                }
+                previous(panic);
+            }));
+        });
+        OF_THREAD.set(Some(self));
+    }
+
     /// Sends laser off and the release, without anything that may have panicked; the guardian sends them again.
     #[cfg(unix)]
-    pub(crate) fn send(&self) {
+    fn send(&self) {
         let known = self.lock();
         let Some(port) = &known.port else {
             return;
@@ -63,11 +83,15 @@ impl PanicStop {
 
     /// Without a port there is nothing to send to.
     #[cfg(not(unix))]
-    pub(crate) fn send(&self) {}
+    fn send(&self) {}
 
     fn lock(&self) -> std::sync::MutexGuard<'_, GuardedPort> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+thread_local! {
+    static OF_THREAD: RefCell<Option<Arc<PanicStop>>> = const { RefCell::new(None) };
 }
 
 /// So long a port may take for a packet.

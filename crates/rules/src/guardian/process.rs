@@ -1,6 +1,6 @@
 //! The guardian as a process: its standard input is the heartbeat, its standard output the arm's port.
 
-use std::io::{self, Write};
+use std::io;
 use std::os::fd::AsFd;
 use std::path::Path;
 use std::time::Duration;
@@ -9,8 +9,8 @@ use rustix::event::{PollFd, PollFlags, poll};
 use rustix::io::Errno;
 
 use super::clock::Clock;
-use super::note::Note;
 use super::port::{Taken, timespec, write_some, write_within};
+use super::reporter::Reporter;
 use super::{Guardian, Hazards, Heartbeat, JogKind, Silence};
 
 /// Watches over a station until that says goodbye, or until all is said that had to be said.
@@ -19,6 +19,9 @@ use super::{Guardian, Hazards, Heartbeat, JogKind, Silence};
 ///
 /// What the system says of standard input.
 pub fn guard(note: &Path) -> io::Result<()> {
+    // In a session of its own: no key of a terminal reaches it, and a terminal that stops background writers does not stop it.
+    // Where it already leads one, there is nothing to do.
+    let _ = rustix::process::setsid();
     let (beats, port) = (io::stdin(), io::stdout());
     let clock = Clock::new();
     let mut guard = Guard {
@@ -27,13 +30,14 @@ pub fn guard(note: &Path) -> io::Result<()> {
         line: Vec::new(),
         told: None,
         ended: false,
-        note: Note::open(note),
+        reporter: Reporter::start(note),
     };
     while !guard.guardian.is_over() {
         let ready = guard.wait(&beats, &port)?;
         guard.step(ready, &beats, &port)?;
     }
     write_within(&port, &guard.line, PATIENCE);
+    guard.reporter.finish(PATIENCE);
     Ok(())
 }
 
@@ -46,7 +50,7 @@ struct Guard {
     told: Option<Silence>,
     /// The heartbeat is closed.
     ended: bool,
-    note: Note,
+    reporter: Reporter,
 }
 
 /// What can be done without waiting.
@@ -89,7 +93,6 @@ impl Guard {
             self.receive_heartbeats(heartbeats)?;
         }
         self.guardian.handle_time(self.clock.now());
-        self.report();
         let mut gone = ready.port && self.follow(port);
         if let Some(packet) = self.guardian.poll_bytes()
             && self.line.is_empty()
@@ -109,6 +112,7 @@ impl Guard {
             self.guardian
                 .handle_heartbeat(self.clock.now(), Heartbeat::Goodbye);
         }
+        self.report();
         Ok(())
     }
 
@@ -161,9 +165,7 @@ impl Guard {
             .now()
             .saturating_sub(self.guardian.last_heartbeat());
         let text = text(silence, silent, self.guardian.hazards());
-        // Standard error may be gone with the station.
-        let _ = writeln!(io::stderr(), "guardian: {text}");
-        self.note.write(&text);
+        self.reporter.report(&text);
     }
 }
 
@@ -180,7 +182,7 @@ fn text(silence: Silence, silent: Duration, hazards: Hazards) -> String {
     format!("{why}: the guardian switched the laser off{button}")
 }
 
-/// So long a port may take for what is left of the last packet.
+/// So long a port may take for what is left of the last packet, and a reader for the last line.
 const PATIENCE: Duration = Duration::from_millis(200);
 
 #[cfg(test)]

@@ -83,6 +83,7 @@ fn forgotten(job: u64, state: &JobState) -> JobView {
         created_ms: 0,
         phase: state.phase(),
         reason: state.reason().map(str::to_owned),
+        waits_for_person: false,
         commands: 0,
         completed: 0,
         planned_s: None,

@@ -57,6 +57,7 @@ impl Supervisor {
     pub(super) fn check_free(&self) -> Result<(), Refusal> {
         self.link.check()?;
         self.stop.check()?;
+        self.check_guarded()?;
         self.detecting.check()?;
         match &self.run {
             Some(run) if run.has_the_arm() => Err(Refusal::JobRunning(run.job())),

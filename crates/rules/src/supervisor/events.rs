@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{LinkPhase, News};
+use dobot_api::{LinkPhase, News, Reply};
 use dobot_client::{Address, CommandId, Event};
 use dobot_trajectory::LASER_OFF;
 
@@ -54,6 +54,49 @@ impl Supervisor {
             format!("{why}: the laser was switched off and the button let go"),
         );
         self.disarm_laser(&why);
+    }
+
+    /// Takes whether a guardian watches over the arm, or why none does: then nothing is jogged, and nothing burns.
+    pub fn handle_guardian(&mut self, now: Duration, gone: Option<String>) {
+        self.arm.set_time(now);
+        if let Some(why) = &gone
+            && self.unguarded.is_none()
+        {
+            let refusal = Refusal::Unguarded(why.clone());
+            let text = refusal.to_string();
+            self.withdraw(refusal);
+            self.disarm_laser(&text);
+        }
+        self.unguarded = gone;
+    }
+
+    /// Whether a guardian watches over the arm, or none is needed.
+    pub(super) fn check_guarded(&self) -> Result<(), Refusal> {
+        let gone = self.unguarded.clone().map(Refusal::Unguarded);
+        gone.map_or(Ok(()), Err)
+    }
+
+    /// Whether what was just told to the arm leaves this computer.
+    pub(super) fn check_delivered(&self, what: &'static str) -> Result<Reply, Refusal> {
+        // An arm that was never met does nothing.
+        if self.link.is_there() || self.arm.last().is_none() {
+            return Ok(Reply::Done);
+        }
+        Err(Refusal::NotDelivered(what))
+    }
+
+    /// People are told every second that a stop was not delivered.
+    pub(super) fn watch_delivery(&mut self) {
+        if self.stop.is_due(self.arm.now()) {
+            self.notify(News::Trouble, NOT_DELIVERED.to_owned());
+        }
+    }
+
+    /// Takes a stop that held when the station ended: it holds until a person clears it.
+    pub fn handle_kept_stop(&mut self, now: Duration, by: String, reason: Option<String>) {
+        self.handle_time(now);
+        self.stop.handle_kept(self.arm.now(), by, reason);
+        self.outbox.note_change();
     }
 
     /// Takes that the station ends: nothing more is sent, and the laser goes off first.
@@ -142,10 +185,14 @@ impl Supervisor {
     fn laser_disarmed(&mut self, why: &str) {
         self.arm.part_from_laser();
         self.interrupt_burning(why);
-        self.notify(
-            News::LaserDisarmed,
-            format!("the laser is off and disarmed: {why}"),
-        );
+        let text = if self.link.is_there() {
+            format!("the laser is off and disarmed: {why}")
+        } else {
+            format!(
+                "the laser is disarmed, but laser off was NOT DELIVERED: {why}; if it burns, switch the arm off"
+            )
+        };
+        self.notify(News::LaserDisarmed, text);
     }
 
     fn command_over(&mut self, id: CommandId, failed: Option<String>) {
@@ -264,6 +311,8 @@ fn failure(event: Event) -> String {
         .map_or_else(String::new, |error| error.to_string())
 }
 
+pub(super) const NOT_DELIVERED: &str =
+    "the stop was NOT DELIVERED: there is no link to the arm; switch the arm off";
 const SWITCHED_OFF: &str = "the laser was switched off: nothing that goes on came in time, and it may not burn on the spot";
 const OPENED: &str =
     "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";

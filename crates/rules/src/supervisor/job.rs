@@ -43,11 +43,30 @@ impl Supervisor {
         if begun.plan.burns() {
             self.arm.check_laser_armed()?;
         }
+        if let Some(message) = begun.waits_for_person()
+            && self.confirmed_job != Some(begun.job)
+        {
+            return Err(Refusal::NeedsPerson {
+                job: begun.job,
+                message: message.to_owned(),
+            });
+        }
         let (run, effects) = Run::begin(begun, &mut self.arm, self.run.as_ref())?;
         self.halt.forget();
         self.run = Some(run);
+        self.confirmed_job = None;
         self.fulfil(effects);
         Ok(self.job_reply())
+    }
+
+    /// A person has done what the job waits for.
+    pub(super) fn confirm_job(&mut self, client: ClientId, job: u64) -> Result<Reply, Refusal> {
+        self.leases.check(client)?;
+        self.confirmed_job = Some(job);
+        let name = self.client_name(client);
+        let text = format!("{name} confirmed that job {job} may go on");
+        self.notify(News::Message { client }, text);
+        Ok(Reply::Done)
     }
 
     /// Takes a job that was at work when the station ended without saying so: the laser goes off,

@@ -8,6 +8,7 @@ use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
 use super::amend::amended;
 use super::commands::{button, understood};
+use super::events::NOT_DELIVERED;
 use super::lease::{Change, TimeOver};
 use super::slots::Turn;
 use super::{Supervisor, still_moving};
@@ -217,7 +218,7 @@ impl Supervisor {
             Request::Release => {
                 self.leases.check(client)?;
                 self.let_go();
-                Ok(Reply::Done)
+                self.check_delivered("the release")
             }
             Request::Stop { reason } => Ok(self.stop_arm(client, reason)),
             Request::ResetStop => self.reset_stop(client),
@@ -245,7 +246,7 @@ impl Supervisor {
             Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
             Request::DisarmLaser => {
                 self.disarm_laser("a client asked for it");
-                Ok(Reply::Done)
+                self.check_delivered("laser off")
             }
             Request::ConfirmPose => self.confirm_pose(client),
             Request::TellAngles => self.tell_angles(client),
@@ -253,6 +254,7 @@ impl Supervisor {
                 self.detecting.forget_finding();
                 self.set_dialect(dialect)
             }
+            Request::ConfirmJob { job } => self.confirm_job(client, job),
             Request::PauseJob => self.pause_job(client),
             Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
             Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
@@ -286,11 +288,20 @@ impl Supervisor {
         self.end_detection(&why);
         let reason = reason.map(|it| plain(&it, REASON_LEN));
         let now = self.arm.now();
-        if let Some(text) = self.stop.handle_stop(now, by, reason, rests_within) {
+        // Without an arm there is nothing to deliver to.
+        let delivered = self.link.is_there() || self.arm.last().is_none();
+        let told = self
+            .stop
+            .handle_stop(now, by, reason, rests_within, delivered);
+        if let Some(text) = told {
             self.notify(News::Stopped, text);
+            if !delivered {
+                self.notify(News::Trouble, NOT_DELIVERED.to_owned());
+            }
         }
         Reply::Stopping {
             rests_within_s: rests_within.as_secs_f64(),
+            delivered,
         }
     }
 
@@ -408,6 +419,7 @@ impl Supervisor {
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
         self.leases.check_arms_laser(client)?;
         self.stop.check()?;
+        self.check_guarded()?;
         self.arm.arm_laser(for_s)?;
         let name = self.client_name(client);
         let text = format!("{name} armed the laser for {for_s:.0} s: goggles on");

@@ -393,6 +393,8 @@ impl Run {
             created_ms: *created_ms,
             phase: self.view_phase(),
             reason: self.reason(),
+            waits_for_person: matches!(self.phase, Phase::Paused { .. })
+                && self.begun.waits_for_person().is_some(),
             commands: self.begun.commands,
             completed: self.begun.program.at(counted, self.begun.commands).1,
             planned_s: plan.planned_s(),

@@ -20,6 +20,9 @@ struct Holding {
     at: Duration,
     rests_by: Duration,
     at_rest: bool,
+    delivered: bool,
+    /// When people are told again that it was not delivered.
+    again: Duration,
 }
 
 impl Stop {
@@ -30,8 +33,10 @@ impl Stop {
         by: String,
         reason: Option<String>,
         rests_within: Duration,
+        delivered: bool,
     ) -> Option<String> {
-        if self.holding.is_some() {
+        if let Some(stop) = &mut self.holding {
+            stop.delivered |= delivered;
             return None;
         }
         self.holding = Some(Holding {
@@ -40,13 +45,52 @@ impl Stop {
             at: now,
             rests_by: now + rests_within,
             at_rest: false,
+            delivered,
+            again: now + EVERY,
         });
         self.check().err().map(|it| it.to_string())
     }
 
-    /// Lets go; says whether there was a stop. An arm that can be heard has to be at rest.
+    /// Takes a stop that held before the station was started.
+    pub(super) fn handle_kept(&mut self, now: Duration, by: String, reason: Option<String>) {
+        self.holding = Some(Holding {
+            by,
+            reason,
+            at: now,
+            rests_by: now,
+            at_rest: false,
+            // The first packet to an arm that is found switches its laser off.
+            delivered: true,
+            again: now,
+        });
+    }
+
+    /// Takes that the packets which stop the arm leave this computer now; says whether people waited for that.
+    pub(super) fn handle_delivered(&mut self) -> bool {
+        let waits = self.holding.as_mut().filter(|it| !it.delivered);
+        waits.map(|it| it.delivered = true).is_some()
+    }
+
+    /// When people are told again that it was not delivered.
+    pub(super) fn wakeup(&self) -> Option<Duration> {
+        let waits = self.holding.as_ref().filter(|it| !it.delivered);
+        waits.map(|it| it.again)
+    }
+
+    /// Whether people are told now that it was not delivered.
+    pub(super) fn is_due(&mut self, now: Duration) -> bool {
+        let waits = self.holding.as_mut().filter(|it| !it.delivered);
+        let due = waits.filter(|it| it.again <= now);
+        due.map(|it| it.again = now + EVERY).is_some()
+    }
+
+    /// Lets go; says whether there was a stop. The arm has to have been seen at rest.
     pub(super) fn reset(&mut self, now: Duration, is_linked: bool) -> Result<bool, Refusal> {
-        if let Some(stop) = self.holding.as_ref().filter(|it| !it.at_rest && is_linked) {
+        if let Some(stop) = self.holding.as_ref().filter(|it| !it.at_rest) {
+            if !is_linked {
+                let why = "whether it rests cannot be seen, so the stop holds";
+                return Err(Refusal::NoLink(why.to_owned()));
+            }
             let within = stop.rests_by.saturating_sub(now).max(SOON);
             return Err(still_moving(within));
         }
@@ -81,9 +125,12 @@ impl Stop {
             at_s: it.at.as_secs_f64(),
             rests_by_s: it.rests_by.as_secs_f64(),
             at_rest: it.at_rest,
+            delivered: it.delivered,
         })
     }
 }
 
+/// How often people are told that a stop was not delivered.
+const EVERY: Duration = Duration::from_secs(1);
 /// Three statuses.
 const SOON: Duration = Duration::from_millis(240);

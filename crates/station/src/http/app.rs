@@ -19,7 +19,7 @@ use super::learners::Learners;
 use super::listen::ConnectionSlot;
 use super::rate::Addresses;
 use super::recordings::Recordings;
-use super::tokens::Tokens;
+use super::tokens::{Tokens, digest};
 use crate::{ArmsPort, FleetPort};
 
 /// What all requests share.
@@ -55,6 +55,8 @@ pub(super) struct App {
     pub(super) sockets: Arc<Semaphore>,
     /// Turns true when the station ends.
     pub(super) ending: watch::Receiver<bool>,
+    /// Tells those who stay that the tokens were read anew.
+    refreshed: watch::Sender<()>,
     began: Instant,
 }
 
@@ -105,6 +107,7 @@ impl App {
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,
+            refreshed: watch::Sender::new(()),
             began: Instant::now(),
         })
     }
@@ -119,14 +122,48 @@ impl App {
         self.began.elapsed()
     }
 
-    /// Name and role of whoever has this token.
+    /// Name and role of whoever has this token. Only for one that is not known yet the file is looked at: a stop waits
+    /// for no disk.
     pub(super) fn holder(&self, secret: &str) -> Option<(String, Role)> {
-        self.tokens().holder(secret)
+        let token = digest(secret);
+        let known = self.tokens().known(&token);
+        known.or_else(|| {
+            self.refresh_tokens();
+            self.tokens().known(&token)
+        })
     }
 
     /// Whether this is the token of programs on the same machine.
     pub(super) fn is_local(&self, secret: &str) -> bool {
         self.tokens().is_local(secret)
+    }
+
+    /// Reads the tokens anew if they have changed. Whoever may do less than before loses what he holds.
+    pub(super) fn refresh_tokens(&self) {
+        let file = self.tokens().source();
+        let read = file.read();
+        self.tokens().apply(read);
+        self.refreshed.send_replace(());
+        self.http_leases.end_where(|caller| !self.may_still(caller));
+    }
+
+    /// Whether a caller may still do what he was let in for.
+    fn may_still(&self, caller: &Caller) -> bool {
+        let known = |token| self.tokens().known(token);
+        caller
+            .token
+            .as_ref()
+            .is_none_or(|token| known(token).is_some_and(|(_, role)| role >= caller.role))
+    }
+
+    /// Waits until a caller may not do any more what he was let in for.
+    pub(super) async fn revoked(&self, caller: &Caller) {
+        let mut refreshed = self.refreshed.subscribe();
+        while self.may_still(caller) {
+            if refreshed.changed().await.is_err() {
+                return;
+            }
+        }
     }
 
     /// A place for one who stays: on a WebSocket, or to listen to events.
@@ -149,6 +186,8 @@ impl App {
     }
 }
 
+/// How often the tokens are looked at while somebody may hold something by one.
+pub(super) const REFRESH_EVERY: Duration = Duration::from_millis(100);
 /// How many WebSockets there may be at once.
 pub(super) const MOST_SOCKETS: usize = 2000;
 
@@ -166,13 +205,39 @@ pub(super) struct Peer {
 }
 
 /// Who asks.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub(super) struct Caller {
     /// What it is called until it says better.
     pub(super) name: String,
     pub(super) role: Role,
     /// Its token is that of one person, whose name that of the token is.
     pub(super) is_person: bool,
+    /// The digest of its token, if it came with one.
+    pub(super) token: Option<[u8; 32]>,
+}
+
+impl std::fmt::Debug for Caller {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut shown = f.debug_struct("Caller");
+        shown.field("name", &self.name).field("role", &self.role);
+        shown.finish_non_exhaustive()
+    }
+}
+
+/// How long a caller stays: until the station ends, or he may not do any more what he was let in for.
+pub(super) struct Stay {
+    pub(super) app: Arc<App>,
+    pub(super) caller: Caller,
+}
+
+impl Stay {
+    /// Waits until it is over.
+    pub(super) async fn is_over(&self) {
+        tokio::select! {
+            () = ended(self.app.ending.clone()) => {}
+            () = self.app.revoked(&self.caller) => {}
+        }
+    }
 }
 
 impl Caller {

@@ -17,6 +17,7 @@ use super::answer::{self, NotDone, TooSoon};
 use super::app::{App, Caller, Peer};
 use super::page;
 use super::routes;
+use super::tokens::digest;
 
 /// The start of the subprotocol by which a browser's WebSocket says its token.
 pub(super) const TOKEN_PROTOCOL: &str = "dobot.token.";
@@ -159,11 +160,13 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
         name: if peer.by_fleet { "fleet" } else { "http" }.into(),
         role,
         is_person: false,
+        token: None,
     };
     match presented(request.headers())? {
         Some(token) => match app.holder(&token) {
             Some((name, role)) => Ok(Caller {
                 is_person: !app.is_local(&token) && !app.tokens().is_shared(&name),
+                token: Some(digest(&token)),
                 name,
                 role,
             }),

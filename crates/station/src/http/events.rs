@@ -5,6 +5,7 @@ use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::Duration;
 
+use axum::Extension;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderName, Uri};
 use axum::response::sse::{Event, KeepAlive, Sse};
@@ -12,10 +13,10 @@ use dobot_api::problem_kinds::MALFORMED;
 use dobot_api::{Notice, Problem, ToClient};
 use futures_util::Stream;
 use schemars::JsonSchema;
-use tokio::sync::{OwnedSemaphorePermit, broadcast, watch};
+use tokio::sync::{OwnedSemaphorePermit, broadcast};
 
 use super::answer::NotDone;
-use super::app::App;
+use super::app::{App, Caller, Stay};
 use super::messages;
 use super::socket::{StateStream, Wants, state_message};
 
@@ -41,13 +42,14 @@ struct Watching {
     notices: Option<broadcast::Receiver<Arc<Notice>>>,
     /// What comes before what happens from now on, the last first.
     first: Vec<Event>,
-    ending: watch::Receiver<bool>,
+    stay: Stay,
     _place: OwnedSemaphorePermit,
 }
 
 /// Tells states and notices as they come.
 pub(super) async fn events(
     State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
     uri: Uri,
     headers: HeaderMap,
 ) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
@@ -70,7 +72,7 @@ pub(super) async fn events(
         states,
         notices,
         first,
-        ending: app.ending.clone(),
+        stay: Stay { app, caller },
         _place: place,
     };
     let stream = futures_util::stream::unfold(watching, |mut it| async move {
@@ -90,7 +92,7 @@ impl Watching {
         tokio::select! {
             state = self.states.next() => state.ok().map(|it| state_event(&it)),
             notice = next(&mut self.notices) => notice.ok().map(|it| notice_event(&it)),
-            _ = self.ending.wait_for(|it| *it) => None,
+            () = self.stay.is_over() => None,
         }
     }
 }

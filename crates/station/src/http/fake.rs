@@ -150,6 +150,7 @@ fn granted(client: ClientId, request: &Request) -> Reply {
         },
         Request::Stop { .. } => Reply::Stopping {
             rests_within_s: 0.8,
+            delivered: true,
         },
         Request::TakeLease | Request::SeizeLease => Reply::Lease {
             lease: Some(LeaseView {

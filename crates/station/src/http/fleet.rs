@@ -5,9 +5,9 @@ use std::convert::Infallible;
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::Json;
 use axum::extract::State;
 use axum::response::sse::{Event, KeepAlive, Sse};
+use axum::{Extension, Json};
 use dobot_api::problem_kinds::{GIVES_NO_ARMS, NO_FLEET};
 use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients};
 use futures_util::Stream;
@@ -17,7 +17,7 @@ use tokio::sync::{OwnedSemaphorePermit, watch};
 use tokio::time::{Interval, MissedTickBehavior, interval};
 
 use super::answer::{Body, JOB, Maybe, NotDone};
-use super::app::App;
+use super::app::{App, Caller, Stay};
 use super::calls::Asker;
 use super::events::ALIVE_EVERY;
 use super::routes;
@@ -37,6 +37,7 @@ pub(super) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>
 /// Tells of each member as it changes; first of all of them. Of one that is not kept in mind any more it tells that it is gone.
 pub(super) async fn events(
     State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
 ) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
     let mut pace = interval(TELL_EVERY);
     pace.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -46,8 +47,8 @@ pub(super) async fn events(
         waiting: Vec::new(),
         gone: Vec::new(),
         pace,
-        ending: app.ending.clone(),
         _place: app.place()?,
+        stay: Stay { app, caller },
     };
     let stream = futures_util::stream::unfold(watching, |mut it| async move {
         let event = it.next().await?;
@@ -69,7 +70,7 @@ struct Watching {
     /// The numbers of those of which it has still to be told that they are gone.
     gone: Vec<String>,
     pace: Interval,
-    ending: watch::Receiver<bool>,
+    stay: Stay,
     _place: OwnedSemaphorePermit,
 }
 
@@ -78,7 +79,7 @@ impl Watching {
         while self.waiting.is_empty() && self.gone.is_empty() {
             let ends = tokio::select! {
                 _ = self.pace.tick() => false,
-                _ = self.ending.wait_for(|it| *it) => true,
+                () = self.stay.is_over() => true,
             };
             if ends {
                 return None;

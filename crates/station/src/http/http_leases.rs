@@ -8,6 +8,7 @@ use dobot_api::problem_kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
 use dobot_api::{Problem, Role};
 use dobot_rules::Client;
 
+use super::app::Caller;
 use super::tokens::{Token, digest};
 
 /// Clients that are kept between requests, known by their lease tokens.
@@ -17,6 +18,8 @@ pub(super) struct HttpLeases(Mutex<HashMap<[u8; 32], HttpLease>>);
 #[derive(Debug)]
 struct HttpLease {
     client: Arc<Client>,
+    /// Who took it.
+    caller: Caller,
     used: Duration,
 }
 
@@ -26,14 +29,26 @@ impl HttpLeases {
     /// # Errors
     ///
     /// [`TOO_MANY_CLIENTS`] where too many are kept already.
-    pub(super) fn keep(&self, client: Arc<Client>, now: Duration) -> Result<Token, Problem> {
+    pub(super) fn keep(
+        &self,
+        client: Arc<Client>,
+        caller: Caller,
+        now: Duration,
+    ) -> Result<Token, Problem> {
         let token = Token::random().map_err(|error| ENDING.problem(error.to_string()))?;
         self.with(|http_leases| {
             if http_leases.len() >= MOST {
                 let detail = format!("{MOST} clients hold lease tokens already");
                 return Err(TOO_MANY_CLIENTS.problem(detail));
             }
-            http_leases.insert(digest(token.secret()), HttpLease { client, used: now });
+            http_leases.insert(
+                digest(token.secret()),
+                HttpLease {
+                    client,
+                    caller,
+                    used: now,
+                },
+            );
             Ok(token.clone())
         })
     }
@@ -67,6 +82,11 @@ impl HttpLeases {
     /// Ends a client: its lease ends too.
     pub(super) fn end(&self, token: &str) {
         self.with(|http_leases| http_leases.remove(&digest(token)));
+    }
+
+    /// Ends those of callers who may not hold them any more.
+    pub(super) fn end_where(&self, may_not: impl Fn(&Caller) -> bool) {
+        self.with(|http_leases| http_leases.retain(|_, it| !may_not(&it.caller)));
     }
 
     /// Ends those that have not been used for too long.

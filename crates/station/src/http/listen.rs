@@ -12,10 +12,10 @@ use hyper_util::service::TowerToHyperService;
 use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::watch;
-use tokio::task::JoinSet;
+use tokio::task::{JoinHandle, JoinSet, spawn_blocking};
 use tokio::time::{interval, sleep, timeout};
 
-use super::app::{App, MOST_SOCKETS, Peer, ended};
+use super::app::{App, MOST_SOCKETS, Peer, REFRESH_EVERY, ended};
 use super::routes;
 use super::tls::TlsAcceptor;
 
@@ -33,6 +33,8 @@ pub(super) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
     let mut connections = JoinSet::new();
     let mut ended = std::pin::pin!(ended(app.ending.clone()));
     let mut seconds = interval(Duration::from_secs(1));
+    let mut refresh = interval(REFRESH_EVERY);
+    let mut refreshing: Option<JoinHandle<()>> = None;
     loop {
         tokio::select! {
             accepted = listener.accept() => match accepted {
@@ -45,6 +47,13 @@ pub(super) async fn serve(listener: TcpListener, tls: Option<TlsAcceptor>, app: 
             },
             Some(_) = connections.join_next() => {}
             _ = seconds.tick() => app.http_leases.sweep(app.now()),
+            _ = refresh.tick() => {
+                // One at a time: the disk may hang.
+                if refreshing.as_ref().is_none_or(JoinHandle::is_finished) {
+                    let app = app.clone();
+                    refreshing = Some(spawn_blocking(move || app.refresh_tokens()));
+                }
+            }
             () = &mut ended => break,
         }
     }

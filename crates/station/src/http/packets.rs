@@ -3,6 +3,7 @@
 use std::convert::Infallible;
 use std::sync::Arc;
 
+use axum::Extension;
 use axum::extract::State;
 use axum::response::sse::{Event, KeepAlive, Sse};
 use data_encoding::HEXLOWER;
@@ -11,12 +12,12 @@ use dobot_wire::{Command, Dialect, Frame, Packet, Status};
 use futures_util::Stream;
 use schemars::JsonSchema;
 use serde::Serialize;
+use tokio::sync::OwnedSemaphorePermit;
 use tokio::sync::broadcast::Receiver;
 use tokio::sync::broadcast::error::RecvError;
-use tokio::sync::{OwnedSemaphorePermit, watch};
 
 use super::answer::NotDone;
-use super::app::App;
+use super::app::{App, Caller, Stay};
 use super::events::ALIVE_EVERY;
 
 /// A packet that has passed between the station and the arm.
@@ -53,21 +54,20 @@ struct Lost {
 
 /// One who listens, until he goes or the station ends.
 struct Listening {
-    app: Arc<App>,
     packets: Receiver<PassedPacket>,
-    ending: watch::Receiver<bool>,
+    stay: Stay,
     _place: OwnedSemaphorePermit,
 }
 
 /// Tells the packets as they pass.
 pub(super) async fn packets(
     State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
 ) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
     let listening = Listening {
         _place: app.place()?,
         packets: app.handle.passed(),
-        ending: app.ending.clone(),
-        app,
+        stay: Stay { app, caller },
     };
     let stream = futures_util::stream::unfold(listening, |mut it| async move {
         let event = it.next().await?;
@@ -81,13 +81,13 @@ impl Listening {
         tokio::select! {
             passed = self.packets.recv() => match passed {
                 Ok(packet) => {
-                    let dialect = self.app.handle.state().state().dialect;
+                    let dialect = self.stay.app.handle.state().state().dialect;
                     Some(event("packet", &view(&packet, dialect.unwrap_or(Dialect::SPECIFICATION))))
                 }
                 Err(RecvError::Lagged(lost)) => Some(event("lost", &Lost { lost })),
                 Err(RecvError::Closed) => None,
             },
-            _ = self.ending.wait_for(|it| *it) => None,
+            () = self.stay.is_over() => None,
         }
     }
 }

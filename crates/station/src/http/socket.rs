@@ -133,7 +133,7 @@ pub(super) async fn upgrade(
         .max_frame_size(largest);
     Ok(upgrade.on_upgrade(move |socket| async move {
         let (mut outgoing, mut incoming) = socket.split();
-        let connection = SocketConnection::new(&app, client, name, &wants);
+        let connection = SocketConnection::new(&app, caller, client, name, &wants);
         connection.run(&mut incoming, &mut outgoing).await;
         drop((place, peer));
     }))

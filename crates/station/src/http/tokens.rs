@@ -138,17 +138,29 @@ impl Tokens {
         Ok(token)
     }
 
-    /// Name and role of whoever has this token. The file is read anew when it has changed; while it
-    /// cannot be understood, no token of it is accepted.
-    pub(super) fn holder(&mut self, secret: &str) -> Option<(String, Role)> {
-        if self.follow().is_err() {
-            self.known.clear();
-            self.version = None;
+    /// The file as it was read last, to be read anew without holding up those who ask for tokens meanwhile.
+    pub(super) fn source(&self) -> TokensFile {
+        TokensFile {
+            file: self.file.clone(),
+            version: self.version,
         }
-        if self.is_local(secret) {
+    }
+
+    /// Takes what the file says now; while it cannot be understood, no token of it is accepted.
+    pub(super) fn apply(&mut self, read: Result<Option<TokensRead>, TokensError>) {
+        match read {
+            Ok(None) => {}
+            Ok(Some(read)) => (self.version, self.known) = (read.version, read.known),
+            Err(_) => (self.version, self.known) = (None, Vec::new()),
+        }
+    }
+
+    /// Name and role of whoever has the token with this digest, as the file was read last.
+    pub(super) fn known(&self, token: &[u8; 32]) -> Option<(String, Role)> {
+        if self.local.is_some_and(|local| same(&local, token)) {
             return Some(("local program".into(), Role::Admin));
         }
-        let digest = hex(&digest(secret));
+        let digest = hex(token);
         let found = self.known.iter().fold(None, |found, it| {
             if same(it.sha256.as_bytes(), digest.as_bytes()) {
                 Some(it)
@@ -161,25 +173,10 @@ impl Tokens {
 
     /// Reads the file if it is not the one that was read last.
     pub(super) fn follow(&mut self) -> Result<(), TokensError> {
-        let version = Version::of(&self.file).map_err(|error| self.io(error))?;
-        if version == self.version {
-            return Ok(());
+        if let Some(read) = self.source().read()? {
+            (self.version, self.known) = (read.version, read.known);
         }
-        self.known = match version {
-            None => Vec::new(),
-            Some(_) => self.read()?,
-        };
-        self.version = version;
         Ok(())
-    }
-
-    fn read(&self) -> Result<Vec<Known>, TokensError> {
-        let text = fs::read_to_string(&self.file).map_err(|error| self.io(error))?;
-        let content: Content = toml::from_str(&text).map_err(|error| TokensError::Content {
-            file: self.file.display().to_string(),
-            why: error.message().to_owned(),
-        })?;
-        Ok(content.token)
     }
 
     fn write(&mut self) -> Result<(), TokensError> {
@@ -193,8 +190,52 @@ impl Tokens {
     }
 
     fn io(&self, source: io::Error) -> TokensError {
-        TokensError::Io {
-            file: self.file.display().to_string(),
+        TokensError::io(&self.file, source)
+    }
+}
+
+/// The file of tokens, as it was read last.
+#[derive(Debug)]
+pub(super) struct TokensFile {
+    file: PathBuf,
+    version: Option<Version>,
+}
+
+/// What a file of tokens says.
+#[derive(Debug)]
+pub(super) struct TokensRead {
+    version: Option<Version>,
+    known: Vec<Known>,
+}
+
+impl TokensFile {
+    /// What it says now, if it is not the one that was read last.
+    pub(super) fn read(&self) -> Result<Option<TokensRead>, TokensError> {
+        let io = |error| TokensError::io(&self.file, error);
+        let version = Version::of(&self.file).map_err(io)?;
+        if version == self.version {
+            return Ok(None);
+        }
+        let known = match version {
+            None => Vec::new(),
+            Some(_) => {
+                let text = fs::read_to_string(&self.file).map_err(io)?;
+                let content: Content =
+                    toml::from_str(&text).map_err(|error| TokensError::Content {
+                        file: self.file.display().to_string(),
+                        why: error.message().to_owned(),
+                    })?;
+                content.token
+            }
+        };
+        Ok(Some(TokensRead { version, known }))
+    }
+}
+
+impl TokensError {
+    fn io(file: &Path, source: io::Error) -> Self {
+        Self::Io {
+            file: file.display().to_string(),
             source,
         }
     }
@@ -362,16 +403,23 @@ mod tests {
         (folder, tokens)
     }
 
+    /// Whose token this is, by the file as it is now.
+    fn holder(tokens: &mut Tokens, secret: &str) -> Option<(String, Role)> {
+        let read = tokens.source().read();
+        tokens.apply(read);
+        tokens.known(&digest(secret))
+    }
+
     #[test]
     fn a_token_is_known_by_its_name_and_role_and_no_other_text_is() {
         let (_folder, mut tokens) = empty();
         let token = tokens.add(Role::Watch, "screen").unwrap();
         let holder = Some(("screen".to_owned(), Role::Watch));
-        assert_eq!(tokens.holder(token.secret()), holder);
+        assert_eq!(holder(&mut tokens, token.secret()), holder);
         let mut other = token.secret().to_owned();
         other.replace_range(63.., if other.ends_with('0') { "1" } else { "0" });
         for wrong in ["", "screen", &other, &token.secret()[..63]] {
-            assert_eq!(tokens.holder(wrong), None, "{wrong}");
+            assert_eq!(holder(&mut tokens, wrong), None, "{wrong}");
         }
     }
 
@@ -391,7 +439,7 @@ mod tests {
     fn a_digest_from_the_file_is_no_token() {
         let (_folder, mut tokens) = empty();
         let token = tokens.add(Role::Admin, "me").unwrap();
-        assert_eq!(tokens.holder(&hex(&digest(token.secret()))), None);
+        assert_eq!(holder(&mut tokens, &hex(&digest(token.secret()))), None);
     }
 
     #[test]
@@ -399,9 +447,9 @@ mod tests {
         let (folder, mut station) = empty();
         let mut program = Tokens::open(&folder.path().join("tokens.toml")).unwrap();
         let token = program.add(Role::Control, "plotter").unwrap();
-        assert!(station.holder(token.secret()).is_some());
+        assert!(holder(&mut station, token.secret()).is_some());
         program.remove("plotter").unwrap();
-        assert_eq!(station.holder(token.secret()), None);
+        assert_eq!(holder(&mut station, token.secret()), None);
     }
 
     #[test]
@@ -409,7 +457,7 @@ mod tests {
         let (folder, mut station) = empty();
         let token = station.add(Role::Control, "plotter").unwrap();
         fs::write(folder.path().join("tokens.toml"), "token = 7").unwrap();
-        assert_eq!(station.holder(token.secret()), None);
+        assert_eq!(holder(&mut station, token.secret()), None);
         let error = Tokens::open(&folder.path().join("tokens.toml")).unwrap_err();
         assert!(
             error.to_string().contains("does not hold tokens"),

@@ -314,6 +314,10 @@ impl Panel for Teacher {
         } else if rests(&state)
             && let Some(request) = self.starting.take()
         {
+            // Whoever goes on here is a person, and has seen what the job waits for.
+            if let Some(job) = state.job.as_ref().filter(|it| it.waits_for_person) {
+                self.pendant.ask(Request::ConfirmJob { job: job.job });
+            }
             self.pendant.ask(request);
         }
         self.pendant.handle_state(state);

@@ -271,6 +271,7 @@ mod tests {
                 at_s: 10.0,
                 rests_by_s: 10.5,
                 at_rest: true,
+                delivered: true,
             });
         });
         shows(&stopped, &["STOPPED by the page: smoke (at rest)"]);
@@ -308,6 +309,7 @@ mod tests {
                 created_ms: 1_700_000_000_000,
                 phase: JobPhase::Paused,
                 reason: Some("a person asked for it".into()),
+                waits_for_person: false,
                 commands: 400,
                 completed: 100,
                 planned_s: Some(120.0),
@@ -398,6 +400,7 @@ mod tests {
                 at_s: 0.0,
                 rests_by_s: 0.0,
                 at_rest: false,
+                delivered: true,
             });
         });
         let screen = screen(&stopped, 20, 4).join("\n");

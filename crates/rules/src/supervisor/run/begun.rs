@@ -107,7 +107,17 @@ impl Begun {
 
     /// Where it waits next for a person: the command, by its place in the plan, and what the person is told.
     pub(super) fn next_pause(&self) -> Option<(usize, &str)> {
-        let waited = self.behind.pauses;
+        self.pause(self.behind.pauses)
+    }
+
+    /// What a person has to do before it goes on, if it has come to rest for that.
+    pub(crate) fn waits_for_person(&self) -> Option<&str> {
+        let (before, message) = self.pause(self.behind.pauses.checked_sub(1)?)?;
+        (before == self.completed && self.doubt.is_none()).then_some(message)
+    }
+
+    /// Where it waits for a person after it has waited so many times, and what the person is told.
+    fn pause(&self, waited: usize) -> Option<(usize, &str)> {
         let (pause, cycles) = match self.plan.cycle() {
             None => (self.pauses.get(waited)?, 0),
             Some(cycle) => {

@@ -41,7 +41,16 @@ fn a_job_waits_for_the_person_once_and_goes_on() {
         assert!(it.notices().iter().any(|it| it.text.contains(MESSAGE)));
         it.run_for(Duration::from_mins(1));
         assert_eq!(view(&it).phase, JobPhase::Paused);
-        it.start(anna, job).unwrap();
+        let sent = it.packets().len();
+        for asked in [Request::StartJob { job }, Request::StepJob { job }] {
+            let refused = it.ask(anna, asked).unwrap_err();
+            assert_eq!(refused.kind(), "needs-a-person");
+            assert!(refused.to_string().contains(MESSAGE), "{refused}");
+        }
+        it.run_for(Duration::from_secs(1));
+        assert_eq!(it.packets().len(), sent, "{personality}");
+        it.ask(anna, Request::ConfirmJob { job }).unwrap();
+        it.ask(anna, Request::StartJob { job }).unwrap();
         finish(&mut it, job);
         let waited = |it: &&dobot_api::Notice| it.text.contains(MESSAGE);
         assert_eq!(it.notices().iter().filter(waited).count(), 1);

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use dobot_api::{JobPhase, Jog, Request};
 use dobot_controller::Personality;
-use dobot_rules::VirtualStation;
-use dobot_wire::{Command, JointJogAxis, LinearJog, LinearJogAxis, Packet};
+use dobot_rules::{Refusal, VirtualStation};
+use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
 use super::burns::armed;
 use super::drawing::virtual_station;
@@ -68,6 +68,56 @@ fn a_burning_job_of_a_station_that_stood_still_is_paused() {
             is_laser_off(&sent(&it, before, personality)[0]),
             "{personality}"
         );
+        assert!(!it.arm().controller().outputs().laser, "{personality}");
+        let phase = it.supervisor().job().map(|it| it.phase);
+        assert_eq!(phase, Some(JobPhase::Paused), "{personality}");
+    }
+}
+
+#[test]
+fn without_a_guardian_nothing_is_jogged_and_nothing_burns_until_there_is_another() {
+    for personality in Personality::ALL {
+        let mut it = virtual_station(personality);
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 30.0));
+        for _ in 0..8 {
+            it.ask(anna, Request::Jog { jog }).unwrap();
+            it.run_for(Duration::from_millis(50));
+        }
+        let before = it.packets().len();
+        it.set_guardian(Some("no process is left"));
+        it.run_for(Duration::from_secs(2));
+        let released =
+            |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
+        let sent_then = sent(&it, before, personality);
+        assert!(released(&sent_then[0]), "{personality}: {sent_then:?}");
+        assert!(it.supervisor().is_at_rest(), "{personality}");
+        let before = it.packets().len();
+        let other = Jog::Joint(JointJog::new(JointJogAxis::BaseMinus, 30.0));
+        for asked in [
+            Request::Jog { jog: other },
+            Request::ArmLaser { for_s: 60.0 },
+        ] {
+            let refusal = it.ask(anna, asked).unwrap_err();
+            assert!(matches!(refusal, Refusal::Unguarded(_)), "{refusal}");
+        }
+        it.run_for(Duration::from_secs(1));
+        assert_eq!(sent(&it, before, personality), [], "{personality}");
+        it.set_guardian(None);
+        it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
+        it.ask(anna, Request::Jog { jog }).unwrap();
+    }
+}
+
+#[test]
+fn a_burning_job_whose_guardian_is_gone_is_paused_and_dark() {
+    for personality in Personality::ALL {
+        let (mut it, _, _) = armed(personality);
+        let latest = it.now() + Duration::from_secs(20);
+        assert!(it.run_until(latest, |it| it.arm().controller().outputs().laser));
+        it.set_guardian(Some("no process is left"));
+        it.run_for(Duration::from_secs(5));
         assert!(!it.arm().controller().outputs().laser, "{personality}");
         let phase = it.supervisor().job().map(|it| it.phase);
         assert_eq!(phase, Some(JobPhase::Paused), "{personality}");

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{News, Request};
+use dobot_api::{ClientId, Jog, News, Notice, Reply, Request};
 use dobot_controller::Personality;
 use dobot_rules::VirtualStation;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, Packet};
@@ -125,4 +125,85 @@ fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
         let later = it.arm().mechanics().joints_at(it.now());
         assert_eq!(there, later, "stopped after {eighth} eighths of a second");
     }
+}
+
+/// A station whose cable is pulled while somebody holds a button.
+fn unplugged_in_a_jog(personality: Personality) -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 30.0));
+    for _ in 0..10 {
+        it.ask(anna, Request::Jog { jog }).unwrap();
+        it.run_for(Duration::from_millis(50));
+    }
+    it.unplug();
+    it.run_for(Duration::from_millis(600));
+    (it, anna)
+}
+
+fn notices_with(it: &VirtualStation, text: &str) -> usize {
+    let has = |it: &&Notice| it.text.contains(text);
+    it.notices().iter().filter(has).count()
+}
+
+#[test]
+fn a_stop_without_a_link_says_that_it_was_not_delivered_until_it_is() {
+    for personality in Personality::ALL {
+        let (mut it, anna) = unplugged_in_a_jog(personality);
+        let ben = it.client("Ben");
+        let reply = it.ask(ben, STOP).unwrap();
+        assert!(
+            matches!(
+                reply,
+                Reply::Stopping {
+                    delivered: false,
+                    ..
+                }
+            ),
+            "{reply:?}"
+        );
+        assert!(!it.supervisor().state().stop.unwrap().delivered);
+        it.run_for(Duration::from_secs(5));
+        assert!(notices_with(&it, "NOT DELIVERED") >= 5, "{personality}");
+        // Nobody knows whether the arm rests.
+        let refused = it.ask(anna, Request::ResetStop).unwrap_err();
+        assert_eq!(refused.kind(), "no-link");
+        let before = it.packets().len();
+        it.plug();
+        it.run_for(Duration::from_secs(1));
+        assert_eq!(sent_since(&it, before)[0], LASER_OFF, "{personality}");
+        assert!(it.supervisor().state().stop.unwrap().delivered);
+        assert_eq!(notices_with(&it, "the stop is delivered now"), 1);
+        it.run_for(Duration::from_secs(5));
+        it.ask(anna, Request::ResetStop).unwrap();
+    }
+}
+
+#[test]
+fn a_release_and_laser_off_without_a_link_are_refused_as_not_delivered() {
+    for personality in Personality::ALL {
+        let (mut it, anna) = unplugged_in_a_jog(personality);
+        for asked in [Request::Release, Request::DisarmLaser] {
+            assert_eq!(it.ask(anna, asked).unwrap_err().kind(), "not-delivered");
+        }
+    }
+}
+
+#[test]
+fn a_stop_with_a_link_is_delivered() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    let reply = it.ask(anna, STOP).unwrap();
+    assert!(
+        matches!(
+            reply,
+            Reply::Stopping {
+                delivered: true,
+                ..
+            }
+        ),
+        "{reply:?}"
+    );
+    assert!(it.supervisor().state().stop.unwrap().delivered);
 }

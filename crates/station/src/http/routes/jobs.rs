@@ -6,8 +6,8 @@ use axum::Json;
 use axum::extract::State;
 use axum::response::Response;
 use dobot_api::problem_kinds::{
-    BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, LOCKED, MALFORMED, NO_JOB_RUNS,
-    NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT, TOO_MANY,
+    BAD_JOB, CANNOT_RESUME, COMMAND, ENDING, JOB_PHASE, JOURNAL, LOCKED, MALFORMED, NEEDS_PERSON,
+    NO_JOB_RUNS, NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT, TOO_MANY,
 };
 use dobot_api::{JobPath, JobView, NewJob, Reply, Request};
 use dobot_rules::Refusal;
@@ -110,7 +110,22 @@ fn carried_out() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the job runs")
         .problems(MOVES)
-        .problems(&[NO_SUCH_JOB, JOB_PHASE, BAD_JOB, CANNOT_RESUME, JOURNAL]),
+        .problems(&[
+            NO_SUCH_JOB,
+            JOB_PHASE,
+            BAD_JOB,
+            CANNOT_RESUME,
+            NEEDS_PERSON,
+            JOURNAL,
+        ]),
+        Route::asks(
+            POST,
+            "/api/v1/jobs/{id}/confirm",
+            "Says that a person has done what a paused job waits for; start it again then",
+            |OfJob(job)| Request::ConfirmJob { job },
+        )
+        .gives::<Reply>(200, "the job may go on")
+        .problems(&[NO_LEASE, LOCKED, SLOT]),
         Route::asks(
             POST,
             "/api/v1/jobs/{id}/step",
@@ -119,7 +134,14 @@ fn carried_out() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the step is under way")
         .problems(MOVES)
-        .problems(&[NO_SUCH_JOB, JOB_PHASE, BAD_JOB, CANNOT_RESUME, JOURNAL]),
+        .problems(&[
+            NO_SUCH_JOB,
+            JOB_PHASE,
+            BAD_JOB,
+            CANNOT_RESUME,
+            NEEDS_PERSON,
+            JOURNAL,
+        ]),
         Route::asks(
             POST,
             "/api/v1/jobs/pause",

@@ -184,7 +184,11 @@ async fn hold(
     let app = &asker.app;
     let token = match &asker.lease {
         Some(token) => token.clone(),
-        None => app.http_leases.keep(client, app.now())?.secret().into(),
+        None => app
+            .http_leases
+            .keep(client, asker.caller.clone(), app.now())?
+            .secret()
+            .into(),
     };
     let lease = match reply {
         Reply::Lease { lease } => lease,

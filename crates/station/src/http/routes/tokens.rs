@@ -98,6 +98,7 @@ async fn remove(asker: Asker, Path(name): Path<String>) -> Result<Json<Vec<Token
     asker.check_role(Role::Admin)?;
     let removed = asker.app.tokens().remove(&name);
     removed.map_err(|error| told(&error))?;
+    asker.app.refresh_tokens();
     Ok(Json(all_of(&asker)?))
 }
 

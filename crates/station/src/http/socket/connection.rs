@@ -5,13 +5,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, close_code};
-use dobot_api::{Notice, Problem, Reply, ToClient};
+use dobot_api::{ClientId, Notice, Problem, Reply, ToClient};
 use dobot_rules::{Client, Refusal};
 use futures_util::{Sink, SinkExt, Stream, StreamExt};
 use tokio::sync::{broadcast, mpsc, oneshot};
 use tokio::time::timeout;
 
-use super::super::app::{App, ended};
+use super::super::app::{App, Caller, ended};
 use super::super::messages;
 use super::Wants;
 use super::receive::receive;
@@ -22,6 +22,7 @@ use super::state_stream::StateStream;
 #[derive(Debug)]
 pub(super) struct SocketConnection {
     app: Arc<App>,
+    caller: Caller,
     client: Client,
     name: String,
     states: StateStream,
@@ -39,6 +40,8 @@ pub(super) enum End {
     Slow,
     /// The client sends too much.
     Flood,
+    /// The client's token was removed, or may do less than before.
+    Revoked,
     /// What the client sends is no WebSocket message.
     Broken(String),
     /// The station ends.
@@ -58,11 +61,18 @@ const FAREWELL: Duration = Duration::from_secs(1);
 const OWED: usize = 256;
 
 impl SocketConnection {
-    pub(super) fn new(app: &Arc<App>, client: Client, name: String, wants: &Wants) -> Self {
+    pub(super) fn new(
+        app: &Arc<App>,
+        caller: Caller,
+        client: Client,
+        name: String,
+        wants: &Wants,
+    ) -> Self {
         let notices = wants.notices.unwrap_or(true).then(|| app.handle.notices());
         Self {
             states: StateStream::new(app.handle.every_state(), wants.states),
             app: app.clone(),
+            caller,
             client,
             name,
             notices,
@@ -77,27 +87,31 @@ impl SocketConnection {
         E: Display,
     {
         let (owe, owed) = mpsc::channel(OWED);
-        let (app, client) = (&*self.app, &self.client);
+        let (app, client) = (&*self.app, self.client);
         let news = News {
             states: self.states,
             notices: self.notices,
             owed,
         };
         let end = tokio::select! {
-            end = receive(app, client, incoming, &owe) => end,
-            end = news.tell(app, client, outgoing) => end,
+            end = receive(app, &client, incoming, &owe) => end,
+            end = news.tell(app, &client, outgoing) => end,
+            () = app.revoked(&self.caller) => End::Revoked,
             () = ended(app.ending.clone()) => End::Ending,
         };
-        report(app, client, &self.name, &end).await;
+        let id = client.id();
+        // What it holds ends now, and not with its last word.
+        drop(client);
+        report(app, id, &self.name, &end).await;
         // Whether the client hears the last word makes no difference any more.
         let _ = timeout(FAREWELL, farewell(&end, incoming, outgoing)).await;
     }
 }
 
 /// Lets those who watch know of a client that is not as it should be.
-async fn report(app: &App, client: &Client, name: &str, end: &End) {
-    if matches!(end, End::Slow | End::Flood | End::Broken(_)) {
-        let (number, why) = (client.id().0, words(end));
+async fn report(app: &App, client: ClientId, name: &str, end: &End) {
+    if matches!(end, End::Slow | End::Flood | End::Revoked | End::Broken(_)) {
+        let (number, why) = (client.0, words(end));
         app.handle
             .trouble(format!("client {number} ({name}) was dropped: {why}"))
             .await;
@@ -131,7 +145,7 @@ where
 fn code(end: &End) -> Option<u16> {
     match end {
         End::Closed => None,
-        End::Vanished | End::Slow | End::Flood => Some(close_code::POLICY),
+        End::Vanished | End::Slow | End::Flood | End::Revoked => Some(close_code::POLICY),
         End::Broken(text) if text.contains("too long") => Some(close_code::SIZE),
         End::Broken(_) => Some(close_code::PROTOCOL),
         End::Ending => Some(close_code::AWAY),
@@ -145,6 +159,7 @@ fn words(end: &End) -> String {
         End::Vanished => "it did not answer for 6 s".into(),
         End::Slow => "it reads too slowly".into(),
         End::Flood => "it sends more than 1000 messages in a second".into(),
+        End::Revoked => "its token was removed, or may do less than before".into(),
         End::Broken(text) => text.chars().filter(char::is_ascii).take(100).collect(),
         End::Ending => "the station is shutting down".into(),
     }

@@ -1,6 +1,6 @@
 //! WebSockets on a real address.
 
-use dobot_api::{ClientId, Folders, News, Request};
+use dobot_api::{ClientId, Folders, News, Request, Role};
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
 use tokio::net::TcpStream;
@@ -11,14 +11,14 @@ use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
 use super::super::fake::{Asked, FakeNews, driver};
 use crate::sample::{notice, state};
-use crate::{Served, Web, serve};
+use crate::{Served, Token, Tokens, Web, serve};
 
 struct Station {
     served: Served,
     telling: std::sync::Arc<FakeNews>,
     asked: Asked,
     handle: dobot_rules::Handle,
-    _folder: tempfile::TempDir,
+    folder: tempfile::TempDir,
 }
 
 type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
@@ -33,7 +33,7 @@ impl Station {
             telling,
             asked,
             handle,
-            _folder: folder,
+            folder,
         }
     }
 
@@ -302,4 +302,71 @@ async fn a_hundred_watchers_miss_nothing() {
     for watcher in watching {
         watcher.await.unwrap();
     }
+}
+
+impl Station {
+    /// A socket with a token.
+    async fn connect_with(&self, token: &Token) -> Socket {
+        let protocols = format!("dobot, dobot.token.{}", token.secret());
+        let headers = [("sec-websocket-protocol", &*protocols)];
+        self.try_connect("", &headers).await.unwrap()
+    }
+
+    fn tokens(&self) -> Tokens {
+        Tokens::open(&self.folder.path().join("tokens.toml")).unwrap()
+    }
+}
+
+/// Waits until the station closes a socket, and says why.
+async fn closed(socket: &mut Socket) -> String {
+    loop {
+        match socket.next().await.unwrap().unwrap() {
+            Message::Close(frame) => return frame.unwrap().reason.to_string(),
+            _ => {}
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_socket_whose_token_is_removed_is_closed_and_its_client_leaves_at_once() {
+    let station = Station::start().await;
+    let mut tokens = station.tokens();
+    let kept = tokens.add(Role::Control, "ben").unwrap();
+    let removed = tokens.add(Role::Control, "anna").unwrap();
+    let mut anna = station.connect_with(&removed).await;
+    let mut ben = station.connect_with(&kept).await;
+    next(&mut anna).await;
+    next(&mut ben).await;
+    tokens.remove("anna").unwrap();
+    assert!(closed(&mut anna).await.contains("token was removed"));
+    assert_eq!(station.gone().await.len(), 1);
+    // Others stay.
+    say(
+        &mut ben,
+        &json!({"id": 1, "request": {"type": "take_lease"}}),
+    )
+    .await;
+    loop {
+        let answer = next(&mut ben).await;
+        if answer["id"] == 1 {
+            assert!(answer["reply"].is_object(), "{answer}");
+            break;
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_socket_whose_token_may_do_less_than_before_is_closed() {
+    let station = Station::start().await;
+    let mut tokens = station.tokens();
+    let token = tokens.add(Role::Control, "anna").unwrap();
+    let mut anna = station.connect_with(&token).await;
+    next(&mut anna).await;
+    let file = station.folder.path().join("tokens.toml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let less = text.replace("role = \"control\"", "role = \"watch\"");
+    assert_ne!(less, text);
+    std::fs::write(&file, less).unwrap();
+    assert!(closed(&mut anna).await.contains("may do less"));
+    assert_eq!(station.gone().await.len(), 1);
 }

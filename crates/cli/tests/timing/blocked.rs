@@ -1,0 +1,123 @@
+//! Whoever logs may have to wait; the arm never does.
+
+use std::io::PipeReader;
+use std::time::{Duration, Instant};
+
+use dobot_wire::Command;
+use rustix::process::Signal;
+use serde_json::json;
+
+use crate::guarding::{Bench, JOINT_RELEASE};
+use crate::support::api::Api;
+use crate::support::going::Going;
+use crate::support::spiral::LASER_OFF;
+
+/// The formats of the log.
+const FORMATS: [&str; 2] = ["text", "json"];
+
+/// A station whose standard error takes nothing, the end of that pipe, and the address of its page.
+fn station(bench: &Bench, format: &str) -> (Going, PipeReader, String) {
+    let mut command = bench.up(&["--log-format", format]);
+    command.env("RUST_LOG", "debug");
+    let (station, errors) = Going::with_full_errors(command);
+    // Where it is does not stand on standard output with every format.
+    let file = bench.folder().join("station.toml");
+    let page = loop {
+        let text = std::fs::read_to_string(&file).unwrap_or_default();
+        if let Some(address) = text
+            .strip_prefix("address = \"")
+            .and_then(|it| it.split('"').next())
+        {
+            break address.to_owned();
+        }
+        std::thread::yield_now();
+    };
+    bench.confirm();
+    (station, errors, page)
+}
+
+/// When the arm was first told one of these after a moment.
+fn told(bench: &Bench, at: Instant, wanted: &[Command]) -> Duration {
+    loop {
+        let (passed, command) = bench.command();
+        if passed >= at && wanted.contains(&command) {
+            return passed - at;
+        }
+    }
+}
+
+#[test]
+fn a_killed_or_frozen_station_is_spoken_for_though_nobody_reads_standard_error() {
+    for format in FORMATS {
+        for how in [Signal::KILL, Signal::STOP] {
+            let bench = Bench::new();
+            let (station, _errors, _) = station(&bench, format);
+            let _holder = bench.jog("base+");
+            let at = Instant::now();
+            rustix::process::kill_process(station.pid(), how).expect("it is there");
+            bench.check_words(at, JOINT_RELEASE);
+        }
+    }
+}
+
+#[test]
+fn a_verb_that_is_killed_is_spoken_for_though_nobody_reads_its_standard_error() {
+    let bench = Bench::new();
+    let jog = [
+        "jog",
+        "base+",
+        "--for",
+        "60",
+        "--to",
+        &bench.arm.address,
+        "--pose-confirmed",
+    ];
+    let (mut verb, _errors) =
+        Going::with_full_errors(crate::support::program::command_at(bench.folder(), &jog));
+    bench.wait_for_jog();
+    let at = Instant::now();
+    verb.kill();
+    bench.check_words(at, JOINT_RELEASE);
+}
+
+#[test]
+fn a_killed_station_is_spoken_for_though_its_note_is_a_pipe_that_nobody_reads() {
+    let bench = Bench::new();
+    let note = bench.folder().join("guardian.txt");
+    let mode = rustix::fs::Mode::from_bits_truncate(0o600);
+    rustix::fs::mkfifoat(rustix::fs::CWD, &note, mode).expect("there is room");
+    let (mut station, _errors) = bench.station_with_errors();
+    bench.confirm();
+    let _holder = bench.jog("base+");
+    let at = Instant::now();
+    station.kill();
+    bench.check_words(at, JOINT_RELEASE);
+}
+
+#[test]
+fn a_released_button_and_a_stop_reach_the_arm_though_nobody_reads_standard_error() {
+    for format in FORMATS {
+        let bench = Bench::new();
+        let (_station, _errors, page) = station(&bench, format);
+        // More lines than a pipe holds.
+        for n in 0..200 {
+            let text = json!({ "text": format!("message {n} {}", "x".repeat(100)) });
+            Api::new(&page).asks("POST", "message", &text);
+        }
+        let holder = bench.jog("base+");
+        let at = Instant::now();
+        assert_eq!(holder.interrupt(), Some(1));
+        let after = told(&bench, at, &[JOINT_RELEASE]);
+        assert!(after < Duration::from_millis(500), "{format}: {after:?}");
+        let _holder = bench.jog("base-");
+        let at = Instant::now();
+        bench.dobot(&["stop", "--reason", "test"]).succeeds();
+        let after = told(&bench, at, &[LASER_OFF]);
+        assert!(after < Duration::from_millis(500), "{format}: {after:?}");
+        let (after, at) = (told(&bench, at, &[JOINT_RELEASE]), at.elapsed());
+        assert!(
+            after < Duration::from_millis(700),
+            "{format}: {after:?} {at:?}"
+        );
+    }
+}

@@ -1,0 +1,66 @@
+//! Which jobs an agent may go on with: its own, where no person has to look first.
+
+use std::collections::HashMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use dobot_api::{JobPhase, JobView};
+
+use crate::refused::Refused;
+
+/// The jobs that agents have started, by number.
+#[derive(Debug, Default)]
+pub(crate) struct OwnJobs(Mutex<HashMap<u64, OwnJob>>);
+
+#[derive(Debug)]
+struct OwnJob {
+    agent: String,
+    /// The job's reason after this agent has paused it.
+    paused: Option<String>,
+}
+
+impl OwnJobs {
+    /// An agent starts a job.
+    pub(crate) fn add(&self, agent: &str, job: u64) {
+        let own = OwnJob {
+            agent: agent.to_owned(),
+            paused: None,
+        };
+        self.lock().insert(job, own);
+    }
+
+    /// An agent has paused a job.
+    pub(crate) fn note_paused(&self, agent: &str, job: &JobView) {
+        if let Some(own) = self.lock().get_mut(&job.job).filter(|it| it.agent == agent) {
+            own.paused.clone_from(&job.reason);
+        }
+    }
+
+    /// Whether an agent may go on with a job: one that it has started and paused itself.
+    ///
+    /// # Errors
+    ///
+    /// `needs-a-person`.
+    pub(crate) fn check_may_resume(&self, agent: &str, job: &JobView) -> Result<(), Refused> {
+        let jobs = self.lock();
+        let own = jobs.get(&job.job).filter(|it| it.agent == agent);
+        let why = match own {
+            None => "another client queued it".to_owned(),
+            Some(_) if job.waits_for_person => "it waits for a person".to_owned(),
+            Some(own) if job.phase == JobPhase::Paused && own.paused != job.reason => {
+                "the agent did not pause it".to_owned()
+            }
+            Some(_) => return Ok(()),
+        };
+        let reason = job.reason.as_ref();
+        let reason = reason.map_or_else(String::new, |it| format!(" ({it})"));
+        Err(Refused::new(
+            "needs-a-person",
+            format!("job {}: {why}{reason}; only a person may go on with it", job.job),
+        )
+        .hinted("ask the person at the arm to start it, on the station's page or with `dobot jobs start`"))
+    }
+
+    fn lock(&self) -> MutexGuard<'_, HashMap<u64, OwnJob>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

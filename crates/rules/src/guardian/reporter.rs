@@ -1,0 +1,48 @@
+//! What the guardian reports, without ever waiting for a reader or a disk.
+
+use std::io::{self, Write};
+use std::path::Path;
+use std::time::Duration;
+
+use super::note::Note;
+use crate::Background;
+
+/// Writes lines to standard error and to the note for the next start. Each has a thread of its own: a full pipe, a
+/// stopped terminal or a file system that hangs holds up nothing else.
+#[derive(Debug)]
+pub(super) struct Reporter(Vec<Background<String>>);
+
+impl Reporter {
+    /// Starts the threads. A guardian that gets none does its work without a report.
+    pub(super) fn start(note: &Path) -> Self {
+        let note = note.to_owned();
+        let to_note = Background::start("note", WAITING, move |lines| {
+            let mut note = Note::open(&note);
+            lines.iter().for_each(|line: String| note.write(&line));
+        });
+        let to_stderr = Background::start("stderr", WAITING, |lines| {
+            // Standard error may be gone with the station.
+            for line in lines {
+                let _ = writeln!(io::stderr(), "guardian: {line}");
+            }
+        });
+        Self([to_note, to_stderr].into_iter().flatten().collect())
+    }
+
+    /// Reports a line. It is lost where earlier lines still wait for room.
+    pub(super) fn report(&self, line: &str) {
+        for thread in &self.0 {
+            let _ = thread.push(line.to_owned());
+        }
+    }
+
+    /// Waits until everything is written, but no longer than this for each of the two.
+    pub(super) fn finish(self, within: Duration) {
+        for thread in self.0 {
+            thread.finish(within);
+        }
+    }
+}
+
+/// Lines that wait to be written, at most. A guardian has two things to say.
+const WAITING: usize = 8;
