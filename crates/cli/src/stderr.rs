@@ -17,7 +17,7 @@ enum Item {
 
 static THREAD: LazyLock<Option<Background<Item>>> = LazyLock::new(|| {
     Background::start("stderr", CAPACITY, |items| {
-        items.iter().for_each(write_item)
+        items.iter().for_each(write_item);
     })
     .ok()
 });

@@ -3,6 +3,7 @@
 use std::convert::Infallible;
 use std::io;
 use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 /// A thread with a bounded queue. Pushing never waits.
@@ -10,7 +11,7 @@ use std::time::Duration;
 pub struct Background<T> {
     queue: SyncSender<T>,
     /// Disconnected when the thread has ended.
-    running: Receiver<Infallible>,
+    running: Mutex<Receiver<Infallible>>,
 }
 
 impl<T: Send + 'static> Background<T> {
@@ -31,6 +32,7 @@ impl<T: Send + 'static> Background<T> {
             work(items);
             drop(alive);
         })?;
+        let running = Mutex::new(running);
         Ok(Self { queue, running })
     }
 
@@ -49,7 +51,10 @@ impl<T: Send + 'static> Background<T> {
     /// Waits until all items are done, but no longer than this.
     pub fn finish(self, within: Duration) {
         drop(self.queue);
-        let _ = self.running.recv_timeout(within);
+        let running = self.running.into_inner();
+        let _ = running
+            .unwrap_or_else(PoisonError::into_inner)
+            .recv_timeout(within);
     }
 }
 
@@ -61,8 +66,10 @@ mod tests {
     #[test]
     fn a_thread_that_hangs_costs_items_and_no_time() {
         let (unblock, blocked) = channel::<()>();
-        let background = Background::start("test", 2, move |items| {
-            items.iter().for_each(|_: u32| drop(blocked.recv()));
+        let background = Background::start("test", 2, move |items: Receiver<u32>| {
+            for _ in items {
+                let _ = blocked.recv();
+            }
         });
         let background = background.unwrap();
         let pushed = (0..100).filter(|n| background.push(*n).is_ok()).count();
@@ -74,8 +81,10 @@ mod tests {
     #[test]
     fn finish_waits_until_all_items_are_done() {
         let (done, results) = channel();
-        let background = Background::start("test", 8, move |items| {
-            items.iter().for_each(|n: u32| done.send(n * n).unwrap());
+        let background = Background::start("test", 8, move |items: Receiver<u32>| {
+            for n in items {
+                done.send(n * n).unwrap();
+            }
         });
         let background = background.unwrap();
         for n in 0..4 {

@@ -2,6 +2,7 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::Receiver;
 use std::time::Duration;
 
 use tokio::sync::mpsc;
@@ -28,8 +29,8 @@ impl Disk {
     ///
     /// The operating system's, if it has no thread left.
     pub(crate) fn start(driver: mpsc::Sender<Message>) -> io::Result<Self> {
-        Background::start("disk", WAITING, move |work| {
-            for work in work {
+        Background::start("disk", WAITING, move |all: Receiver<Work>| {
+            for work in all {
                 for text in work.done() {
                     // The driver may have ended.
                     let _ = driver.blocking_send(Message::Trouble(text));

@@ -7,7 +7,7 @@ mod offers;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use dobot_api::{ClientId, JobPath, JobState, JobView, NewJob, Reply};
+use dobot_api::{ClientId, JobPath, JobPhase, JobState, JobView, NewJob, Reply};
 use dobot_arm::{Joints, Tool};
 use dobot_journal::{Job, JobId, Journal, JournalError, PlannedJob, Window};
 use dobot_safety::Policy;

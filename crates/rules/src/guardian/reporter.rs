@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 use std::path::Path;
+use std::sync::mpsc::Receiver;
 use std::time::Duration;
 
 use super::note::Note;
@@ -16,9 +17,11 @@ impl Reporter {
     /// Starts the threads. A guardian that gets none does its work without a report.
     pub(super) fn start(note: &Path) -> Self {
         let note = note.to_owned();
-        let to_note = Background::start("note", WAITING, move |lines| {
+        let to_note = Background::start("note", WAITING, move |lines: Receiver<String>| {
             let mut note = Note::open(&note);
-            lines.iter().for_each(|line: String| note.write(&line));
+            for line in lines {
+                note.write(&line);
+            }
         });
         let to_stderr = Background::start("stderr", WAITING, |lines| {
             // Standard error may be gone with the station.

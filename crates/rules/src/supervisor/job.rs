@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, JobPhase, JobView, Reply};
+use dobot_api::{ClientId, JobPhase, JobView, News, Reply};
 use dobot_client::CommandId;
 use dobot_journal::Window;
 use dobot_wire::Status;

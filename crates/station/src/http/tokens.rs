@@ -216,18 +216,15 @@ impl TokensFile {
         if version == self.version {
             return Ok(None);
         }
-        let known = match version {
-            None => Vec::new(),
-            Some(_) => {
-                let text = fs::read_to_string(&self.file).map_err(io)?;
-                let content: Content =
-                    toml::from_str(&text).map_err(|error| TokensError::Content {
-                        file: self.file.display().to_string(),
-                        why: error.message().to_owned(),
-                    })?;
-                content.token
-            }
-        };
+        let mut text = String::new();
+        if version.is_some() {
+            text = fs::read_to_string(&self.file).map_err(io)?;
+        }
+        let content: Content = toml::from_str(&text).map_err(|error| TokensError::Content {
+            file: self.file.display().to_string(),
+            why: error.message().to_owned(),
+        })?;
+        let known = content.token;
         Ok(Some(TokensRead { version, known }))
     }
 }
@@ -414,8 +411,8 @@ mod tests {
     fn a_token_is_known_by_its_name_and_role_and_no_other_text_is() {
         let (_folder, mut tokens) = empty();
         let token = tokens.add(Role::Watch, "screen").unwrap();
-        let holder = Some(("screen".to_owned(), Role::Watch));
-        assert_eq!(holder(&mut tokens, token.secret()), holder);
+        let screen = Some(("screen".to_owned(), Role::Watch));
+        assert_eq!(holder(&mut tokens, token.secret()), screen);
         let mut other = token.secret().to_owned();
         other.replace_range(63.., if other.ends_with('0') { "1" } else { "0" });
         for wrong in ["", "screen", &other, &token.secret()[..63]] {

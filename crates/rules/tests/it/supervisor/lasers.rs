@@ -128,7 +128,7 @@ fn detection_ended(personality: Personality, after: Duration) -> (VirtualStation
 /// Stops, and runs until the time is over that was promised, and the line.
 fn stop_as_promised(it: &mut VirtualStation, anna: ClientId) {
     let stopping = it.ask(anna, Request::Stop { reason: None });
-    let Ok(Reply::Stopping { rests_within_s }) = stopping else {
+    let Ok(Reply::Stopping { rests_within_s, .. }) = stopping else {
         panic!("anyone may stop: {stopping:?}");
     };
     it.run_for(Duration::from_secs_f64(rests_within_s) + Duration::from_millis(500));

@@ -17,6 +17,16 @@ use super::super::super::tokens::Tokens;
 use super::*;
 use crate::sample::{notice, state};
 
+/// One who came without a token.
+fn caller() -> Caller {
+    Caller {
+        name: "test".into(),
+        role: Role::Admin,
+        is_person: false,
+        token: None,
+    }
+}
+
 /// What a client is sent; it may stop to read after some messages.
 #[derive(Debug)]
 struct Ear {
@@ -93,7 +103,13 @@ impl Harness {
     {
         let began = Instant::now();
         let client = self.app.handle.client("test", Role::Admin).await.unwrap();
-        let connection = SocketConnection::new(&self.app, client, "test".into(), &Wants::default());
+        let connection = SocketConnection::new(
+            &self.app,
+            caller(),
+            client,
+            "test".into(),
+            &Wants::default(),
+        );
         let heard = self.heard.clone();
         let mut incoming = incoming;
         connection
