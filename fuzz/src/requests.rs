@@ -49,7 +49,7 @@ fn ask(requests: Vec<Request>) {
     }
     station.jobs().expect("what was kept can be read");
     let stop = station.ask(anna, Request::Stop { reason: None });
-    let Ok(Reply::Stopping { rests_within_s }) = stop else {
+    let Ok(Reply::Stopping { rests_within_s, .. }) = stop else {
         panic!("anyone may stop at any time: {stop:?}");
     };
     // What the arm has been sent already, it finishes first; laser off waits behind that.

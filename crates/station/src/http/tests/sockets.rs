@@ -320,9 +320,8 @@ impl Station {
 /// Waits until the station closes a socket, and says why.
 async fn closed(socket: &mut Socket) -> String {
     loop {
-        match socket.next().await.unwrap().unwrap() {
-            Message::Close(frame) => return frame.unwrap().reason.to_string(),
-            _ => {}
+        if let Message::Close(frame) = socket.next().await.unwrap().unwrap() {
+            return frame.unwrap().reason.to_string();
         }
     }
 }
