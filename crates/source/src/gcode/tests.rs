@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod heights;
+mod laser;
 mod servo;
 
 use std::f64::consts::{PI, TAU};
@@ -484,7 +485,7 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
         ),
         (
             "G0 X1\nM5",
-            "nothing to draw: no moves by G1, G2 or G3; 1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
+            "nothing to draw: the laser never has power in a line (M3, M4 or M106, with S above 0 where the file has S)",
         ),
         ("G1 X1\nG1 Xabc", &format!("2:4: found \"Xabc\"; {word}")),
         ("G1 X1,5", &format!("1:6: found \",5\"; {word}")),
