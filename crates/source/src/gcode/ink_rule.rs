@@ -31,7 +31,7 @@ pub(super) enum InkRule {
         up: f64,
         source: UpSource,
     },
-    /// Neither: G1 to G3. Whether the file has M3, M5 or S nevertheless.
+    /// Neither: G1 to G3. `has_switch` if the file has M3, M5 or S nevertheless.
     Plain { has_switch: bool },
     /// A laser that is never on with power: nothing.
     Dark,
@@ -272,7 +272,9 @@ impl MoveStatistics {
 
     /// A mill turns its spindle all the time, and travels above its work.
     fn is_mill(&self) -> bool {
-        self.is_drill() || self.rapids.lowest > self.burns().highest || self.spindle.is_spindle()
+        self.has_drill_cycle
+            || self.rapids.lowest > self.burns().highest
+            || self.spindle.is_spindle()
     }
 
     /// Whether Z moves the tool into the work: by a drilling cycle, or below all that moves along X or Y.

@@ -34,7 +34,7 @@ pub(super) struct LaserSwitch {
     pub(super) first_line_at: Option<usize>,
     /// The height of the highest line with power.
     pub(super) highest_line_mm: f64,
-    /// Z moves the tool into the work: what turns is a spindle.
+    /// Z moves the tool into the work: what waits may be a spindle.
     pub(super) is_drill: bool,
 }
 

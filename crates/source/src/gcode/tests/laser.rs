@@ -32,7 +32,7 @@ fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
 fn a_laser_without_power_burns_nothing_and_this_is_told() {
     assert_eq!(error(DRY_RUN), NEVER);
     assert!(error(POWERS_WHILE_OFF).starts_with(NEVER));
-    // S0 on its own, beside a move, and of a file with M3 but no other S.
+    // S0 in a line of its own, beside a move, of a fan, and where Z lifts a pen.
     for text in [
         "M3\nS0\nG1 X10\nM5",
         "M3\nG1 X10 S0\nX20\nM5",
@@ -84,6 +84,12 @@ fn a_dwell_before_the_first_line_or_above_all_lines_burns_no_dot() {
     // At the height of the lines it is a dot of the laser.
     let behind = above.replace("Z5", "Z0");
     assert_eq!(corners(&behind).len(), 2);
+}
+
+#[test]
+fn a_laser_that_comes_down_in_the_end_burns_its_lines() {
+    let text = "G0 Z0\nM3 S255\nG0 X1\nG1 X11\nG1 Z-2\nM5";
+    assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0)]]);
 }
 
 #[test]
