@@ -33,7 +33,9 @@ impl Reference {
             says_nothing: !has_s && !has_m,
             ..Reader::default()
         };
-        lines.iter().for_each(|it| reader.line(it));
+        for line in &lines {
+            reader.line(line);
+        }
         reader.finish()
     }
 
@@ -52,6 +54,7 @@ impl Reference {
 }
 
 #[derive(Debug, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a mode of its own")]
 struct Reader {
     /// The power is full without S.
     full: bool,
@@ -327,7 +330,9 @@ pub(super) fn program(words: Words) -> impl Strategy<Value = String> {
             if words.has_switch {
                 writer.text.push_str("M5\n");
             }
-            lines.iter().for_each(|it| writer.line(it));
+            for line in &lines {
+                writer.line(line);
+            }
             finish(&writer.text, is_small, is_numbered)
         },
     )
@@ -349,7 +354,7 @@ fn finish(text: &str, is_small: bool, is_numbered: bool) -> String {
 }
 
 #[derive(Debug, Default)]
-#[expect(clippy::struct_excessive_bools, reason = "each is drawn by itself")]
+#[expect(clippy::struct_excessive_bools, reason = "each is chosen by itself")]
 struct Writer {
     has_s: bool,
     has_z: bool,
