@@ -246,8 +246,12 @@ mod tests {
 
     /// The strokes of a file, from the corner of their ink.
     fn read(name: &str, text: String) -> Vec<Vec<(f64, f64)>> {
+        let options = ReadOptions {
+            burns: text.contains("M4"),
+            ..ReadOptions::default()
+        };
         let source = Source::of_file(name, text.into_bytes()).unwrap();
-        let (artwork, warnings) = source.read(&ReadOptions::default()).unwrap();
+        let (artwork, warnings) = source.read(&options).unwrap();
         assert!(warnings.is_empty(), "{name}: {warnings:?}");
         let round = |mm: f64| (mm * 1e3).round() / 1e3 + 0.0;
         let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);

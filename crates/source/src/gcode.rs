@@ -10,6 +10,7 @@ mod grbl_servo;
 mod high_pen;
 mod ink;
 mod ink_rule;
+mod laser;
 mod machine;
 mod servo;
 mod spindle;
@@ -17,7 +18,8 @@ mod switch;
 mod zero;
 
 use self::ink::Inker;
-use self::ink_rule::MoveStatistics;
+use self::ink_rule::{InkRule, MoveStatistics};
+use self::laser::LaserState;
 use self::machine::{Machine, Move, ToolState};
 use crate::artwork::Artwork;
 use crate::error::SourceError;
@@ -35,10 +37,16 @@ pub(crate) fn read(
     text: &[u8],
     options: &ReadOptions,
 ) -> Result<(Artwork, Vec<Warning>), SourceError> {
+    let (sketch, rule) = sketch(text, options)?;
+    sketch.finish(Y::Up, rule.nothing(options.burns))
+}
+
+/// The ink where the program has it, and the rule that it was found by.
+fn sketch<'a>(text: &'a [u8], options: &ReadOptions) -> Result<(Sketch<'a>, InkRule), SourceError> {
     let mut sketch = Sketch::new(text, options)?;
     let mut statistics = MoveStatistics::default();
     let mut moves = 0;
-    let end = run(text, sketch.warnings(), |it| {
+    let (tool, laser) = run(text, sketch.warnings(), |it| {
         moves += 1;
         if moves > MOST_MOVES {
             let found = format!("more than {MOST_MOVES} moves");
@@ -48,25 +56,26 @@ pub(crate) fn read(
         statistics.count(it);
         Ok(())
     })?;
-    let rule = statistics.rule(text, &end);
+    let switch = options.burns.then(|| statistics.laser_switch(laser));
+    let rule = statistics.rule(text, &tool, laser, options.burns);
     if let Some((what, instead)) = rule.assumed() {
         sketch.warn(None, what, &instead);
     }
-    let mut inker = Inker::new(&mut sketch, rule, options.burns);
+    let mut inker = Inker::new(&mut sketch, rule, switch);
     run(text, &mut Warnings::new(text), |it| inker.draw(it))?;
     inker.finish()?;
-    sketch.finish(Y::Up, rule.nothing())
+    Ok((sketch, rule))
 }
 
-/// Runs the program and hands on all of its moves; what comes back is the tool at its end.
+/// Runs the program and hands on all of its moves; what comes back is the tool and the laser at its end.
 fn run<'a>(
     text: &'a [u8],
     warnings: &mut Warnings<'a>,
     mut hand_on: impl FnMut(&Move) -> Result<(), SourceError>,
-) -> Result<ToolState, SourceError> {
+) -> Result<(ToolState, LaserState), SourceError> {
     let mut machine = Machine::new(text, warnings);
     block::each(text, |block| machine.handle(block, &mut hand_on))?;
-    Ok(machine.tool())
+    Ok(machine.state())
 }
 
 /// Those of as many lines as a drawing may have, and travels: all are looked at before the first is drawn.

@@ -27,7 +27,8 @@ pub struct ReadOptions {
     pub hides: bool,
     /// Whether the areas of what is partly hidden are wanted, which takes most of the time.
     pub fills: bool,
-    /// Whether a laser draws it: then it is told what of a laser's file the arm burns otherwise.
+    /// Whether a laser draws it: then nothing is burned while G-code says off (M5, M107, S0), and it is told what of a laser's file
+    /// the arm burns otherwise.
     pub burns: bool,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
@@ -36,7 +37,7 @@ pub struct ReadOptions {
 }
 
 impl Default for ReadOptions {
-    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, nothing hidden, for a laser or a pen, no fonts, pictures hatched.
+    /// 0.005 mm at true size, a layer for each colour, cut at the page's edge, nothing hidden, for a laser, no fonts, pictures hatched.
     fn default() -> Self {
         Self {
             tolerance_mm: 0.005,

@@ -85,6 +85,12 @@ impl<'a> Sketch<'a> {
         &mut self.layers[self.current]
     }
 
+    /// All layers, where the source has them.
+    #[cfg(test)]
+    pub(super) fn layers(&self) -> &[Layer] {
+        &self.layers
+    }
+
     /// The pen leaves the paper: the next line begins a stroke.
     pub(super) const fn lift(&mut self) {
         self.goes_on = false;

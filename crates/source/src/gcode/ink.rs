@@ -1,6 +1,7 @@
 //! The ink that moves leave.
 
 use super::ink_rule::InkRule;
+use super::laser::LaserSwitch;
 use super::machine::{Move, MoveKind, ToolState};
 use super::servo::ServoCode;
 use crate::arc::Arc;
@@ -13,8 +14,8 @@ use crate::sketch::Sketch;
 pub(super) struct Inker<'s, 'a> {
     sketch: &'s mut Sketch<'a>,
     rule: InkRule,
-    /// A laser draws it, and not a pen.
-    burns: bool,
+    /// That of the laser that draws it; a pen has none.
+    switch: Option<LaserSwitch>,
     /// What the last ink was drawn with.
     tool: Option<ToolState>,
     /// Something moved along X or Y.
@@ -26,11 +27,15 @@ pub(super) struct Inker<'s, 'a> {
 }
 
 impl<'s, 'a> Inker<'s, 'a> {
-    pub(super) const fn new(sketch: &'s mut Sketch<'a>, rule: InkRule, burns: bool) -> Self {
+    pub(super) const fn new(
+        sketch: &'s mut Sketch<'a>,
+        rule: InkRule,
+        switch: Option<LaserSwitch>,
+    ) -> Self {
         Self {
             sketch,
             rule,
-            burns,
+            switch,
             tool: None,
             has_moved: false,
             lowered: None,
@@ -46,7 +51,9 @@ impl<'s, 'a> Inker<'s, 'a> {
         }
         let stands = it.stands();
         self.has_moved |= !stands;
-        match (self.inks(it), stands) {
+        // A tool that stands may draw on from there: only a dot would be burned.
+        let inks = self.inks(it) && (stands || !self.stays_dark(it));
+        match (inks, stands) {
             (true, true) => {
                 self.stand(it);
                 Ok(())
@@ -69,7 +76,7 @@ impl<'s, 'a> Inker<'s, 'a> {
         if let Some(waits) = self.lowered.take_if(|it| it.kind == MoveKind::Dwell) {
             self.dot(waits)?;
         }
-        if !self.burns {
+        if self.switch.is_none() {
             return Ok(());
         }
         let strong = self
@@ -113,15 +120,39 @@ impl<'s, 'a> Inker<'s, 'a> {
             InkRule::HighPen { above_mm } => it.z_mm.is_some_and(|z_mm| z_mm > above_mm),
             InkRule::Switch => it.kind != MoveKind::Rapid && it.tool.is_on_without_power,
             InkRule::Servo { code, up, .. } => it.tool.angle(code).is_some_and(|angle| angle != up),
-            InkRule::Plain => it.kind != MoveKind::Rapid,
+            InkRule::Plain { .. } => it.kind != MoveKind::Rapid,
+            InkRule::Dark => false,
         }
+    }
+
+    /// Whether a laser burns nothing in a move in which a pen would draw, which is told.
+    fn stays_dark(&mut self, it: &Move) -> bool {
+        let Some(switch) = self.switch else {
+            return false;
+        };
+        let is_dwell = it.kind == MoveKind::Dwell;
+        let is_by_z = matches!(self.rule, InkRule::Height { .. } | InkRule::HighPen { .. });
+        let (what, instead) = if it.stands() && (is_by_z || !is_dwell) {
+            let instead = "not burned, for Z and drilling cycles switch no laser on";
+            ("hole", instead)
+        } else if switch.is_on(it) {
+            return false;
+        } else if is_dwell && switch.is_spindle_dwell(it) {
+            let instead = "not burned (G4 before the first line, above all lines or of a drill)";
+            ("spindle dwell", instead)
+        } else {
+            let instead = "not burned, for the laser is off there (G0, M5, M107 or S0)";
+            ("dark move", instead)
+        };
+        self.sketch.warn(it.at, what, instead);
+        true
     }
 
     /// The pen touches the paper, or the laser burns, where it is.
     fn stand(&mut self, it: &Move) {
         let laser = matches!(self.rule, InkRule::Laser { .. });
         let waits = it.kind == MoveKind::Dwell;
-        let is_unlifted = matches!(self.rule, InkRule::Plain | InkRule::Switch);
+        let is_unlifted = matches!(self.rule, InkRule::Plain { .. } | InkRule::Switch);
         let is_nothing = is_unlifted || (laser && !waits);
         if !is_nothing && !self.sketch.ends_at(it.to) {
             // A stroke from here may follow: then the wait is only for the pen to come down.
@@ -133,6 +164,9 @@ impl<'s, 'a> Inker<'s, 'a> {
         if !self.has_moved && self.has_trial() {
             let instead = "left out, before the first move (M300)";
             self.sketch.warn(it.at, "trial of the pen", instead);
+            return Ok(());
+        }
+        if self.stays_dark(&it) {
             return Ok(());
         }
         if !matches!(self.rule, InkRule::Laser { .. }) {

@@ -2,6 +2,7 @@
 
 use super::grbl_servo::GrblServoStatistics;
 use super::high_pen::HighStatistics;
+use super::laser::{LaserState, LaserSwitch};
 use super::machine::{Move, MoveKind, ToolState};
 use super::servo::{ServoCode, ServoStatistics, UpSource};
 use super::spindle::SpindleStatistics;
@@ -30,8 +31,10 @@ pub(super) enum InkRule {
         up: f64,
         source: UpSource,
     },
-    /// Neither: G1 to G3.
-    Plain,
+    /// Neither: G1 to G3. `has_switch` if the file has M3, M5 or S nevertheless.
+    Plain { has_switch: bool },
+    /// A laser that is never on with power: nothing.
+    Dark,
 }
 
 /// From what the height is known below which a pen draws.
@@ -72,20 +75,32 @@ impl InkRule {
                 let draws = format!("S{up} taken for up, {}", source.reason());
                 Some((code.what(), draws))
             }
-            Self::Plain => {
+            Self::Plain { has_switch } => {
                 let draws = "G1, G2 and G3 draw, G0 travels".to_owned();
-                Some(("file without words for laser or pen (M3, Z)", draws))
+                let what = if has_switch {
+                    "file whose M3, M5 or S leave open when a pen is down"
+                } else {
+                    "file without words for laser or pen (M3, Z)"
+                };
+                Some((what, draws))
             }
+            Self::Dark => None,
         }
     }
 
     /// Why there is no ink.
-    pub(super) const fn nothing(self) -> &'static str {
+    pub(super) const fn nothing(self, burns: bool) -> &'static str {
         match self {
             Self::Laser { .. } | Self::Switch => "no move with the laser on",
+            Self::Height { .. } | Self::HighPen { .. } | Self::Servo { .. } if burns => {
+                "no line that a laser burns"
+            }
             Self::Height { .. } | Self::HighPen { .. } => "no move with the pen down",
             Self::Servo { .. } => "no move with the servo down",
-            Self::Plain => "no moves by G1, G2 or G3",
+            Self::Plain { .. } => "no moves by G1, G2 or G3",
+            Self::Dark => {
+                "the laser never has power in a line (M3, M4 or M106, with S above 0 where the file has S)"
+            }
         }
     }
 }
@@ -119,19 +134,21 @@ impl HeightSource {
 /// What the moves of a file have in common.
 #[derive(Debug, Default)]
 pub(super) struct MoveStatistics {
-    /// The largest S with which a laser would burn.
-    full: Option<f64>,
+    /// The lines that a laser would burn, and the places where it would wait.
+    lines: BurnStatistics,
+    dwells: BurnStatistics,
     /// Heights of the moves along X or Y in haste, since the laser or spindle first worked.
     rapids: Range,
     /// Heights of those at a working speed.
     feeds: Range,
-    /// Heights of those that a laser would burn.
-    burns: Range,
     /// Heights of all moves, those along Z included.
     all: Range,
     /// The height so far, where it is known.
     z_mm: Option<f64>,
     has_feeds: bool,
+    /// Heights at which moves along Z alone end that come down at a working speed while the tool is on.
+    plunges: Range,
+    has_drill_cycle: bool,
     /// It came down by a move along Z alone.
     comes_down: bool,
     zero: ZeroStatistics,
@@ -152,14 +169,19 @@ impl MoveStatistics {
         self.all.count(it.z_mm);
         if let Some(to_mm) = it.z_mm {
             let from_mm = self.z_mm.replace(to_mm).unwrap_or(to_mm);
-            self.comes_down |= it.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
+            let comes_down = it.stands() && from_mm - to_mm >= SAME_HEIGHT_MM;
+            self.comes_down |= comes_down;
+            if comes_down && it.kind == MoveKind::Line && it.tool.power.is_some() {
+                self.plunges.count(it.z_mm);
+            }
             self.zero.count(it, from_mm, to_mm);
             self.spindle.count_rise(it, to_mm - from_mm);
         }
         self.spindle.count(it);
         self.m3.count(it);
+        self.has_drill_cycle |= it.kind == MoveKind::Drill;
         if it.kind == MoveKind::Dwell {
-            self.burn(it);
+            self.dwells.count(it);
         }
         if it.stands() {
             return;
@@ -175,18 +197,32 @@ impl MoveStatistics {
         self.line_powers.count(it.tool.power);
         self.has_feeds = true;
         self.feeds.count(it.z_mm);
-        self.burn(it);
+        self.lines.count(it);
     }
 
-    fn burn(&mut self, it: &Move) {
-        if let Some(power) = it.tool.power {
-            self.full = Some(self.full.map_or(power, |full| full.max(power)));
-            self.burns.count(it.z_mm);
+    /// What a laser burns at most; `end` is its state at the end of the program.
+    pub(super) const fn laser_switch(&self, end: LaserState) -> LaserSwitch {
+        LaserSwitch {
+            end,
+            first_line_at: self.lines.first_at,
+            highest_line_mm: self.lines.heights.highest,
+            is_drill: self.is_drill(),
         }
     }
 
-    /// `end` is the tool at the end of the program.
-    pub(super) fn rule(&self, text: &[u8], end: &ToolState) -> InkRule {
+    /// `end` is the tool at the end of the program, and `laser` the state of the laser there.
+    pub(super) fn rule(
+        &self,
+        text: &[u8],
+        end: &ToolState,
+        laser: LaserState,
+        burns: bool,
+    ) -> InkRule {
+        let full = self.full();
+        let has_power = full.is_some() || laser.power.is_none() && self.switch.has_on;
+        if burns && !laser.is_unknown() && !has_power && !self.is_drill() {
+            return InkRule::Dark;
+        }
         let height = self.height();
         // A pen that is up with less than it is down with is drawn as with a laser.
         if height.is_none()
@@ -196,29 +232,55 @@ impl MoveStatistics {
             let code = ServoCode::M3;
             return InkRule::Servo { code, up, source };
         }
-        match self.full {
+        let plain = InkRule::Plain {
+            has_switch: !laser.is_unknown(),
+        };
+        match full {
             Some(most) if height.is_none() || !self.is_mill() => {
+                let burnt = self.burns();
                 let full = told_full(text).unwrap_or_else(|| scale(most));
                 InkRule::Laser {
                     full: full.max(most),
                     travel: self.travel_power(),
-                    is_at_heights: self.burns.lowest < self.burns.highest,
+                    is_at_heights: burnt.lowest < burnt.highest,
                 }
             }
             None => {
                 let by_pen = self.servo(text, end).or(self.high.rule()).or(height);
-                by_pen.unwrap_or_else(|| match self.switch.rule() {
-                    InkRule::Plain => self.lifted().unwrap_or(InkRule::Plain),
-                    by_switch => by_switch,
-                })
+                let by_switch = by_pen.or(self.switch.rule(burns));
+                by_switch.or(self.lifted()).unwrap_or(plain)
             }
-            Some(_) => height.unwrap_or(InkRule::Plain),
+            Some(_) => height.unwrap_or(plain),
+        }
+    }
+
+    /// The largest S with which a laser would burn.
+    fn full(&self) -> Option<f64> {
+        let dwells = self.dwells.full.filter(|_| !self.is_drill());
+        let all = [self.lines.full, dwells].into_iter().flatten();
+        all.reduce(f64::max)
+    }
+
+    /// Heights of what a laser would burn: of its dots only where it burns no lines, for a spindle waits above its work.
+    const fn burns(&self) -> &Range {
+        if self.lines.full.is_some() {
+            &self.lines.heights
+        } else {
+            &self.dwells.heights
         }
     }
 
     /// A mill turns its spindle all the time, and travels above its work.
     fn is_mill(&self) -> bool {
-        self.rapids.lowest > self.burns.highest || self.spindle.is_spindle()
+        self.has_drill_cycle
+            || self.rapids.lowest > self.burns().highest
+            || self.spindle.is_spindle()
+    }
+
+    /// Whether Z moves the tool into the work: by a drilling cycle, or below all that moves along X or Y.
+    const fn is_drill(&self) -> bool {
+        let travels_mm = self.rapids.lowest.min(self.feeds.lowest);
+        self.has_drill_cycle || self.plunges.lowest < travels_mm
     }
 
     /// Where all travels have less power than all lines, a servo holds the pen up with that.
@@ -291,6 +353,26 @@ impl MoveStatistics {
             (SAME_HEIGHT_MM, HeightSource::AtZero)
         } else {
             (0.0, HeightSource::AboveZero)
+        }
+    }
+}
+
+/// What a laser would burn.
+#[derive(Debug, Default)]
+struct BurnStatistics {
+    /// The largest S.
+    full: Option<f64>,
+    heights: Range,
+    /// Where the first one stands in the text.
+    first_at: Option<usize>,
+}
+
+impl BurnStatistics {
+    fn count(&mut self, it: &Move) {
+        if let Some(power) = it.tool.power {
+            self.full = Some(self.full.map_or(power, |full| full.max(power)));
+            self.heights.count(it.z_mm);
+            self.first_at.get_or_insert(it.at);
         }
     }
 }

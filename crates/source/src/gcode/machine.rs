@@ -5,6 +5,7 @@ use dobot_geometry::{Point, Vec2};
 use super::arc::{center_by_radius, far_sides, sweep_rad};
 use super::block::Block;
 use super::codes::{self, Meaning};
+use super::laser::LaserState;
 use super::servo::ServoCode;
 use crate::error::SourceError;
 use crate::sketch::checked;
@@ -21,6 +22,7 @@ pub(super) struct Move {
     /// The height at its end, where it is known.
     pub(super) z_mm: Option<f64>,
     pub(super) tool: ToolState,
+    pub(super) laser: LaserState,
     /// What switched the tool is M3.
     pub(super) is_by_m3: bool,
 }
@@ -115,9 +117,8 @@ pub(super) struct Machine<'a, 'w> {
     feed_is_by_minute: bool,
     /// The coordinate system in use (G54 to G59.3), in tenths.
     system: Option<u32>,
-    is_on: bool,
     is_by_m3: bool,
-    power: Option<f64>,
+    laser: LaserState,
     tool: ToolState,
     has_ended: bool,
 }
@@ -140,9 +141,8 @@ impl<'a, 'w> Machine<'a, 'w> {
             centers_are_absolute: false,
             feed_is_by_minute: true,
             system: None,
-            is_on: false,
             is_by_m3: false,
-            power: None,
+            laser: LaserState::default(),
             tool: ToolState::default(),
             has_ended: false,
         }
@@ -172,7 +172,7 @@ impl<'a, 'w> Machine<'a, 'w> {
         }
         self.check_codes(block)?;
         if block.g.0.is_empty() && block.m.0.iter().any(|it| codes::has_own_words(it.1)) {
-            self.turn_servo(block);
+            self.switch_tool(block);
             return Ok(());
         }
         if block.has_any(OTHER_AXES) {
@@ -189,9 +189,9 @@ impl<'a, 'w> Machine<'a, 'w> {
         Ok(())
     }
 
-    /// The tool as it is now.
-    pub(super) const fn tool(&self) -> ToolState {
-        self.tool
+    /// The tool and the laser as they are now.
+    pub(super) const fn state(&self) -> (ToolState, LaserState) {
+        (self.tool, self.laser)
     }
 
     fn warn(&mut self, at: usize, what: &str, instead: &str) {
@@ -302,10 +302,17 @@ impl<'a, 'w> Machine<'a, 'w> {
                 (self.feed_is_by_minute && speed_mm_s > 0.0).then_some(speed_mm_s);
         }
         self.tool.number = block.value(b'T').or(self.tool.number);
+        self.switch_tool(block);
+    }
+
+    /// Carries out M3, M4, M5, M106, M107, the codes of servos, and S.
+    fn switch_tool(&mut self, block: &Block) {
         for &(_, code) in &block.m.0 {
             match code {
-                30 | 40 | 1060 => (self.is_on, self.is_by_m3) = (true, code == 30),
-                50 | 1070 => self.is_on = false,
+                30 | 40 | 1060 => {
+                    (self.laser.is_on, self.is_by_m3) = (Some(true), code == 30);
+                }
+                50 | 1070 => self.laser.is_on = Some(false),
                 _ => {}
             }
         }
@@ -321,19 +328,26 @@ impl<'a, 'w> Machine<'a, 'w> {
         self.tool.m300 = angle.or(self.tool.m300);
         let is_m3 = block.m.has(30) && !block.has_any(b"XYZ");
         let angle = block.value(b'S').filter(|_| is_m3);
-        self.tool.m3 = angle.or(self.tool.m3).filter(|_| self.is_on);
+        self.tool.m3 = angle.or(self.tool.m3).filter(|_| self.is_on());
+    }
+
+    fn is_on(&self) -> bool {
+        self.laser.is_on == Some(true)
     }
 
     /// S is the power, unless it belongs to another code: a time to wait, a servo's angle.
     fn set_power(&mut self, block: &Block) {
         if let Some(s) = block.value(b'S') {
-            let is_others = |code: u32| code > 90 && code != 1060;
-            if !block.g.has(40) && !block.m.0.iter().any(|it| is_others(it.1)) {
-                self.power = Some(s);
+            let is_others = |code: u32| code > 90 && ![1060, 1070].contains(&code);
+            // Beside P, which is the time, it is no time.
+            let is_time = block.g.has(40) && block.value(b'P').is_none();
+            if !is_time && !block.m.0.iter().any(|it| is_others(it.1)) {
+                self.laser.power = Some(s);
             }
         }
-        self.tool.power = self.power.filter(|it| self.is_on && *it > 0.0);
-        self.tool.is_on_without_power = self.is_on && self.power.is_none();
+        let power = self.laser.power;
+        self.tool.power = power.filter(|it| self.is_on() && *it > 0.0);
+        self.tool.is_on_without_power = self.is_on() && power.is_none();
     }
 
     fn motion(&mut self, block: &Block) -> Result<Option<Move>, SourceError> {
@@ -387,6 +401,7 @@ impl<'a, 'w> Machine<'a, 'w> {
             to,
             z_mm: self.z_mm,
             tool: self.tool,
+            laser: self.laser,
             is_by_m3: self.is_by_m3,
         }
     }

@@ -8,7 +8,7 @@ use super::machine::Move;
 pub(super) struct SwitchStatistics {
     /// Whether it was on in the first line.
     first_is_on: Option<bool>,
-    has_on: bool,
+    pub(super) has_on: bool,
 }
 
 impl SwitchStatistics {
@@ -21,12 +21,10 @@ impl SwitchStatistics {
         }
     }
 
-    /// It does where the program begins with a way while it is off. Otherwise nothing is known: some pens are up while M3
-    /// holds.
-    pub(super) fn rule(&self) -> InkRule {
-        match self.first_is_on {
-            Some(false) if self.has_on => InkRule::Switch,
-            _ => InkRule::Plain,
-        }
+    /// They do for a laser, and for a pen where the program begins with a line while it is off. Otherwise nothing is known: some
+    /// pens are up while M3 holds.
+    pub(super) fn rule(&self, burns: bool) -> Option<InkRule> {
+        let is_known = burns || self.first_is_on == Some(false);
+        (is_known && self.has_on).then_some(InkRule::Switch)
     }
 }

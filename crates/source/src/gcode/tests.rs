@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 mod heights;
+mod laser;
 mod servo;
 
 use std::f64::consts::{PI, TAU};
@@ -12,8 +13,21 @@ use proptest::prelude::*;
 use super::*;
 use crate::artwork::Layer;
 
+/// What a laser burns.
 fn draw(text: &str) -> (Artwork, Vec<String>) {
-    let (artwork, warnings) = super::read(text.as_bytes(), &ReadOptions::default()).unwrap();
+    draw_with(text, &ReadOptions::default())
+}
+
+fn draw_by_pen(text: &str) -> (Artwork, Vec<String>) {
+    let options = ReadOptions {
+        burns: false,
+        ..ReadOptions::default()
+    };
+    draw_with(text, &options)
+}
+
+fn draw_with(text: &str, options: &ReadOptions) -> (Artwork, Vec<String>) {
+    let (artwork, warnings) = super::read(text.as_bytes(), options).unwrap();
     (artwork, warnings.iter().map(Warning::to_string).collect())
 }
 
@@ -23,10 +37,17 @@ fn layers(text: &str) -> Vec<Layer> {
 
 /// The corners of the strokes of all layers.
 fn corners(text: &str) -> Vec<Vec<(f64, f64)>> {
+    corners_of(&draw(text).0)
+}
+
+fn corners_by_pen(text: &str) -> Vec<Vec<(f64, f64)>> {
+    corners_of(&draw_by_pen(text).0)
+}
+
+fn corners_of(artwork: &Artwork) -> Vec<Vec<(f64, f64)>> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
     let corners = |it: &Stroke| it.points.iter().map(|p| (round(p.x), round(p.y))).collect();
-    let layers = layers(text);
-    let strokes = layers.iter().flat_map(|it| &it.strokes);
+    let strokes = artwork.layers.iter().flat_map(|it| &it.strokes);
     strokes.map(corners).collect()
 }
 
@@ -77,12 +98,7 @@ fn each_power_and_speed_of_a_laser_is_a_layer_and_low_power_is_told() {
 #[test]
 fn what_only_a_laser_burns_otherwise_is_not_told_of_a_pen() {
     let text = "; Cut @ 600 mm/min, 20% power\nM4\nG0 X1 Y1\nG1 X9 S200 F600\nM5\n";
-    let pen = ReadOptions {
-        burns: false,
-        ..ReadOptions::default()
-    };
-    let (_, warnings) = super::read(text.as_bytes(), &pen).unwrap();
-    assert_eq!(warnings, []);
+    assert_eq!(draw_by_pen(text).1, <[&str; 0]>::default());
     assert_eq!(draw(text).1.len(), 1);
 }
 
@@ -152,9 +168,9 @@ fn a_pen_that_waits_to_come_down_leaves_no_dot_before_its_stroke() {
 fn a_pen_draws_below_zero_and_dots_where_it_only_dips() {
     let text =
         "G0 Z5\nG0 X10 Y0\nG1 Z-0.1 F100\nG1 X20 F600\nG0 Z5\nG0 X15 Y5\nG1 Z-0.1\nG0 Z5\nG0 X0 Y0";
-    let (artwork, warnings) = draw(text);
+    let (artwork, warnings) = draw_by_pen(text);
     assert_eq!(
-        corners(text),
+        corners_by_pen(text),
         [vec![(0.0, 5.0), (10.0, 5.0)], vec![(5.0, 0.0)]]
     );
     assert_eq!(artwork.layers[0].speed_mm_s, Some(10.0));
@@ -216,7 +232,7 @@ fn drilled_holes_are_dots_where_z_lifts_the_pen() {
         "G0 Z5\nG99 G83 X1 Y1 Z-2 R1 Q0.5 F50\nX11\nG81 Y6\nG0 X0 Y0",
         "G0 Z5\nG91 G82 X1 Y1 Z-3 R-4 P1\nX10\nY5\nG80",
     ] {
-        assert_eq!(corners(text), holes.map(|it| [it]), "{text}");
+        assert_eq!(corners_by_pen(text), holes.map(|it| [it]), "{text}");
     }
     let (_, warnings) = draw("M280 S90\nG0 X1\nM280 S30\nG1 X5\nM280 S90\nG81 X9 Z-1 R1");
     assert!(
@@ -282,8 +298,8 @@ fn a_pen_that_came_down_draws_whatever_moves_it_until_it_is_lifted() {
         "G21 G90\nG0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10\nG0 X20\nG0 Z5",
         "G21 G90\nG0 Z5\nG1 Z-1\nG0 X10\nG1 X20\nG0 Z5",
     ] {
-        assert_eq!(corners(text), wanted, "{text}");
-        assert_eq!(draw(text).1, <[&str; 0]>::default(), "{text}");
+        assert_eq!(corners_by_pen(text), wanted, "{text}");
+        assert_eq!(draw_by_pen(text).1, <[&str; 0]>::default(), "{text}");
     }
 }
 
@@ -469,7 +485,7 @@ fn what_would_draw_something_else_is_refused_with_its_place() {
         ),
         (
             "G0 X1\nM5",
-            "nothing to draw: no moves by G1, G2 or G3; 1 file without words for laser or pen (M3, Z): G1, G2 and G3 draw, G0 travels",
+            "nothing to draw: the laser never has power in a line (M3, M4 or M106, with S above 0 where the file has S)",
         ),
         ("G1 X1\nG1 Xabc", &format!("2:4: found \"Xabc\"; {word}")),
         ("G1 X1,5", &format!("1:6: found \",5\"; {word}")),

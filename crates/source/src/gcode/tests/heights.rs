@@ -56,7 +56,10 @@ fn shallow_cuts_are_drawn_where_only_moves_along_z_go_above_zero() {
         ["1 file whose travels are below Z 0: drawn where Z is below -40.00 mm"]
     );
     // A hole alone has no line that could tell a height.
-    assert_eq!(corners("G0 X5 Y5\nG0 Z5\nG1 Z-1\nG0 Z5"), [[(0.0, 0.0)]]);
+    assert_eq!(
+        corners_by_pen("G0 X5 Y5\nG0 Z5\nG1 Z-1\nG0 Z5"),
+        [[(0.0, 0.0)]]
+    );
 }
 
 #[test]
@@ -133,5 +136,5 @@ fn a_pen_is_down_where_z_is_high_if_all_travels_lie_below_the_lines() {
     // One travel at the start says nothing where there are travels by G1 above.
     let by_g1 =
         "G0 Z0\nG0 X1\nG1 Z5\nG1 X10 Y10\nG1 Z1\nG1 X40\nG1 Z5\nG1 X60 Y40\nG1 Z1\nG1 X80\nG1 Z5";
-    assert!(!draw(by_g1).1.concat().contains("above"));
+    assert!(!draw_by_pen(by_g1).1.concat().contains("above"));
 }

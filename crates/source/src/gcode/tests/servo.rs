@@ -110,9 +110,9 @@ fn m3_is_the_power_of_a_laser_that_goes_off_on_its_way_or_is_set_beside_the_move
 fn a_servo_may_be_down_at_zero_if_it_is_up_in_all_of_g0() {
     let text = "M3 S90\nG4 P0.3\nG0 X10 Y10\nM3 S0\nG4 P0.3\nG1 X40 F900\nM3 S90\nG4 P0.3\nG0 X60 Y40\nM3 S0\nG4 P0.3\nG1 X80\nM3 S90\nG0 X0 Y0";
     let lines = [[(0.0, 30.0), (30.0, 30.0)], [(50.0, 0.0), (70.0, 0.0)]];
-    assert_eq!(corners(text), lines);
+    assert_eq!(corners_by_pen(text), lines);
     let told = "1 pen lifted by a servo (M3): S90 taken for up, as G0 has it";
-    assert_eq!(draw(text).1, [told]);
+    assert_eq!(draw_by_pen(text).1, [told]);
     // It is a laser that is off at 0.
     let laser = text
         .replace("S90", "S9")
@@ -132,5 +132,5 @@ fn m3_and_m5_switch_what_draws_where_no_power_is_told_and_the_first_way_is_off()
     assert_eq!(draw(text).1, [told]);
     // Some pens are up while M3 holds.
     let pen = "M3\nG0 X10 Y10\nM5\nG1 X40\nM3\nG0 X60 Y40\nM5\nG1 X80\nM3\nG0 X0 Y0";
-    assert_eq!(corners(pen), lines);
+    assert_eq!(corners_by_pen(pen), lines);
 }

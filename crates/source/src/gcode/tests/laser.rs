@@ -1,0 +1,157 @@
+//! What a laser burns: never where the file says that it is off.
+
+mod reference;
+
+use self::reference::{Reference, Words, program};
+use super::*;
+
+const SWITCHED: &str = "G21 G90 F600\nG0 X0 Y0\nM3\nG1 X10\nM5\nG1 X20\nM3\nG1 X30\nM5\n";
+const DRY_RUN: &str = "G21 G90\nM4 S0\nG0 X0 Y0\nG1 X10 F600\nM5\n";
+const POWERS_WHILE_OFF: &str = "G21\nG90\nG28 XY\nM5\nG0 X0 Y0 F3000\nG1 X15 Y0 S100 F900\nG1 X15 Y15\nG0 X20 Y0 F3000\nG1 X35 Y0 S20 F900\nM5\nG0 X0 Y100\n";
+const HOLES: &str = "G21\nG90\nG00 S7000\nG00 Z25\nM5\nM3\nG0 Z1\nG04 P1\nG1 F50\nG0 X4 Y6\nG1 Z-1.5\nG1 Z1\nG0 X14 Y6\nG1 Z-1.5\nG1 Z1\nG0 X24 Y6\nG1 Z-1.5\nG1 Z1\nG0 Z25\nM5\nM2\n";
+const NEVER: &str = "nothing to draw: the laser never has power in a line (M3, M4 or M106, with S above 0 where the file has S)";
+
+#[test]
+fn m5_and_m107_are_off_for_a_laser_even_where_the_first_line_is_on() {
+    let lines = [[(0.0, 0.0), (10.0, 0.0)], [(20.0, 0.0), (30.0, 0.0)]];
+    let fan = SWITCHED.replace("M3", "M106").replace("M5", "M107");
+    for text in [SWITCHED, &fan] {
+        assert_eq!(corners(text), lines, "{text}");
+        let told = "1 file without powers (S): G1, G2 and G3 draw while M3, M4 or M106 hold";
+        assert_eq!(draw(text).1, [told]);
+    }
+    let whole = [[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0), (30.0, 0.0)]];
+    assert_eq!(corners_by_pen(SWITCHED), whole);
+    assert_eq!(
+        draw_by_pen(SWITCHED).1,
+        ["1 file whose M3, M5 or S leave open when a pen is down: G1, G2 and G3 draw, G0 travels"]
+    );
+}
+
+#[test]
+fn a_laser_without_power_burns_nothing_and_this_is_told() {
+    assert_eq!(error(DRY_RUN), NEVER);
+    assert!(error(POWERS_WHILE_OFF).starts_with(NEVER));
+    // S0 in a line of its own, beside a move, of a fan, and where Z lifts a pen.
+    for text in [
+        "M3\nS0\nG1 X10\nM5",
+        "M3\nG1 X10 S0\nX20\nM5",
+        "M106 S0\nG1 X10",
+        "G0 Z5\nM3 S0\nG0 X5\nG1 Z-1\nG1 X10\nG0 Z5",
+    ] {
+        assert_eq!(error(text), NEVER, "{text}");
+    }
+}
+
+#[test]
+fn power_holds_from_the_line_on_that_tells_it_and_no_earlier() {
+    assert_eq!(
+        corners("M3\nG1 X10\nS0\nG1 X20\nS9\nG1 X30\nM5"),
+        [[(0.0, 0.0), (10.0, 0.0)]]
+    );
+    // Beside the time of a dwell, and beside codes that are not known.
+    assert_eq!(
+        corners("M3 S9\nG1 X10\nG4 P1 S0\nG1 X20\nS9\nM5 M400\nG1 X30"),
+        [[(0.0, 0.0), (10.0, 0.0)]]
+    );
+}
+
+#[test]
+fn a_spindle_that_waits_or_plunges_burns_nothing_and_a_pen_draws_its_holes() {
+    let cycle = "M3 S1000\nG4 P2\nG0 Z5\nG0 X4 Y6\nG81 Z-1.5 R1\nX14\nX24\nG80\nM5";
+    let holes = [[(0.0, 0.0)], [(10.0, 0.0)], [(20.0, 0.0)]];
+    for (text, line) in [(HOLES, 11), (cycle, 5)] {
+        let told = format!(
+            "nothing to draw: no line that a laser burns; {line}:1: 3 holes: not burned, for Z and drilling cycles switch no laser on"
+        );
+        assert_eq!(error(text), told, "{text}");
+        assert_eq!(corners_by_pen(text), holes, "{text}");
+        assert_eq!(draw_by_pen(text).1, <[&str; 0]>::default(), "{text}");
+    }
+}
+
+#[test]
+fn a_dwell_before_the_first_line_or_above_all_lines_burns_no_dot() {
+    let line = [[(0.0, 0.0), (10.0, 0.0)]];
+    let told =
+        "spindle dwell: not burned (G4 before the first line, above all lines or of a drill)";
+    let before = "M3 S255\nG0 X5 Y5\nG4 P1\nG0 X10\nG1 X20\nM5";
+    assert_eq!(corners(before), line);
+    assert_eq!(draw(before).1, [format!("3:1: 1 {told}")]);
+    let above = "G0 Z0\nM3 S255\nG0 X10\nG1 X20\nG0 Z5\nG0 X30\nG4 P1\nG0 X40\nM5";
+    assert_eq!(corners(above), line);
+    assert_eq!(draw(above).1, [format!("7:1: 1 {told}")]);
+    // At the height of the lines it is a dot of the laser.
+    let behind = above.replace("Z5", "Z0");
+    assert_eq!(corners(&behind).len(), 2);
+}
+
+#[test]
+fn a_laser_that_comes_down_in_the_end_burns_its_lines() {
+    let text = "G0 Z0\nM3 S255\nG0 X1\nG1 X11\nG1 Z-2\nM5";
+    assert_eq!(corners(text), [[(0.0, 0.0), (10.0, 0.0)]]);
+}
+
+#[test]
+fn a_file_for_a_pen_is_burned_without_its_dots_and_travels() {
+    let text = "G0 Z5\nG0 X0 Y0\nG1 Z-1\nG1 X10\nG0 X20\nG1 X30\nG0 Z5\nG0 X40\nG1 Z-1\nG0 Z5";
+    assert_eq!(
+        corners(text),
+        [[(0.0, 0.0), (10.0, 0.0)], [(20.0, 0.0), (30.0, 0.0)]]
+    );
+    assert_eq!(
+        draw(text).1,
+        [
+            "5:1: 1 dark move: not burned, for the laser is off there (G0, M5, M107 or S0)",
+            "9:1: 1 hole: not burned, for Z and drilling cycles switch no laser on",
+        ]
+    );
+}
+
+/// The ink of a laser where the program has it.
+fn burned(text: &str) -> Vec<Stroke> {
+    let options = ReadOptions {
+        tolerance_mm: 0.02,
+        ..ReadOptions::default()
+    };
+    let (sketch, _) = sketch(text.as_bytes(), &options).unwrap();
+    let strokes = sketch.layers().iter().flat_map(|it| &it.strokes);
+    strokes.cloned().collect()
+}
+
+fn length_mm(strokes: &[Stroke]) -> f64 {
+    strokes.iter().map(Stroke::length_mm).sum()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(10_000))]
+
+    #[test]
+    fn nothing_is_burned_while_the_file_says_off(text in program(Words::ANY)) {
+        let reference = Reference::read(&text);
+        let strokes = burned(&text);
+        for stroke in &strokes {
+            if let [dot] = stroke.points[..] {
+                prop_assert!(reference.waits_at(dot), "dot at {dot:?} of\n{text}");
+            }
+            for (from, to) in stroke.segments() {
+                for t in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                    let p = from.lerp(to, t);
+                    prop_assert!(reference.burns_at(p), "line {from:?} to {to:?} of\n{text}");
+                }
+            }
+        }
+        let (found, lit) = (length_mm(&strokes), reference.length_mm());
+        prop_assert!(found <= lit * 1.01 + 1e-6, "{found} mm of {lit} mm of\n{text}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn all_is_burned_while_a_file_for_a_laser_says_on(text in program(Words::OF_LASER)) {
+        let (found, lit) = (length_mm(&burned(&text)), Reference::read(&text).length_mm());
+        prop_assert!((found - lit).abs() <= lit * 0.01 + 1e-6, "{found} mm of {lit} mm of\n{text}");
+    }
+}
