@@ -55,11 +55,13 @@ fn a_program_is_taught_run_and_saved_with_keys() {
     let file = folder.path().join("cubes.toml");
     let name = file.to_str().expect("the path is text");
     let mut bench = Bench::new(&["teach", name], Keyboard::Plain);
-    bench.rests();
+    let began_mm = bench.rests();
     bench.terminal.types("\r");
-    bench.jogs_forward();
-    bench.gets_jog(LinearJogAxis::Released);
-    bench.rests();
+    // On a busy machine a press may be over before the arm has moved.
+    while bench.rests() < began_mm + 1.0 {
+        bench.jogs_forward();
+        bench.gets_jog(LinearJogAxis::Released);
+    }
     bench.terminal.types("\r");
     bench.terminal.types("u");
     let pump = |it: &Command| matches!(it, Command::JointJog(jog) if jog.axis == SuctionOn);

@@ -75,8 +75,9 @@ impl Bench {
         }
     }
 
-    /// Waits until the arm reports the same position for two seconds: on a busy machine the program learns later that it rests.
-    pub(crate) fn rests(&self) {
+    /// Waits until the arm reports the same position for two seconds, and returns its x in mm: on a busy machine the program
+    /// learns later that it rests.
+    pub(crate) fn rests(&self) -> f32 {
         let (mut last, mut same) = (None, 0);
         let until = Instant::now() + PATIENCE;
         while same < 25 {
@@ -87,6 +88,7 @@ impl Bench {
                 last = place;
             }
         }
+        last.map_or(f32::NAN, |[x_mm, _, _]| x_mm)
     }
 
     pub(crate) fn leaves(mut self) {

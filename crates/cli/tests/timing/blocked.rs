@@ -106,7 +106,7 @@ fn a_released_button_and_a_stop_reach_the_arm_though_nobody_reads_standard_error
         }
         let holder = bench.jog("base+");
         let at = Instant::now();
-        assert_eq!(holder.interrupt(), Some(1));
+        assert_eq!(holder.interrupt(), Some(0));
         let after = told(&bench, at, &[JOINT_RELEASE]);
         assert!(after < Duration::from_millis(500), "{format}: {after:?}");
         let _holder = bench.jog("base-");

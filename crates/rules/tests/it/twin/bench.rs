@@ -93,10 +93,9 @@ impl Bench {
 
     /// Until it does not run any more: how it ended, and what was told.
     async fn run(&mut self, job: u64, until: usize) -> (JobPhase, String) {
-        self.station
-            .request(Request::StartJob { job })
-            .await
-            .unwrap();
+        for request in [Request::ConfirmJob { job }, Request::StartJob { job }] {
+            self.station.request(request).await.unwrap();
+        }
         let mut asked = false;
         loop {
             match self.station.next().await.unwrap() {
