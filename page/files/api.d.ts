@@ -743,6 +743,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jobs/{id}/confirm": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Says that a person has done what a paused job waits for; start it again then */
+        post: operations["post_jobs_id_confirm"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jobs/{id}/step": {
         parameters: {
             query?: never;
@@ -1632,6 +1649,11 @@ export interface components {
             rests_by_s: number;
             /** @description Whether it has been seen at rest since. */
             at_rest: boolean;
+            /**
+             * @description Whether the packets that stop it have left this computer: if not, it has to be switched off by hand.
+             * @default true
+             */
+            delivered: boolean;
         };
         /** @description The laser's interlock. */
         LaserView: {
@@ -1666,6 +1688,12 @@ export interface components {
             phase: components["schemas"]["JobPhase"];
             /** @description Why it is paused, stopped or failed. */
             reason?: string | null;
+            /**
+             * @description Whether it is paused where a person has to do something, such as change the pen: it goes on only after
+             *     [`Request::ConfirmJob`](crate::Request::ConfirmJob).
+             * @default false
+             */
+            waits_for_person: boolean;
             /**
              * Format: uint
              * @description How many commands it has; those of a cycle count once.
@@ -2731,9 +2759,14 @@ export interface components {
             type: "stopping";
             /**
              * Format: double
-             * @description By when the arm is at rest at the latest, in seconds.
+             * @description By when the arm is at rest at the latest, in seconds; without a meaning where nothing was delivered.
              */
             rests_within_s: number;
+            /**
+             * @description Whether a link takes the packets. If not, they are sent as soon as there is one: the arm has to be switched
+             *     off by hand.
+             */
+            delivered: boolean;
         } | {
             /** @constant */
             type: "lease";
@@ -5475,6 +5508,14 @@ export interface components {
         } | {
             /** @constant */
             type: "start_job";
+            /**
+             * Format: uint64
+             * @description Its number.
+             */
+            job: number;
+        } | {
+            /** @constant */
+            type: "confirm_job";
             /**
              * Format: uint64
              * @description Its number.
@@ -11877,6 +11918,7 @@ export interface operations {
              *     - `detecting`: the arm is finding out its dialect
              *     - `job-phase`: the job does not allow this now
              *     - `cannot-resume`: the job cannot be gone on with
+             *     - `needs-a-person`: a person has to confirm this
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
@@ -11948,6 +11990,140 @@ export interface operations {
             };
             /** @description - `journal`: the journal cannot be written */
             507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jobs_id_confirm: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path: {
+                id: number;
+            };
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description the job may go on */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -12048,6 +12224,7 @@ export interface operations {
              *     - `detecting`: the arm is finding out its dialect
              *     - `job-phase`: the job does not allow this now
              *     - `cannot-resume`: the job cannot be gone on with
+             *     - `needs-a-person`: a person has to confirm this
              *     - `lease-gone`: the lease token is not valid any more
              */
             409: {
