@@ -171,7 +171,7 @@ impl Call {
     }
 
     /// What the others see.
-    fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         let info = self.context.client_info();
         let name = info.map_or_else(String::new, |it| it.name);
         let name: String = name.chars().filter(|it| is_plain(*it)).take(50).collect();
