@@ -15,7 +15,15 @@ export function foot(context) {
   const listener = stops(act.stop);
   return html`
     <button id="stop" type="button" aria-describedby="stop-keys" @pointerdown=${listener} @click=${listener}>${say("stop")} <small id="stop-keys">${say("stop.keys")}</small></button>
+    ${lateStop(context)}
     ${page.station?.job ? job(context, page.station.job) : html`<p id="no-job" class="quiet wide">${say("job.none")}</p>`}`;
+}
+
+/** What came of a STOP that was not answered at once. @param {Context} context */
+function lateStop({ page: { late_stop }, say }) {
+  if (!late_stop) return nothing;
+  const { after_s } = late_stop;
+  return html`<p id="late-stop" data-tone=${after_s === null ? "bad" : "good"} role="alert">${after_s === null ? say("stop.unanswered") : say("stop.answered", { after: span(say, after_s) })}</p>`;
 }
 
 /** @param {Context} context @param {Job} job */
