@@ -3,6 +3,7 @@
 import { rests } from "./state/select.js";
 import { commandOf } from "./station/target.js";
 import { NO_CONNECTION } from "./station/socket.js";
+import { createStop } from "./station/stop.js";
 
 /** @typedef {import("./state/types.js").Request} Request */
 /** @typedef {import("./state/types.js").Command} Command */
@@ -12,7 +13,6 @@ import { NO_CONNECTION } from "./station/socket.js";
 
 /** For how long the laser is armed unless the policy says less. */
 const ARM_S = 300;
-const STOP_ANSWER_MS = 300;
 const PEN_SCENE = "[pen]\n";
 /** For so long a command waits until the arm has run down, by the clock of the station. */
 const RUN_DOWN_S = 1;
@@ -112,19 +112,28 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
     if (answer.problem) send({ type: "problem", problem: answer.problem });
   }
 
-  /** Stops the arm by every way there is. */
-  function stop() {
-    send({ type: "stop_pressed" });
-    if (!socket.isOpen()) return void stopByRequest();
-    const timer = setTimeout(() => void stopByRequest(), STOP_ANSWER_MS);
-    void socket.ask({ type: "stop" }).then(({ problem }) => {
-      if (problem !== NO_CONNECTION.problem) clearTimeout(timer);
-    });
+  /** Whether the station answered a stop; what it refuses is told. @param {Promise<{ problem?: import("./state/types.js").Problem }>} asked */
+  async function isAnswered(asked) {
+    const { problem } = await asked;
+    if (!problem) return true;
+    // Only a station gives a problem a type.
+    const isAnswer = problem.type !== undefined && problem !== NO_CONNECTION.problem;
+    if (isAnswer) send({ type: "problem", problem });
+    return isAnswer;
   }
 
-  async function stopByRequest() {
-    const { problem } = await http.stop("api/v1/stop");
-    if (problem) send({ type: "problem", problem: problem.type ? problem : { type: "stop-missed", title: "", detail: "" } });
+  const stopByRequest = () => isAnswered(http.stop("api/v1/stop"));
+  const pressStop = createStop({
+    first: () => (socket.isOpen() ? isAnswered(socket.ask({ type: "stop" })) : stopByRequest()),
+    again: stopByRequest,
+    late: () => send({ type: "stop_late" }),
+    answered: (after_ms) => send({ type: "stop_answered", after_s: after_ms / 1000 }),
+  });
+
+  /** Stops the arm by every way there is, before anything else is done. */
+  function stop() {
+    pressStop();
+    send({ type: "stop_pressed" });
   }
 
   /** For how long the laser is armed, in seconds. */

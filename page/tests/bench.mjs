@@ -1,5 +1,5 @@
 // A virtual arm, a station and a browser, as a person has them; and what the arm was told.
-import { once } from "node:events";
+import { EventEmitter, once } from "node:events";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createConnection, createServer } from "node:net";
 import { tmpdir } from "node:os";
@@ -10,9 +10,15 @@ import { end, start } from "./program.mjs";
 
 const PACKET_LEN = 42;
 
+/** Laser off, with which every stop begins. */
+export const isStop = ({ floats: [state, axis] }) => state === 2 && axis === 14;
+/** A jog button that is pressed. */
+export const isJog = ({ floats: [state, axis] }) => (state === 2 || state === 7) && axis > 0 && axis < 9;
+
 /** Ten floats for each packet to the arm, and when it passed. */
 class Told {
   #rest = Buffer.alloc(0);
+  #came = new EventEmitter();
   packets = [];
 
   take(bytes) {
@@ -21,6 +27,17 @@ class Told {
       const floats = Array.from({ length: 10 }, (_, n) => this.#rest.readFloatLE(1 + 4 * n));
       this.packets.push({ at: performance.now(), floats });
       this.#rest = this.#rest.subarray(PACKET_LEN);
+    }
+    this.#came.emit("packets");
+  }
+
+  /** The first packet from one on that is so, or nothing where none comes in time. */
+  async next(from, isSo, within_ms = 10_000) {
+    const signal = AbortSignal.timeout(within_ms);
+    for (;;) {
+      const found = this.packets.slice(from).find(isSo);
+      if (found || signal.aborted) return found;
+      await once(this.#came, "packets", { signal }).catch(() => {});
     }
   }
 
@@ -52,10 +69,20 @@ export async function serveFromDisk(context, station) {
   });
 }
 
-/** A way to a station that can be slow, and that stays where it is when the station begins anew at another port. */
+/** A way to a station that can be slow or cut, and that stays where it is when the station begins anew at another port. */
 async function createFront() {
-  const way = { port: 0, delay_ms: 0 };
-  const later = (action) => void globalThis.setTimeout(action, way.delay_ms);
+  /** What is on its way while the way is cut arrives afterwards. @type {(() => void)[] | null} */
+  let held = null;
+  const way = {
+    port: 0, delay_ms: 0,
+    cut: () => (held ??= []),
+    mend() {
+      const all = held ?? [];
+      held = null;
+      for (const action of all) action();
+    },
+  };
+  const later = (action) => void globalThis.setTimeout(() => (held ? held.push(action) : action()), way.delay_ms);
   const late = (from, to, change = (bytes) => bytes) => {
     from.on("data", (bytes) => later(() => to.writable && to.write(change(bytes))));
     for (const ending of ["end", "close", "error"]) from.on(ending, () => later(() => to.destroy()));
@@ -131,6 +158,9 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
     page, told, errors, visit, enter, setDeadMan, url: front.url,
     /** Makes all that is said between browser and station late, both ways. */
     slow: (delay_ms) => (front.way.delay_ms = delay_ms),
+    /** Lets nothing pass any more between browser and station, without an end of any connection; `mend` lets it pass. */
+    cut: front.way.cut,
+    mend: front.way.mend,
     /** Kills the station, and begins another one with its data. */
     async restart(signal = "SIGKILL") {
       await end(child, signal);

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
+import { gesture, hand, numbers, words } from "./gestures.mjs";
 import { crowd, job, learner, member, queue, standIn, time } from "./stand_in.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
@@ -133,6 +134,26 @@ test("arrow keys lead from tile to tile, Enter opens one, and Escape stops all f
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("30 stopped"));
   assert.deepEqual(stops(station).map(({ body }) => body.to), ["all"]);
+});
+
+test("each STOP of the board acts on the press: of a finger that moves, slides off, or is not the only one, and of a mouse", async () => {
+  const { page, station } = await open(crowd(3), { viewport: SIZES.tablet, hasTouch: true });
+  await page.click(".tile[data-member=desk-2] .name");
+  const fingers = await hand(page);
+  const random = numbers(1);
+  const buttons = { "#stop": "all", "[data-stop-group=room-1]": { group: "room-1" }, ".tile[data-member=desk-3] .one": { members: ["desk-3"] }, "#details-stop": { members: ["desk-2"] } };
+  for (let n = 0; n < 40; n += 1) {
+    const [selector, to] = Object.entries(buttons)[n % 4];
+    // The smaller buttons have no room for a flat hand.
+    const it = { ...gesture(random, ["#details-title"]), ...(n % 4 && { fingers: 1 }) };
+    const before = stops(station).length;
+    const acted = async () => {
+      for (const until = performance.now() + 10_000; stops(station).length === before && performance.now() < until;) await page.evaluate(() => new Promise(requestAnimationFrame));
+    };
+    await fingers.press(selector, it, it.rests ? await fingers.rest(it.rests) : [], acted);
+    await page.waitForSelector("#stop-told p");
+    assert.deepEqual(stops(station).slice(before).map(({ body }) => body.to), Array(it.by === "mouse" ? 1 : it.fingers).fill(to), `${selector}: ${words(it)}`);
+  }
 });
 
 test("who did not answer a stop is told with the way to his page, and a second press asks again", async () => {

@@ -1,7 +1,7 @@
 // What goes wrong around the page: it stays usable, says what happened, and nothing moves that nobody holds.
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
-import { moved, open, pose, press, rest, takeControl, passed } from "./bench.mjs";
+import { isStop, moved, open, pose, press, rest, takeControl, passed } from "./bench.mjs";
 
 let bench, page, told;
 
@@ -13,6 +13,7 @@ before(async () => {
 after(() => bench.end());
 afterEach(async () => {
   bench.slow(0);
+  bench.mend();
   assert.deepEqual(bench.errors, []);
 });
 
@@ -82,6 +83,41 @@ test("a station that is killed while a button is held stops the arm, and the pag
   await moved(page, "y_mm", 4);
   await page.mouse.up();
   await rest(page);
+});
+
+test("a STOP that gets no answer is told in red beside it and asked for again, and it is told when it was answered", async () => {
+  const stop = await page.locator("#stop").boundingBox();
+  bench.cut();
+  await page.mouse.move(stop.x + stop.width / 2, stop.y + stop.height / 2);
+  await page.mouse.down();
+  await page.waitForSelector("#late-stop[data-tone=bad]");
+  assert.equal(await page.textContent("#late-stop"), "No answer to STOP. Switch the arm off.");
+  await page.mouse.up();
+  // What appears moves nothing that a hand is on.
+  assert.deepEqual(await page.locator("#stop").boundingBox(), stop);
+  await page.waitForSelector("#link-chip[data-tone=off]");
+  const from = told.packets.length;
+  bench.mend();
+  assert.ok(await told.next(from, isStop), "the arm is stopped once the network is back");
+  await page.waitForSelector("#late-stop[data-tone=good]");
+  assert.match(await page.textContent("#late-stop"), /^STOP was answered after \d+ s\.$/);
+  // The page is back on a connection of its own making, without being told of the end of the other one.
+  await page.waitForSelector("#link-chip[data-tone=good]");
+  await page.waitForSelector("#reset:enabled");
+  await page.click("#reset");
+  await page.click("#sure-yes");
+  await page.waitForSelector("#late-stop", { state: "detached" });
+});
+
+test("a page that hears nothing for 2 s connects anew, while its connection is still open", async () => {
+  await page.waitForSelector("#link-chip[data-tone=good]");
+  const opened = page.waitForEvent("websocket");
+  bench.cut();
+  await opened;
+  await page.waitForSelector("#link-chip[data-tone=off]");
+  assert.equal(await page.textContent("#link-chip"), "no connection");
+  bench.mend();
+  await page.waitForSelector("#link-chip[data-tone=good]");
 });
 
 test("a page that lost its station says how old its picture is", async () => {

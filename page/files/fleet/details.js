@@ -2,6 +2,7 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
+import { stops } from "../hands/stop_button.js";
 import { TONES } from "../panels/jobs.js";
 import { shelves } from "../state/jobs.js";
 import { clock, span } from "../words/words.js";
@@ -27,6 +28,7 @@ export function details(context) {
   if (!member) return nothing;
   const { id, name, presence, state } = member, page = pageOf(member);
   const to = { members: [name] };
+  const listener = stops(() => void act.stop(to));
   return html`
     <div class="details-head">
       <h2 id="details-title">${name}</h2>
@@ -37,7 +39,7 @@ export function details(context) {
     <p class="alarms">${alarms(member).map(({ word, tone }) => html`<span class="chip" data-tone=${tone}>${say(word, { left: clock(state?.laser.armed_for_s ?? 0) })}</span> `)}</p>
     ${reasons(context, member)}
     <div class="row">
-      <button id="details-stop" type="button" class="stops" @click=${() => void act.stop(to)}>${say("fleet.stop.one", { name })}</button>
+      <button id="details-stop" type="button" class="stops" @pointerdown=${listener} @click=${listener}>${say("fleet.stop.one", { name })}</button>
       ${state?.stop ? html`<button id="details-reset" type="button" class="small" ?disabled=${!isThere(member)} @click=${() => act.send({ type: "question", question: resetQuestion(board.language, [member]) })}>${say("stopped.reset")}</button>` : nothing}
       <button id="details-drawing" type="button" class="small" ?disabled=${!isThere(member) || !member.about?.is_virtual} @click=${() => void act.saveDrawings(to)}>${say("fleet.drawing")}</button>
       ${endArm(context, member)}

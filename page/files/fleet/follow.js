@@ -1,14 +1,13 @@
 // Follows the stations of the fleet, as the station of this board sees them: connects, connects again. It draws nothing.
 
 import { readEvents } from "../station/event_stream.js";
+import { watchSilence } from "../station/silence.js";
 
 /** @typedef {import("./fleet.js").Store} Store */
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {import("../station/http.js").Http} Http */
 
 const AGAIN_MS = 1000;
-/** A station tells of its own arm twice in a second at least: one that is silent for longer is asked anew. */
-const SILENT_MS = 3000;
 const LOOK_MS = 500;
 
 /** @param {Store} store @param {Http} http */
@@ -18,11 +17,15 @@ export function followFleet(store, http) {
   /** @type {number | undefined} */ let timer;
 
   const now_ms = () => Date.now();
+  // A station tells of its own arm twice in a second at least: one that is silent is asked anew.
+  const heard = watchSilence({ isExpected: () => store.page.connection === "open", silent: () => void follow() });
 
-  /** Whether the station answers, and there is a fleet. @returns {Promise<boolean>} */
-  async function look() {
-    const answer = await http.get("api/v1/fleet");
+  /** Whether the station answers, and there is a fleet. @param {AbortController} mine @returns {Promise<boolean>} */
+  async function look(mine) {
+    const answer = await http.get("api/v1/fleet", mine.signal);
     const told = await answer?.json().catch(() => undefined);
+    if (listening !== mine) return false;
+    heard();
     if (!answer || !told) send({ type: "closed", problem: null });
     else if (answer.ok) send({ type: "fleet", name: told.name, members: told.members, now_ms: now_ms() });
     else if (answer.status === 404) send({ type: "alone" });
@@ -44,6 +47,7 @@ export function followFleet(store, http) {
       news.set(member.id, member);
     };
     const came = () => {
+      heard();
       if (news.size || gone.length) send({ type: "members", members: [...news.values()], gone, now_ms: now_ms() });
       else send({ type: "alive", now_ms: now_ms() });
       news = new Map();
@@ -58,7 +62,7 @@ export function followFleet(store, http) {
     listening?.abort();
     const mine = listening = new AbortController();
     send({ type: "connecting" });
-    if (await look() && listening === mine) await listen(mine);
+    if (await look(mine)) await listen(mine);
     // With another token it is asked again at once.
     if (listening === mine && store.page.connection !== "token") timer = setTimeout(() => void follow(), AGAIN_MS);
   }
@@ -67,7 +71,6 @@ export function followFleet(store, http) {
     const { connection, heard_ms } = store.page;
     if (connection === "open" && now_ms() - heard_ms < LOOK_MS) return;
     send({ type: "tick", now_ms: now_ms() });
-    if (connection === "open" && now_ms() - heard_ms > SILENT_MS) void follow();
   }, LOOK_MS);
 
   return { follow: () => void follow() };

@@ -1,6 +1,7 @@
 // The foot of the board: STOP for all, and what came of it.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { stops } from "../hands/stop_button.js";
 import { isMeant, isThere, recipients } from "./members.js";
 import { list } from "./outcome.js";
 import { told, toneOfTold } from "./told.js";
@@ -12,9 +13,10 @@ import { told, toneOfTold } from "./told.js";
 export function foot(context) {
   const { board, say, act } = context;
   const { group, stop } = board;
+  const all = stops(() => void act.stop("all")), shown = stops(() => void act.stop(recipients(group)));
   return html`
-    <button id="stop" type="button" aria-describedby="stop-keys" @click=${() => void act.stop("all")}>${say("fleet.stop.all")} <small id="stop-keys">${say("stop.keys")}</small></button>
-    ${group === null ? nothing : html`<button id="stop-group" class="stops" type="button" @click=${() => void act.stop({ group })}>${say("fleet.stop.group", { group })}</button>`}
+    <button id="stop" type="button" aria-describedby="stop-keys" @pointerdown=${all} @click=${all}>${say("fleet.stop.all")} <small id="stop-keys">${say("stop.keys")}</small></button>
+    ${group === null ? nothing : html`<button id="stop-group" class="stops" type="button" @pointerdown=${shown} @click=${shown}>${say("fleet.stop.group", { group })}</button>`}
     <div id="stop-told" data-tone=${stop ? toneOfTold(context, stop) : "off"} role="alert">${stop ? html`<p>${told(context, stop)}</p>` : nothing}</div>
     ${again(context)}`;
 }

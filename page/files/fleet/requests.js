@@ -30,8 +30,10 @@ export function createRequests(store, http) {
   /** Asks, and tells what came of it. @param {What} what @param {Recipients} to @param {() => ReturnType<typeof request>} does @returns {Promise<MemberAnswer[]>} */
   async function told(what, to, does) {
     const number = asked += 1;
+    // First of all: a stop waits for nothing.
+    const outcome = does();
     send({ type: "asked", asked: { number, what, to, answers: null, problem: null } });
-    const { value, problem } = await does();
+    const { value, problem } = await outcome;
     send({ type: "answered", number, answers: value ?? null, problem: problem ?? null });
     return value ?? [];
   }

@@ -2,10 +2,11 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
+import { stops } from "../hands/stop_button.js";
 import { isSamePerson, timeNow } from "../state/slots.js";
 import { clock, span } from "../words/words.js";
 import { learnerLine } from "./learners.js";
-import { alarms, isStuck, isThere, pageOf, sections, share, toneOf } from "./members.js";
+import { alarms, isStuck, isThere, pageOf, recipients, sections, share, toneOf } from "./members.js";
 import { problemText } from "./told.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
@@ -29,11 +30,12 @@ export function tiles(context) {
 function section(context, { group, members }, n, first) {
   const { say, act } = context;
   const there = members.filter(isThere).length;
+  const listener = stops(() => void act.stop(recipients(group)));
   return html`
     <section class="group" aria-labelledby="group-${n}">
       <div class="group-head">
         <h2 id="group-${n}">${group ?? say("fleet.group.none")} <small>${say("fleet.there", { there, all: members.length })}</small></h2>
-        ${group === null ? nothing : html`<button type="button" class="stops small" data-stop-group=${group} @click=${() => void act.stop({ group })}>${say("fleet.stop.group", { group })}</button>`}
+        ${group === null ? nothing : html`<button type="button" class="stops small" data-stop-group=${group} @pointerdown=${listener} @click=${listener}>${say("fleet.stop.group", { group })}</button>`}
       </div>
       <ul class="tiles">${repeat(members, ({ id }) => id, (member) => tile(context, member, first))}</ul>
     </section>`;
@@ -43,13 +45,14 @@ function section(context, { group, members }, n, first) {
 function tile({ board, say, act }, member, first) {
   const { id, name, here, presence, state } = member;
   const isFirst = id === first;
+  const listener = stops(() => void act.stop({ members: [name] }));
   return html`
     <li class="tile" data-tone=${toneOf(member)} data-member=${name} data-presence=${presence.type}>
       <p class="head">
         <button type="button" class="name" tabindex=${isFirst ? 0 : -1} aria-expanded=${String(id === board.chosen)} aria-controls="details" aria-describedby="alarms-${id} says-${id}"
           @focus=${() => act.send({ type: "current", id })} @click=${() => act.send({ type: "chosen", id: id === board.chosen ? null : id })}>${name}</button>
         ${here ? html`<span class="quiet here">${say("fleet.here")}</span>` : nothing}
-        <button type="button" class="stops small one" tabindex=${isFirst ? 0 : -1} aria-label=${say("fleet.stop.one", { name })} @click=${() => void act.stop({ members: [name] })}>${say("fleet.stop.short")}</button>
+        <button type="button" class="stops small one" tabindex=${isFirst ? 0 : -1} aria-label=${say("fleet.stop.one", { name })} @pointerdown=${listener} @click=${listener}>${say("fleet.stop.short")}</button>
       </p>
       <div class="sight">
         <canvas class="picture" data-arm=${id} aria-hidden="true"></canvas>

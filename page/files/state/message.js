@@ -15,6 +15,8 @@
  * | { type: "closed", needs_token: boolean }
  * | { type: "connecting" }
  * | { type: "stop_pressed" }
+ * | { type: "stop_late" }
+ * | { type: "stop_answered", after_s: number }
  * | { type: "tick", now_ms: number }
  * | { type: "problem", problem: Problem }
  * | { type: "problem_closed" }

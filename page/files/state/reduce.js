@@ -44,7 +44,7 @@ function reduceOwn(page, message) {
     case "hello":
       return { ...page, connection: "open", me: message.client, role: message.role, person: message.person, says_name: message.says_name, version: message.version, heard_ms: message.now_ms, now_ms: message.now_ms, around: null, planned: null };
     case "state":
-      return { ...page, station: message.station, heard_ms: message.now_ms, now_ms: message.now_ms };
+      return { ...page, station: message.station, late_stop: page.station?.stop && !message.station.stop ? unanswered(page) : page.late_stop, heard_ms: message.now_ms, now_ms: message.now_ms };
     case "notices":
       return { ...page, notices: message.notices.slice(-NOTICES) };
     case "notice":
@@ -56,7 +56,11 @@ function reduceOwn(page, message) {
     case "closed":
       return { ...page, connection: message.needs_token ? "token" : "closed", me: null, question: null };
     case "stop_pressed":
-      return { ...page, question: null };
+      return { ...page, question: null, late_stop: unanswered(page) };
+    case "stop_late":
+      return { ...page, late_stop: { after_s: null } };
+    case "stop_answered":
+      return { ...page, late_stop: page.late_stop && { after_s: message.after_s } };
     case "tick":
       return { ...page, now_ms: message.now_ms };
     case "problem":
@@ -91,6 +95,9 @@ function reduceOwn(page, message) {
       return page;
   }
 }
+
+/** A STOP that nobody has answered is told until somebody does; that it was answered, until the next one, or until the arm may move again. @param {Page} page */
+const unanswered = ({ late_stop }) => (late_stop?.after_s === null ? late_stop : null);
 
 /** What somebody says to all who watch. @param {{ type: string, text: string }} notice */
 const spoken = ({ type, text }) => (type === "message" ? text : null);

@@ -118,6 +118,18 @@ test("a view has the same objects for what did not change", () => {
   assert.notEqual(viewOf(told({ at_s: 2 }, page), words).arm, one.arm);
 });
 
+test("a STOP that nobody answers is told until somebody does, and that it was answered until the arm may move again", () => {
+  const stop = { by: "page", reason: null, at_s: 1, rests_by_s: 1, at_rest: true };
+  const answered = { type: "stop_answered", after_s: 0.1 };
+  assert.equal(after([{ type: "stop_pressed" }, answered], OPEN).late_stop, null);
+  const late = after([{ type: "stop_pressed" }, { type: "stop_late" }], OPEN);
+  assert.deepEqual(after([{ type: "stop_pressed" }, { type: "closed", needs_token: false }], late).late_stop, { after_s: null });
+  const told_late = told({ stop }, after([{ ...answered, after_s: 13 }], late));
+  assert.deepEqual(told_late.late_stop, { after_s: 13 });
+  assert.equal(told({ stop: null }, told_late).late_stop, null);
+  assert.equal(after([{ type: "stop_pressed" }], told_late).late_stop, null);
+});
+
 test("a drafted keep-out is shown while the next change of the draft is looked at, until the draft is forgotten", () => {
   const policy = { joints: {}, workspace: {}, tool_length: { suction_cup_mm: 60 }, table: { z_mm: -100 }, keep_out: {} };
   const drafted = { ...policy, keep_out: { a: { box: {} } } };

@@ -41,6 +41,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {number} now_ms
  * @property {readonly Notice[]} notices The newest last.
  * @property {string} sought What a notice has to contain to be shown.
+ * @property {{ after_s: number | null } | null} late_stop A STOP that was not answered at once, and when it was.
  * @property {Problem | null} problem
  * @property {string | null} message What somebody told all who watch this station, and who.
  * @property {Question | null} question
@@ -81,6 +82,7 @@ export const begin = ({ language, theme, greeted, program }) => ({
   now_ms: 0,
   notices: [],
   sought: "",
+  late_stop: null,
   problem: null,
   message: null,
   question: null,

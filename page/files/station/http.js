@@ -7,6 +7,9 @@
 /** @type {Problem} */
 const SILENT = { title: "the station does not answer", detail: "nothing answers at its address", hint: "look whether it runs; the page tries again by itself" };
 
+/** A stop that is not answered for so long gives its connection back: a browser has six of them to a station. */
+const STOP_MS = 3000;
+
 export function createHttp() {
   const token = () => sessionStorage.getItem("token");
 
@@ -19,10 +22,10 @@ export function createHttp() {
   /** @param {string} path @param {AbortSignal} [signal] what ends an answer that goes on */
   const get = (path, signal) => fetch(path, { headers: authorization(), signal }).catch(() => undefined);
 
-  /** @param {Record<string, string>} headers @param {string} method @param {string} path @param {unknown} [body] @returns {Promise<Outcome<any>>} */
-  async function request(headers, method, path, body) {
+  /** @param {Record<string, string>} headers @param {string} method @param {string} path @param {unknown} [body] @param {AbortSignal} [signal] @returns {Promise<Outcome<any>>} */
+  async function request(headers, method, path, body, signal) {
     if (body !== undefined) headers["content-type"] = "application/json";
-    const answer = await fetch(path, { method, headers, body: body === undefined ? undefined : JSON.stringify(body) }).catch(() => undefined);
+    const answer = await fetch(path, { method, headers, body: body === undefined ? undefined : JSON.stringify(body), signal }).catch(() => undefined);
     if (!answer) return { problem: SILENT };
     const isJson = answer.headers.get("content-type")?.includes("json");
     const value = await (isJson ? answer.json() : answer.text()).catch(() => undefined);
@@ -48,8 +51,8 @@ export function createHttp() {
     ask: (method, path, body, key) => request({ ...authorization(), ...(key && { "idempotency-key": key }) }, method, path, body),
     /** Asks for a stop: anyone may, so that a token that the station does not know keeps nobody from it. @template T @param {string} path @param {unknown} [body] @returns {Promise<Outcome<T>>} */
     async stop(path, body) {
-      const outcome = await request(authorization(), "POST", path, body);
-      return outcome.problem?.status === 401 && token() ? request({}, "POST", path, body) : outcome;
+      const outcome = await request(authorization(), "POST", path, body, AbortSignal.timeout(STOP_MS));
+      return outcome.problem?.status === 401 && token() ? request({}, "POST", path, body, AbortSignal.timeout(STOP_MS)) : outcome;
     },
   };
 }

@@ -1,5 +1,7 @@
 // The WebSocket to the station: connects, connects again, and brings each answer to who asked. It draws nothing.
 
+import { SILENT_MS, watchSilence } from "./silence.js";
+
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Request} Request */
 /** @typedef {import("../state/types.js").Answer} Answer */
@@ -7,7 +9,7 @@
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {ReturnType<typeof createSocket>} Socket */
 
-const RECONNECT_MS = 1000;
+const RECONNECT_MS = 1000, CONNECT_MS = 5000;
 /** @type {Answer} */
 export const NO_CONNECTION = { problem: { type: "no-connection", title: "there is no connection", detail: "the station is not reached at the moment", hint: "the page tries again by itself" } };
 
@@ -22,6 +24,9 @@ export function createSocket({ store, http }) {
   /** @type {Map<number, (answer: Answer) => void>} */ const waiting = new Map();
 
   const isOpen = () => socket?.readyState === WebSocket.OPEN;
+  // A station tells of an arm that is there with each status, and of one that is not when that changes.
+  const isExpected = () => isOpen() && (store.page.station?.link.phase ?? "up") === "up";
+  const heard = watchSilence({ isExpected, silent: connectAnew });
 
   function connect() {
     store.send({ type: "connecting" });
@@ -31,12 +36,34 @@ export function createSocket({ store, http }) {
     url.protocol = url.protocol.replace("http", "ws");
     const token = http.token();
     const mine = socket = new WebSocket(url, token ? ["dobot", `dobot.token.${token}`] : ["dobot"]);
-    mine.addEventListener("message", (event) => hear(JSON.parse(event.data), name));
-    mine.addEventListener("close", (event) => void tryAgain(event));
+    const late = setTimeout(() => mine === socket && connectAnew(), CONNECT_MS);
+    mine.addEventListener("open", () => clearTimeout(late));
+    mine.addEventListener("message", (event) => mine === socket && hear(JSON.parse(event.data), name));
+    mine.addEventListener("close", (event) => {
+      clearTimeout(late);
+      if (mine === socket) void tryAgain(event);
+    });
+  }
+
+  /** Leaves a connection that brings nothing: it may take minutes to end by itself. */
+  function connectAnew() {
+    const silent = socket;
+    socket = undefined;
+    silent?.close();
+    lose();
+    connect();
+  }
+
+  function lose() {
+    for (const answered of waiting.values()) answered(NO_CONNECTION);
+    waiting.clear();
+    // Nothing counts as held from now on, whatever the question about the token says.
+    store.send({ type: "closed", needs_token: false });
   }
 
   /** @param {Schemas["ToClient"]} message @param {string} name What this page has called itself. */
   function hear(message, name) {
+    heard();
     const now_ms = Date.now();
     if ("hello" in message) {
       const { client, role, version, person = "" } = message.hello;
@@ -55,12 +82,9 @@ export function createSocket({ store, http }) {
 
   /** @param {CloseEvent} event */
   async function tryAgain(event) {
-    for (const answered of waiting.values()) answered(NO_CONNECTION);
-    waiting.clear();
-    // Nothing counts as held from now on, whatever the question about the token says.
-    store.send({ type: "closed", needs_token: false });
+    lose();
     if (event.code === 1008) store.send({ type: "problem", problem: { title: "the station closed the connection", detail: event.reason } });
-    const answer = await http.get("api/v1/state");
+    const answer = await http.get("api/v1/state", AbortSignal.timeout(SILENT_MS));
     if (answer?.status === 401) store.send({ type: "closed", needs_token: true });
     else setTimeout(connect, RECONNECT_MS);
   }

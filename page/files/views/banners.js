@@ -100,13 +100,12 @@ function recording({ page, say, act }) {
 /** @param {Context} context */
 function problem({ page, say, act }) {
   if (!page.problem) return nothing;
-  const { type, title, detail, hint } = page.problem;
-  const missed = type === "stop-missed";
+  const { title, detail, hint } = page.problem;
   return html`
     <section id="problem" class="banner" data-tone="bad" role="alert">
-      <p><strong id="problem-title">${sentence(missed ? say("stop.missed") : title)}:</strong>
-        <span id="problem-detail">${sentence(missed ? say("stop.missed.detail") : detail)}.</span>
-        <em id="problem-hint">${missed ? `${sentence(say("stop.missed.hint"))}.` : hint ? `${sentence(hint)}.` : ""}</em></p>
+      <p><strong id="problem-title">${sentence(title)}:</strong>
+        <span id="problem-detail">${sentence(detail)}.</span>
+        <em id="problem-hint">${hint ? `${sentence(hint)}.` : ""}</em></p>
       <button id="problem-close" type="button" aria-label=${say("close.message")} @click=${() => act.send({ type: "problem_closed" })}>${say("close")}</button>
     </section>`;
 }

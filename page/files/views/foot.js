@@ -2,6 +2,7 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
+import { stops } from "../hands/stop_button.js";
 import { hasControl } from "../state/select.js";
 import { span } from "../words/words.js";
 
@@ -9,9 +10,21 @@ import { span } from "../words/words.js";
 /** @typedef {import("../state/types.js").Job} Job */
 
 /** @param {Context} context */
-export const foot = (context) => html`
-  <button id="stop" type="button" aria-describedby="stop-keys" @click=${() => context.act.stop()}>${context.say("stop")} <small id="stop-keys">${context.say("stop.keys")}</small></button>
-  ${context.page.station?.job ? job(context, context.page.station.job) : html`<p id="no-job" class="quiet wide">${context.say("job.none")}</p>`}`;
+export function foot(context) {
+  const { page, say, act } = context;
+  const listener = stops(act.stop);
+  return html`
+    <button id="stop" type="button" aria-describedby="stop-keys" @pointerdown=${listener} @click=${listener}>${say("stop")} <small id="stop-keys">${say("stop.keys")}</small></button>
+    ${lateStop(context)}
+    ${page.station?.job ? job(context, page.station.job) : html`<p id="no-job" class="quiet wide">${say("job.none")}</p>`}`;
+}
+
+/** What came of a STOP that was not answered at once. @param {Context} context */
+function lateStop({ page: { late_stop }, say }) {
+  if (!late_stop) return nothing;
+  const { after_s } = late_stop;
+  return html`<p id="late-stop" data-tone=${after_s === null ? "bad" : "good"} role="alert">${after_s === null ? say("stop.unanswered") : say("stop.answered", { after: span(say, after_s) })}</p>`;
+}
 
 /** @param {Context} context @param {Job} job */
 function job({ page, say, act }, job) {

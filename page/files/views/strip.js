@@ -15,7 +15,7 @@ export function strip(context) {
   const { station } = page;
   const open = page.connection === "open" && station !== null;
   const phase = open ? station.link.phase : page.connection === "connecting" ? "connecting" : "closed";
-  const tone = open ? LINK_TONES[station.link.phase] : page.connection === "connecting" ? "off" : "bad";
+  const tone = open ? LINK_TONES[station.link.phase] : "off";
   const shines = laser(page);
   return html`
     <h1>Dobot <small>${isVirtual(page) ? say("strip.virtual") : station?.link.address ?? ""}</small></h1>

@@ -54,9 +54,8 @@ export const en = {
 
   "stop": "STOP",
   "stop.keys": "Space or Esc",
-  "stop.missed": "the stop did not reach the station",
-  "stop.missed.detail": "nothing answers at its address",
-  "stop.missed.hint": "switch the arm off",
+  "stop.unanswered": "No answer to STOP. Switch the arm off.",
+  "stop.answered": "STOP was answered after {after}.",
 
   "stage": "The arm",
   "stage.where": "The arm: x {x}, y {y}, z {z} mm",

@@ -55,9 +55,8 @@ export const zh = {
 
   "stop": "停止",
   "stop.keys": "空格键或 Esc",
-  "stop.missed": "停止命令没有送达",
-  "stop.missed.detail": "服务地址没有回应",
-  "stop.missed.hint": "请切断机械臂的电源",
+  "stop.unanswered": "停止命令没有得到回应。请切断机械臂的电源。",
+  "stop.answered": "停止命令在 {after}后得到回应。",
 
   "stage": "机械臂",
   "stage.where": "机械臂:x {x},y {y},z {z} 毫米",

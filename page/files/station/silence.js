@@ -1,0 +1,23 @@
+// Finds a station silent that should be heard.
+
+const LOOK_MS = 500;
+/** For so long a station says nothing before it counts as silent. */
+export const SILENT_MS = 2000;
+
+/**
+ * It counts the looks and not the time: a page that was busy or asleep has still to hear what came meanwhile.
+ * @param {object} outside
+ * @param {() => boolean} outside.isExpected whether something should come
+ * @param {() => void} outside.silent
+ * @returns {() => void} something came
+ */
+export function watchSilence({ isExpected, silent }) {
+  let looks = 0;
+  setInterval(() => {
+    looks = isExpected() ? looks + 1 : 0;
+    if (looks * LOOK_MS <= SILENT_MS) return;
+    looks = 0;
+    silent();
+  }, LOOK_MS);
+  return () => void (looks = 0);
+}

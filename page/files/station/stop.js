@@ -1,0 +1,38 @@
+// Asks for a stop until something answers: at once, and then again and again over connections of their own.
+
+const FIRST_AGAIN_MS = 300, AGAIN_MS = 1000;
+/** From when on a person has to know that nobody has answered. */
+const LATE_MS = 1000;
+
+/**
+ * @param {object} outside
+ * @param {() => Promise<boolean>} outside.first asks at once, with each press; whether that was answered
+ * @param {() => Promise<boolean>} outside.again asks over another connection
+ * @param {() => void} outside.late
+ * @param {(after_ms: number) => void} outside.answered
+ * @returns {() => void} presses STOP
+ */
+export function createStop({ first, again, late, answered }) {
+  /** @type {{ since_ms: number, again: number, late: number } | null} */ let waiting = null;
+
+  /** @param {() => Promise<boolean>} way */
+  async function ask(way) {
+    const mine = waiting;
+    if (!(await way()) || !mine || waiting !== mine) return;
+    clearTimeout(mine.again);
+    clearTimeout(mine.late);
+    waiting = null;
+    answered(Date.now() - mine.since_ms);
+  }
+
+  function repeat() {
+    if (!waiting) return;
+    waiting.again = setTimeout(repeat, AGAIN_MS);
+    void ask(again);
+  }
+
+  return () => {
+    waiting ??= { since_ms: Date.now(), again: setTimeout(repeat, FIRST_AGAIN_MS), late: setTimeout(late, LATE_MS) };
+    void ask(first);
+  };
+}

@@ -1,0 +1,101 @@
+// STOP by hands in a hurry: real fingers and a real mouse, judged on what the arm was told. GESTURES says how many gestures, SEED
+// which ones, and STOP_WITHIN_MS within what time of each press the arm has to have its packet: 30 on a machine that does nothing else.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { answered, isJog, isStop, open, pose, rest, takeControl } from "./bench.mjs";
+import { gesture, hand, numbers, words } from "./gestures.mjs";
+
+const { GESTURES = "60", SEED = "1", STOP_WITHIN_MS = "500" } = process.env;
+
+let bench, page, told, fingers;
+
+before(async () => {
+  bench = await open({ viewport: { width: 390, height: 844 }, options: { hasTouch: true, isMobile: true } });
+  ({ page, told } = bench);
+  await takeControl(page);
+  fingers = await hand(page);
+});
+after(async () => {
+  assert.deepEqual(bench.errors, []);
+  await bench.end();
+});
+
+/** A person has looked at the arm, and it may move again. */
+async function letMoveAgain() {
+  if (!(await page.isVisible("#stopped"))) return;
+  await answered(page, "api/v1/state", ({ stop }) => stop?.at_rest);
+  await fetch(new URL("api/v1/stop", bench.url), { method: "DELETE" });
+  await page.waitForSelector("[data-axis=y_plus]:enabled");
+  await rest(page);
+}
+
+/** Makes a gesture on STOP, and tells how long after the press the arm had its packet; nothing where it got none. */
+async function stopBy(it) {
+  // A stopped arm is told to stop by each press all the same, but no button moves it.
+  if (it.rests?.includes("data-axis")) await letMoveAgain();
+  const resting = it.rests ? await fingers.rest(it.rests) : [];
+  if (it.rests?.includes("data-axis")) await told.next(told.packets.length, isJog);
+  const from = told.packets.length;
+  const stopped = () => told.next(from, isStop);
+  const pressed = await fingers.press("#stop", it, resting, stopped);
+  const packet = await stopped();
+  if (!packet) return undefined;
+  await page.waitForSelector("#stopped");
+  return packet.at - pressed;
+}
+
+/** One finger in the middle of the button, lifted at once. */
+const TAP = { by: "finger", fingers: 1, rests: null, at: [0.5, 0.5], way: [0, 0], lasts: "tap" };
+const PRESSES = {
+  "a tap": {},
+  "a finger that stays": { lasts: "until it stops" },
+  "a finger that moves by 20 px": { way: [20, 0], lasts: "until it stops" },
+  "a finger that slides off": { way: [0, -40], lasts: "until it stops" },
+  "a second finger while another one holds a jog button": { rests: "[data-axis=y_plus]" },
+  "a second finger while another one is on the picture": { rests: "#stage", lasts: "until it stops" },
+  "a flat hand": { fingers: 3, lasts: "until it stops" },
+  "a mouse that stays": { by: "mouse", lasts: "until it stops" },
+  "a mouse that slips off": { by: "mouse", way: [0, -40], lasts: "until it stops" },
+};
+for (const [name, other] of Object.entries(PRESSES)) {
+  test(`${name} stops the arm`, async () => {
+    const took_ms = await stopBy({ ...TAP, ...other });
+    // One that stops by being lifted is lifted after `told.next` has given up.
+    assert.ok(took_ms < 5000, `${took_ms} ms`);
+  });
+}
+
+test("a press and its lifting stop once, and so does a key on the button", async () => {
+  await page.evaluate(() => {
+    window.stops = 0;
+    const send = WebSocket.prototype.send;
+    WebSocket.prototype.send = function (text) {
+      if (JSON.parse(text).request?.type === "stop") window.stops += 1;
+      return send.call(this, text);
+    };
+  });
+  const sent = () => page.evaluate(() => window.stops);
+  await stopBy(TAP);
+  assert.equal(await sent(), 1);
+  // A finger that slides off leaves no press behind that a key could be taken for.
+  await stopBy({ ...TAP, way: [0, -40] });
+  assert.equal(await sent(), 2);
+  await page.focus("#stop");
+  await page.keyboard.press("Enter");
+  assert.equal(await sent(), 3);
+});
+
+test(`each of ${GESTURES} random presses stops the arm within ${STOP_WITHIN_MS} ms`, async (t) => {
+  const random = numbers(Number(SEED)), took = [], missed = [];
+  for (let n = 0; n < Number(GESTURES); n += 1) {
+    // To and fro, so that the arm comes to no limit.
+    const it = gesture(random, [`[data-axis=${(await pose(page, "y_mm")) > 0 ? "y_minus" : "y_plus"}]`, "#stage"]);
+    const ms = await stopBy(it);
+    if (ms !== undefined) took.push(ms);
+    if (ms === undefined || ms > Number(STOP_WITHIN_MS)) missed.push(`${n}: ${words(it)}: ${ms === undefined ? "never" : `${ms.toFixed(0)} ms`}`);
+  }
+  took.sort((a, b) => a - b);
+  const at = (share) => took[Math.floor((took.length - 1) * share)]?.toFixed(0);
+  t.diagnostic(`from press to packet: median ${at(0.5)} ms, p99 ${at(0.99)} ms, at most ${at(1)} ms`);
+  assert.deepEqual(missed, []);
+});
