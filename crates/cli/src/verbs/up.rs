@@ -81,9 +81,10 @@ pub(crate) struct Args {
     /// Where page and API are served; port 0 takes a free one
     #[arg(long, value_name = "HOST:PORT", default_value_t = DEFAULT_HTTP)]
     http: SocketAddr,
-    /// Where raw packets are served over TCP, or off; port 0 takes a free one
-    #[arg(long, value_name = "HOST:PORT|off", default_value_t = Raw(Some(DEFAULT_RAW)), value_parser = raw)]
-    raw: Raw,
+    /// Where raw packets are served over TCP, or off; port 0 takes a free one (default: 127.0.0.1:5555; off with
+    /// --token-required, for raw packets know no tokens)
+    #[arg(long, value_name = "HOST:PORT|off", value_parser = raw)]
+    raw: Option<Raw>,
     /// Serve raw packets on a virtual serial port, too, with a symbolic link to it at LINK
     #[cfg(unix)]
     #[arg(long, value_name = "LINK")]
@@ -136,6 +137,9 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     };
     let mut welcome = welcome(&station, args.personality, data);
     welcome.fleet = fleet.told();
+    if args.token_required && args.raw.is_none() {
+        welcome.notes.push(NO_RAW.to_owned());
+    }
     match log {
         LogFormat::Text => output::line(&welcome.text(std::io::stdout().is_terminal()))?,
         LogFormat::Json => welcome.log(),
@@ -190,7 +194,10 @@ impl Args {
             dialect: self.dialect,
             policy: self.policy.clone(),
             http: self.http,
-            raw: self.raw.0,
+            raw: match self.raw {
+                Some(Raw(raw)) => raw,
+                None => (!self.token_required).then_some(DEFAULT_RAW),
+            },
             #[cfg(unix)]
             pty: self.pty.clone(),
             foxglove: self.foxglove,
@@ -305,18 +312,11 @@ fn is_taken(error: &std::io::Error) -> bool {
 /// So soon a station of this machine answers that lives.
 const AT_ONCE: Duration = Duration::from_millis(300);
 
+const NO_RAW: &str = "raw packets are not served, for they know no tokens; `--raw 127.0.0.1:5555` serves them to everybody on this machine";
+
 /// Where raw packets are served, if they are.
 #[derive(Clone, Copy, Debug)]
 struct Raw(Option<SocketAddr>);
-
-impl std::fmt::Display for Raw {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self.0 {
-            Some(address) => address.fmt(f),
-            None => f.write_str("off"),
-        }
-    }
-}
 
 fn raw(text: &str) -> Result<Raw, &'static str> {
     if text == "off" {
