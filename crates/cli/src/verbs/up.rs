@@ -174,11 +174,19 @@ async fn start(config: Config, log: LogFormat) -> Result<Station, Failure> {
     let mut alone = std::pin::pin!(check_alone(&folders));
     let known = tokio::time::timeout(AT_ONCE, &mut alone).await;
     let is_known = known.is_ok();
-    known.unwrap_or(Ok(()))?;
+    let unreadable = match known.unwrap_or(Ok(())) {
+        Ok(()) => None,
+        Err(NotAlone::Running(failure)) => return Err(failure),
+        Err(NotAlone::Unreadable(failure)) => Some(failure),
+    };
     if config.arm.is_none() {
         log.tell("looking for an arm");
     }
     let approach = config.approach().await.map_err(no_start)?;
+    // The laser is off by now, whatever is wrong with the data.
+    if let Some(failure) = unreadable {
+        return Err(failure);
+    }
     if !is_known {
         alone.await?;
     }
@@ -233,20 +241,37 @@ impl Args {
     }
 }
 
+/// Why another station may have the arm.
+enum NotAlone {
+    /// One runs.
+    Running(Failure),
+    /// Whether one runs cannot be read.
+    Unreadable(Failure),
+}
+
+impl From<NotAlone> for Failure {
+    fn from(why: NotAlone) -> Self {
+        match why {
+            NotAlone::Running(failure) | NotAlone::Unreadable(failure) => failure,
+        }
+    }
+}
+
 /// Two stations would quarrel about the arm.
-async fn check_alone(folders: &Folders) -> Result<(), Failure> {
-    let Some(other) = running(folders)? else {
+async fn check_alone(folders: &Folders) -> Result<(), NotAlone> {
+    let running = running(folders).map_err(|error| NotAlone::Unreadable(error.into()))?;
+    let Some(other) = running else {
         return Ok(());
     };
     // One that was killed could not take back that it runs.
     if Remote::connect(&other, &client_name("up")).await.is_err() {
         return Ok(());
     }
-    Err(Failure::new(
+    Err(NotAlone::Running(Failure::new(
         anyhow!("a station runs already at {other}"),
         "`dobot watch` shows it; another one beside it needs a folder and ports of its own: \
          `--data FOLDER --http 127.0.0.1:0 --raw 127.0.0.1:0`",
-    ))
+    )))
 }
 
 fn welcome(station: &Station, personality: Personality, data: String) -> Welcome {

@@ -73,4 +73,7 @@ fn a_start_that_fails_has_switched_the_laser_off_first() {
     first_of_a_failing_start(&bench, &["--http", &taken], &[&taken]);
     std::fs::write(bench.folder().join("journal.redb"), "a power cut").expect("there is room");
     first_of_a_failing_start(&bench, &[], &["journal"]);
+    let file = bench.folder().join("journal.redb");
+    let file = file.to_str().expect("the path is text");
+    first_of_a_failing_start(&bench, &["--data", file], &[file]);
 }

@@ -430,3 +430,26 @@ fn a_stop_and_its_reason_hold_at_the_next_start() {
     let state = last.wait_for_state(|it| it["arm"].is_object());
     assert_eq!(state["stop"], Value::Null, "{state}");
 }
+
+#[test]
+fn where_tokens_are_required_raw_packets_are_served_only_if_they_are_asked_for() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let start = [
+        "up",
+        "--virtual",
+        "--http",
+        "127.0.0.1:0",
+        "--token-required",
+    ];
+    run(
+        &mut command_at(folder.path(), &["token", "add", "admin", "me"]),
+        b"",
+    )
+    .succeeds();
+    let mut station = Going::new(command_at(folder.path(), &start));
+    station.reads("raw packets are not served");
+    drop(station);
+    let asked = [&start[..], &["--raw", "127.0.0.1:0"]].concat();
+    let mut station = Going::new(command_at(folder.path(), &asked));
+    station.reads("tcp:127.0.0.1:");
+}

@@ -52,9 +52,8 @@ fn a_job_waits_for_the_person_once_and_goes_on() {
         it.ask(anna, Request::ConfirmJob { job }).unwrap();
         it.ask(anna, Request::StartJob { job }).unwrap();
         finish(&mut it, job);
-        let waited = |it: &&Notice| {
-            matches!(it.news, News::Job { .. }) && it.text.contains(MESSAGE)
-        };
+        let waited =
+            |it: &&Notice| matches!(it.news, News::Job { .. }) && it.text.contains(MESSAGE);
         assert_eq!(it.notices().iter().filter(waited).count(), 1);
         assert_drawn_once(&it, &lines(), 0.1, &personality.to_string());
     }
