@@ -269,24 +269,23 @@ async fn where_one_station_does_not_take_its_part_no_arm_moves() {
 }
 
 impl Desk {
-    /// A person at the arm starts a job.
+    /// A person at the arm has done what a job waits for, and starts it.
     async fn start(&self, job: u64) {
         let (status, lease) = self.ask("POST", "/api/v1/lease", None).await;
         assert_eq!(status, 200, "{lease}");
-        let request = ApiRequest {
-            method: "POST".into(),
-            path: format!("/api/v1/jobs/{job}/start"),
+        let request = |method: &str, path: String| ApiRequest {
+            method: method.into(),
+            path,
             token: Some(self.admin()),
             lease: lease["token"].as_str().map(str::to_owned),
             ..ApiRequest::default()
         };
-        let answer = self.station.api().call(&request).await;
-        assert_eq!(answer.status, 200, "{answer:?}");
-        let release = ApiRequest {
-            method: "DELETE".into(),
-            path: "/api/v1/lease".into(),
-            ..request
-        };
+        for action in ["confirm", "start"] {
+            let asked = request("POST", format!("/api/v1/jobs/{job}/{action}"));
+            let answer = self.station.api().call(&asked).await;
+            assert_eq!(answer.status, 200, "{answer:?}");
+        }
+        let release = request("DELETE", "/api/v1/lease".into());
         self.station.api().call(&release).await;
     }
 }
