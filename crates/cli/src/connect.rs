@@ -57,7 +57,14 @@ impl To {
     ) -> Result<T, Failure> {
         let mut station = match self.find_station(verb).await? {
             Some(station) => station,
-            None => self.open(verb).await?,
+            None => {
+                if self.address.is_none() {
+                    eprintln!(
+                        "no station runs: this uses a virtual arm of this process, and no real arm moves"
+                    );
+                }
+                self.open(verb).await?
+            }
         };
         let done = act(&mut station).await;
         station.end().await;

@@ -39,9 +39,6 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 
 async fn show(station: &mut StationClient, json: bool, count: Option<u64>) -> Result<(), Failure> {
     let still = station.virtual_arm().is_some();
-    if still {
-        eprintln!("a virtual arm of this process: no station is asked, and no port");
-    }
     let in_place = !json && count.is_none() && std::io::stdout().is_terminal();
     for _ in 0..count.unwrap_or(if still { 1 } else { u64::MAX }) {
         let status = tokio::select! {

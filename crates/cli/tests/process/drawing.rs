@@ -54,6 +54,22 @@ fn draws_every_bundled_drawing(tolerance: &str, dialect: &str) {
 }
 
 #[test]
+fn a_drawing_without_a_station_says_that_no_real_arm_draws_it() {
+    let drawn = dobot(&["draw", &example("square.svg"), "--pen-down", "-40"]).succeeds();
+    assert!(drawn.stderr.contains("no real arm moves"), "{drawn:?}");
+    let meant = [
+        "draw",
+        &example("square.svg"),
+        "--pen-down",
+        "-40",
+        "--to",
+        "virtual:",
+    ];
+    let drawn = dobot(&meant).succeeds();
+    assert!(!drawn.stderr.contains("no real arm"), "{drawn:?}");
+}
+
+#[test]
 fn every_bundled_drawing_of_each_kind_is_drawn_within_tolerance_of_the_true_position() {
     draws_every_bundled_drawing("0.05", "specification");
 }
