@@ -55,16 +55,15 @@ impl To {
         verb: &str,
         act: impl AsyncFnOnce(&mut StationClient) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
-        let mut station = match self.find_station(verb).await? {
-            Some(station) => station,
-            None => {
-                if self.address.is_none() {
-                    eprintln!(
-                        "no station runs: this uses a virtual arm of this process, and no real arm moves"
-                    );
-                }
-                self.open(verb).await?
+        let mut station = if let Some(station) = self.find_station(verb).await? {
+            station
+        } else {
+            if self.address.is_none() {
+                eprintln!(
+                    "no station runs: this uses a virtual arm of this process, and no real arm moves"
+                );
             }
+            self.open(verb).await?
         };
         let done = act(&mut station).await;
         station.end().await;
