@@ -146,7 +146,10 @@ def test_a_program_that_waits_for_a_person_says_so_and_goes_on() -> None:
             arm.run(program)
         assert paused.value.job > 0
         assert arm.status().y_mm == pytest.approx(60, abs=0.5)
-        arm.resume()
+        with pytest.raises(dobot.Refused, match="waits for a person"):
+            arm.resume()
+        assert arm.status().y_mm == pytest.approx(60, abs=0.5)
+        arm.resume(as_person=True)
         assert arm.status().y_mm == pytest.approx(-60, abs=0.5)
         with pytest.raises(dobot.Failed, match="no job"):
             arm.resume()
@@ -170,7 +173,7 @@ def test_a_program_runs_at_a_station_waits_there_and_goes_on(station: str) -> No
         with pytest.raises(dobot.Paused, match="put the cube there"):
             arm.run(program)
         assert arm.status().y_mm == pytest.approx(15, abs=0.5)
-        arm.resume()
+        arm.resume(as_person=True)
         assert arm.status().y_mm == pytest.approx(-15, abs=0.5)
 
 
