@@ -1,7 +1,7 @@
 //! Ports and TCP: good ones and bad ones.
 
 use std::io::{Read, Write};
-use std::net::{TcpListener, TcpStream};
+use std::net::{Shutdown, TcpListener, TcpStream};
 use std::sync::mpsc;
 use std::thread;
 
@@ -113,7 +113,10 @@ fn peer(act: impl FnOnce(TcpStream) + Send + 'static) -> String {
     let address = listener.local_addr().expect("it is bound");
     thread::spawn(move || {
         let (stream, _) = listener.accept().expect("the program connects");
+        let handle = stream.try_clone().expect("a handle");
         act(stream);
+        // A program that is started meanwhile may have a copy of the socket for a moment. The other end may be gone.
+        let _ = handle.shutdown(Shutdown::Both);
     });
     format!("tcp:{address}")
 }
