@@ -5,16 +5,19 @@ const LOOK_MS = 500;
 export const SILENT_MS = 2000;
 
 /**
- * It counts the looks and not the time: a page that was busy or asleep has still to hear what came meanwhile.
+ * It counts the looks and not the time, and begins anew after a look that came late: a page that was busy or asleep has
+ * still to hear what came meanwhile.
  * @param {object} outside
  * @param {() => boolean} outside.isExpected whether something should come
  * @param {() => void} outside.silent
  * @returns {() => void} something came
  */
 export function watchSilence({ isExpected, silent }) {
-  let looks = 0;
+  let looks = 0, last_ms = performance.now();
   setInterval(() => {
-    looks = isExpected() ? looks + 1 : 0;
+    const now_ms = performance.now(), isLate = now_ms - last_ms > 2 * LOOK_MS;
+    last_ms = now_ms;
+    looks = isExpected() && !isLate ? looks + 1 : 0;
     if (looks * LOOK_MS <= SILENT_MS) return;
     looks = 0;
     silent();
