@@ -120,7 +120,7 @@ impl Call {
                 "not-delivered",
                 "the stop was NOT DELIVERED: there is no link to the arm",
             )
-            .hinted("tell the person at the arm to switch it off by hand, at once")),
+            .hinted("ask the person at the arm to switch it off by hand at once")),
             Reply::Stopping { rests_within_s, .. } => Ok(rests_within_s),
             _ => Ok(0.0),
         }

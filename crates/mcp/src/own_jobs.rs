@@ -1,4 +1,4 @@
-//! Which jobs an agent may go on with: its own, where no person has to look first.
+//! Which jobs an agent may resume: its own, unless a person has to look first.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -35,7 +35,7 @@ impl OwnJobs {
         }
     }
 
-    /// Whether an agent may go on with a job: one that it has started and paused itself.
+    /// Whether an agent may resume a job: only one that it has started and paused itself.
     ///
     /// # Errors
     ///
@@ -55,7 +55,7 @@ impl OwnJobs {
         let reason = reason.map_or_else(String::new, |it| format!(" ({it})"));
         Err(Refused::new(
             "needs-a-person",
-            format!("job {}: {why}{reason}; only a person may go on with it", job.job),
+            format!("job {}: {why}{reason}; only a person may resume it", job.job),
         )
         .hinted("ask the person at the arm to start it, on the station's page or with `dobot jobs start`"))
     }

@@ -23,7 +23,7 @@ enum Work {
 }
 
 impl Disk {
-    /// Starts the thread; it tells the driver what went wrong.
+    /// Starts the thread, which reports failures to the driver.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Whoever logs may have to wait; the arm never does.
+//! A full log pipe or a hanging note file never delays the arm.
 
 use std::io::PipeReader;
 use std::time::{Duration, Instant};
@@ -36,8 +36,8 @@ fn station(bench: &Bench, format: &str) -> (Going, PipeReader, String) {
     (station, errors, page)
 }
 
-/// When the arm was first told one of these after a moment.
-fn told(bench: &Bench, at: Instant, wanted: &[Command]) -> Duration {
+/// How long after `at` the arm received one of these commands.
+fn delay_until(bench: &Bench, at: Instant, wanted: &[Command]) -> Duration {
     loop {
         let (passed, command) = bench.command();
         if passed >= at && wanted.contains(&command) {
@@ -107,14 +107,14 @@ fn a_released_button_and_a_stop_reach_the_arm_though_nobody_reads_standard_error
         let holder = bench.jog("base+");
         let at = Instant::now();
         assert_eq!(holder.interrupt(), Some(0));
-        let after = told(&bench, at, &[JOINT_RELEASE]);
+        let after = delay_until(&bench, at, &[JOINT_RELEASE]);
         assert!(after < Duration::from_millis(500), "{format}: {after:?}");
         let _holder = bench.jog("base-");
         let at = Instant::now();
         bench.dobot(&["stop", "--reason", "test"]).succeeds();
-        let after = told(&bench, at, &[LASER_OFF]);
+        let after = delay_until(&bench, at, &[LASER_OFF]);
         assert!(after < Duration::from_millis(500), "{format}: {after:?}");
-        let (after, at) = (told(&bench, at, &[JOINT_RELEASE]), at.elapsed());
+        let (after, at) = (delay_until(&bench, at, &[JOINT_RELEASE]), at.elapsed());
         assert!(
             after < Duration::from_millis(700),
             "{format}: {after:?} {at:?}"

@@ -55,8 +55,8 @@ pub(super) struct App {
     pub(super) sockets: Arc<Semaphore>,
     /// Turns true when the station ends.
     pub(super) ending: watch::Receiver<bool>,
-    /// Tells those who stay that the tokens were read anew.
-    refreshed: watch::Sender<()>,
+    /// The changes of the tokens for which those who stay were checked.
+    refreshed: watch::Sender<u64>,
     began: Instant,
 }
 
@@ -107,7 +107,7 @@ impl App {
             addresses: Addresses::default(),
             sockets: Arc::new(Semaphore::new(MOST_SOCKETS)),
             ending,
-            refreshed: watch::Sender::new(()),
+            refreshed: watch::Sender::new(0),
             began: Instant::now(),
         })
     }
@@ -142,9 +142,15 @@ impl App {
     pub(super) fn refresh_tokens(&self) {
         let file = self.tokens().source();
         let read = file.read();
-        self.tokens().apply(read);
-        self.refreshed.send_replace(());
-        self.http_leases.end_where(|caller| !self.may_still(caller));
+        let changes = {
+            let mut tokens = self.tokens();
+            tokens.apply(read);
+            tokens.changes()
+        };
+        if *self.refreshed.borrow() != changes {
+            self.refreshed.send_replace(changes);
+            self.http_leases.end_where(|caller| !self.may_still(caller));
+        }
     }
 
     /// Whether a caller may still do what he was let in for.

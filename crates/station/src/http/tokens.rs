@@ -27,6 +27,8 @@ pub struct Tokens {
     file: PathBuf,
     version: Option<Version>,
     known: Vec<Known>,
+    /// How often the known tokens changed.
+    changes: u64,
     /// The token of programs on the same machine, which is in no file of tokens.
     local: Option<[u8; 32]>,
 }
@@ -42,6 +44,7 @@ impl Tokens {
             file: file.to_owned(),
             version: None,
             known: Vec::new(),
+            changes: 0,
             local: None,
         };
         tokens.follow()?;
@@ -150,9 +153,20 @@ impl Tokens {
     pub(super) fn apply(&mut self, read: Result<Option<TokensRead>, TokensError>) {
         match read {
             Ok(None) => {}
-            Ok(Some(read)) => (self.version, self.known) = (read.version, read.known),
-            Err(_) => (self.version, self.known) = (None, Vec::new()),
+            Ok(Some(read)) => self.set(read.version, read.known),
+            Err(_) if self.known.is_empty() => self.version = None,
+            Err(_) => self.set(None, Vec::new()),
         }
+    }
+
+    /// How often the known tokens changed: whoever was let in before has to be checked again.
+    pub(super) const fn changes(&self) -> u64 {
+        self.changes
+    }
+
+    fn set(&mut self, version: Option<Version>, known: Vec<Known>) {
+        (self.version, self.known) = (version, known);
+        self.changes += 1;
     }
 
     /// Name and role of whoever has the token with this digest, as the file was read last.
@@ -174,7 +188,7 @@ impl Tokens {
     /// Reads the file if it is not the one that was read last.
     pub(super) fn follow(&mut self) -> Result<(), TokensError> {
         if let Some(read) = self.source().read()? {
-            (self.version, self.known) = (read.version, read.known);
+            self.set(read.version, read.known);
         }
         Ok(())
     }
@@ -186,6 +200,7 @@ impl Tokens {
         let text = toml::to_string(&content).expect("a list of tables of texts is TOML");
         write_private(&self.file, &text).map_err(|error| self.io(error))?;
         self.version = Version::of(&self.file).map_err(|error| self.io(error))?;
+        self.changes += 1;
         Ok(())
     }
 

@@ -314,7 +314,7 @@ impl Panel for Teacher {
         } else if rests(&state)
             && let Some(request) = self.starting.take()
         {
-            // Whoever goes on here is a person, and has seen what the job waits for.
+            // The person who resumes the job has seen what it waits for.
             if let Some(job) = state.job.as_ref().filter(|it| it.waits_for_person) {
                 self.pendant.ask(Request::ConfirmJob { job: job.job });
             }
