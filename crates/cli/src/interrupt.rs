@@ -1,34 +1,45 @@
-//! When a person or the system wants the program to end.
+//! Ctrl-C, and the requests of the system to end.
 
 use std::future::Future;
 
-/// Ctrl-C, or the request of a system that shuts down or of a terminal that closes: an arm is left
-/// in order in either case.
+/// Completes on Ctrl-C, and when the system shuts down or the terminal closes.
 ///
-/// From the call on the program is no longer ended by them; the future tells when they came.
+/// After the first call these signals no longer end the process. One that arrives while nothing waits
+/// completes the next future; each signal completes one future only.
 #[cfg(unix)]
 pub(crate) fn interrupt() -> impl Future<Output = ()> {
-    use tokio::signal::unix::{SignalKind, signal};
+    use std::sync::LazyLock;
 
-    let kinds = [
-        SignalKind::interrupt(),
-        SignalKind::terminate(),
-        SignalKind::hangup(),
-    ];
-    let signals = kinds.map(signal);
+    use tokio::signal::unix::{Signal, SignalKind, signal};
+    use tokio::sync::Mutex;
+
+    static SIGNALS: LazyLock<[std::io::Result<Mutex<Signal>>; 3]> = LazyLock::new(|| {
+        [
+            SignalKind::interrupt(),
+            SignalKind::terminate(),
+            SignalKind::hangup(),
+        ]
+        .map(|kind| signal(kind).map(Mutex::new))
+    });
+
+    async fn next(signal: &std::io::Result<Mutex<Signal>>) {
+        match signal {
+            Ok(signal) if signal.lock().await.recv().await.is_some() => {}
+            _ => std::future::pending().await,
+        }
+    }
+
+    let [interrupt, terminate, hangup] = &*SIGNALS;
     async move {
-        let [Ok(mut interrupt), Ok(mut terminate), Ok(mut hangup)] = signals else {
-            return std::future::pending().await;
-        };
         tokio::select! {
-            _ = interrupt.recv() => {}
-            _ = terminate.recv() => {}
-            _ = hangup.recv() => {}
+            () = next(interrupt) => {}
+            () = next(terminate) => {}
+            () = next(hangup) => {}
         }
     }
 }
 
-/// Ctrl-C: an arm is left in order.
+/// Completes on Ctrl-C.
 #[cfg(not(unix))]
 pub(crate) fn interrupt() -> impl Future<Output = ()> {
     async {

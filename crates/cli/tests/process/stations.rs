@@ -239,9 +239,9 @@ fn a_drawing_that_is_refused_leaves_nothing_to_be_started() {
 #[test]
 fn an_interrupted_drawing_is_paused_and_can_be_gone_on_with_or_cancelled() {
     let up = Up::new(&[]);
-    // Slowly: it is not to be over before it is interrupted.
-    let draw = ["draw", &example("square.svg"), "--pen-down", "-40"];
-    let drawing = Going::new(up.command(&[&draw[..], &["--speed", "0.5"]].concat()));
+    // Too many vectors for the arm's queue: a queued vector cannot be paused.
+    let draw = ["draw", &example("gear.plt"), "--pen-down", "-40"];
+    let drawing = Going::new(up.command(&draw));
     up.runs_a_job();
     assert_eq!(drawing.interrupt(), Some(1));
     let paused = up.json(&["jobs", "show", "1"]);
@@ -256,15 +256,13 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
     let up = Up::new(&[]);
     let burn = [
         "draw",
-        &example("square.svg"),
+        &example("gear.plt"),
         "--laser",
         "plywood-engrave",
         "--pen-down",
         "-40",
         "--arm-laser",
         "600",
-        "--speed",
-        "1",
     ];
     let (drawing, mut errors) = Going::with_errors(up.command(&burn));
     up.runs_a_job();
