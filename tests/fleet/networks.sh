@@ -16,11 +16,14 @@ mount -t proc proc /proc
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
+# The authority of this person's stations on this machine is this run's own, too.
+export XDG_DATA_HOME=$work/home
 
 # The networks, and a certificate for each in `keys`, made by this program.
 make_networks() {
   local program=$1 number desk
-  "$program" fleet certificates keys desk-1 desk-2 desk-3 router=127.0.0.1,10.7.1.1,10.7.2.1,10.7.3.1 peer >/dev/null
+  "$program" fleet certificates keys desk-1=10.7.1.2 desk-2=10.7.2.2 desk-3=10.7.3.2 \
+    router=127.0.0.1,10.7.1.1,10.7.2.1,10.7.3.1 peer=10.7.1.1 >/dev/null
   ip netns add router
   ip -n router link set lo up
   for number in 1 2 3; do

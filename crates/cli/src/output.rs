@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::Duration;
 
+use dobot_rules::is_plain;
 use dobot_wire::Status;
 use serde::Serialize;
 use serde_json::Value;
@@ -14,6 +15,15 @@ use crate::failure::Failure;
 /// Prints a line.
 pub(crate) fn line(text: &str) -> io::Result<()> {
     writeln!(io::stdout(), "{text}")
+}
+
+/// Prints a line with texts of others: what a terminal would obey or not show is left out.
+pub(crate) fn plain_line(text: &str) -> io::Result<()> {
+    line(&plain(text))
+}
+
+fn plain(text: &str) -> String {
+    text.chars().filter(|&it| is_plain(it)).collect()
 }
 
 /// Prints a whole document.
@@ -155,6 +165,12 @@ mod tests {
     use dobot_wire::MoveTo;
 
     use super::*;
+
+    #[test]
+    fn texts_of_others_command_no_terminal() {
+        let told = "desk-2  \u{1b}]0;pwn\u{7}\u{1b}[31mEVIL\r\n\u{9b}2J\u{202e}é";
+        assert_eq!(plain(told), "desk-2  ]0;pwn[31mEVIL2Jé");
+    }
 
     #[test]
     fn times_read_like_a_clock() {

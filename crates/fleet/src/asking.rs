@@ -1,33 +1,53 @@
 //! Requests to other stations, and theirs to this one.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use dobot_api::problem_kinds::{MALFORMED, MEMBER_AWAY, TOO_MANY_REQUESTS};
+use dobot_api::problem_kinds::{MALFORMED, MEMBER_AWAY, ROLE, TOO_MANY_REQUESTS, UNAUTHORISED};
 use dobot_api::{ApiAnswer, ApiRequest, Member, MemberAnswer, Presence, Problem};
 use dobot_station::{FleetAsk, StationApi};
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 use zenoh::Session;
+use zenoh::bytes::ZBytes;
+use zenoh::handlers::FifoChannelHandler;
 use zenoh::qos::Priority;
-use zenoh::query::{ConsolidationMode, Query, QueryTarget};
+use zenoh::query::{ConsolidationMode, Query, QueryTarget, Reply};
+use zenoh::sample::Sample;
 
-use crate::keys::{API, MemberKey};
+use crate::id::new_id;
+use crate::identity::{Identity, Peer, statement};
+use crate::keys::{API, MemberKey, SEALED};
+use crate::sealing::{Half, KEY, Meetings};
+
+/// The certificates of those who can be asked.
+pub(crate) type Peers = Arc<Mutex<BTreeMap<MemberKey, Arc<Peer>>>>;
+
+/// By what others are asked.
+#[derive(Clone, Debug)]
+pub(crate) struct Way {
+    pub(crate) session: Session,
+    pub(crate) identity: Arc<Identity>,
+    pub(crate) peers: Peers,
+}
 
 /// How long another station may take to answer: as long as its own API takes for the slowest request.
 const WITHIN: Duration = Duration::from_secs(60);
 /// How long one may take to say that its arm is stopped.
 const STOP_WITHIN: Duration = Duration::from_secs(2);
+/// How long one may take to show who it is.
+const MEET_WITHIN: Duration = Duration::from_secs(5);
 /// How many requests of others are answered at once; a stop is answered always.
 const AT_ONCE: usize = 64;
 
 /// Asks all that are meant at the same time.
-pub(crate) async fn ask(session: Option<&Session>, api: &StationApi, ask: FleetAsk) {
+pub(crate) async fn ask(way: Option<&Way>, api: &StationApi, ask: FleetAsk) {
     let request = Arc::new(ask.request);
     let mut asked = JoinSet::new();
     for member in ask.to {
-        let (session, api, request) = (session.cloned(), api.clone(), request.clone());
-        asked.spawn(async move { ask_one(session.as_ref(), &api, &member, &request).await });
+        let (way, api, request) = (way.cloned(), api.clone(), request.clone());
+        asked.spawn(async move { ask_one(way.as_ref(), &api, &member, &request).await });
     }
     let mut answers = asked.join_all().await;
     answers.sort_by(|one, other| (&one.member, &one.id).cmp(&(&other.member, &other.id)));
@@ -37,7 +57,7 @@ pub(crate) async fn ask(session: Option<&Session>, api: &StationApi, ask: FleetA
 
 /// Asks one.
 pub(crate) async fn ask_one(
-    session: Option<&Session>,
+    way: Option<&Way>,
     api: &StationApi,
     member: &Member,
     request: &ApiRequest,
@@ -47,7 +67,7 @@ pub(crate) async fn ask_one(
         // A stop goes to everyone who might hear it.
         Presence::Refused { problem } if !is_stop(request) => Err(problem.clone()),
         _ if member.here => Ok(api.call(request).await),
-        _ => ask_other(session, member, request).await,
+        _ => ask_other(way, member, request).await,
     };
     MemberAnswer {
         member: member.name.clone(),
@@ -58,7 +78,7 @@ pub(crate) async fn ask_one(
 }
 
 async fn ask_other(
-    session: Option<&Session>,
+    way: Option<&Way>,
     member: &Member,
     request: &ApiRequest,
 ) -> Result<ApiAnswer, Problem> {
@@ -71,42 +91,156 @@ async fn ask_other(
         MEMBER_AWAY.hinted(detail, hint)
     };
     let name = &member.name;
+    let way = way.ok_or_else(|| away(format!("{name} cannot be reached yet")))?;
     let key = MemberKey {
         name: name.clone(),
         id: member.id.clone(),
     };
-    let within = if is_stop(request) {
-        STOP_WITHIN
+    let peers = way.peers.lock();
+    let peer = peers
+        .unwrap_or_else(PoisonError::into_inner)
+        .get(&key)
+        .cloned();
+    let peer = peer.ok_or_else(|| away(format!("{name} has not shown its certificate")))?;
+    let asking = Asking { way, peer: &peer };
+    let answer = if is_open(request) {
+        asking.openly(&key.resource(API), request).await
     } else {
-        WITHIN
+        let checked = way.identity.check(&peer);
+        checked.map_err(|why| away(format!("the certificate of {name} cannot be used: {why}")))?;
+        asking.sealed(&key.resource(SEALED), request).await
     };
-    // A stop goes before all else that is on its way.
-    let priority = if is_stop(request) {
-        Priority::RealTime
-    } else {
-        Priority::DEFAULT
-    };
-    let payload = serde_json::to_vec(request).expect("structures with text keys are JSON");
-    let session = session.ok_or_else(|| away(format!("{name} cannot be reached yet")))?;
-    let replies = session
-        .get(key.resource(API))
-        .payload(payload)
-        .target(QueryTarget::All)
-        .consolidation(ConsolidationMode::None)
-        .timeout(within)
-        .priority(priority)
-        .express(is_stop(request))
-        .await
-        .map_err(|error| away(format!("{name} cannot be asked: {error}")))?;
-    let Ok(reply) = replies.recv_async().await else {
-        return Err(away(format!("{name} cannot be reached")));
-    };
-    let Ok(sample) = reply.result() else {
-        let within_s = within.as_secs();
-        return Err(away(format!("{name} did not answer within {within_s} s")));
-    };
-    serde_json::from_slice(&sample.payload().to_bytes())
+    let answer = answer.map_err(|why| away(format!("{name} {why}")))?;
+    serde_json::from_slice(&answer)
         .map_err(|error| away(format!("{name} answers what nobody understands: {error}")))
+}
+
+/// Whether everyone of the fleet may ask for this, and read it. All else is sealed.
+fn is_open(request: &ApiRequest) -> bool {
+    let is_secret = request.token.is_some() || request.lease.is_some();
+    !is_secret && (request.method == "GET" || is_stop(request))
+}
+
+/// One station that is asked. What others answer in its name is passed over.
+struct Asking<'a> {
+    way: &'a Way,
+    peer: &'a Peer,
+}
+
+impl Asking<'_> {
+    /// Asks for what everyone may know, or to stop: at once, before the asked one has shown who it is. Its answer is signed.
+    async fn openly(&self, key: &str, request: &ApiRequest) -> Result<Vec<u8>, String> {
+        let (within, priority) = if is_stop(request) {
+            // A stop goes before all else that is on its way.
+            (STOP_WITHIN, Priority::RealTime)
+        } else {
+            (WITHIN, Priority::DEFAULT)
+        };
+        let payload = json(request);
+        let nonce = new_id().map_err(|error| format!("cannot be asked: {error}"))?;
+        let replies = self
+            .way
+            .session
+            .get(key)
+            .payload(&payload)
+            .attachment(&nonce)
+            .target(QueryTarget::All)
+            .consolidation(ConsolidationMode::None)
+            .timeout(within)
+            .priority(priority)
+            .express(is_stop(request))
+            .await
+            .map_err(|error| format!("cannot be asked: {error}"))?;
+        first(&replies, within, |sample| {
+            let answer = sample.payload().to_bytes();
+            let signature = sample.attachment()?.to_bytes();
+            let statement = answered(key, nonce.as_bytes(), &payload, &answer);
+            let is_its_own = self.peer.has_signed(&statement, &signature);
+            is_its_own.then(|| answer.into_owned())
+        })
+        .await
+    }
+
+    /// Asks for all else: the asked station shows first who it is, and only it can read the request.
+    async fn sealed(&self, key: &str, request: &ApiRequest) -> Result<Vec<u8>, String> {
+        let own = &self.way.identity;
+        let random = || "cannot be asked: the computer gives no random numbers".to_owned();
+        let half = Half::new(own).ok_or_else(random)?;
+        let replies = self.get(key, half.public.to_vec(), MEET_WITHIN).await?;
+        let mut half = Some(half);
+        let agreed = first(&replies, MEET_WITHIN, |sample| {
+            let theirs = sample.payload().to_bytes();
+            let signature = sample.attachment()?.to_bytes();
+            // A key is for one use: it is given up for an answer that the asked one has signed.
+            let is_signed = half.as_ref()?.is_met(key, self.peer, &theirs, &signature);
+            let agreed = is_signed
+                .then(|| half.take()?.agree(key, &theirs))
+                .flatten()?;
+            Some((theirs.into_owned(), agreed))
+        })
+        .await;
+        let (theirs, agreed) = agreed?;
+        let sealed = agreed
+            .seal_request(own, &json(request))
+            .ok_or_else(random)?;
+        let replies = self.get(key, [theirs, sealed].concat(), WITHIN).await?;
+        first(&replies, WITHIN, |sample| {
+            agreed.open_answer(&sample.payload().to_bytes())
+        })
+        .await
+    }
+
+    async fn get(
+        &self,
+        key: &str,
+        payload: Vec<u8>,
+        within: Duration,
+    ) -> Result<FifoChannelHandler<Reply>, String> {
+        self.way
+            .session
+            .get(key)
+            .payload(payload)
+            .target(QueryTarget::All)
+            .consolidation(ConsolidationMode::None)
+            .timeout(within)
+            .await
+            .map_err(|error| format!("cannot be asked: {error}"))
+    }
+}
+
+/// The first answer that is one of the station that was asked.
+async fn first<T>(
+    replies: &FifoChannelHandler<Reply>,
+    within: Duration,
+    mut accept: impl FnMut(&Sample) -> Option<T>,
+) -> Result<T, String> {
+    let (mut forged, mut is_late) = (0_u32, false);
+    while let Ok(reply) = replies.recv_async().await {
+        match reply.result() {
+            Ok(sample) => match accept(sample) {
+                Some(answer) => return Ok(answer),
+                None => forged += 1,
+            },
+            Err(_) => is_late = true,
+        }
+    }
+    let within_s = within.as_secs();
+    Err(match forged {
+        0 if is_late => format!("did not answer within {within_s} s"),
+        0 => "cannot be reached".to_owned(),
+        _ => format!(
+            "did not answer; {forged} answers in its name that it has not signed were passed over"
+        ),
+    })
+}
+
+/// What a station signs when it answers openly.
+fn answered(key: &str, nonce: &[u8], request: &[u8], answer: &[u8]) -> Vec<u8> {
+    statement("answer", &[key.as_bytes(), nonce, request, answer])
+}
+
+fn json(value: &impl serde::Serialize) -> Vec<u8> {
+    serde_json::to_vec(value).expect("structures with text keys are JSON")
 }
 
 fn is_stop(request: &ApiRequest) -> bool {
@@ -114,30 +248,91 @@ fn is_stop(request: &ApiRequest) -> bool {
 }
 
 /// Answers others.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Answering {
     api: StationApi,
+    own: MemberKey,
+    identity: Arc<Identity>,
+    meetings: Arc<Meetings>,
     places: Arc<Semaphore>,
 }
 
 impl Answering {
-    pub(crate) fn new(api: StationApi) -> Self {
+    pub(crate) fn new(api: StationApi, own: MemberKey, identity: Arc<Identity>) -> Self {
         Self {
             api,
+            own,
+            identity,
+            meetings: Arc::default(),
             places: Arc::new(Semaphore::new(AT_ONCE)),
         }
     }
 
-    /// Answers one request.
+    /// Answers a request that everyone may read.
     pub(crate) async fn answer(self, query: Query) {
-        let answer = match read(&query) {
-            Ok(request) => self.call(&request).await,
+        let request = bytes(query.payload());
+        let answer = match read(&request) {
+            Ok(request) if is_open(&request) => self.call(&request).await,
+            Ok(_) => ApiAnswer::of_problem(&ROLE.hinted(
+                "this came as a request that everyone in the fleet can read; those may only GET and stop, and have no token",
+                "ask a station of the fleet, which seals it: `POST /api/v1/fleet/requests`",
+            )),
             Err(problem) => ApiAnswer::of_problem(&problem),
         };
-        let answer = serde_json::to_vec(&answer).expect("structures with text keys are JSON");
-        if let Err(error) = query.reply(query.key_expr(), answer).await {
+        let answer = json(&answer);
+        let nonce = bytes(query.attachment());
+        let statement = answered(&self.own.resource(API), &nonce, &request, &answer);
+        let signature = self.identity.sign(&statement);
+        let reply = query
+            .reply(query.key_expr(), answer)
+            .attachment(&signature[..]);
+        if let Err(error) = reply.await {
             tracing::info!(%error, "an answer to the fleet is lost");
         }
+    }
+
+    /// Shows who this station is, or answers a sealed request. What is neither has no answer.
+    pub(crate) async fn answer_sealed(self, query: Query) {
+        let asked = bytes(query.payload());
+        let reply = if asked.len() == KEY {
+            let met = self
+                .meetings
+                .meet(&self.identity, &self.own.resource(SEALED), &asked);
+            let Some((key, signature)) = met else {
+                return;
+            };
+            query
+                .reply(query.key_expr(), &key[..])
+                .attachment(&signature[..])
+        } else {
+            let Some(answer) = self.answer_of(&asked).await else {
+                tracing::info!("a request of the fleet is not sealed for this station");
+                return;
+            };
+            query.reply(query.key_expr(), answer)
+        };
+        if let Err(error) = reply.await {
+            tracing::info!(%error, "an answer to the fleet is lost");
+        }
+    }
+
+    /// The sealed answer to a sealed request.
+    async fn answer_of(&self, asked: &[u8]) -> Option<Vec<u8>> {
+        let (key, sealed) = asked.split_at_checked(KEY)?;
+        let agreed = self.meetings.take(key)?;
+        let answer = match agreed.open_request(&self.identity, sealed) {
+            Ok((peer, request)) => {
+                tracing::debug!(by = peer.common_name, "a request of the fleet");
+                match read(&request) {
+                    Ok(request) => self.call(&request).await,
+                    Err(problem) => ApiAnswer::of_problem(&problem),
+                }
+            }
+            Err(why) => ApiAnswer::of_problem(&UNAUTHORISED.problem(format!(
+                "the certificate of the asking station is not accepted: {why}"
+            ))),
+        };
+        agreed.seal_answer(json(&answer))
     }
 
     async fn call(&self, request: &ApiRequest) -> ApiAnswer {
@@ -150,9 +345,14 @@ impl Answering {
     }
 }
 
-fn read(query: &Query) -> Result<ApiRequest, Problem> {
-    let payload = query.payload().map(|it| it.to_bytes()).unwrap_or_default();
-    serde_json::from_slice(&payload).map_err(|error| {
+fn bytes(found: Option<&ZBytes>) -> Vec<u8> {
+    found
+        .map(|it| it.to_bytes().into_owned())
+        .unwrap_or_default()
+}
+
+fn read(request: &[u8]) -> Result<ApiRequest, Problem> {
+    serde_json::from_slice(request).map_err(|error| {
         MALFORMED.problem(format!(
             "a request of the fleet is JSON with method and path; this one is not: {error}"
         ))

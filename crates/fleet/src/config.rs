@@ -1,5 +1,6 @@
 //! How a station joins.
 
+use std::collections::BTreeSet;
 use std::net::IpAddr;
 use std::path::PathBuf;
 
@@ -35,27 +36,29 @@ pub enum FleetConfigError {
     },
     /// No address of Zenoh.
     #[error(
-        "{found:?} is no address of a router; allowed are tls/HOST:PORT and, on this machine, tcp/127.0.0.1:PORT"
+        "{found:?} is no address of a router; allowed is tls/HOST:PORT, as in tls/router.school:7447"
     )]
     Address {
         /// What was found.
         found: String,
     },
-    /// Others could read along and pretend to be a station.
+    /// Another machine, without a certificate that counts there.
     #[error(
-        "{found:?} is reached over the network without TLS; allowed are tls/HOST:PORT with `--fleet=FOLDER`, and tcp/127.0.0.1:PORT on this machine"
-    )]
-    Open {
-        /// The address.
-        found: String,
-    },
-    /// TLS without credentials.
-    #[error(
-        "{found:?} needs a certificate; `dobot fleet certificates FOLDER NAME...` makes them, and `--fleet=FOLDER/NAME` joins with one"
+        "{found:?} is another machine, and needs a certificate; `dobot fleet certificates FOLDER NAME...` makes them, and `--fleet=FOLDER/NAME` joins with one. Without one, allowed is tls/127.0.0.1:PORT"
     )]
     NoCredentials {
         /// The address.
         found: String,
+    },
+    /// A station under another name than its certificate's.
+    #[error(
+        "the station is called {name}, and its certificate is that of {certificate}; start it with `--name {certificate}`, or with the certificate of {name}"
+    )]
+    OtherName {
+        /// The name of the station.
+        name: String,
+        /// The name in its certificate.
+        certificate: String,
     },
     /// Zenoh does not take it.
     #[error("the fleet cannot be joined so: {0}")]
@@ -63,12 +66,13 @@ pub enum FleetConfigError {
 }
 
 impl FleetConfig {
-    /// Looks whether every name is one.
+    /// Looks whether every name is one, and the station's that of its certificate, or of an arm that the certificate's
+    /// station gives.
     ///
     /// # Errors
     ///
-    /// [`FleetConfigError::Name`].
-    pub(crate) fn check(&self) -> Result<(), FleetConfigError> {
+    /// [`FleetConfigError::Name`], [`FleetConfigError::OtherName`].
+    pub(crate) fn check(&self, certificate: &str) -> Result<(), FleetConfigError> {
         let named = [("the name of the station", &self.name)];
         let groups = self.about.groups.iter().map(|it| ("a group", it));
         let offers = self.about.offers.iter().map(|it| ("what it offers", it));
@@ -78,6 +82,13 @@ impl FleetConfig {
                 return Err(FleetConfigError::Name { what, found });
             }
         }
+        let holder = self.about.given_by.as_ref().unwrap_or(&self.name);
+        if holder != certificate {
+            return Err(FleetConfigError::OtherName {
+                name: self.name.clone(),
+                certificate: certificate.into(),
+            });
+        }
         Ok(())
     }
 }
@@ -85,16 +96,18 @@ impl FleetConfig {
 /// What Zenoh is told where stations join.
 pub(crate) fn session(
     connect: &[String],
-    credentials: Option<&Credentials>,
+    credentials: &Credentials,
 ) -> Result<Config, FleetConfigError> {
     check_addresses(connect, credentials)?;
     let mut config = Settings::new(credentials);
     if connect.is_empty() {
         config.set("mode", "\"peer\"");
-        config.set("listen/endpoints", &listen(credentials.is_some()));
         config.set("scouting/multicast/enabled", "true");
-        if credentials.is_none() {
+        if credentials.is_local() {
+            config.set("listen/endpoints", "[\"tls/127.0.0.1:0\"]");
             config.set("scouting/multicast/interface", "\"lo\"");
+        } else {
+            config.set("listen/endpoints", "[\"tls/0.0.0.0:0\"]");
         }
     } else {
         // One way to everyone: a mesh of a hundred stations would be five thousand connections.
@@ -109,7 +122,7 @@ pub(crate) fn session(
 /// What a router is told.
 pub(crate) fn router(
     listen: &[String],
-    credentials: Option<&Credentials>,
+    credentials: &Credentials,
 ) -> Result<Config, FleetConfigError> {
     check_addresses(listen, credentials)?;
     let mut config = Settings::new(credentials);
@@ -126,7 +139,7 @@ struct Settings {
 }
 
 impl Settings {
-    fn new(credentials: Option<&Credentials>) -> Self {
+    fn new(credentials: &Credentials) -> Self {
         let mut settings = Self {
             config: Config::default(),
             problem: None,
@@ -142,18 +155,22 @@ impl Settings {
         settings.set("transport/link/rx/max_message_size", "83886080");
         settings.set("transport/shared_memory/enabled", "false");
         settings.set("transport/unicast/max_sessions", "2500");
-        if let Some(credentials) = credentials {
-            let text = |path: &std::path::Path| json(&path.display().to_string());
-            let tls = |name: &str| format!("transport/link/tls/{name}");
-            let [authority, certificate, key] = credentials.files().map(|it| text(&it));
-            settings.set(&tls("root_ca_certificate"), &authority);
-            settings.set(&tls("enable_mtls"), "true");
-            for side in ["listen", "connect"] {
-                settings.set(&tls(&format!("{side}_certificate")), &certificate);
-                settings.set(&tls(&format!("{side}_private_key")), &key);
-            }
-            // Zenoh believes the authorities of the web, too: what counts is that one is found where its certificate says.
-            settings.set(&tls("verify_name_on_connect"), "true");
+        // In both directions: stations connect to the addresses that others announce.
+        settings.set("transport/link/protocols", "[\"tls\"]");
+        let mut tls =
+            |name: &str, value: &str| settings.set(&format!("transport/link/tls/{name}"), value);
+        let [authority, certificate, key] = credentials.base64().map(|it| json(&it));
+        tls("root_ca_certificate_base64", &authority);
+        tls("enable_mtls", "true");
+        for side in ["listen", "connect"] {
+            tls(&format!("{side}_certificate_base64"), &certificate);
+            tls(&format!("{side}_private_key_base64"), &key);
+        }
+        tls("close_link_on_expiration", "true");
+        // Zenoh believes the authorities of the web, too: what counts is that one is found where its certificate says.
+        tls("verify_name_on_connect", "true");
+        if !credentials.revoked().is_empty() {
+            settings.set("access_control", &denied(credentials.revoked()));
         }
         settings
     }
@@ -173,45 +190,57 @@ impl Settings {
     }
 }
 
-fn listen(secure: bool) -> String {
-    json(&[if secure {
-        "tls/0.0.0.0:0"
-    } else {
-        "tcp/127.0.0.1:0"
-    }])
+/// Denies everything to those whose certificates are revoked.
+fn denied(revoked: &BTreeSet<String>) -> String {
+    let messages = [
+        "put",
+        "delete",
+        "declare_subscriber",
+        "query",
+        "declare_queryable",
+        "reply",
+        "liveliness_token",
+        "declare_liveliness_subscriber",
+        "liveliness_query",
+    ];
+    let rule = serde_json::json!({
+        "id": "nothing", "key_exprs": ["**"], "messages": messages,
+        "flows": ["ingress", "egress"], "permission": "deny",
+    });
+    json(&serde_json::json!({
+        "enabled": true,
+        "default_permission": "allow",
+        "rules": [rule],
+        "subjects": [{"id": "revoked", "cert_common_names": revoked}],
+        "policies": [{"rules": ["nothing"], "subjects": ["revoked"]}],
+    }))
 }
 
 fn json(value: &(impl serde::Serialize + ?Sized)) -> String {
     serde_json::to_string(value).expect("texts are JSON")
 }
 
-fn check_addresses(
-    found: &[String],
-    credentials: Option<&Credentials>,
-) -> Result<(), FleetConfigError> {
+fn check_addresses(found: &[String], credentials: &Credentials) -> Result<(), FleetConfigError> {
     let mut all = found.iter();
-    all.try_for_each(|it| check_address(it, credentials.is_some()))
+    all.try_for_each(|it| check_address(it, credentials.is_local()))
 }
 
-/// Whether an address is one of Zenoh, and nobody can read along.
-fn check_address(found: &str, has_credentials: bool) -> Result<(), FleetConfigError> {
+/// Whether an address is one of Zenoh, and the certificate counts there.
+fn check_address(found: &str, is_local: bool) -> Result<(), FleetConfigError> {
     let wrong = || FleetConfigError::Address {
         found: found.chars().take(80).collect(),
     };
-    let (scheme, place) = found.split_once('/').ok_or_else(wrong)?;
+    let place = found.strip_prefix("tls/").ok_or_else(wrong)?;
     let (host, port) = place.rsplit_once(':').ok_or_else(wrong)?;
     let is_plain = |it: char| it.is_ascii_alphanumeric() || ".-_[]:".contains(it);
     if host.is_empty() || !host.chars().all(is_plain) || port.parse::<u16>().is_err() {
         return Err(wrong());
     }
-    let found = found.to_owned();
-    match scheme {
-        "tls" if has_credentials => Ok(()),
-        "tls" => Err(FleetConfigError::NoCredentials { found }),
-        "tcp" if is_loopback(host) => Ok(()),
-        "tcp" => Err(FleetConfigError::Open { found }),
-        _ => Err(wrong()),
+    if is_local && !is_loopback(host) {
+        let found = found.to_owned();
+        return Err(FleetConfigError::NoCredentials { found });
     }
+    Ok(())
 }
 
 fn is_loopback(host: &str) -> bool {
@@ -224,38 +253,80 @@ fn is_loopback(host: &str) -> bool {
 mod tests {
     use super::*;
 
-    #[test]
-    fn zenoh_takes_what_it_is_told() {
-        session(&[], None).unwrap();
+    fn local() -> (tempfile::TempDir, Credentials) {
         let folder = tempfile::tempdir().unwrap();
-        let all = Credentials::make(folder.path(), &["desk-3".parse().unwrap()]).unwrap();
-        for connect in [vec![], vec!["tls/router.school:7447".to_owned()]] {
-            session(&connect, Some(&all[0])).unwrap();
-        }
-        router(&["tcp/127.0.0.1:0".into()], None).unwrap();
+        let credentials = Credentials::local(&folder.path().join("own"), "desk-3").unwrap();
+        (folder, credentials)
     }
 
     #[test]
-    fn an_address_where_others_read_along_is_refused_and_told_what_is_allowed() {
+    fn zenoh_takes_what_it_is_told() {
+        let (_folder, own) = local();
+        session(&[], &own).unwrap();
+        router(&["tls/127.0.0.1:0".into()], &own).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let names = ["desk-3", "desk-4"].map(|it| it.parse().unwrap());
+        Credentials::make(folder.path(), &names).unwrap();
+        Credentials::revoke(folder.path(), "desk-4").unwrap();
+        let desk = Credentials::read(&folder.path().join("desk-3")).unwrap();
+        for connect in [vec![], vec!["tls/router.school:7447".to_owned()]] {
+            session(&connect, &desk).unwrap();
+        }
+    }
+
+    #[test]
+    fn every_link_is_one_of_tls_in_both_directions() {
+        let (_folder, own) = local();
+        for config in [
+            session(&[], &own),
+            router(&["tls/127.0.0.1:0".into()], &own),
+        ] {
+            let protocols = config.unwrap().get_json("transport/link/protocols");
+            assert_eq!(protocols.unwrap(), "[\"tls\"]");
+        }
+        let listen = session(&[], &own)
+            .unwrap()
+            .get_json("listen/endpoints")
+            .unwrap();
+        assert!(listen.contains("tls/127.0.0.1:0"), "{listen}");
+    }
+
+    #[test]
+    fn an_address_where_the_certificate_does_not_count_is_refused_with_what_is_allowed() {
+        let (_folder, own) = local();
         for (address, word) in [
-            ("tcp/192.168.0.7:7447", "without TLS"),
+            ("tcp/192.168.0.7:7447", "allowed is tls/HOST:PORT"),
+            ("tcp/127.0.0.1:7447", "allowed is tls/HOST:PORT"),
             (
                 "tls/192.168.0.7:7447",
                 "`dobot fleet certificates FOLDER NAME...`",
             ),
-            ("192.168.0.7:7447", "allowed are tls/HOST:PORT"),
-            ("udp/127.0.0.1:7447", "allowed are tls/HOST:PORT"),
-            ("tcp/127.0.0.1", "allowed are tls/HOST:PORT"),
-            ("tcp/:7447", "allowed are tls/HOST:PORT"),
-            ("tcp/127.0.0.1:99999", "allowed are tls/HOST:PORT"),
-            ("tcp/a#iface=eth0:1", "allowed are tls/HOST:PORT"),
+            ("192.168.0.7:7447", "allowed is tls/HOST:PORT"),
+            ("udp/127.0.0.1:7447", "allowed is tls/HOST:PORT"),
+            ("tls/127.0.0.1", "allowed is tls/HOST:PORT"),
+            ("tls/:7447", "allowed is tls/HOST:PORT"),
+            ("tls/127.0.0.1:99999", "allowed is tls/HOST:PORT"),
+            ("tls/a#iface=eth0:1", "allowed is tls/HOST:PORT"),
         ] {
-            let error = session(&[address.into()], None).unwrap_err().to_string();
+            let error = session(&[address.into()], &own).unwrap_err().to_string();
             assert!(error.contains(word), "{address}: {error}");
         }
-        for address in ["tcp/127.0.0.1:7447", "tcp/localhost:7447", "tcp/[::1]:7447"] {
-            session(&[address.into()], None).unwrap();
+        for address in ["tls/127.0.0.1:7447", "tls/localhost:7447", "tls/[::1]:7447"] {
+            session(&[address.into()], &own).unwrap();
         }
+    }
+
+    #[test]
+    fn a_station_has_the_name_of_its_certificate_or_is_given_by_it() {
+        let mut config = FleetConfig {
+            name: "desk-3".into(),
+            ..FleetConfig::default()
+        };
+        config.check("desk-3").unwrap();
+        let error = config.check("desk-4").unwrap_err().to_string();
+        assert!(error.contains("`--name desk-4`"), "{error}");
+        config.about.given_by = Some("hall".into());
+        config.check("hall").unwrap();
     }
 
     #[test]
@@ -268,7 +339,7 @@ mod tests {
             name: "desk-3".into(),
             work: None,
         };
-        let error = config.check().unwrap_err().to_string();
+        let error = config.check("desk-3").unwrap_err().to_string();
         assert!(
             error.starts_with("a group is \"Room 2\"; allowed are"),
             "{error}"

@@ -1,21 +1,45 @@
 //! By what stations prove that they belong to a fleet: certificates of an authority of its own.
 
-use std::path::{Path, PathBuf};
+use std::collections::BTreeSet;
+use std::fmt;
+use std::fs;
+use std::path::Path;
 use std::str::FromStr;
+use std::time::{Duration, SystemTime};
 
-use dobot_api::{is_fleet_name, write_private};
+use data_encoding::BASE64;
+use dobot_api::{Folders, is_fleet_name, write_private};
 use rcgen::{BasicConstraints, CertificateParams, DnType, IsCa, Issuer, KeyPair};
+use x509_parser::pem::parse_x509_pem;
 
-/// By what a station proves that it belongs to a fleet: a folder with `authority.pem`, `certificate.pem` and `key.pem`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+use crate::id::new_id;
+use crate::identity::{Identity, Peer, now_s};
+
+/// By what a station proves that it belongs to a fleet: a certificate of the fleet's authority, and its key. A folder has
+/// them as `authority.pem`, `certificate.pem` and `key.pem`, and beside them `revoked.txt` where certificates are revoked.
+#[derive(Clone)]
 pub struct Credentials {
-    folder: PathBuf,
+    authority: String,
+    certificate: String,
+    key: String,
+    revoked: BTreeSet<String>,
+    /// Whether they are those of a person for the programs on this machine.
+    is_local: bool,
 }
 
 const AUTHORITY: &str = "authority.pem";
 const AUTHORITY_KEY: &str = "authority-key.pem";
 const CERTIFICATE: &str = "certificate.pem";
 const KEY: &str = "key.pem";
+/// The certificates that count no longer, by their common names.
+const REVOKED: &str = "revoked.txt";
+/// All certificates that the authority has made.
+const ISSUED: &str = "issued.txt";
+
+/// A member's certificate is valid for so long, in days.
+const DAYS: u64 = 365;
+/// A person is warned so many days before the end.
+const WARN_DAYS: i64 = 30;
 
 /// Why there are no credentials.
 #[derive(Debug, thiserror::Error)]
@@ -29,6 +53,34 @@ pub enum CredentialsError {
         /// The file.
         file: String,
     },
+    /// A file holds something else.
+    #[error("{0}; `dobot fleet certificates FOLDER NAME...` makes the files anew")]
+    Unusable(&'static str),
+    /// The others of the fleet do not accept the certificate.
+    #[error(
+        "the certificate {certificate} cannot be used: {why}; `dobot fleet revoke` and `dobot fleet certificates` replace it"
+    )]
+    NotAccepted {
+        /// What it is called.
+        certificate: String,
+        /// Why not.
+        why: &'static str,
+    },
+    /// A certificate of this name was never made.
+    #[error(
+        "no certificate for {name:?} was made in {folder}; issued.txt there lists those that were"
+    )]
+    NotIssued {
+        /// The name.
+        name: String,
+        /// The folder of the authority.
+        folder: String,
+    },
+    /// The system names no folder for this person's programs.
+    #[error(
+        "this person has no home folder, in which the certificates of this machine would be; join with those of a folder, `--fleet=FOLDER`"
+    )]
+    NoHome,
     /// A name that no station can have.
     #[error(
         "{0:?} is no name of a station; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter"
@@ -54,6 +106,9 @@ pub enum CredentialsError {
     /// No certificate comes of it.
     #[error("the certificate cannot be made: {0}")]
     Certificate(#[from] rcgen::Error),
+    /// No random number comes of it.
+    #[error("the computer gives no random number: {0}")]
+    Random(getrandom::Error),
 }
 
 impl Credentials {
@@ -61,16 +116,51 @@ impl Credentials {
     ///
     /// # Errors
     ///
-    /// [`CredentialsError::Missing`].
+    /// [`CredentialsError`] where a file is missing, or the certificate has expired or is revoked.
     pub fn read(folder: &Path) -> Result<Self, CredentialsError> {
-        let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
-        let credentials = Self { folder };
-        match credentials.files().into_iter().find(|it| !it.is_file()) {
-            None => Ok(credentials),
-            Some(missing) => Err(CredentialsError::Missing {
+        let [authority, certificate, key] = [AUTHORITY, CERTIFICATE, KEY].map(|it| folder.join(it));
+        if let Some(missing) = [&authority, &certificate, &key]
+            .into_iter()
+            .find(|it| !it.is_file())
+        {
+            return Err(CredentialsError::Missing {
                 file: missing.display().to_string(),
-            }),
+            });
         }
+        let credentials = Self {
+            authority: read(&authority)?,
+            certificate: read(&certificate)?,
+            key: read(&key)?,
+            revoked: lines(&folder.join(REVOKED))?,
+            is_local: false,
+        };
+        credentials.identity()?;
+        Ok(credentials)
+    }
+
+    /// The credentials of this person's programs on this machine, for one called so. Their authority is made where there
+    /// is none yet, for this person's eyes only.
+    ///
+    /// # Errors
+    ///
+    /// [`CredentialsError`].
+    pub fn of_person(name: &str) -> Result<Self, CredentialsError> {
+        let folders = Folders::of_person().ok_or(CredentialsError::NoHome)?;
+        Self::local(&folders.data().join("fleet-authority"), name)
+    }
+
+    /// The same, with the authority in a folder.
+    ///
+    /// # Errors
+    ///
+    /// [`CredentialsError`].
+    pub fn local(folder: &Path, name: &str) -> Result<Self, CredentialsError> {
+        let holder: Holder = format!("{name}=localhost,127.0.0.1,::1").parse()?;
+        let credentials = Authority::shared(folder)?.certify(&holder)?;
+        Ok(Self {
+            is_local: true,
+            ..credentials
+        })
     }
 
     /// Makes a folder for each holder. The authority is made where there is none yet: whoever has its key can let
@@ -85,13 +175,100 @@ impl Credentials {
             return Err(CredentialsError::Exists(there.display().to_string()));
         }
         let authority = Authority::of(folder)?;
-        let one = |holder: &Holder| authority.certify(&folder.join(&holder.name), holder);
-        holders.iter().map(one).collect()
+        let revoked = lines(&folder.join(REVOKED))?;
+        let mut issued = lines(&folder.join(ISSUED))?;
+        let mut made = Vec::new();
+        for holder in holders {
+            let mut credentials = authority.certify(holder)?;
+            issued.insert(credentials.identity()?.own().common_name.clone());
+            // One that is not listed could not be revoked.
+            write_lines(&folder.join(ISSUED), &issued)?;
+            credentials.revoked.clone_from(&revoked);
+            credentials.write(&folder.join(&holder.name))?;
+            made.push(credentials);
+        }
+        Ok(made)
     }
 
-    /// The authority's certificate, the own one, and its key.
-    pub(crate) fn files(&self) -> [PathBuf; 3] {
-        [AUTHORITY, CERTIFICATE, KEY].map(|it| self.folder.join(it))
+    /// Revokes all certificates that were made for this name, and removes their folder: a new one can be made then. It counts
+    /// where `revoked.txt` is carried to, which is beside each certificate in this folder too.
+    ///
+    /// # Errors
+    ///
+    /// [`CredentialsError`].
+    pub fn revoke(folder: &Path, name: &str) -> Result<(), CredentialsError> {
+        let issued = lines(&folder.join(ISSUED))?;
+        let own = |it: &&String| it.split('.').next() == Some(name);
+        let mut revoked = lines(&folder.join(REVOKED))?;
+        let before = revoked.len();
+        revoked.extend(issued.iter().filter(own).cloned());
+        if revoked.len() == before {
+            return Err(CredentialsError::NotIssued {
+                name: name.chars().take(60).collect(),
+                folder: folder.display().to_string(),
+            });
+        }
+        write_lines(&folder.join(REVOKED), &revoked)?;
+        let of_name = folder.join(name);
+        if of_name.is_dir() {
+            fs::remove_dir_all(&of_name).map_err(|source| of_file(&of_name, source))?;
+        }
+        for common_name in issued.difference(&revoked) {
+            let member = folder.join(common_name.split('.').next().unwrap_or_default());
+            if member.is_dir() {
+                write_lines(&member.join(REVOKED), &revoked)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What a person is to know of the end of this certificate, if it is near.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        let peer = Peer::of(&der(&self.certificate).ok()?)?;
+        let days = (peer.expires_s - now_s()) / 86400;
+        (days < WARN_DAYS).then(|| {
+            format!(
+                "the certificate of {} in the fleet ends in {days} days; `dobot fleet revoke FOLDER {0}` and `dobot fleet certificates FOLDER {0}` replace it",
+                peer.name
+            )
+        })
+    }
+
+    /// Whether they are those of a person for the programs on this machine.
+    pub(crate) const fn is_local(&self) -> bool {
+        self.is_local
+    }
+
+    /// The certificates that count no longer, by their common names.
+    pub(crate) const fn revoked(&self) -> &BTreeSet<String> {
+        &self.revoked
+    }
+
+    /// The authority's certificate, the own one, and its key, as Zenoh takes them.
+    pub(crate) fn base64(&self) -> [String; 3] {
+        [&self.authority, &self.certificate, &self.key].map(|it| BASE64.encode(it.as_bytes()))
+    }
+
+    /// By what the program signs.
+    pub(crate) fn identity(&self) -> Result<Identity, CredentialsError> {
+        let key = KeyPair::from_pem(&self.key)?.serialize_der();
+        let [authority, certificate] = [&self.authority, &self.certificate].map(|it| der(it));
+        Identity::new(&authority?, certificate?, &key, self.revoked.clone())
+    }
+
+    fn write(&self, folder: &Path) -> Result<(), CredentialsError> {
+        write(&folder.join(AUTHORITY), &self.authority)?;
+        write(&folder.join(CERTIFICATE), &self.certificate)?;
+        write(&folder.join(KEY), &self.key)?;
+        write_lines(&folder.join(REVOKED), &self.revoked)
+    }
+}
+
+// The key is a secret.
+impl fmt::Debug for Credentials {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Credentials").finish_non_exhaustive()
     }
 }
 
@@ -154,16 +331,40 @@ impl Authority {
         })
     }
 
-    fn certify(&self, folder: &Path, holder: &Holder) -> Result<Credentials, CredentialsError> {
+    /// The same, where several programs may be about to make it: it is there with both files or not at all.
+    fn shared(folder: &Path) -> Result<Self, CredentialsError> {
+        if !folder.exists() {
+            let new = folder.with_extension(new_id().map_err(CredentialsError::Random)?);
+            Self::of(&new)?;
+            if let Err(source) = fs::rename(&new, folder) {
+                // Another program may have been first.
+                drop(fs::remove_dir_all(&new));
+                if !folder.exists() {
+                    return Err(of_file(folder, source));
+                }
+            }
+        }
+        Self::of(folder)
+    }
+
+    fn certify(&self, holder: &Holder) -> Result<Credentials, CredentialsError> {
         let pair = KeyPair::generate()?;
         let mut params = CertificateParams::new(holder.hosts.clone())?;
-        let subject = &mut params.distinguished_name;
-        subject.push(DnType::CommonName, holder.name());
+        let serial = new_id().map_err(CredentialsError::Random)?;
+        let common_name = format!("{}.{}", holder.name, &serial[..8]);
+        params
+            .distinguished_name
+            .push(DnType::CommonName, common_name);
+        // It is valid from long ago on: a computer without a battery for its clock may start in 1970.
+        params.not_after = (SystemTime::now() + Duration::from_secs(DAYS * 86400)).into();
         let certificate = params.signed_by(&pair, &self.issuer)?;
-        write(&folder.join(AUTHORITY), &self.certificate)?;
-        write(&folder.join(CERTIFICATE), &certificate.pem())?;
-        write(&folder.join(KEY), &pair.serialize_pem())?;
-        Credentials::read(folder)
+        Ok(Credentials {
+            authority: self.certificate.clone(),
+            certificate: certificate.pem(),
+            key: pair.serialize_pem(),
+            revoked: BTreeSet::new(),
+            is_local: false,
+        })
     }
 }
 
@@ -176,8 +377,30 @@ fn authority() -> CertificateParams {
     params
 }
 
+/// The bytes of a text that holds one certificate.
+fn der(pem: &str) -> Result<Vec<u8>, CredentialsError> {
+    let parsed = parse_x509_pem(pem.as_bytes());
+    let unusable = |_| CredentialsError::Unusable("a file of the certificates is no PEM");
+    parsed.map(|(_, it)| it.contents).map_err(unusable)
+}
+
+/// The lines of a file; none where there is no file.
+fn lines(file: &Path) -> Result<BTreeSet<String>, CredentialsError> {
+    if !file.exists() {
+        return Ok(BTreeSet::new());
+    }
+    let text = read(file)?;
+    let lines = text.lines().map(str::trim).filter(|it| !it.is_empty());
+    Ok(lines.map(Into::into).collect())
+}
+
+fn write_lines(file: &Path, lines: &BTreeSet<String>) -> Result<(), CredentialsError> {
+    let text: String = lines.iter().map(|it| format!("{it}\n")).collect();
+    write(file, &text)
+}
+
 fn read(file: &Path) -> Result<String, CredentialsError> {
-    std::fs::read_to_string(file).map_err(|source| of_file(file, source))
+    fs::read_to_string(file).map_err(|source| of_file(file, source))
 }
 
 fn write(file: &Path, text: &str) -> Result<(), CredentialsError> {
@@ -205,12 +428,95 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let first = Credentials::make(folder.path(), &names(&["desk-1", "router"])).unwrap();
         let later = Credentials::make(folder.path(), &names(&["desk-2"])).unwrap();
-        let authority = |it: &Credentials| std::fs::read_to_string(&it.files()[0]).unwrap();
-        assert_eq!(authority(&first[0]), authority(&later[0]));
-        assert_eq!(
-            Credentials::read(&folder.path().join("desk-2")).unwrap(),
-            later[0]
+        let [first, later] = [&first[0], &later[0]].map(|it| it.identity().unwrap());
+        let peer = first.peer(later.certificate()).unwrap();
+        assert_eq!(peer.name, "desk-2");
+        Credentials::read(&folder.path().join("desk-2")).unwrap();
+    }
+
+    #[test]
+    fn programs_of_one_person_have_the_same_authority_even_if_they_start_at_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("fleet-authority");
+        let start = |name: &'static str| {
+            let place = place.clone();
+            std::thread::spawn(move || Credentials::local(&place, name).unwrap())
+        };
+        let all = ["desk-1", "desk-2", "desk-3", "desk-4"].map(start);
+        let all = all.map(|it| it.join().unwrap().identity().unwrap());
+        for one in &all {
+            all[0].peer(one.certificate()).unwrap();
+        }
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_certificate_lasts_a_year_and_its_end_is_told_thirty_days_before() {
+        let folder = tempfile::tempdir().unwrap();
+        let fresh = Credentials::make(folder.path(), &names(&["desk-1"])).unwrap();
+        let days = (fresh[0].identity().unwrap().own().expires_s - now_s()) / 86400;
+        assert!((364..=365).contains(&days), "{days}");
+        assert_eq!(fresh[0].warning(), None);
+        let old = ending_in_days(folder.path(), "desk-2", 29);
+        let warning = old.warning().unwrap();
+        assert!(
+            warning.contains("desk-2 in the fleet ends in 2"),
+            "{warning}"
         );
+        let error = ending_in_days(folder.path(), "desk-3", 0)
+            .identity()
+            .unwrap_err();
+        assert!(error.to_string().contains("it has expired"), "{error}");
+    }
+
+    /// A certificate of this authority that ends so many days from now.
+    fn ending_in_days(folder: &Path, name: &str, days: u64) -> Credentials {
+        let authority = Authority::of(folder).unwrap();
+        let pair = KeyPair::generate().unwrap();
+        let mut params = CertificateParams::new(vec![name.to_owned()]).unwrap();
+        params.distinguished_name.push(DnType::CommonName, name);
+        params.not_after = (SystemTime::now() + Duration::from_secs(days * 86400)).into();
+        let certificate = params.signed_by(&pair, &authority.issuer).unwrap();
+        Credentials {
+            authority: authority.certificate,
+            certificate: certificate.pem(),
+            key: pair.serialize_pem(),
+            revoked: BTreeSet::new(),
+            is_local: false,
+        }
+    }
+
+    #[test]
+    fn a_revoked_certificate_is_refused_by_all_and_a_new_one_of_its_name_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let made = Credentials::make(folder.path(), &names(&["desk-1", "desk-2"])).unwrap();
+        let stick = made[1].identity().unwrap();
+        Credentials::revoke(folder.path(), "desk-2").unwrap();
+        let again = Credentials::make(folder.path(), &names(&["desk-2"])).unwrap();
+        let other = Credentials::read(&folder.path().join("desk-1")).unwrap();
+        let other = other.identity().unwrap();
+        assert_eq!(
+            other.peer(stick.certificate()).unwrap_err(),
+            "it is revoked"
+        );
+        let again = again[0].identity().unwrap();
+        other.peer(again.certificate()).unwrap();
+        assert_eq!(
+            again.peer(stick.certificate()).unwrap_err(),
+            "it is revoked"
+        );
+        let error = Credentials::revoke(folder.path(), "desk-9").unwrap_err();
+        assert!(
+            matches!(error, CredentialsError::NotIssued { .. }),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn a_key_shows_in_no_debugging_output() {
+        let folder = tempfile::tempdir().unwrap();
+        let credentials = Credentials::local(&folder.path().join("own"), "desk-1").unwrap();
+        assert_eq!(format!("{credentials:?}"), "Credentials { .. }");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use dobot_api::MemberAbout;
 use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi};
@@ -11,11 +11,13 @@ use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{MissedTickBehavior, interval};
 use zenoh::sample::{Sample, SampleKind};
 
+use crate::CredentialsError;
 use crate::asking::{self, Answering};
 use crate::config::{FleetConfig, FleetConfigError};
-use crate::keys::{Alive, MemberKey, TOLD};
-use crate::network::{Incoming, Network, Opening, ask_all, incoming, life};
-use crate::roster::{Roster, Told};
+use crate::identity::Identity;
+use crate::keys::{Alive, MESSAGES, MemberKey, TOLD};
+use crate::network::{Incoming, Network, Opening, ask_all, incoming};
+use crate::roster::Roster;
 use crate::session::FleetSession;
 use crate::telling::{self, Pace};
 use crate::work::Working;
@@ -34,6 +36,9 @@ pub enum FleetError {
     /// It is not set up for it.
     #[error(transparent)]
     Config(#[from] FleetConfigError),
+    /// Its certificate cannot be used.
+    #[error(transparent)]
+    Credentials(#[from] CredentialsError),
     /// The work that was submitted cannot be read.
     #[error(
         "the work for the fleet in {folder} cannot be read: {source}; make room on the disk, or check the folder's permissions"
@@ -71,16 +76,22 @@ impl Fleet {
         id: &str,
         api: &StationApi,
     ) -> Result<Self, FleetError> {
-        config.check()?;
+        let identity = session.identity();
+        config.check(&identity.own().name)?;
         let work = open_work(config, api)?;
         let mut network = None;
         let own = MemberKey {
             name: config.name.clone(),
             id: id.into(),
         };
+        let alive = Alive::signed(&own, identity, now_ms());
+        let mut roster = Roster::new(own.clone());
+        let at_s = api.handle().state().state().at_s;
+        roster.came(alive.clone(), Some(identity.own().clone()), at_s);
         let opening = Network::open(
             session.clone(),
-            own.clone(),
+            alive,
+            roster.peers().clone(),
             config.about.clone(),
             api.handle().clone(),
         );
@@ -91,7 +102,20 @@ impl Fleet {
         }
         let (port, end) = FleetPort::new(&config.name);
         let port = port.taking(config.about.takes_work);
-        let member = Joined::new(own, config.about.clone(), api, end, network, work);
+        let member = Joined {
+            api: api.clone(),
+            own,
+            identity: identity.clone(),
+            about: config.about.clone(),
+            end,
+            roster,
+            network,
+            work,
+            hearing: JoinSet::new(),
+            looking: Vec::new(),
+            pace: Pace::default(),
+            since: (Instant::now(), at_s),
+        };
         api.join(port);
         let (leave, leaving) = oneshot::channel();
         Ok(Self {
@@ -106,6 +130,12 @@ impl Fleet {
         let _ = self.leave.send(());
         let _ = self.joined.await;
     }
+}
+
+/// When this station joins, in milliseconds since 1970.
+fn now_ms() -> u64 {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH);
+    now.map_or(0, |it| u64::try_from(it.as_millis()).unwrap_or(u64::MAX))
 }
 
 /// The work that was submitted before this start.
@@ -126,6 +156,7 @@ fn open_work(config: &FleetConfig, api: &StationApi) -> Result<Working, FleetErr
 struct Joined {
     api: StationApi,
     own: MemberKey,
+    identity: Arc<Identity>,
     about: MemberAbout,
     end: FleetEnd,
     roster: Roster,
@@ -143,34 +174,8 @@ struct Joined {
 }
 
 impl Joined {
-    fn new(
-        own: MemberKey,
-        about: MemberAbout,
-        api: &StationApi,
-        end: FleetEnd,
-        network: Option<Network>,
-        work: Working,
-    ) -> Self {
-        let mut roster = Roster::new(own.clone());
-        let at_s = api.handle().state().state().at_s;
-        roster.came(life(&own), at_s);
-        Self {
-            api: api.clone(),
-            own,
-            about,
-            end,
-            roster,
-            network,
-            work,
-            hearing: JoinSet::new(),
-            looking: Vec::new(),
-            pace: Pace::default(),
-            since: (Instant::now(), at_s),
-        }
-    }
-
     async fn run(mut self, mut opening: Opening, mut leaving: oneshot::Receiver<()>) {
-        let answering = Answering::new(self.api.clone());
+        let answering = Answering::new(self.api.clone(), self.own.clone(), self.identity.clone());
         let mut asking = JoinSet::new();
         let mut looks = interval(LOOK_EVERY);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -192,14 +197,17 @@ impl Joined {
                     Incoming::Asked(query) => {
                         asking.spawn(answering.clone().answer(query));
                     }
+                    Incoming::Sealed(query) => {
+                        asking.spawn(answering.clone().answer_sealed(query));
+                    }
                     Incoming::Told(sample) => self.hear(&sample),
                 },
                 Some(wish) = self.end.wishes.recv() => match wish {
                     FleetWish::Look(seen) => self.look(seen).await,
                     FleetWish::Ask(ask) => {
-                        let session = self.network.as_ref().map(|it| it.session().clone());
+                        let way = self.network.as_ref().map(|it| it.way().clone());
                         let api = self.api.clone();
-                        asking.spawn(async move { asking::ask(session.as_ref(), &api, ask).await });
+                        asking.spawn(async move { asking::ask(way.as_ref(), &api, ask).await });
                     }
                     FleetWish::Work(wish) => self.work.handle(wish),
                 },
@@ -222,9 +230,9 @@ impl Joined {
                 }
                 _ = &mut leaving => break,
             }
-            let session = self.network.as_ref().map(Network::session);
+            let way = self.network.as_ref().map(Network::way);
             let members = || self.roster.members();
-            self.work.go_on(session, &self.api, members);
+            self.work.go_on(way, &self.api, members);
         }
         if let Some(network) = self.network {
             network.leave().await;
@@ -251,15 +259,24 @@ impl Joined {
         let at_s = self.at_s();
         match sample.kind() {
             SampleKind::Put => {
+                let peer = match alive.signer(&self.identity) {
+                    Ok(peer) => Some(Arc::new(peer)),
+                    Err(_) if alive.messages != MESSAGES => None,
+                    Err(why) => {
+                        let name = alive.member.name;
+                        tracing::info!(name, why, "a station without a certificate of the fleet");
+                        return;
+                    }
+                };
                 let was_full = self.roster.is_full();
-                self.roster.came(alive, at_s);
+                self.roster.came(alive, peer, at_s);
                 if self.roster.is_full() && !was_full {
                     let many = "the fleet has more stations than this one keeps in mind; some are not shown";
                     self.api.handle().tell_trouble(many.to_owned());
                 }
             }
             SampleKind::Delete if alive.member == self.own => {}
-            SampleKind::Delete => self.roster.went(&alive.member),
+            SampleKind::Delete => self.roster.went(&alive),
         }
     }
 
@@ -268,11 +285,12 @@ impl Joined {
         let Some(member) = MemberKey::of_resource(sample.key_expr().as_str(), TOLD) else {
             return;
         };
-        match serde_json::from_slice::<Told>(&sample.payload().to_bytes()) {
-            Ok(told) => self.roster.told(&member, told, self.at_s()),
-            Err(error) => {
-                tracing::info!(name = member.name, %error, "what a station tells is not understood");
-            }
+        let signed = sample.attachment().map(|it| it.to_bytes());
+        let (told, signed) = (sample.payload().to_bytes(), signed.unwrap_or_default());
+        let at_s = self.at_s();
+        if let Err(why) = self.roster.hear(&member, &told, &signed, at_s) {
+            let name = member.name;
+            tracing::info!(name, why, "what a station tells is not taken");
         }
     }
 
@@ -282,7 +300,7 @@ impl Joined {
         if let Some(network) = &mut self.network
             && network.follow().await
         {
-            self.hearing.spawn(ask_all(network.session().clone()));
+            self.hearing.spawn(ask_all(network.way().session.clone()));
         }
         if self.hearing.is_empty() {
             self.show_to_all();

@@ -1,7 +1,11 @@
 //! The keys of Zenoh.
 
+use data_encoding::BASE64URL_NOPAD;
+
+use crate::identity::{Identity, Peer, SIGNATURE, statement};
+
 /// The version of the messages: stations of another one are seen, and nothing is asked of them.
-pub const MESSAGES: u32 = 1;
+pub const MESSAGES: u32 = 2;
 
 /// Everyone who is there, of every version.
 pub(crate) const ALL_ALIVE: &str = "dobot/alive/**";
@@ -23,27 +27,84 @@ pub(crate) struct Alive {
     pub(crate) messages: u32,
     /// The version of its program.
     pub(crate) version: String,
+    /// Its start, in milliseconds since 1970 by its own clock: of two of one station the later one counts.
+    pub(crate) run: u64,
+    /// The signature of what is before it and the certificate of who has signed; empty with other versions of the messages.
+    pub(crate) proof: Vec<u8>,
 }
 
 impl Alive {
-    pub(crate) fn key(&self) -> String {
+    /// What a station says of itself, signed.
+    pub(crate) fn signed(member: &MemberKey, own: &Identity, run: u64) -> Self {
+        let mut alive = Self {
+            member: member.clone(),
+            messages: MESSAGES,
+            version: env!("CARGO_PKG_VERSION").into(),
+            run,
+            proof: Vec::new(),
+        };
+        let signature = own.sign(&alive.statement());
+        alive.proof = [&signature, own.certificate()].concat();
+        alive
+    }
+
+    /// The member that has signed this.
+    pub(crate) fn signer(&self, own: &Identity) -> Result<Peer, &'static str> {
+        let proof = self.proof.split_at_checked(SIGNATURE);
+        let (signature, certificate) = proof.ok_or("it is not signed")?;
+        let peer = own.peer(certificate)?;
+        if !peer.has_signed(&self.statement(), signature) {
+            return Err("it is signed by somebody else");
+        }
+        Ok(peer)
+    }
+
+    fn statement(&self) -> Vec<u8> {
+        statement("alive", &[self.said().as_bytes()])
+    }
+
+    fn said(&self) -> String {
         let Self {
             member: MemberKey { name, id },
             messages,
             version,
+            run,
+            ..
         } = self;
-        format!("dobot/alive/{messages}/{version}/{name}/{id}")
+        format!("dobot/alive/{messages}/{version}/{name}/{id}/{run}")
+    }
+
+    pub(crate) fn key(&self) -> String {
+        format!("{}/{}", self.said(), BASE64URL_NOPAD.encode(&self.proof))
     }
 
     /// Nothing for a key that is none of a station.
     pub(crate) fn of(key: &str) -> Option<Self> {
-        let parts = key.strip_prefix("dobot/alive/")?;
-        let (messages, parts) = parts.split_once('/')?;
-        let (version, member) = parts.split_once('/')?;
+        let mut parts = key.strip_prefix("dobot/alive/")?.split('/');
+        let mut next = || parts.next();
+        let (messages, version) = (next()?.parse().ok()?, next()?);
+        let member = MemberKey::of(next()?, next()?)?;
+        let is_version = |it: char| it.is_ascii_alphanumeric() || ".+-".contains(it);
+        if version.len() > 40 || !version.chars().all(is_version) {
+            return None;
+        }
+        let (run, proof) = match messages {
+            MESSAGES => {
+                let (run, proof) = (next()?.parse().ok()?, next()?);
+                (run, BASE64URL_NOPAD.decode(proof.as_bytes()).ok()?)
+            }
+            // What follows with other versions is not known.
+            _ => (0, Vec::new()),
+        };
+        if messages == MESSAGES && next().is_some() {
+            return None;
+        }
         Some(Self {
-            member: MemberKey::of(member)?,
-            messages: messages.parse().ok()?,
-            version: version.chars().take(40).collect(),
+            member,
+            messages,
+            version: version.into(),
+            run,
+            proof,
         })
     }
 }
@@ -60,11 +121,11 @@ impl MemberKey {
         let member = key.strip_prefix("dobot/")?;
         let (messages, member) = member.split_once('/')?;
         let member = member.strip_suffix(what)?.strip_suffix('/')?;
-        Self::of(member).filter(|_| messages.parse() == Ok(MESSAGES))
+        let (name, id) = member.split_once('/')?;
+        Self::of(name, id).filter(|_| messages.parse() == Ok(MESSAGES))
     }
 
-    fn of(text: &str) -> Option<Self> {
-        let (name, id) = text.split_once('/')?;
+    fn of(name: &str, id: &str) -> Option<Self> {
         let is_id = id.len() == 32 && id.bytes().all(|it| it.is_ascii_hexdigit());
         (dobot_api::is_fleet_name(name) && is_id).then(|| Self {
             name: name.into(),
@@ -80,8 +141,10 @@ pub(crate) fn of_all(what: &str) -> String {
 
 /// What a station tells.
 pub(crate) const TOLD: &str = "told";
-/// Where a station is asked.
+/// Where a station is asked for what everyone may know, and to stop.
 pub(crate) const API: &str = "api";
+/// Where a station is asked for what only the asker may know or do.
+pub(crate) const SEALED: &str = "sealed";
 
 #[cfg(test)]
 mod tests {
@@ -98,8 +161,10 @@ mod tests {
     fn a_key_is_read_as_it_was_written() {
         let alive = Alive {
             member: desk(),
-            messages: 7,
+            messages: MESSAGES,
             version: "2.0.1-rc.1".into(),
+            run: 17,
+            proof: vec![1, 2, 255],
         };
         assert_eq!(Alive::of(&alive.key()), Some(alive));
         let told = desk().resource(TOLD);
@@ -116,11 +181,13 @@ mod tests {
             format!("dobot/alive/1/1.0/Desk 3/{id}"),
             format!("dobot/alive/1/1.0/desk-3/{id}0"),
             "dobot/alive/1/1.0/desk-3/..".to_owned(),
-            format!("dobot/alive/1/1.0/desk-3/{id}/more"),
+            format!("dobot/alive/2/1.0/desk-3/{id}"),
+            format!("dobot/alive/2/1.0/desk-3/{id}/1/AAAA/more"),
+            format!("dobot/alive/1/1.0\u{1b}[31m/desk-3/{id}"),
         ] {
             assert_eq!(Alive::of(&key), None, "{key}");
         }
-        let of_other_messages = format!("dobot/2/desk-3/{id}/told");
+        let of_other_messages = format!("dobot/9/desk-3/{id}/told");
         assert_eq!(MemberKey::of_resource(&of_other_messages, TOLD), None);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```no_run
 //! use dobot_api::{Folders, MemberAbout};
-//! use dobot_fleet::{Fleet, FleetConfig, FleetSession, own_id};
+//! use dobot_fleet::{Credentials, Fleet, FleetConfig, FleetSession, own_id};
 //! use dobot_station::{Config, Station};
 //!
 //! # async fn join() -> Result<(), Box<dyn std::error::Error>> {
@@ -14,7 +14,7 @@
 //!     about: MemberAbout::default(),
 //!     work: None,
 //! };
-//! let session = FleetSession::open(&[], None).await?;
+//! let session = FleetSession::open(&[], &Credentials::of_person("desk-3")?).await?;
 //! let fleet = Fleet::join(&session, &config, &id, station.api()).await?;
 //! fleet.leave().await;
 //! session.close().await;
@@ -37,21 +37,24 @@
 //!
 //! | key | what |
 //! |---|---|
-//! | `dobot/alive/1/VERSION/NAME/ID` | a liveliness token for as long as the station is there |
-//! | `dobot/1/NAME/ID/told` | published, and answered when asked: `{"about": MemberAbout, "state": State}` |
-//! | `dobot/1/NAME/ID/api` | answers an [`ApiRequest`](dobot_api::ApiRequest) with an [`ApiAnswer`](dobot_api::ApiAnswer) |
+//! | `dobot/alive/2/VERSION/NAME/ID/START/PROOF` | a liveliness token for as long as the station is there; `PROOF` is a signature of what is before it and the certificate of who has signed |
+//! | `dobot/2/NAME/ID/told` | published, and answered when asked: `{"about": MemberAbout, "state": State}`, with its number and a signature attached |
+//! | `dobot/2/NAME/ID/api` | answers an [`ApiRequest`](dobot_api::ApiRequest) to GET or to stop, without a token, with an [`ApiAnswer`](dobot_api::ApiAnswer); its signature is attached |
+//! | `dobot/2/NAME/ID/sealed` | the same for all other requests, which only this station can read |
 //!
-//! `1` is the version of these messages ([`MESSAGES`]), `VERSION` that of the program.
+//! `2` is the version of these messages ([`MESSAGES`]), `VERSION` that of the program.
 
 mod asking;
 mod config;
 mod credentials;
 mod id;
+mod identity;
 mod join;
 mod keys;
 mod network;
 mod roster;
 mod router;
+mod sealing;
 mod session;
 mod telling;
 pub mod together;

@@ -14,20 +14,24 @@ use zenoh::query::{ConsolidationMode, Query, QueryTarget, Queryable};
 use zenoh::sample::Sample;
 use zenoh::{Session, Wait};
 
-use crate::keys::{ALL_ALIVE, API, Alive, MESSAGES, MemberKey, TOLD, of_all};
+use crate::FleetError;
+use crate::asking::{Peers, Way};
+use crate::keys::{ALL_ALIVE, API, Alive, SEALED, TOLD, of_all};
 use crate::session::FleetSession;
-use crate::{FleetError, telling};
+use crate::telling::{self, Teller};
 
 /// The way to the others.
 pub(crate) struct Network {
-    session: Session,
+    way: Way,
     /// Who came and went. Nobody waits for this station to hear it: others of this program may join by the same session.
     lives: mpsc::UnboundedReceiver<Sample>,
     asked: Queryable<FifoChannelHandler<Query>>,
+    sealed: Queryable<FifoChannelHandler<Query>>,
     /// What the others tell, while somebody looks.
     others: Option<Others>,
     /// What this station tells.
     telling: Publisher<'static>,
+    teller: Teller,
     /// What says that it is there, and what it is and does, for as long as this is kept.
     declared: (LivelinessToken, Queryable<()>, Subscriber<()>),
 }
@@ -39,6 +43,7 @@ pub(crate) type Opening = Pin<Box<dyn Future<Output = Result<Network, FleetError
 pub(crate) enum Incoming {
     Life(Sample),
     Asked(Query),
+    Sealed(Query),
     Told(Sample),
 }
 
@@ -50,49 +55,59 @@ const FOLLOW_FOR: Duration = Duration::from_secs(10);
 const TOLD_AT_ONCE: usize = 4096;
 
 impl Network {
-    /// Opens the way, as soon as there is one.
+    /// Opens the way, as soon as there is one. `peers` are those who are known to be asked.
     pub(crate) async fn open(
         mut session: FleetSession,
-        own: MemberKey,
+        alive: Alive,
+        peers: Peers,
         about: MemberAbout,
         handle: Handle,
     ) -> Result<Self, FleetError> {
-        let session = session.opened().await?;
-        let declared = Self::declare(session, own, about, handle).await;
+        let way = Way {
+            session: session.opened().await?,
+            identity: session.identity().clone(),
+            peers,
+        };
+        let declared = Self::declare(way, alive, about, handle).await;
         declared.map_err(|error| FleetError::zenoh(&error))
     }
 
     async fn declare(
-        session: Session,
-        own: MemberKey,
+        way: Way,
+        alive: Alive,
         about: MemberAbout,
         handle: Handle,
     ) -> Result<Self, zenoh::Error> {
+        let (session, own) = (&way.session, &alive.member);
+        let teller = Teller::new(way.identity.clone(), own.clone(), alive.run);
         let (tells, lives) = mpsc::unbounded_channel();
         let liveliness = session.liveliness();
-        let alive = liveliness.declare_subscriber(ALL_ALIVE).history(true);
+        let others = liveliness.declare_subscriber(ALL_ALIVE).history(true);
         // One that has left hears nothing more.
-        let alive = alive.callback(move |it| drop(tells.send(it))).await?;
+        let others = others.callback(move |it| drop(tells.send(it))).await?;
         let asked = session.declare_queryable(own.resource(API)).await?;
+        let sealed = session.declare_queryable(own.resource(SEALED)).await?;
         let told = session.declare_queryable(own.resource(TOLD));
         let told = told
-            .callback(answers(own.resource(TOLD), about, handle))
+            .callback(answers(own.resource(TOLD), teller.clone(), about, handle))
             .await?;
         let telling = session.declare_publisher(own.resource(TOLD)).await?;
-        let token = liveliness.declare_token(life(&own).key()).await?;
+        let token = liveliness.declare_token(alive.key()).await?;
         Ok(Self {
-            session,
+            way,
             lives,
             asked,
+            sealed,
             others: None,
             telling,
-            declared: (token, told, alive),
+            teller,
+            declared: (token, told, others),
         })
     }
 
     /// By which others are asked.
-    pub(crate) const fn session(&self) -> &Session {
-        &self.session
+    pub(crate) const fn way(&self) -> &Way {
+        &self.way
     }
 
     /// What comes next.
@@ -100,6 +115,7 @@ impl Network {
         tokio::select! {
             Some(sample) = self.lives.recv() => Incoming::Life(sample),
             Ok(query) = self.asked.recv_async() => Incoming::Asked(query),
+            Ok(query) = self.sealed.recv_async() => Incoming::Sealed(query),
             Ok(sample) = told(self.others.as_ref()) => Incoming::Told(sample),
             else => std::future::pending().await,
         }
@@ -117,7 +133,7 @@ impl Network {
             others.looked = looked;
             return false;
         }
-        let told = self.session.declare_subscriber(of_all(TOLD));
+        let told = self.way.session.declare_subscriber(of_all(TOLD));
         let told = told.with(RingChannel::new(TOLD_AT_ONCE)).await;
         // Without a network there are no others.
         self.others = told.ok().map(|told| Others { told, looked });
@@ -141,7 +157,8 @@ impl Network {
 
     /// Tells the others what this station is and does.
     pub(crate) fn tell(&self, told: Vec<u8>) {
-        if let Err(error) = self.telling.put(told).wait() {
+        let signed = self.teller.sign(&told);
+        if let Err(error) = self.telling.put(told).attachment(signed).wait() {
             tracing::info!(%error, "the fleet is not told");
         }
     }
@@ -190,15 +207,6 @@ pub(crate) async fn incoming(network: Option<&mut Network>) -> Incoming {
     }
 }
 
-/// What says that a station is there.
-pub(crate) fn life(own: &MemberKey) -> Alive {
-    Alive {
-        member: own.clone(),
-        messages: MESSAGES,
-        version: env!("CARGO_PKG_VERSION").into(),
-    }
-}
-
 /// What the others tell next; never while nobody looks.
 async fn told(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
     match others {
@@ -208,10 +216,16 @@ async fn told(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
 }
 
 /// Tells those who ask what this station is and does.
-fn answers(key: String, about: MemberAbout, handle: Handle) -> impl Fn(Query) + Send + Sync {
+fn answers(
+    key: String,
+    teller: Teller,
+    about: MemberAbout,
+    handle: Handle,
+) -> impl Fn(Query) + Send + Sync {
     move |query| {
         let told = telling::told(&about, &handle.state());
-        if let Err(error) = query.reply(&key, told).wait() {
+        let signed = teller.sign(&told);
+        if let Err(error) = query.reply(&key, told).attachment(signed).wait() {
             tracing::info!(%error, "an answer to the fleet is lost");
         }
     }

@@ -2,14 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
-use std::sync::Arc;
+use std::sync::{Arc, MutexGuard, PoisonError};
 
 use dobot_api::problem_kinds::MEMBER_REFUSED;
 use dobot_api::{Member, MemberAbout, Presence, Problem, State};
 use dobot_station::Members;
 use serde::{Deserialize, Serialize};
 
+use crate::asking::Peers;
+use crate::identity::Peer;
 use crate::keys::{Alive, MESSAGES, MemberKey};
+use crate::telling;
 
 /// What a station tells of itself.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -27,6 +30,8 @@ pub(crate) struct Roster {
     members: Option<Members>,
     /// Whether there were more than it takes.
     is_full: bool,
+    /// The certificates of those who are there.
+    peers: Peers,
 }
 
 /// A station that has been seen.
@@ -35,8 +40,37 @@ struct Seen {
     member: Arc<Member>,
     /// What its liveliness token said, while there is one.
     alive: Option<Alive>,
+    /// Who has signed it; absent with other versions of the messages.
+    peer: Option<Arc<Peer>>,
+    /// The number of what it told last.
+    told: u64,
 }
 
+impl Seen {
+    /// How much the station counts as the one of its name: most where its certificate was made for it, least without one.
+    fn claim(&self) -> Claim {
+        claim(self.peer.as_deref(), &self.member.name)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Claim {
+    OtherVersion,
+    /// A virtual arm that the holder of the certificate gives.
+    Given,
+    Own,
+}
+
+fn claim(peer: Option<&Peer>, name: &str) -> Claim {
+    match peer {
+        Some(peer) if peer.name == name => Claim::Own,
+        Some(_) => Claim::Given,
+        None => Claim::OtherVersion,
+    }
+}
+
+/// How many stations join by one certificate at the most: one that gives 200 virtual arms.
+const MOST_OF_ONE: usize = 201;
 /// How many stations are known at the most: a flood of names takes no more memory than that.
 pub(crate) const MOST: usize = 2000;
 
@@ -47,7 +81,13 @@ impl Roster {
             seen: BTreeMap::new(),
             members: None,
             is_full: false,
+            peers: Peers::default(),
         }
+    }
+
+    /// The certificates of those who are there, as they come and go.
+    pub(crate) const fn peers(&self) -> &Peers {
+        &self.peers
     }
 
     /// All of them, by name: the same until something changes.
@@ -61,19 +101,25 @@ impl Roster {
         self.is_full
     }
 
-    /// A station is there.
-    pub(crate) fn came(&mut self, alive: Alive, at_s: f64) {
+    /// A station is there, whose certificate has signed that; nothing with other versions of the messages.
+    pub(crate) fn came(&mut self, alive: Alive, peer: Option<Arc<Peer>>, at_s: f64) {
         let key = alive.member.clone();
-        self.members = None;
-        if !self.seen.contains_key(&key) && self.seen.len() >= MOST {
-            let away = |it: &Seen| it.alive.is_none();
-            self.is_full = true;
-            let Some(old) = self.seen.iter().find(|(_, it)| away(it)) else {
-                return;
-            };
-            let old = old.0.clone();
-            self.seen.remove(&old);
+        let claims = claim(peer.as_deref(), &key.name);
+        // What somebody else says of it does not count, nor what it said before its last start.
+        let is_passed_over = |seen: &Seen| {
+            let is_others = claims == Claim::Given && seen.peer != peer;
+            let last = seen.alive.as_ref().map(|it| it.run);
+            let is_old = seen.claim() == claims && last.is_some_and(|it| it > alive.run);
+            seen.claim() > claims || (seen.claim() == claims && is_others) || is_old
+        };
+        let is_passed_over = match self.seen.get(&key) {
+            Some(seen) => is_passed_over(seen),
+            None => !self.makes_room(peer.as_deref()),
+        };
+        if is_passed_over {
+            return;
         }
+        self.members = None;
         let here = key == self.own;
         let seen = self.seen.entry(key.clone()).or_insert_with(|| Seen {
             member: Arc::new(Member {
@@ -86,35 +132,100 @@ impl Roster {
                 state: None,
             }),
             alive: None,
+            peer: None,
+            told: 0,
         });
+        seen.told = 0;
         seen.alive = Some(alive);
+        seen.peer.clone_from(&peer);
         Arc::make_mut(&mut seen.member).heard_at_s = at_s;
+        if let Some(peer) = peer {
+            self.known().insert(key.clone(), peer);
+        }
         // One that was replaced under its name is not missed.
         let replaced = |(it, seen): &(&MemberKey, &mut Seen)| {
-            **it != key && seen.alive.is_none() && **it != self.own
+            **it != key && seen.alive.is_none() && **it != self.own && seen.claim() <= claims
         };
         let replaced = self.seen.range_mut(of_name(&key.name)).filter(replaced);
         let replaced: Vec<_> = replaced.map(|(it, _)| it.clone()).collect();
         for it in replaced {
-            self.seen.remove(&it);
+            self.forget(&it);
         }
         self.judge(&key.name);
     }
 
-    /// A station is not there any more. A virtual arm that was given to somebody is not missed: it ends when it is not used.
-    pub(crate) fn went(&mut self, member: &MemberKey) {
-        if let Some(seen) = self.seen.get_mut(member) {
+    fn forget(&mut self, member: &MemberKey) {
+        self.seen.remove(member);
+        self.known().remove(member);
+    }
+
+    fn known(&self) -> MutexGuard<'_, BTreeMap<MemberKey, Arc<Peer>>> {
+        self.peers.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether there is room for one more: of those who do not speak these messages and those who are away, one makes it. One
+    /// certificate does not take the room of all.
+    fn makes_room(&mut self, peer: Option<&Peer>) -> bool {
+        let by_same = |it: &&Seen| it.peer.as_deref() == peer;
+        if peer.is_some() && self.seen.values().filter(by_same).count() >= MOST_OF_ONE {
+            return false;
+        }
+        if self.seen.len() < MOST {
+            return true;
+        }
+        self.is_full = true;
+        let is_other = |it: &Seen| peer.is_some() && it.peer.is_none();
+        let old = self.seen.iter();
+        let mut old = old.filter(|(_, it)| it.alive.is_none() || is_other(it));
+        let Some(old) = old.next().map(|(key, _)| key.clone()) else {
+            return false;
+        };
+        self.forget(&old);
+        true
+    }
+
+    /// A station is not there any more: it has taken back what it said. A virtual arm that was given to somebody is not missed: it
+    /// ends when it is not used.
+    pub(crate) fn went(&mut self, alive: &Alive) {
+        let member = &alive.member;
+        let seen = self.seen.get_mut(member);
+        if let Some(seen) = seen.filter(|it| it.alive.as_ref() == Some(alive)) {
             self.members = None;
             seen.alive = None;
-            let about = seen.member.about.as_ref();
-            if about.is_some_and(|it| it.given_by.is_some()) {
-                self.seen.remove(member);
+            if seen.claim() == Claim::Given {
+                self.forget(member);
             }
             self.judge(&member.name);
         }
     }
 
-    /// A station tells of itself. What nobody who is there says is not kept.
+    /// A station tells of itself, and has signed it. What was told before, or by somebody else, is not kept.
+    pub(crate) fn hear(
+        &mut self,
+        member: &MemberKey,
+        told: &[u8],
+        signed: &[u8],
+        at_s: f64,
+    ) -> Result<(), String> {
+        let seen = self.seen.get(member);
+        let Some((alive, peer)) = seen.and_then(|it| it.alive.as_ref().zip(it.peer.as_ref()))
+        else {
+            return Ok(());
+        };
+        let number = telling::number_of(peer, member, alive.run, told, signed);
+        let number = number.ok_or("it has not signed it")?;
+        if seen.is_some_and(|it| it.told >= number) {
+            return Err("it was told before".into());
+        }
+        let read = telling::read(told, &member.name, &peer.name)?;
+        self.told(member, read, at_s);
+        if let Some(seen) = self.seen.get_mut(member) {
+            seen.told = number;
+        }
+        Ok(())
+    }
+
+    /// What a station tells of itself is kept of those who are there.
     pub(crate) fn told(&mut self, member: &MemberKey, told: Told, at_s: f64) {
         let Some(seen) = self.seen.get_mut(member).filter(|it| it.alive.is_some()) else {
             return;
@@ -130,12 +241,16 @@ impl Roster {
 
     /// What is to be asked of the stations of a name, now that one came or went.
     fn judge(&mut self, name: &str) {
-        let there = self.seen.range(of_name(name));
-        let claim = there.filter(|(_, seen)| seen.alive.is_some()).count();
+        let all = || self.seen.range(of_name(name)).map(|(_, it)| it);
+        // The name is that of whoever has the certificate for it, also while he is away.
+        let best = all().map(Seen::claim).max();
+        let is_best = |it: &&Seen| it.alive.is_some() && Some(it.claim()) == best;
+        let claim = all().filter(is_best).count();
         for (_, seen) in self.seen.range_mut(of_name(name)) {
+            let is_best = Some(seen.claim()) == best;
             let presence = match &seen.alive {
                 None => Presence::Away,
-                Some(alive) => match refusal(alive, claim) {
+                Some(alive) => match refusal(alive, is_best, claim) {
                     Some(problem) => Presence::Refused { problem },
                     None => Presence::Present,
                 },
@@ -158,7 +273,7 @@ fn of_name(name: &str) -> RangeInclusive<MemberKey> {
 }
 
 /// Why nothing is asked of a station, if so.
-fn refusal(alive: &Alive, claim: usize) -> Option<Problem> {
+fn refusal(alive: &Alive, is_best: bool, claim: usize) -> Option<Problem> {
     let name = &alive.member.name;
     let (theirs, ours) = (&alive.version, env!("CARGO_PKG_VERSION"));
     if alive.messages != MESSAGES {
@@ -170,6 +285,12 @@ fn refusal(alive: &Alive, claim: usize) -> Option<Problem> {
             "bring both to the same release",
         ));
     }
+    if !is_best {
+        return Some(MEMBER_REFUSED.hinted(
+            format!("{name} is the name of another station, by its certificate"),
+            "start this one with another `--name`",
+        ));
+    }
     (claim > 1).then(|| {
         MEMBER_REFUSED.hinted(
             format!("{claim} stations call themselves {name}"),
@@ -179,8 +300,12 @@ fn refusal(alive: &Alive, claim: usize) -> Option<Problem> {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
+    use crate::Credentials;
+    use crate::identity::Identity;
+    use crate::telling::Teller;
     use crate::telling::tests::state;
 
     fn key(name: &str, digit: char) -> MemberKey {
@@ -195,12 +320,31 @@ mod tests {
             member,
             messages: MESSAGES,
             version: "1.2.3".into(),
+            run: 1,
+            proof: Vec::new(),
         }
+    }
+
+    /// The certificate of a station of this name.
+    fn certificate(name: &str) -> Identity {
+        let folder = tempfile::tempdir().unwrap();
+        let made = Credentials::local(&folder.path().join("own"), name);
+        made.unwrap().identity().unwrap()
+    }
+
+    fn peer(name: &str) -> Option<Arc<Peer>> {
+        Some(certificate(name).own().clone())
+    }
+
+    /// A station with a certificate for its name.
+    fn came(roster: &mut Roster, member: MemberKey, at_s: f64) {
+        let peer = peer(&member.name);
+        roster.came(alive(member), peer, at_s);
     }
 
     fn roster() -> Roster {
         let mut roster = Roster::new(key("desk-1", 'a'));
-        roster.came(alive(key("desk-1", 'a')), 0.0);
+        came(&mut roster, key("desk-1", 'a'), 0.0);
         roster
     }
 
@@ -213,14 +357,14 @@ mod tests {
     #[test]
     fn a_station_that_went_is_shown_as_away_and_one_that_comes_again_as_present() {
         let mut roster = roster();
-        roster.came(alive(key("desk-2", 'b')), 1.0);
-        roster.went(&key("desk-2", 'b'));
+        came(&mut roster, key("desk-2", 'b'), 1.0);
+        roster.went(&alive(key("desk-2", 'b')));
         let away = [("desk-1", Presence::Present), ("desk-2", Presence::Away)];
         assert_eq!(
             presences(&mut roster),
             away.map(|(it, how)| (it.into(), how))
         );
-        roster.came(alive(key("desk-2", 'b')), 2.0);
+        came(&mut roster, key("desk-2", 'b'), 2.0);
         assert_eq!(presences(&mut roster)[1].1, Presence::Present);
         assert!(roster.members()[0].here && !roster.members()[1].here);
     }
@@ -229,7 +373,7 @@ mod tests {
     fn of_two_stations_of_one_name_none_is_asked_until_one_is_left() {
         let mut roster = roster();
         for digit in ['b', 'c'] {
-            roster.came(alive(key("desk-2", digit)), 1.0);
+            came(&mut roster, key("desk-2", digit), 1.0);
         }
         for (_, presence) in &presences(&mut roster)[1..] {
             let Presence::Refused { problem } = presence else {
@@ -237,7 +381,7 @@ mod tests {
             };
             assert_eq!(problem.detail, "2 stations call themselves desk-2");
         }
-        roster.went(&key("desk-2", 'b'));
+        roster.went(&alive(key("desk-2", 'b')));
         let left = roster.members();
         let ids: Vec<_> = left.iter().map(|it| (&*it.id, &it.presence)).collect();
         assert_eq!(ids[2], (&*"c".repeat(32), &Presence::Present));
@@ -246,9 +390,9 @@ mod tests {
     #[test]
     fn a_station_that_takes_the_place_of_one_that_is_away_is_the_only_one_of_its_name() {
         let mut roster = roster();
-        roster.came(alive(key("desk-2", 'b')), 1.0);
-        roster.went(&key("desk-2", 'b'));
-        roster.came(alive(key("desk-2", 'c')), 2.0);
+        came(&mut roster, key("desk-2", 'b'), 1.0);
+        roster.went(&alive(key("desk-2", 'b')));
+        came(&mut roster, key("desk-2", 'c'), 2.0);
         assert_eq!(presences(&mut roster).len(), 2);
     }
 
@@ -259,7 +403,7 @@ mod tests {
             messages: 9,
             ..alive(key("desk-2", 'b'))
         };
-        roster.came(newer, 1.0);
+        roster.came(newer, None, 1.0);
         let Presence::Refused { problem } = &roster.members()[1].presence else {
             panic!("{:?}", roster.members()[1]);
         };
@@ -267,7 +411,7 @@ mod tests {
             "dobot 1.2.3",
             "version 9",
             env!("CARGO_PKG_VERSION"),
-            "version 1",
+            &format!("version {MESSAGES}"),
         ] {
             assert!(problem.detail.contains(word), "{}", problem.detail);
         }
@@ -285,7 +429,7 @@ mod tests {
         };
         roster.told(&key("desk-2", 'b'), told("room-1"), 1.0);
         assert_eq!(roster.members().len(), 1);
-        roster.came(alive(key("desk-2", 'b')), 2.0);
+        came(&mut roster, key("desk-2", 'b'), 2.0);
         roster.told(&key("desk-2", 'b'), told("room-1"), 3.0);
         let member = &roster.members()[1];
         assert_eq!(member.heard_at_s, 3.0);
@@ -298,7 +442,7 @@ mod tests {
     #[test]
     fn a_station_with_a_wrong_clock_is_heard_when_it_is_heard() {
         let mut roster = roster();
-        roster.came(alive(key("desk-2", 'b')), 2.0);
+        came(&mut roster, key("desk-2", 'b'), 2.0);
         for at_s in [-1e9, 1e12] {
             let state = State { at_s, ..state() };
             let told = Told {
@@ -313,24 +457,109 @@ mod tests {
     }
 
     #[test]
-    fn a_flood_of_names_is_held_and_pushes_out_nobody_who_is_there() {
+    fn five_thousand_stations_of_one_certificate_leave_room_for_the_others() {
+        let mut roster = roster();
+        let rogue = peer("desk-9");
+        for number in 0..5000 {
+            let fake = alive(key(&format!("fake-{number}"), 'f'));
+            roster.came(fake, rogue.clone(), 1.0);
+        }
+        assert_eq!(roster.members().len(), 1 + MOST_OF_ONE);
+        came(&mut roster, key("desk-2", 'b'), 2.0);
+        let there = |it: &&Arc<Member>| it.name == "desk-2" && it.presence == Presence::Present;
+        assert!(roster.members().iter().any(|it| there(&it)));
+        assert!(!roster.is_full());
+    }
+
+    #[test]
+    fn a_flood_of_other_versions_is_held_and_pushes_out_nobody_who_is_there() {
         let mut roster = roster();
         for number in 0..MOST + 10 {
-            roster.came(alive(key(&format!("flood-{number}"), 'f')), 1.0);
+            let other = Alive {
+                messages: 9,
+                ..alive(key(&format!("flood-{number}"), 'f'))
+            };
+            roster.came(other, None, 1.0);
         }
         assert_eq!(roster.members().len(), MOST);
         assert!(roster.is_full());
         assert!(roster.members().iter().any(|it| it.here));
-        // Those that went make room.
-        roster.went(&key("flood-0", 'f'));
-        roster.came(alive(key("late", 'e')), 2.0);
+        // They make room for one with a certificate.
+        came(&mut roster, key("late", 'e'), 2.0);
         assert!(roster.members().iter().any(|it| it.name == "late"));
+        assert_eq!(roster.members().len(), MOST);
+    }
+
+    #[test]
+    fn a_name_is_that_of_its_certificate_and_others_who_take_it_are_refused() {
+        let mut roster = roster();
+        let rogue = peer("desk-9");
+        came(&mut roster, key("desk-2", 'b'), 1.0);
+        roster.came(alive(key("desk-2", 'f')), rogue.clone(), 2.0);
+        // In the place of the station itself, too.
+        roster.came(alive(key("desk-2", 'b')), rogue.clone(), 2.0);
+        let presences: Vec<_> = presences(&mut roster);
+        assert_eq!(presences[1].1, Presence::Present);
+        let Presence::Refused { problem } = &presences[2].1 else {
+            panic!("{presences:?}");
+        };
+        assert!(problem.detail.contains("by its certificate"), "{problem:?}");
+        // It stays so while the station is away.
+        roster.went(&alive(key("desk-2", 'b')));
+        roster.came(alive(key("desk-2", 'f')), rogue, 3.0);
+        let there = roster.members();
+        let is_asked = |it: &Arc<Member>| it.name == "desk-2" && it.presence == Presence::Present;
+        assert!(!there.iter().any(is_asked), "{there:?}");
+    }
+
+    #[test]
+    fn what_is_told_counts_once_and_from_the_station_itself() {
+        let mut roster = roster();
+        let (own, rogue) = (
+            Arc::new(certificate("desk-2")),
+            Arc::new(certificate("desk-9")),
+        );
+        let member = key("desk-2", 'b');
+        roster.came(alive(member.clone()), Some(own.own().clone()), 1.0);
+        let telling = |identity: &Arc<Identity>| Teller::new(identity.clone(), member.clone(), 1);
+        let about = |group: &str| Told {
+            about: MemberAbout {
+                groups: vec![group.into()],
+                ..MemberAbout::default()
+            },
+            state: None,
+        };
+        let [old, new] = ["old", "new"].map(|it| serde_json::to_vec(&about(it)).unwrap());
+        let teller = telling(&own);
+        let [first, second] = [&old, &new].map(|it| teller.sign(it));
+        roster.hear(&member, &old, &first, 2.0).unwrap();
+        roster.hear(&member, &new, &second, 3.0).unwrap();
+        let refused = |roster: &mut Roster, signed: &[u8]| {
+            roster.hear(&member, &old, signed, 4.0).unwrap_err()
+        };
+        assert_eq!(refused(&mut roster, &first), "it was told before");
+        let forged = telling(&rogue).sign(&old);
+        for signed in [&forged[..], &second, b"", &[0; 8]] {
+            assert_eq!(refused(&mut roster, signed), "it has not signed it");
+        }
+        let members = roster.members();
+        assert_eq!(members[1].about.as_ref().unwrap().groups, ["new"]);
+        // After a start it begins anew; what it said before counts no longer.
+        let again = Alive {
+            run: 2,
+            ..alive(member.clone())
+        };
+        roster.came(again, Some(own.own().clone()), 5.0);
+        assert_eq!(refused(&mut roster, &first), "it has not signed it");
+        roster.came(alive(member.clone()), Some(own.own().clone()), 6.0);
+        let signed = Teller::new(own, member.clone(), 2).sign(&old);
+        roster.hear(&member, &old, &signed, 7.0).unwrap();
     }
 
     #[test]
     fn only_those_that_changed_are_told_anew() {
         let mut roster = roster();
-        roster.came(alive(key("desk-2", 'b')), 1.0);
+        came(&mut roster, key("desk-2", 'b'), 1.0);
         let before = roster.members();
         let told = Told {
             about: MemberAbout::default(),

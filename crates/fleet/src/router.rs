@@ -16,10 +16,7 @@ impl Router {
     /// # Errors
     ///
     /// [`FleetError`].
-    pub async fn start(
-        listen: &[String],
-        credentials: Option<&Credentials>,
-    ) -> Result<Self, FleetError> {
+    pub async fn start(listen: &[String], credentials: &Credentials) -> Result<Self, FleetError> {
         let session = zenoh::open(config::router(listen, credentials)?).await;
         let session = session.map_err(|error| FleetError::zenoh(&error))?;
         Ok(Self { session })

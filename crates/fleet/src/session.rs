@@ -1,8 +1,11 @@
 //! The way of a program into its fleet.
 
+use std::sync::Arc;
+
 use tokio::sync::watch;
 use zenoh::{Session, Wait};
 
+use crate::identity::Identity;
 use crate::{Credentials, FleetError, config};
 
 /// The way of a program into its fleet: a session of Zenoh, by which all stations of the program join.
@@ -11,20 +14,19 @@ use crate::{Credentials, FleetError, config};
 #[derive(Clone, Debug)]
 pub struct FleetSession {
     opened: watch::Receiver<Option<Result<Session, String>>>,
+    identity: Arc<Identity>,
 }
 
 impl FleetSession {
     /// Opens a session by routers, each as in `tls/router.school:7447`; it does not wait for them. Without any it looks
-    /// for other stations by itself: on this machine, and on its network where it has credentials.
+    /// for other stations by itself: on its network, or on this machine where the credentials are those of a person.
     ///
     /// # Errors
     ///
     /// [`FleetError`].
-    pub async fn open(
-        connect: &[String],
-        credentials: Option<&Credentials>,
-    ) -> Result<Self, FleetError> {
+    pub async fn open(connect: &[String], credentials: &Credentials) -> Result<Self, FleetError> {
         let config = config::session(connect, credentials)?;
+        let identity = Arc::new(credentials.identity()?);
         let (tells, opened) = watch::channel(None);
         // It blocks while a router is away, so it has a thread of its own.
         let opens = move || {
@@ -36,7 +38,7 @@ impl FleetSession {
             .name("fleet".into())
             .spawn(opens)
             .map_err(|error| FleetError::Zenoh(error.to_string()))?;
-        let mut session = Self { opened };
+        let mut session = Self { opened, identity };
         if connect.is_empty() {
             // It waits for nobody, and what is wrong with this machine is told at once.
             session.opened().await?;
@@ -51,6 +53,11 @@ impl FleetSession {
             // Those whom it does not reach miss its stations by themselves.
             let _ = session.close().await;
         }
+    }
+
+    /// By what the program signs.
+    pub(crate) const fn identity(&self) -> &Arc<Identity> {
+        &self.identity
     }
 
     /// Whether a router is waited for no longer.

@@ -1,9 +1,120 @@
 //! What this station tells the others.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-use dobot_api::{MemberAbout, State};
-use dobot_rules::Snapshot;
+use dobot_api::{MemberAbout, State, is_fleet_name};
+use dobot_rules::{Snapshot, is_plain};
+use serde_json::Value;
+
+use crate::identity::{Identity, Peer, SIGNATURE, statement};
+use crate::keys::MemberKey;
+use crate::roster::Told;
+
+/// Signs what this station tells. Each has a number, so that nobody can tell an old one again.
+#[derive(Clone, Debug)]
+pub(crate) struct Teller {
+    identity: Arc<Identity>,
+    own: MemberKey,
+    run: u64,
+    count: Arc<AtomicU64>,
+}
+
+impl Teller {
+    pub(crate) fn new(identity: Arc<Identity>, own: MemberKey, run: u64) -> Self {
+        let count = Arc::default();
+        Self {
+            identity,
+            own,
+            run,
+            count,
+        }
+    }
+
+    /// What goes with it: its number and the signature.
+    pub(crate) fn sign(&self, told: &[u8]) -> Vec<u8> {
+        let count = 1 + self.count.fetch_add(1, Ordering::Relaxed);
+        let signature = self
+            .identity
+            .sign(&told_by(&self.own, self.run, count, told));
+        [&count.to_be_bytes()[..], &signature].concat()
+    }
+}
+
+/// The number of what a member tells, where it has signed it in this run.
+pub(crate) fn number_of(
+    peer: &Peer,
+    member: &MemberKey,
+    run: u64,
+    told: &[u8],
+    signed: &[u8],
+) -> Option<u64> {
+    let (count, signature) = signed.split_first_chunk::<8>()?;
+    let count = u64::from_be_bytes(*count);
+    let statement = told_by(member, run, count, told);
+    (signature.len() == SIGNATURE && peer.has_signed(&statement, signature)).then_some(count)
+}
+
+fn told_by(member: &MemberKey, run: u64, count: u64, told: &[u8]) -> Vec<u8> {
+    let MemberKey { name, id } = member;
+    let (run, count) = (run.to_be_bytes(), count.to_be_bytes());
+    statement(
+        "told",
+        &[name.as_bytes(), id.as_bytes(), &run, &count, told],
+    )
+}
+
+/// More than any state has, in bytes.
+const LONGEST: usize = 256 * 1024;
+/// So many groups or words a station has at the most.
+const MOST_WORDS: usize = 64;
+/// The longest address of a page, in bytes.
+const LONGEST_PAGE: usize = 200;
+
+/// Reads what a station of this name tells, whose certificate names this holder. Names, groups and links that are none are left
+/// out, and so are characters that a screen would not show.
+pub(crate) fn read(told: &[u8], name: &str, holder: &str) -> Result<Told, String> {
+    if told.len() > LONGEST {
+        return Err(format!(
+            "it has {} bytes; allowed are {LONGEST}",
+            told.len()
+        ));
+    }
+    let mut value = serde_json::from_slice(told).map_err(|error| error.to_string())?;
+    strip(&mut value);
+    let mut told: Told = serde_json::from_value(value).map_err(|error| error.to_string())?;
+    let about = &mut told.about;
+    for words in [&mut about.groups, &mut about.offers] {
+        words.retain(|it| is_fleet_name(it));
+        words.truncate(MOST_WORDS);
+    }
+    about
+        .version
+        .truncate(about.version.floor_char_boundary(40));
+    about.page.take_if(|it| !is_page(it));
+    // The certificate says it.
+    about.given_by = (holder != name).then(|| holder.to_owned());
+    Ok(told)
+}
+
+/// Leaves out what a screen would not show, or would obey.
+fn strip(value: &mut Value) {
+    match value {
+        Value::String(text) => text.retain(|it| it == '\n' || is_plain(it)),
+        Value::Array(all) => all.iter_mut().for_each(strip),
+        Value::Object(all) => all.values_mut().for_each(strip),
+        Value::Null | Value::Bool(_) | Value::Number(_) => {}
+    }
+}
+
+fn is_page(text: &str) -> bool {
+    let place = text
+        .strip_prefix("https://")
+        .or_else(|| text.strip_prefix("http://"));
+    let allowed = |it: char| it.is_ascii_alphanumeric() || ".-_[]:/".contains(it);
+    text.len() <= LONGEST_PAGE && place.is_some_and(|it| !it.is_empty() && it.chars().all(allowed))
+}
 
 /// What this station tells, as the others read it.
 pub(crate) fn told(about: &MemberAbout, state: &Snapshot) -> Vec<u8> {
@@ -52,6 +163,7 @@ fn is_like(one: &State, other: &State) -> bool {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 pub(crate) mod tests {
     use dobot_api::{LaserView, LinkPhase, LinkView, QueueView, StopView, TrustView};
 
@@ -92,6 +204,66 @@ pub(crate) mod tests {
             },
             job: None,
             clients: 0,
+        }
+    }
+
+    #[test]
+    fn what_is_no_name_and_no_link_is_left_out_and_nothing_reaches_the_terminal() {
+        let about = MemberAbout {
+            version: "\u{1b}]0;pwn\u{7}1.0".into(),
+            page: Some("javascript:alert(1)".into()),
+            groups: vec!["\u{1b}[31mEVIL".into(), "room-1".into(), "Room 1".into()],
+            offers: vec!["pen".into(), "<b>".into()],
+            given_by: Some("desk-1".into()),
+            ..MemberAbout::default()
+        };
+        let told = Told {
+            about,
+            state: Some(Box::new(State {
+                stop: Some(StopView {
+                    by: "An\u{1b}[2Jna".into(),
+                    reason: Some("\u{202e}fire".into()),
+                    at_s: 1.3,
+                    rests_by_s: 1.4,
+                    at_rest: false,
+                    delivered: true,
+                }),
+                ..state()
+            })),
+        };
+        let told = serde_json::to_vec(&told).unwrap();
+        let Told { about, state } = read(&told, "desk-2", "desk-2").unwrap();
+        assert_eq!(about.version, "]0;pwn1.0");
+        assert_eq!((about.page, about.given_by), (None, None));
+        assert_eq!(
+            (about.groups, about.offers),
+            (vec!["room-1".to_owned()], vec!["pen".to_owned()])
+        );
+        let stop = state.unwrap().stop.unwrap();
+        assert_eq!(
+            (&*stop.by, stop.reason.as_deref()),
+            ("An[2Jna", Some("fire"))
+        );
+    }
+
+    #[test]
+    fn a_page_is_a_link_of_the_web() {
+        for good in [
+            "http://desk-3:8642",
+            "https://[fe80::1]:8642/",
+            "https://10.7.1.2:8642/fleet",
+        ] {
+            assert!(is_page(good), "{good}");
+        }
+        for bad in [
+            "javascript:alert(1)",
+            "https://",
+            "http://a/\" onclick=\"x",
+            "data:text/html,x",
+            "http://user@desk-3/",
+            &format!("http://{}", "a".repeat(300)),
+        ] {
+            assert!(!is_page(bad), "{bad}");
         }
     }
 

@@ -58,6 +58,9 @@ enum Action {
     /// Make a certificate for each station, and the authority where there is none yet
     Certificates(set_up::Certificates),
     #[cfg(feature = "fleet")]
+    /// Revoke the certificates of stations, as of one on a stick that was lost
+    Revoke(set_up::RevokeArgs),
+    #[cfg(feature = "fleet")]
     /// Run a router, by which stations of several networks find each other
     Router(set_up::RouterArgs),
 }
@@ -72,6 +75,8 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         #[cfg(feature = "fleet")]
         Action::Certificates(args) => args.run(),
         #[cfg(feature = "fleet")]
+        Action::Revoke(args) => args.run(),
+        #[cfg(feature = "fleet")]
         Action::Router(args) => args.run().await,
     }
 }
@@ -83,7 +88,7 @@ async fn list(station: &Station, as_json: bool) -> Result<(), Failure> {
         return Ok(output::json(&fleet)?);
     }
     for member in &fleet.members {
-        output::line(&line(member))?;
+        output::plain_line(&line(member))?;
     }
     Ok(())
 }
@@ -143,7 +148,7 @@ async fn stop(
         output::line(&format!("{} of {} stopped", stopped.len(), answers.len()))?;
         for it in &silent {
             let why = it.answer.body["detail"].as_str().unwrap_or("no answer");
-            output::line(&format!("{}: {why}", it.member))?;
+            output::plain_line(&format!("{}: {why}", it.member))?;
         }
     }
     if silent.is_empty() {

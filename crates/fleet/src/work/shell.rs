@@ -9,12 +9,11 @@ use dobot_api::{ApiAnswer, ApiRequest, Problem, WorkView};
 use dobot_station::{Members, NewWork, OFFERS, StationApi, WorkWish};
 use tokio::sync::oneshot;
 use tokio::task::{JoinError, JoinSet, spawn_blocking};
-use zenoh::Session;
 
 use super::engine::{Answer, Ask, What, Wish, Work};
 use super::kept::Kept;
 use super::ticket::{Place, Ticket};
-use crate::asking::ask_one;
+use crate::asking::{Way, ask_one};
 use crate::id::new_id;
 
 /// The work that was submitted to this station.
@@ -167,7 +166,7 @@ impl Working {
     /// Begins what is to be done now. Only where there is work to give it is asked who is there.
     pub(crate) fn go_on(
         &mut self,
-        session: Option<&Session>,
+        way: Option<&Way>,
         api: &StationApi,
         members: impl FnOnce() -> Members,
     ) {
@@ -197,14 +196,12 @@ impl Working {
                 }
                 Wish::Ask(ask) => {
                     let member = members.iter().find(|it| it.id == ask.member.id).cloned();
-                    let (session, api) = (session.cloned(), api.clone());
+                    let (way, api) = (way.cloned(), api.clone());
                     self.doing.spawn(async move {
                         let answer = match (request(&kept, &ask).await, member) {
-                            (Ok(request), Some(member)) => read(
-                                &ask_one(session.as_ref(), &api, &member, &request)
-                                    .await
-                                    .answer,
-                            ),
+                            (Ok(request), Some(member)) => {
+                                read(&ask_one(way.as_ref(), &api, &member, &request).await.answer)
+                            }
                             (Err(why), _) => Answer::Unclear(why),
                             (_, None) => Answer::Unclear("it is not there".into()),
                         };

@@ -2,11 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod strangers;
 mod together;
 mod virtual_arms;
 
 use std::net::TcpListener;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{LazyLock, Mutex};
 use std::time::Duration;
 
 use dobot_api::{
@@ -32,6 +34,18 @@ struct Desk {
 
 /// How long anything may take on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The authority of the person who runs these tests, for programs of this machine.
+static OWN: LazyLock<tempfile::TempDir> = LazyLock::new(|| tempfile::tempdir().unwrap());
+
+fn own_authority() -> PathBuf {
+    OWN.path().join("fleet-authority")
+}
+
+/// The credentials of a program of this machine.
+fn of_this_machine(name: &str) -> Credentials {
+    Credentials::local(&own_authority(), name).unwrap()
+}
 
 /// A port that nothing listens on.
 fn free_port() -> u16 {
@@ -73,7 +87,8 @@ impl Desk {
     ) -> Self {
         let station = Station::start(station_config(folder.path()));
         let station = station.await.unwrap();
-        let session = FleetSession::open(&[connect.into()], credentials.as_ref())
+        let credentials = credentials.unwrap_or_else(|| of_this_machine(name));
+        let session = FleetSession::open(&[connect.into()], &credentials)
             .await
             .unwrap();
         let config = fleet_config(name);
@@ -193,8 +208,8 @@ fn is_away(name: &str) -> impl Fn(&[Member]) -> bool {
 }
 
 async fn router(port: u16) -> (Router, String) {
-    let address = format!("tcp/127.0.0.1:{port}");
-    let router = Router::start(std::slice::from_ref(&address), None).await;
+    let address = format!("tls/127.0.0.1:{port}");
+    let router = Router::start(std::slice::from_ref(&address), &of_this_machine("router")).await;
     (router.unwrap(), address)
 }
 
@@ -360,7 +375,7 @@ async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
 #[tokio::test(flavor = "multi_thread")]
 async fn without_its_router_a_station_goes_on_and_finds_the_others_again() {
     let port = free_port();
-    let at = format!("tcp/127.0.0.1:{port}");
+    let at = format!("tls/127.0.0.1:{port}");
     let one = Desk::up("desk-1", &at, None).await;
     one.sees("itself, before there is a router", present(&["desk-1"]))
         .await;
@@ -435,9 +450,9 @@ async fn only_those_with_a_certificate_of_the_fleet_belong_to_it() {
     let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
     let [ours, strange] = folders.each_ref().map(|it| certificates(it.path()));
     let at = format!("tls/127.0.0.1:{}", free_port());
-    let router = Router::start(std::slice::from_ref(&at), Some(&ours[0])).await;
+    let router = Router::start(std::slice::from_ref(&at), &ours[0]).await;
     let router = router.unwrap();
-    let stranger = Desk::up("stranger", &at, Some(strange[1].clone())).await;
+    let stranger = Desk::up("desk-1", &at, Some(strange[1].clone())).await;
     let one = Desk::up("desk-1", &at, Some(ours[1].clone())).await;
     let two = Desk::up("desk-2", &at, Some(ours[2].clone())).await;
     one.sees("desk-2 and no stranger", present(&["desk-1", "desk-2"]))
@@ -465,12 +480,12 @@ async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
         (br#"{"method": "POST", "path": "/api/v1/lease"}"#, 403),
         (br#"{"method": "POST", "path": "/api/v1/stop"}"#, 200),
     ] {
-        let replies = stranger.get("dobot/1/desk-1/*/api").payload(payload).await;
+        let replies = stranger.get("dobot/2/desk-1/*/api").payload(payload).await;
         let answer = answer_of(&replies.unwrap()).await;
         assert_eq!(answer["status"], status, "{answer}");
     }
     // What is told under a name that nobody has is nobody's.
-    stranger.put("dobot/1/ghost/00/told", "{}").await.unwrap();
+    stranger.put("dobot/2/ghost/00/told", "{}").await.unwrap();
     let token = "dobot/alive/9/9.9.9/future/00112233445566778899aabbccddeeff";
     let _token = stranger.liveliness().declare_token(token).await.unwrap();
     let versions = |members: &[Member]| {
@@ -487,13 +502,36 @@ async fn what_is_no_request_is_answered_with_what_is_wrong_with_it() {
     router.end().await;
 }
 
-/// One who speaks Zenoh, and belongs to the fleet as any program of this machine does.
+/// One who speaks Zenoh, and belongs to the fleet as any program of this person does.
 async fn stranger(at: &str) -> zenoh::Session {
+    static NUMBER: Mutex<u32> = Mutex::new(0);
+    let folder = {
+        let mut number = NUMBER.lock().unwrap();
+        *number += 1;
+        // The authority is there before it makes this certificate.
+        drop(of_this_machine("stranger"));
+        let name = format!("stranger-{number}");
+        let holder = [name.parse().unwrap()];
+        Credentials::make(&own_authority(), &holder).unwrap();
+        own_authority().join(name)
+    };
     let mut config = zenoh::Config::default();
     config.insert_json5("mode", "\"client\"").unwrap();
     let endpoints = format!("[\"{at}\"]");
     config
         .insert_json5("connect/endpoints", &endpoints)
+        .unwrap();
+    for (key, file) in [
+        ("root_ca_certificate", "authority.pem"),
+        ("connect_certificate", "certificate.pem"),
+        ("connect_private_key", "key.pem"),
+    ] {
+        let path = json!(folder.join(file)).to_string();
+        let key = format!("transport/link/tls/{key}");
+        config.insert_json5(&key, &path).unwrap();
+    }
+    config
+        .insert_json5("transport/link/tls/enable_mtls", "true")
         .unwrap();
     zenoh::open(config).await.unwrap()
 }
@@ -507,7 +545,7 @@ async fn stranger_who_sees(name: &str, at: &str) -> zenoh::Session {
 
 /// Waits until a station is there: it declares what it answers first.
 async fn is_there(stranger: &zenoh::Session, name: &str) {
-    let key = format!("dobot/alive/*/*/{name}/*");
+    let key = format!("dobot/alive/*/*/{name}/**");
     let alive = stranger.liveliness().declare_subscriber(key).history(true);
     let alive = alive.await.unwrap();
     let came = timeout(PATIENCE, alive.recv_async()).await;
@@ -516,7 +554,7 @@ async fn is_there(stranger: &zenoh::Session, name: &str) {
 
 async fn stop_by(stranger: &zenoh::Session, name: &str) -> Value {
     let stop = br#"{"method": "POST", "path": "/api/v1/stop"}"#;
-    let key = format!("dobot/1/{name}/*/api");
+    let key = format!("dobot/2/{name}/*/api");
     let replies = stranger.get(key).payload(&stop[..]).await.unwrap();
     answer_of(&replies).await
 }
@@ -533,7 +571,7 @@ async fn a_station_that_waits_for_what_the_others_tell_is_stopped_meanwhile() {
     let (router, at) = router(free_port()).await;
     let stranger = stranger(&at).await;
     // Somebody who is asked what it is, and does not answer.
-    let silent = "dobot/1/silent/00112233445566778899aabbccddeeff/told";
+    let silent = "dobot/2/silent/00112233445566778899aabbccddeeff/told";
     let silent = stranger.declare_queryable(silent).await.unwrap();
     let is_stopped_first = async || {
         let one = Desk::up("desk-1", &at, None).await;
@@ -563,7 +601,7 @@ async fn a_station_that_waits_for_what_the_others_tell_is_stopped_meanwhile() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_request_that_is_too_large_is_told_so_and_a_stop_works_after_it() {
+async fn a_large_request_that_is_not_sealed_is_refused_and_a_stop_works_after_it() {
     let (router, at) = router(free_port()).await;
     let one = Desk::up("desk-1", &at, None).await;
     let stranger = stranger_who_sees("desk-1", &at).await;
@@ -572,9 +610,9 @@ async fn a_request_that_is_too_large_is_told_so_and_a_stop_works_after_it() {
         "body": {"title": "x".repeat(65 << 20)},
     });
     let large = serde_json::to_vec(&large).unwrap();
-    let asked = stranger.get("dobot/1/desk-1/*/api").payload(large);
+    let asked = stranger.get("dobot/2/desk-1/*/api").payload(large);
     let replies = asked.timeout(PATIENCE).await.unwrap();
-    assert_eq!(answer_of(&replies).await["status"], 413);
+    assert_eq!(answer_of(&replies).await["status"], 403);
     assert_eq!(stop_by(&stranger, "desk-1").await["status"], 200);
     one.end().await;
     stranger.close().await.unwrap();
@@ -588,7 +626,7 @@ async fn a_message_that_no_station_takes_reaches_none_and_a_stop_works_after_it(
     let stranger = stranger_who_sees("desk-1", &at).await;
     // More than the router and the stations take at all.
     let flood = stranger
-        .get("dobot/1/desk-1/*/api")
+        .get("dobot/2/desk-1/*/api")
         .payload(vec![b' '; 90 << 20]);
     let replies = flood.timeout(PATIENCE).await.unwrap();
     let other = stranger_who_sees("desk-1", &at).await;
@@ -653,7 +691,7 @@ async fn between_too_many_requests_a_stop_works() {
     let mut flood = Vec::new();
     for _ in 0..2000 {
         let state = br#"{"method": "GET", "path": "/api/v1/state"}"#;
-        let asked = stranger.get("dobot/1/desk-1/*/api").payload(&state[..]);
+        let asked = stranger.get("dobot/2/desk-1/*/api").payload(&state[..]);
         flood.push(asked.timeout(PATIENCE).await.unwrap());
     }
     let mut packets = one.station.handle().passed();

@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::net::TcpListener;
 use std::process::{Child, Command, Stdio};
 
-use dobot_fleet::Router;
+use dobot_fleet::{Credentials, Router};
 
 /// A router in a process of its own; it ends with this.
 #[derive(Debug)]
@@ -22,7 +22,7 @@ impl RouterProcess {
     pub(crate) fn start() -> Result<Self, Box<dyn Error + Send + Sync>> {
         // Free now; Zenoh does not tell which port it took by itself.
         let port = TcpListener::bind("127.0.0.1:0")?.local_addr()?.port();
-        let address = format!("tcp/127.0.0.1:{port}");
+        let address = format!("tls/127.0.0.1:{port}");
         let mut child = Command::new(std::env::current_exe()?)
             .args([WORD, &address])
             .stdin(Stdio::piped())
@@ -55,7 +55,8 @@ pub(crate) fn wanted() -> Option<String> {
 
 /// Runs the router until the other process ends.
 pub(crate) async fn serve(address: &str) -> Result<(), Box<dyn Error + Send + Sync>> {
-    let router = Router::start(&[address.to_owned()], None).await?;
+    let credentials = Credentials::of_person("router")?;
+    let router = Router::start(&[address.to_owned()], &credentials).await?;
     println!("{address}");
     let over = tokio::task::spawn_blocking(|| std::io::stdin().read_to_end(&mut Vec::new()));
     over.await??;

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_api::{ApiRequest, FleetView, Folders, MemberAbout, Role, StationAddress, fetch};
 use dobot_client::Address;
-use dobot_fleet::{Fleet, FleetConfig, FleetSession, own_id};
+use dobot_fleet::{Credentials, Fleet, FleetConfig, FleetSession, own_id};
 use dobot_rules::Client;
 use dobot_station::{Config, Station, Token, Tokens};
 use serde_json::json;
@@ -60,9 +60,12 @@ impl Stations {
         by_one_session: usize,
     ) -> Result<(), Box<dyn Error + Send + Sync>> {
         for desks in self.all.chunks_mut(by_one_session) {
-            let session = FleetSession::open(&[router.to_owned()], None).await?;
+            // They join as virtual arms that the first one gives.
+            let holder = desks[0].name.clone();
+            let credentials = Credentials::of_person(&holder)?;
+            let session = FleetSession::open(&[router.to_owned()], &credentials).await?;
             for desk in desks {
-                desk.join(&session).await?;
+                desk.join(&session, &holder).await?;
             }
         }
         Ok(())
@@ -156,12 +159,17 @@ impl Desk {
         })
     }
 
-    async fn join(&mut self, session: &FleetSession) -> Result<(), Box<dyn Error + Send + Sync>> {
+    async fn join(
+        &mut self,
+        session: &FleetSession,
+        holder: &str,
+    ) -> Result<(), Box<dyn Error + Send + Sync>> {
         let config = FleetConfig {
             name: self.name.clone(),
             about: MemberAbout {
                 groups: vec!["room-1".into()],
                 is_virtual: true,
+                given_by: (self.name != holder).then(|| holder.to_owned()),
                 ..MemberAbout::default()
             },
             work: Some(self.folders.fleet_work()),

@@ -206,7 +206,7 @@ impl<'a> Teller<'a> {
             return drop(output::json(said));
         }
         for line in self.lines(said) {
-            drop(output::line(&line));
+            drop(output::plain_line(&line));
         }
     }
 

@@ -113,7 +113,7 @@ impl WorkArgs {
         }
         for work in &all {
             for line in lines(work) {
-                output::line(&line)?;
+                output::plain_line(&line)?;
             }
         }
         Ok(())

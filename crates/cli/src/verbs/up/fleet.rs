@@ -9,8 +9,8 @@ use crate::failure::Failure;
 /// How a station joins a fleet.
 #[derive(Debug, Default, clap::Args)]
 pub(super) struct JoinArgs {
-    /// Join a fleet of stations under the first --name: those of this machine, or with the certificate in FOLDER those
-    /// of the network
+    /// Join a fleet of stations under the first --name: those of this person on this machine, or with the certificate in
+    /// FOLDER those of the network
     #[arg(long, value_name = "FOLDER", num_args = 0..=1, require_equals = true)]
     #[expect(
         clippy::option_option,
@@ -95,8 +95,14 @@ mod joined {
                 work: Some(folders.fleet_work()),
             };
             let id = own_id(&folders.fleet_id())?;
-            let credentials = credentials.as_deref().map(Credentials::read).transpose()?;
-            let session = FleetSession::open(&self.connect, credentials.as_ref()).await?;
+            let credentials = match credentials {
+                Some(folder) => Credentials::read(folder)?,
+                None => Credentials::of_person(&config.name)?,
+            };
+            if let Some(warning) = credentials.warning() {
+                station.handle().tell_trouble(warning);
+            }
+            let session = FleetSession::open(&self.connect, &credentials).await?;
             let fleet = Fleet::join(&session, &config, &id, station.api()).await?;
             let name = config.name.clone();
             let arms = self.virtual_arms.map(|most| {

@@ -1,0 +1,249 @@
+//! Those who belong to the fleet, or do not any more, and want what is not theirs.
+
+use std::sync::Arc;
+
+use zenoh::query::Query;
+
+use super::*;
+
+/// A member of the fleet that answers for all others, and keeps what it is asked.
+struct Thief {
+    session: zenoh::Session,
+    heard: Arc<Mutex<Vec<(String, Vec<u8>)>>>,
+}
+
+impl Thief {
+    async fn come(at: &str) -> Self {
+        let session = stranger_who_sees("desk-2", at).await;
+        let heard = Arc::<Mutex<Vec<_>>>::default();
+        let hears = heard.clone();
+        let answers = move |query: Query| {
+            let payload = query.payload().map(|it| it.to_bytes().into_owned());
+            let key = query.key_expr().as_str().to_owned();
+            hears
+                .lock()
+                .unwrap()
+                .push((key, payload.unwrap_or_default()));
+            let forged = json!({"status": 200, "body": "forged"}).to_string();
+            // With a signature that is none.
+            let reply = query.reply(query.key_expr(), forged).attachment([0; 64]);
+            zenoh::Wait::wait(reply).unwrap();
+        };
+        for key in ["dobot/**/api", "dobot/**/sealed"] {
+            let answers = session.declare_queryable(key).callback(answers.clone());
+            answers.background().await.unwrap();
+        }
+        Self { session, heard }
+    }
+
+    fn heard(&self) -> Vec<(String, Vec<u8>)> {
+        self.heard.lock().unwrap().clone()
+    }
+}
+
+async fn two_desks(at: &str) -> [Desk; 2] {
+    let one = Desk::up("desk-1", at, None).await;
+    let two = Desk::up("desk-2", at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    [one, two]
+}
+
+/// Lets the token of one desk be accepted by the other.
+fn accept(one: &Desk, two: &Desk) -> String {
+    let token = dobot_station::Token::of_secret(&one.admin()).unwrap();
+    let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
+    tokens.accept(Role::Admin, "teacher", &token).unwrap();
+    token.secret().to_owned()
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_count() {
+    let (router, at) = router(free_port()).await;
+    let [one, two] = two_desks(&at).await;
+    let token = accept(&one, &two);
+    let thief = Thief::come(&at).await;
+    let to_two = |method: &str, path: &str| json!({"to": {"members": ["desk-2"]}, "method": method, "path": path});
+    // Until its queryables are known everywhere it hears nothing.
+    let mut tries = 0;
+    while thief.heard().is_empty() {
+        let answers = one.all_as(None, to_two("GET", "/healthz")).await;
+        assert_eq!(answers[0].answer.body, json!("ok\n"), "{answers:?}");
+        tries += 1;
+        assert!(tries < 1000, "the thief is asked nothing");
+    }
+    let lease = to_two("POST", "/api/v1/lease");
+    let answers = one.all_as(Some(token.clone()), lease).await;
+    assert_eq!(answers[0].answer.status, 200, "{answers:?}");
+    let control = answers[0].answer.body["token"].as_str().unwrap().to_owned();
+    let stopped = one.stop_all().await;
+    assert!(
+        stopped.iter().all(|it| it.answer.is_success()),
+        "{stopped:?}"
+    );
+    assert!(
+        stopped.iter().all(|it| it.answer.body != json!("forged")),
+        "{stopped:?}"
+    );
+    let heard = thief.heard();
+    assert!(
+        heard.iter().any(|(key, _)| key.ends_with("/sealed")),
+        "{heard:?}"
+    );
+    for secret in [&token, &control] {
+        let reads = |text: &[u8]| text.windows(secret.len()).any(|it| it == secret.as_bytes());
+        assert!(!heard.iter().any(|(_, payload)| reads(payload)));
+    }
+    // What was heard does nothing when it is sent again.
+    for (key, payload) in heard.into_iter().filter(|(_, it)| it.len() > 32) {
+        if !key.ends_with("/sealed") {
+            continue;
+        }
+        let again = thief.session.get(&key).payload(payload);
+        let replies = again.timeout(Duration::from_secs(5)).await.unwrap();
+        while let Ok(reply) = replies.recv_async().await {
+            if let Ok(sample) = reply.result() {
+                let answer = sample.payload().to_bytes();
+                assert!(answer.ends_with(b"\"forged\"}"), "{answer:?}");
+            }
+        }
+    }
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    thief.session.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn where_only_somebody_else_answers_a_station_is_not_said_to_be_stopped() {
+    let (router, at) = router(free_port()).await;
+    let [one, two] = two_desks(&at).await;
+    let thief = Thief::come(&at).await;
+    two.end().await;
+    one.sees("that desk-2 is away", is_away("desk-2")).await;
+    let stopped = one.stop_all().await;
+    let two = stopped.iter().find(|it| it.member == "desk-2").unwrap();
+    assert_eq!(two.answer.status, 503, "{stopped:?}");
+    let detail = two.answer.body["detail"].as_str().unwrap();
+    assert!(detail.contains("it has not signed"), "{detail}");
+    one.end().await;
+    thief.session.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn what_a_member_tells_in_the_name_of_another_one_is_not_shown() {
+    let (router, at) = router(free_port()).await;
+    let [one, two] = two_desks(&at).await;
+    let members = one.members().await;
+    let desk = members.iter().find(|it| it.name == "desk-2").unwrap();
+    let key = format!("dobot/2/desk-2/{}/told", desk.id);
+    let mut about = desk.about.clone().unwrap();
+    about.groups = vec!["forged".into()];
+    about.page = Some("javascript:alert(1)".into());
+    let forged = json!({"about": about, "state": desk.state}).to_string();
+    let stranger = stranger_who_sees("desk-2", &at).await;
+    let (asked, mut is_asked) = tokio::sync::watch::channel(0);
+    let answer = forged.clone();
+    let answers = move |query: Query| {
+        asked.send_modify(|it| *it += 1);
+        let key = query.key_expr().clone();
+        // The asker takes what belongs to its question.
+        let reply = query.reply(key, answer.clone()).attachment([1; 72]);
+        drop(zenoh::Wait::wait(reply));
+    };
+    let answers = stranger.declare_queryable(&key).callback(answers);
+    answers.background().await.unwrap();
+    let asks = async {
+        while *is_asked.borrow_and_update() < 3 {
+            stranger
+                .put(&key, forged.as_str())
+                .attachment([1; 72])
+                .await
+                .unwrap();
+            let members = one.members().await;
+            assert!(!format!("{members:?}").contains("forged"), "{members:#?}");
+        }
+    };
+    timeout(PATIENCE, asks).await.unwrap();
+    two.ask("POST", "/api/v1/stop", None).await;
+    let is_stopped = |members: &[Member]| {
+        let desk = members.iter().find(|it| it.name == "desk-2").unwrap();
+        desk.state.as_ref().unwrap().stop.is_some()
+    };
+    one.sees("that desk-2 is stopped", is_stopped).await;
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    stranger.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn five_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping() {
+    let (router, at) = router(free_port()).await;
+    let [one, two] = two_desks(&at).await;
+    let stranger = stranger_who_sees("desk-2", &at).await;
+    // Somebody in the place of desk-2 among them, signed by nobody.
+    let fakes = (0..5000)
+        .map(|it| format!("fake-{it}"))
+        .chain(["desk-2".into()]);
+    let mut tokens = Vec::new();
+    for name in fakes {
+        let key = format!("dobot/alive/2/0.1.0/{name}/{}/9/AAAA", "f".repeat(32));
+        tokens.push(stranger.liveliness().declare_token(key).await.unwrap());
+    }
+    // One of another version comes after them: they are heard of.
+    let last = format!("dobot/alive/9/9.9.9/last/{}", "e".repeat(32));
+    tokens.push(stranger.liveliness().declare_token(last).await.unwrap());
+    let has_last = |members: &[Member]| members.iter().any(|it| it.name == "last");
+    one.sees("the last one", has_last).await;
+    let names: Vec<_> = one.members().await.into_iter().map(|it| it.name).collect();
+    assert_eq!(names, ["desk-1", "desk-2", "last"]);
+    let asked = json!({"to": {"members": ["desk-2"]}, "method": "GET", "path": "/healthz"});
+    let answers = one.all_as(None, asked).await;
+    assert_eq!(answers.len(), 1);
+    assert_eq!(answers[0].answer.status, 200, "{answers:?}");
+    let stopped = one.stop_all().await;
+    let has_stopped = |name: &str| {
+        let it = stopped.iter().find(|it| it.member == name).unwrap();
+        it.answer.is_success()
+    };
+    assert!(
+        has_stopped("desk-1") && has_stopped("desk-2"),
+        "{stopped:?}"
+    );
+    for desk in [one, two] {
+        desk.end().await;
+    }
+    stranger.close().await.unwrap();
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn whoever_has_a_revoked_certificate_neither_sees_nor_stops_anybody() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = format!("tls/127.0.0.1:{}", free_port());
+    // A copy on a stick that was lost.
+    let stick = certificates(folder.path()).remove(2);
+    Credentials::revoke(folder.path(), "desk-2").unwrap();
+    let again = Credentials::make(folder.path(), &["desk-2".parse().unwrap()]).unwrap();
+    let of = |name: &str| Credentials::read(&folder.path().join(name)).unwrap();
+    let router = Router::start(std::slice::from_ref(&at), &of("router")).await;
+    let router = router.unwrap();
+    let one = Desk::up("desk-1", &at, Some(of("desk-1"))).await;
+    let lost = Desk::up("desk-2", &at, Some(stick)).await;
+    let two = Desk::up("desk-2", &at, Some(again[0].clone())).await;
+    one.sees("the new desk-2 only", present(&["desk-1", "desk-2"]))
+        .await;
+    let seen = lost.members().await;
+    assert_eq!(seen.len(), 1, "{seen:?}");
+    let stopped = lost.stop_all().await;
+    assert_eq!(stopped.len(), 1, "{stopped:?}");
+    let (_, state) = two.ask("GET", "/api/v1/state", None).await;
+    assert!(state["stop"].is_null(), "{state}");
+    for desk in [one, two, lost] {
+        desk.end().await;
+    }
+    router.end().await;
+}
