@@ -21,6 +21,7 @@ use dobot_trajectory::LASER_OFF;
 use serde_json::{Value, json};
 use tokio::time::{interval, timeout};
 use zenoh::handlers::FifoChannelHandler;
+use zenoh::qos::Priority;
 use zenoh::query::Reply;
 
 /// A station, and its place in its fleet.
@@ -555,8 +556,10 @@ async fn is_there(stranger: &zenoh::Session, name: &str) {
 async fn stop_by(stranger: &zenoh::Session, name: &str) -> Value {
     let stop = br#"{"method": "POST", "path": "/api/v1/stop"}"#;
     let key = format!("dobot/2/{name}/*/api");
-    let replies = stranger.get(key).payload(&stop[..]).await.unwrap();
-    answer_of(&replies).await
+    // As stations ask for it: before all else that is on its way.
+    let asked = stranger.get(key).payload(&stop[..]).timeout(PATIENCE);
+    let asked = asked.priority(Priority::RealTime).express(true);
+    answer_of(&asked.await.unwrap()).await
 }
 
 async fn answer_of(replies: &FifoChannelHandler<Reply>) -> Value {

@@ -36,9 +36,24 @@ impl Thief {
         Self { session, heard }
     }
 
+    /// Waits until it hears what is asked of desk-2; meanwhile its answers do not count.
+    async fn hears(&self, one: &Desk) {
+        let hears = async {
+            while self.heard().is_empty() {
+                let answers = one.all_as(None, to_two("GET", "/healthz")).await;
+                assert_eq!(answers[0].answer.body, json!("ok\n"), "{answers:?}");
+            }
+        };
+        timeout(PATIENCE, hears).await.unwrap();
+    }
+
     fn heard(&self) -> Vec<(String, Vec<u8>)> {
         self.heard.lock().unwrap().clone()
     }
+}
+
+fn to_two(method: &str, path: &str) -> Value {
+    json!({"to": {"members": ["desk-2"]}, "method": method, "path": path})
 }
 
 async fn two_desks(at: &str) -> [Desk; 2] {
@@ -62,15 +77,7 @@ async fn a_member_that_answers_for_others_reads_no_token_and_its_answers_do_not_
     let [one, two] = two_desks(&at).await;
     let token = accept(&one, &two);
     let thief = Thief::come(&at).await;
-    let to_two = |method: &str, path: &str| json!({"to": {"members": ["desk-2"]}, "method": method, "path": path});
-    // Until its queryables are known everywhere it hears nothing.
-    let mut tries = 0;
-    while thief.heard().is_empty() {
-        let answers = one.all_as(None, to_two("GET", "/healthz")).await;
-        assert_eq!(answers[0].answer.body, json!("ok\n"), "{answers:?}");
-        tries += 1;
-        assert!(tries < 1000, "the thief is asked nothing");
-    }
+    thief.hears(&one).await;
     let lease = to_two("POST", "/api/v1/lease");
     let answers = one.all_as(Some(token.clone()), lease).await;
     assert_eq!(answers[0].answer.status, 200, "{answers:?}");
@@ -119,6 +126,7 @@ async fn where_only_somebody_else_answers_a_station_is_not_said_to_be_stopped() 
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let thief = Thief::come(&at).await;
+    thief.hears(&one).await;
     two.end().await;
     one.sees("that desk-2 is away", is_away("desk-2")).await;
     let stopped = one.stop_all().await;
@@ -143,29 +151,19 @@ async fn what_a_member_tells_in_the_name_of_another_one_is_not_shown() {
     about.page = Some("javascript:alert(1)".into());
     let forged = json!({"about": about, "state": desk.state}).to_string();
     let stranger = stranger_who_sees("desk-2", &at).await;
-    let (asked, mut is_asked) = tokio::sync::watch::channel(0);
-    let answer = forged.clone();
+    let (as_two, answer) = (key.clone(), forged.clone());
     let answers = move |query: Query| {
-        asked.send_modify(|it| *it += 1);
-        let key = query.key_expr().clone();
-        // The asker takes what belongs to its question.
-        let reply = query.reply(key, answer.clone()).attachment([1; 72]);
-        drop(zenoh::Wait::wait(reply));
+        let reply = query.reply(&as_two, answer.clone());
+        drop(zenoh::Wait::wait(reply.attachment([1; 72])));
     };
     let answers = stranger.declare_queryable(&key).callback(answers);
     answers.background().await.unwrap();
-    let asks = async {
-        while *is_asked.borrow_and_update() < 3 {
-            stranger
-                .put(&key, forged.as_str())
-                .attachment([1; 72])
-                .await
-                .unwrap();
-            let members = one.members().await;
-            assert!(!format!("{members:?}").contains("forged"), "{members:#?}");
-        }
-    };
-    timeout(PATIENCE, asks).await.unwrap();
+    for _ in 0..20 {
+        let told = stranger.put(&key, forged.as_str()).attachment([1; 72]);
+        told.await.unwrap();
+        let members = one.members().await;
+        assert!(!format!("{members:?}").contains("forged"), "{members:#?}");
+    }
     two.ask("POST", "/api/v1/stop", None).await;
     let is_stopped = |members: &[Member]| {
         let desk = members.iter().find(|it| it.name == "desk-2").unwrap();
@@ -180,12 +178,12 @@ async fn what_a_member_tells_in_the_name_of_another_one_is_not_shown() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn five_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping() {
+async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping() {
     let (router, at) = router(free_port()).await;
     let [one, two] = two_desks(&at).await;
     let stranger = stranger_who_sees("desk-2", &at).await;
     // Somebody in the place of desk-2 among them, signed by nobody.
-    let fakes = (0..5000)
+    let fakes = (0..1000)
         .map(|it| format!("fake-{it}"))
         .chain(["desk-2".into()]);
     let mut tokens = Vec::new();
