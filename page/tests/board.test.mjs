@@ -185,8 +185,10 @@ test("where the fleet cannot be asked, the arm of this station is stopped at lea
   const answer = ({ path }) => (path === "/api/v1/fleet/stop" ? { status: 503, body: ending } : undefined);
   const { page, station } = await open([member("desk-1", { here: true })], { answer });
   await page.waitForSelector(".tile");
+  const stopped = page.waitForResponse((it) => new URL(it.url()).pathname === "/api/v1/stop");
   await page.click("#stop");
   await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("The station leaves its fleet."));
+  await stopped;
   assert.equal(asked(station, "/api/v1/stop").length, 1);
 });
 

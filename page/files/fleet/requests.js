@@ -87,10 +87,13 @@ export function createRequests(store, http) {
     /** Stops several arms; each press asks anew. @param {Recipients} to */
     async stop(to) {
       const reason = `pressed on the board of ${store.page.name || "a fleet"}`;
-      const answers = await told("stop", to, () => http.stop("api/v1/fleet/stop", { to, reason }));
-      // Where the fleet cannot be asked, the arm of this station stops at least.
       const own = store.page.members.find(({ here }) => here);
-      if (answers.length === 0 && (!own || isMeant(to, own))) void http.stop("api/v1/stop", { reason });
+      await told("stop", to, async () => {
+        const outcome = await http.stop("api/v1/fleet/stop", { to, reason });
+        // Where the fleet cannot be asked, the arm of this station stops at least, before anything is said about it.
+        if (!outcome.value?.length && (!own || isMeant(to, own))) void http.stop("api/v1/stop", { reason });
+        return outcome;
+      });
     },
 
     /** A person has looked. @param {Recipients} to */
