@@ -179,6 +179,16 @@ impl VirtualStation {
         Ok(())
     }
 
+    /// The station does nothing more, and its guardian sends these packets, each a gap after the one before: for a
+    /// station that is then killed by [`VirtualStation::crash`].
+    pub fn guard(&mut self, packets: &[Packet]) {
+        for packet in packets {
+            self.now += GUARDIAN_GAP;
+            self.arm.handle_time(self.now);
+            self.arm.handle_bytes(self.now, &packet.to_bytes());
+        }
+    }
+
     /// The pose is not to be trusted until a person confirms it, as when the port of a real arm is opened.
     pub fn distrust(&mut self, reason: &str) {
         self.supervisor.distrust(reason);
@@ -550,5 +560,7 @@ impl VirtualStation {
     }
 }
 
+/// Between two packets of a guardian.
+const GUARDIAN_GAP: Duration = Duration::from_millis(60);
 /// A disk that takes longer has failed.
 const PATIENCE: Duration = Duration::from_secs(10);

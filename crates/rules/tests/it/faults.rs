@@ -1,6 +1,8 @@
 //! Everything that can go wrong, a few times each: the example `reliability` does it thousands of times.
 
-use crate::cases::{cables, clients, disks, floods, fuzz, guardians, kills, lines, stands, stops};
+use crate::cases::{
+    cables, clients, disks, floods, fuzz, guardians, kills, lines, sessions, stands, stops,
+};
 
 /// Fails with the first thing that should not be, and says how many there are.
 fn right(wrong: &[String]) {
@@ -109,4 +111,12 @@ fn an_arm_is_never_lost_whatever_it_is_asked() {
     let it = fuzz::run(0, 200);
     right(&it.wrong);
     assert!(it.taken > it.requests / 5 && it.packets > 10_000, "{it:?}");
+}
+
+#[test]
+fn whatever_goes_wrong_one_after_the_other_the_arm_rests_dark_and_nothing_false_was_said() {
+    let it = sessions::run(60);
+    right(&it.wrong);
+    assert!(it.times == 60 && it.incidents > 100, "{it:?}");
+    assert!(it.jobs > 5 && it.undelivered > 0, "{it:?}");
 }

@@ -240,7 +240,7 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
 }
 
 /// What the guardian knows: of every packet before it leaves.
-fn told(scene: &Scene) -> Hazards {
+pub(super) fn told(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
     let packets = scene.it.packets().iter();
     packets

@@ -24,6 +24,7 @@ pub(crate) mod light;
 pub(crate) mod lines;
 pub(crate) mod paper;
 pub(crate) mod scene;
+pub(crate) mod sessions;
 pub(crate) mod spread;
 pub(crate) mod stands;
 pub(crate) mod stops;
