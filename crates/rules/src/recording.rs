@@ -282,6 +282,7 @@ mod tests {
                 on: false,
             },
             job: None,
+            jobs_missing: None,
             clients: 1,
         }
     }
