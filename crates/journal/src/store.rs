@@ -1,7 +1,7 @@
 //! The file below the journal: opened, made, locked, and opened again after a failure.
 
 use std::fmt;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
@@ -186,13 +186,17 @@ fn draft(path: &Path) -> PathBuf {
 }
 
 fn open_draft(draft: &Path) -> Result<Database, DatabaseError> {
-    let file = File::options()
-        .read(true)
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(draft)?;
+    let file = private().read(true).open(draft)?;
     builder().create_with_backend(FileBackend::new(file)?)
+}
+
+/// To write a file that is made for its owner alone; what is in it stays.
+pub(crate) fn private() -> OpenOptions {
+    let mut options = File::options();
+    options.write(true).create(true).truncate(false);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options
 }
 
 /// A new name is lost in a power cut until its folder is on the disk.

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
+use crate::store::private;
+
 /// The file beside a journal in which the number of its last write stands twice.
 ///
 /// The database falls back to the write before where its newest one is damaged, and cannot tell; this file can. It is
@@ -40,12 +42,7 @@ impl WriteCount {
     /// Notes the number of a write that is on the disk.
     pub(crate) fn note(&mut self, count: u64) {
         if self.file.is_none() {
-            let options = File::options()
-                .write(true)
-                .create(true)
-                .truncate(false)
-                .open(&self.path);
-            self.file = options.ok();
+            self.file = private().open(&self.path).ok();
         }
         let line = format!("{count:020} {count:020}\n");
         let written = self.file.as_mut().map(|it| {

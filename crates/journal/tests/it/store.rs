@@ -57,6 +57,21 @@ fn only_the_journal_and_the_count_of_its_writes_are_left_in_its_folder() {
     drop(journal);
 }
 
+#[cfg(unix)]
+#[test]
+fn nobody_else_reads_the_jobs() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = tempfile::tempdir().unwrap();
+    let _journal = Journal::open(&folder.path().join("journal.redb")).unwrap();
+    for file in ["journal.redb", "journal.redb.writes"] {
+        let mode = fs::metadata(folder.path().join(file))
+            .unwrap()
+            .permissions();
+        assert_eq!(mode.mode() & 0o777, 0o600, "{file}");
+    }
+}
+
 #[test]
 fn a_program_that_said_good_bye_is_told_from_one_that_crashed() {
     let folder = tempfile::tempdir().unwrap();
