@@ -80,39 +80,6 @@ fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
     }
 }
 
-#[test]
-fn a_press_that_waits_is_sent_with_the_status_that_shows_the_arm_at_rest() {
-    for personality in Personality::ALL {
-        for after_ms in (0..80).step_by(10) {
-            let (mut it, anna) = at_hand(personality);
-            it.leave(anna);
-            let program = it.client("a raw program");
-            let dialect = personality.dialect();
-            let say = |it: &mut VirtualStation, jog: Jog| {
-                let packet = jog.command().emit(&dialect);
-                it.send_raw(program, &packet).unwrap();
-            };
-            say(&mut it, joint(JointJogAxis::BasePlus));
-            it.run_for(Duration::from_millis(500 + after_ms));
-            say(&mut it, joint(JointJogAxis::Released));
-            it.run_for(Duration::from_millis(50));
-            say(&mut it, joint(JointJogAxis::RearPlus));
-            let before = it.packets().len();
-            let rests = |it: &VirtualStation| !it.supervisor().state().arm.unwrap().moving;
-            let latest = it.now() + Duration::from_secs(2);
-            assert!(it.run_until(latest, rests));
-            let seen = it.now();
-            it.run_for(Duration::from_millis(10));
-            let told = pressed(&it, before);
-            let acts = told.iter().find(|(_, it)| it.is_some());
-            assert!(
-                acts.is_some(),
-                "{personality}, {after_ms}: {seen:?}, {told:?}"
-            );
-        }
-    }
-}
-
 /// The notices of presses of which the arm was never told.
 fn lost_presses(it: &VirtualStation) -> usize {
     let is_lost = |text: &str| text.contains("before the arm could be told, so nothing moved");
