@@ -1367,6 +1367,8 @@ export interface components {
             laser: components["schemas"]["LaserView"];
             /** @description The job that runs or is paused. */
             job?: components["schemas"]["JobView"] | null;
+            /** @description What is missing of the kept jobs and what to do, if the file in which they are kept was damaged. */
+            jobs_missing?: string | null;
             /**
              * Format: uint
              * @description How many clients are connected.

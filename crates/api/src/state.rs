@@ -38,6 +38,9 @@ pub struct State {
     pub laser: LaserView,
     /// The job that runs or is paused.
     pub job: Option<JobView>,
+    /// What is missing of the kept jobs and what to do, if the file in which they are kept was damaged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub jobs_missing: Option<String>,
     /// How many clients are connected.
     pub clients: usize,
 }

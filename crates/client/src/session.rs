@@ -148,8 +148,10 @@ impl Session {
     /// [`SendError::Undecided`] where its meaning depends on a dialect that nobody has told,
     /// [`SendError::Invalid`] where a value breaks its table, [`SendError::Untrusted`] where it moves
     /// an arm whose pose is not trusted, [`SendError::OnTheSpot`] where a stock arm would lose its
-    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed. Nothing is sent
-    /// then.
+    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed,
+    /// [`SendError::Misheard`] for voice to a stock arm over Bluetooth. Nothing is sent then.
+    ///
+    /// Voice waits until the arm was seen at rest (note N50).
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
         let plan = self.planned(&command)?;
@@ -175,6 +177,9 @@ impl Session {
         self.check_laser(command)?;
         if !self.is_trusted() && moves(command) {
             return Err(SendError::Untrusted);
+        }
+        if matches!(command, Command::Voice(_)) && self.is_bluetooth() {
+            return Err(SendError::Misheard);
         }
         self.packet(command)?;
         let plan = self.belief.plan(command);
@@ -448,6 +453,7 @@ impl Session {
         };
         let waits = self.would_hide_a_reset()
             || self.waits_for_the_port(&next.command)
+            || self.speaks_too_early(&next.command)
             || self.belief.waits_for_place();
         if waits {
             return;
@@ -498,16 +504,20 @@ impl Session {
 
     /// Whether the next command has to wait because of the port that the arm serves: a joint jog until
     /// that is known, since its axes depend on it; over Bluetooth all while the queue may be full, since
-    /// messages tell nothing of its room, and a voice order while the arm moves, which it would cut
-    /// into (notes N38 and N50).
+    /// messages tell nothing of its room (note N38).
     fn waits_for_the_port(&self, command: &Command) -> bool {
         if !self.is_bluetooth() {
             let exchanged = |jog: &JointJog| jog.over_bluetooth() != *jog;
             return !self.scheme.is_known()
                 && matches!(command, Command::JointJog(jog) if exchanged(jog));
         }
-        let says = matches!(command, Command::Voice(_));
-        self.may_be_full() || says && !self.belief.is_at_rest()
+        self.may_be_full()
+    }
+
+    /// Whether the next command is voice, and the arm was not seen at rest: an arm that moves would go
+    /// on for ever with the pulses of the last tick, or lose its place (note N50).
+    fn speaks_too_early(&self, command: &Command) -> bool {
+        matches!(command, Command::Voice(_)) && !self.belief.was_seen_at_rest()
     }
 
     /// A release as the one of the button that was sent last, whichever kind it was given as.

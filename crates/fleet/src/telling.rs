@@ -91,6 +91,7 @@ pub(crate) mod tests {
                 on: false,
             },
             job: None,
+            jobs_missing: None,
             clients: 0,
         }
     }

@@ -132,6 +132,10 @@ impl Driver {
     ///
     /// Why not, in one line.
     pub(crate) fn recover(&mut self) -> Result<(), String> {
+        if let Some(text) = self.jobs.missing() {
+            let now = self.now();
+            self.supervisor.handle_jobs_missing(now, text);
+        }
         let interrupted = self.jobs.interrupted().map_err(|error| error.to_string())?;
         let Some(job) = interrupted else {
             return Ok(());

@@ -85,6 +85,17 @@ impl Jobs {
         self.policy = Arc::new(policy.clone());
     }
 
+    /// What is missing of the jobs because the journal was damaged, and what to do, in one line.
+    pub(crate) fn missing(&self) -> Option<String> {
+        let missing = self.journal.missing_writes();
+        (missing > 0).then(|| {
+            let writes = if missing == 1 { "write" } else { "writes" };
+            format!(
+                "the journal was damaged, and is {missing} {writes} behind: the last queued jobs may be missing; look through `dobot jobs`, and submit again what is not there"
+            )
+        })
+    }
+
     /// The job that was at work when the station ended without saying so.
     pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
         let jobs = self.journal.jobs()?;

@@ -58,6 +58,7 @@ mod kept_stop;
 mod known_arms;
 mod planned_for;
 mod predict;
+pub mod priority;
 mod recording;
 mod refusal;
 mod service_manager;

@@ -73,6 +73,8 @@ pub struct Supervisor {
     confirmed_job: Option<u64>,
     /// Why nobody would stop the arm if the station were killed.
     unguarded: Option<String>,
+    /// What is missing of the kept jobs.
+    jobs_missing: Option<String>,
     save: Save,
     outbox: Outbox,
 }
@@ -94,6 +96,7 @@ impl Supervisor {
             run: None,
             confirmed_job: None,
             unguarded: None,
+            jobs_missing: None,
             save: Save::default(),
             outbox: Outbox::new(),
         }
@@ -103,6 +106,12 @@ impl Supervisor {
     pub fn handle_trouble(&mut self, now: Duration, text: String) {
         self.handle_time(now);
         self.notify(News::Trouble, text);
+    }
+
+    /// Takes that kept jobs are missing, in one line: all who watch are told, now and with each state.
+    pub fn handle_jobs_missing(&mut self, now: Duration, text: String) {
+        self.handle_trouble(now, text.clone());
+        self.jobs_missing = Some(text);
     }
 
     /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
@@ -286,6 +295,7 @@ impl Supervisor {
             stop: self.stop.view(),
             laser: self.arm.laser_view(),
             job: self.job(),
+            jobs_missing: self.jobs_missing.clone(),
             clients: self.leases.clients(),
         }
     }

@@ -77,6 +77,7 @@ pub(crate) fn state(at_s: f64) -> State {
             on: false,
         },
         job: Some(job(7)),
+        jobs_missing: None,
         clients: 1,
     }
 }

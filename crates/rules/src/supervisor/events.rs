@@ -39,6 +39,8 @@ impl Supervisor {
         self.handle_time(now);
         self.arm.handle_bytes(bytes);
         self.follow_session();
+        // The status that shows the arm at rest has the permit for the press that waits for it.
+        self.watch_press();
         self.pump();
     }
 
@@ -229,11 +231,13 @@ impl Supervisor {
         }
     }
 
-    /// Forgets the commands that have not been sent.
-    pub(super) fn drop_waiting(&mut self, why: &str) {
-        for id in self.arm.session_mut().forget_waiting() {
-            self.command_forgotten(id, why);
+    /// Forgets the commands that have not been sent; says which they were.
+    pub(super) fn drop_waiting(&mut self, why: &str) -> Vec<CommandId> {
+        let forgotten = self.arm.session_mut().forget_waiting();
+        for id in &forgotten {
+            self.command_forgotten(*id, why);
         }
+        forgotten
     }
 
     /// The commands that are not over, of clients and of the job.
