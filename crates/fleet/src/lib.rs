@@ -40,6 +40,7 @@
 //! | `dobot/alive/1/VERSION/NAME/ID` | a liveliness token for as long as the station is there |
 //! | `dobot/1/NAME/ID/told` | published, and answered when asked: `{"about": MemberAbout, "state": State}` |
 //! | `dobot/1/NAME/ID/api` | answers an [`ApiRequest`](dobot_api::ApiRequest) with an [`ApiAnswer`](dobot_api::ApiAnswer) |
+//! | `dobot/1/NAME/ID/stops` | takes the stops of the fleet that the sender knows, and answers with its own: lists of [`FleetWideStop`](dobot_api::FleetWideStop) |
 //!
 //! `1` is the version of these messages ([`MESSAGES`]), `VERSION` that of the program.
 
@@ -53,6 +54,7 @@ mod network;
 mod roster;
 mod router;
 mod session;
+mod stops;
 mod telling;
 pub mod together;
 mod virtual_arms;

@@ -14,7 +14,7 @@ use zenoh::query::{ConsolidationMode, Query, QueryTarget, Queryable};
 use zenoh::sample::Sample;
 use zenoh::{Session, Wait};
 
-use crate::keys::{ALL_ALIVE, API, Alive, MESSAGES, MemberKey, TOLD, of_all};
+use crate::keys::{ALL_ALIVE, API, Alive, MESSAGES, MemberKey, STOPS, TOLD, of_all};
 use crate::session::FleetSession;
 use crate::{FleetError, telling};
 
@@ -24,6 +24,8 @@ pub(crate) struct Network {
     /// Who came and went. Nobody waits for this station to hear it: others of this program may join by the same session.
     lives: mpsc::UnboundedReceiver<Sample>,
     asked: Queryable<FifoChannelHandler<Query>>,
+    /// Who tells which stops of the fleet there are.
+    stops: Queryable<FifoChannelHandler<Query>>,
     /// What the others tell, while somebody looks.
     others: Option<Others>,
     /// What this station tells.
@@ -39,6 +41,7 @@ pub(crate) type Opening = Pin<Box<dyn Future<Output = Result<Network, FleetError
 pub(crate) enum Incoming {
     Life(Sample),
     Asked(Query),
+    Stops(Query),
     Told(Sample),
 }
 
@@ -74,6 +77,7 @@ impl Network {
         // One that has left hears nothing more.
         let alive = alive.callback(move |it| drop(tells.send(it))).await?;
         let asked = session.declare_queryable(own.resource(API)).await?;
+        let stops = session.declare_queryable(own.resource(STOPS)).await?;
         let told = session.declare_queryable(own.resource(TOLD));
         let told = told
             .callback(answers(own.resource(TOLD), about, handle))
@@ -84,6 +88,7 @@ impl Network {
             session,
             lives,
             asked,
+            stops,
             others: None,
             telling,
             declared: (token, told, alive),
@@ -98,6 +103,7 @@ impl Network {
     /// What comes next.
     async fn next(&mut self) -> Incoming {
         tokio::select! {
+            Ok(query) = self.stops.recv_async() => Incoming::Stops(query),
             Some(sample) = self.lives.recv() => Incoming::Life(sample),
             Ok(query) = self.asked.recv_async() => Incoming::Asked(query),
             Ok(sample) = told(self.others.as_ref()) => Incoming::Told(sample),

@@ -11,6 +11,7 @@ use crate::{Credentials, FleetError, config};
 #[derive(Clone, Debug)]
 pub struct FleetSession {
     opened: watch::Receiver<Option<Result<Session, String>>>,
+    is_on_one_machine: bool,
 }
 
 impl FleetSession {
@@ -36,7 +37,10 @@ impl FleetSession {
             .name("fleet".into())
             .spawn(opens)
             .map_err(|error| FleetError::Zenoh(error.to_string()))?;
-        let mut session = Self { opened };
+        let mut session = Self {
+            opened,
+            is_on_one_machine: credentials.is_none(),
+        };
         if connect.is_empty() {
             // It waits for nobody, and what is wrong with this machine is told at once.
             session.opened().await?;
@@ -51,6 +55,11 @@ impl FleetSession {
             // Those whom it does not reach miss its stations by themselves.
             let _ = session.close().await;
         }
+    }
+
+    /// Whether nobody on another machine can join: that takes credentials.
+    pub(crate) const fn is_on_one_machine(&self) -> bool {
+        self.is_on_one_machine
     }
 
     /// Whether a router is waited for no longer.

@@ -86,6 +86,7 @@ pub(crate) mod tests {
             lock: None,
             slots: None,
             stop: None,
+            fleet_stops: Vec::new(),
             laser: LaserView {
                 armed_for_s: 0.0,
                 on: false,
@@ -115,6 +116,7 @@ pub(crate) mod tests {
                 rests_by_s: 1.4,
                 at_rest: false,
                 delivered: true,
+                of_fleet: false,
             }),
             ..later
         };

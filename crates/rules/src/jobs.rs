@@ -16,6 +16,7 @@ use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
 pub(crate) use self::list::{FORGETTABLE, again, forget, list, move_before};
+pub use self::offers::WITHDRAWN;
 pub(crate) use self::offers::answer;
 use crate::handle::{Message, OfferAnswer, OfferAsk};
 use crate::job_path::path_of;

@@ -279,6 +279,7 @@ mod tests {
             lock: None,
             slots: None,
             stop: None,
+            fleet_stops: Vec::new(),
             laser: LaserView {
                 armed_for_s: 0.0,
                 on: false,

@@ -6,6 +6,7 @@ mod button;
 mod commands;
 mod detecting;
 mod events;
+mod fleet_stops;
 mod halt;
 mod job;
 mod jog;
@@ -45,6 +46,7 @@ use self::save::Save;
 use self::stop::Stop;
 use crate::refusal::Refusal;
 
+pub use self::fleet_stops::KeptFleetStop;
 pub use self::plan::JobPlan;
 pub use self::run::{Begun, Effect};
 
@@ -217,6 +219,7 @@ impl Supervisor {
         // The stop before the job: that the arm rests is told before what it means for the job.
         if self.stop.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
+            self.let_go_of_fleet();
         }
         self.judge_grip(&status);
         self.of_run(Run::handle_status);
@@ -293,6 +296,7 @@ impl Supervisor {
             lock: self.leases.lock_view(),
             slots: self.leases.slots_view(),
             stop: self.stop.view(),
+            fleet_stops: self.stop.fleet_stops(),
             laser: self.arm.laser_view(),
             job: self.job(),
             jobs_missing: self.jobs_missing.clone(),

@@ -72,6 +72,7 @@ pub(crate) fn state(at_s: f64) -> State {
         lock: None,
         slots: None,
         stop: None,
+        fleet_stops: Vec::new(),
         laser: LaserView {
             armed_for_s: 0.0,
             on: false,

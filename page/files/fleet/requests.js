@@ -110,8 +110,12 @@ export function createRequests(store, http) {
       send({ type: "asked", asked: { number, what: "stop", to, answers: null, problem: null } });
     },
 
-    /** A person has looked. @param {Recipients} to */
-    reset: (to) => void ask("reset", to, { method: "DELETE", path: "/api/v1/stop" }),
+    /** A person has looked. Where no other station is shown as stopped, a stop of the fleet is over for its queue too. @param {Recipients} to */
+    async reset(to) {
+      await ask("reset", to, { method: "DELETE", path: "/api/v1/stop" });
+      const { group, members } = store.page;
+      if (group === null && members.every((it) => !it.state?.stop?.of_fleet || isMeant(to, it))) void http.ask("DELETE", "api/v1/fleet/stop");
+    },
 
     /** @param {Recipients} to @param {string} message */
     lock: (to, message) => void ask("lock", to, { method: "POST", path: "/api/v1/lock", body: { message } }),

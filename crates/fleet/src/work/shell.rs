@@ -116,6 +116,7 @@ impl Working {
             at: Place::Waiting,
             refused: Vec::new(),
             before: Vec::new(),
+            returned: None,
         });
         self.doing.spawn(async move {
             let copy = ticket.clone();
@@ -164,12 +165,14 @@ impl Working {
         }
     }
 
-    /// Begins what is to be done now. Only where there is work to give it is asked who is there.
+    /// Begins what is to be done now. Only where there is work to give it is asked who is there. While `held` says why not,
+    /// nothing is offered.
     pub(crate) fn go_on(
         &mut self,
         session: Option<&Session>,
         api: &StationApi,
         members: impl FnOnce() -> Members,
+        held: Option<String>,
     ) {
         let Some(kept) = &self.kept else {
             return;
@@ -179,7 +182,7 @@ impl Working {
         } else {
             Members::default()
         };
-        self.engine.see(&members);
+        self.engine.see(&members, held);
         while let Some(wish) = self.engine.poll_wish(self.started.elapsed()) {
             let kept = kept.clone();
             match wish {
