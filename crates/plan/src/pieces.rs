@@ -24,7 +24,7 @@ use crate::{DrawingTool, Machine, MoveKind, PlannedVector};
 /// A vector that burns takes no longer, in s, unless a stock arm only speeds up and brakes on it.
 pub const LONGEST_BURN_S: f64 = 0.2;
 /// The same for a vector of a pen that draws.
-pub const LONGEST_DRAW_S: f64 = 0.44;
+pub const LONGEST_DRAW_S: f64 = 0.42;
 
 /// Cuts long vectors into pieces. Ways, speeds and times stay as they are.
 pub(super) struct Pieces {

@@ -250,7 +250,7 @@ mod tests {
         // 10 mm down at the same acceleration never reach 40 mm/s: 2 sqrt(10 / 100) s.
         assert!((durations[0] - 0.632_455_532).abs() < 1e-5, "{durations:?}");
         let summary = plan.summary();
-        // Each piece of the line takes 0.44 s at the most.
+        // Each piece of the line takes 0.42 s at the most.
         assert_eq!((summary.strokes, summary.vectors), (1, 6));
         assert!((summary.drawn_mm - 40.0).abs() < 1e-4, "{summary:?}");
         assert_eq!(summary.travelled_mm, 0.0);
