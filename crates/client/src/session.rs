@@ -30,7 +30,7 @@ use crate::{Disarmed, Event, SendError};
 /// [`Session::send`] waits here for its turn. The protocol has no stop: the arm will do what it has got.
 /// So a command is sent only when it should begin within [`Session::with_ahead`] (0.5 s), and no later than
 /// that after a stop the arm begins another motion. A vector that burns should even end within that time: otherwise it is
-/// sent just in time, about 0.25 s before it begins. Other vectors may take 0.15 s longer.
+/// sent just in time, about 0.22 s before it begins. Other vectors may take 0.14 s longer.
 ///
 /// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
 /// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
@@ -604,11 +604,11 @@ const FIRST_STATUS: Duration = Duration::from_secs(5);
 /// status, and a packet each way. So an arm never waits for the link, whatever the bound is.
 const AHEAD: Duration = Duration::from_millis(500);
 /// So long before it begins a vector is sent in time on a usual link: its way takes 55 ms, and the computer may be late.
-const IN_TIME: Duration = Duration::from_millis(250);
+const IN_TIME: Duration = Duration::from_millis(220);
 /// Behind what burns an arm begins with laser off, and prediction is not exact: two ticks.
 const LASER_OFF_TAKES: Duration = Duration::from_millis(40);
 /// What an arm without a laser has received may take so much longer.
-const UNLIT_LONGER: Duration = Duration::from_millis(150);
+const UNLIT_LONGER: Duration = Duration::from_millis(140);
 /// A status that is later than that has been withheld.
 const LATE: Duration = Duration::from_millis(60);
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).
