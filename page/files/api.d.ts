@@ -2081,6 +2081,7 @@ export interface components {
              *       "allowed": true,
              *       "arm_for_s": 600,
              *       "least_speed_mm_s": 1,
+             *       "longest_s": 1,
              *       "standing": false,
              *       "area": {
              *         "x_mm": [
@@ -2364,6 +2365,13 @@ export interface components {
              * @default 1
              */
             least_speed_mm_s: number;
+            /**
+             * Format: double
+             * @description How long a vector may burn, in s: 0.1 to 3600. The arm finishes what it has received, so it burns on for so
+             *     long after a stop.
+             * @default 1
+             */
+            longest_s: number;
             /**
              * @description Whether it may burn while the arm stands.
              * @default false

@@ -190,6 +190,15 @@ impl Belief {
         self.waiting.front()
     }
 
+    /// Whether the next command is a vector that burns, or one that does not, and how long it takes.
+    pub(crate) fn next_vector(&self) -> Option<(bool, Duration)> {
+        let next = self.next()?;
+        let is_vector = matches!(next.command, Command::WriteVector(_));
+        let plan = next.plan.as_ref().filter(|_| is_vector)?;
+        let lit = plan.trajectory.is_ok_and(|it| it.laser());
+        Some((lit, plan.motion))
+    }
+
     /// Whether the next command is a straight line that could have no length, for nobody knows yet where
     /// the arm comes to rest (note N34).
     pub(crate) fn waits_for_place(&self) -> bool {

@@ -1,7 +1,8 @@
 //! Everything that can go wrong, a few times each: the example `reliability` does it thousands of times.
 
 use crate::cases::{
-    cables, clients, disks, floods, fuzz, guardians, kills, lines, sessions, stands, stops,
+    cables, clients, disks, floods, fuzz, guardians, kills, lines, long_lines, sessions, stands,
+    stops,
 };
 
 /// Fails with the first thing that should not be, and says how many there are.
@@ -93,6 +94,15 @@ fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
     for it in stops::run(30) {
         right(&it.wrong);
         assert_eq!((it.late, it.burnt), (0, 0), "{}", it.doing);
+    }
+}
+
+#[test]
+fn what_an_arm_has_received_of_a_long_line_is_over_soon_whatever_ends_it() {
+    for it in long_lines::run(4) {
+        right(&it.wrong);
+        let what = if it.burns { "light" } else { "motion" };
+        assert_eq!(it.late, 0, "{} of {}: {:?}", what, it.material, it.ends);
     }
 }
 
