@@ -1130,9 +1130,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which did not answer: their own pages stop them */
+        /** Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which did not answer: their own pages stop them. A stop of all is kept by every station, and holds for those that come or come back, until a person resets it */
         post: operations["post_fleet_stop"];
-        delete?: never;
+        /** Lets the whole fleet move again after a stop of all; an arm that was stopped by itself too stays stopped. A station that is away learns of it when it comes back. For one arm alone: `DELETE /api/v1/stop` of its station */
+        delete: operations["delete_fleet_stop"];
         options?: never;
         head?: never;
         patch?: never;
@@ -1363,10 +1364,17 @@ export interface components {
             slots?: components["schemas"]["SlotsView"] | null;
             /** @description The stop that holds the arm, if one does. */
             stop?: components["schemas"]["StopView"] | null;
+            /**
+             * @description The stops of the whole fleet that the station knows of, at most one of each station that made one. Those that were
+             *     reset are kept too, for stations that come back and do not know it yet.
+             */
+            fleet_stops?: components["schemas"]["FleetWideStop"][];
             /** @description The laser's interlock. */
             laser: components["schemas"]["LaserView"];
             /** @description The job that runs or is paused. */
             job?: components["schemas"]["JobView"] | null;
+            /** @description What is missing of the kept jobs and what to do, if the file in which they are kept was damaged. */
+            jobs_missing?: string | null;
             /**
              * Format: uint
              * @description How many clients are connected.
@@ -1654,6 +1662,33 @@ export interface components {
              * @default true
              */
             delivered: boolean;
+            /**
+             * @description Whether it is a stop of the whole fleet.
+             * @default false
+             */
+            of_fleet: boolean;
+        };
+        /**
+         * @description A stop of a whole fleet, or that it was reset. Every station keeps it and tells the others.
+         *
+         *     Of two with the same origin the one with the higher count is newer. The origin alone counts, so neither the clocks of
+         *     other stations nor the order of messages matter. Stops of two origins hold beside each other.
+         */
+        FleetWideStop: {
+            /** @description The number of the station that made it, as in [`Member::id`]. */
+            origin: string;
+            /**
+             * Format: uint64
+             * @description Its number among the stops of that station: at least the time when it was made, in milliseconds since
+             *     1970-01-01T00:00:00Z by the clock of that station, and always above the one before.
+             */
+            count: number;
+            /** @description Who stopped the fleet. */
+            by: string;
+            /** @description Why. */
+            reason?: string | null;
+            /** @description Who reset it for the whole fleet; absent while it holds. */
+            reset_by?: string | null;
         };
         /** @description The laser's interlock. */
         LaserView: {
@@ -2046,6 +2081,7 @@ export interface components {
              *       "allowed": true,
              *       "arm_for_s": 600,
              *       "least_speed_mm_s": 1,
+             *       "longest_s": 1,
              *       "standing": false,
              *       "area": {
              *         "x_mm": [
@@ -2329,6 +2365,13 @@ export interface components {
              * @default 1
              */
             least_speed_mm_s: number;
+            /**
+             * Format: double
+             * @description How long a vector may burn, in s: 0.1 to 3600. The arm finishes what it has received, so it burns on for so
+             *     long after a stop.
+             * @default 1
+             */
+            longest_s: number;
             /**
              * @description Whether it may burn while the arm stands.
              * @default false
@@ -3037,6 +3080,11 @@ export interface components {
              * @default null
              */
             reason: string | null;
+            /**
+             * @description The stop of the whole fleet that this is part of; only other stations of the fleet say so.
+             * @default null
+             */
+            fleet: components["schemas"]["FleetWideStop"] | null;
         };
         /** @description Who wants control. */
         LeaseRequest: {
@@ -15073,6 +15121,142 @@ export interface operations {
              * @description - `no-fleet`: this station belongs to no fleet
              *     - `no-such-member`: the fleet has no such station
              */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `invalid`: a field is not as it has to be */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_fleet_stop: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["Nothing"];
+            };
+        };
+        responses: {
+            /** @description which stations know of it */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MemberAnswer"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `role`: the role does not allow this
+             *     - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `no-fleet`: this station belongs to no fleet */
             404: {
                 headers: {
                     [name: string]: unknown;

@@ -33,7 +33,8 @@ async function open(members, { answer, submitted, ...options } = {}) {
   return { page, station };
 }
 const asked = (station, path) => station.asked.filter((it) => it.path === path);
-const stops = (station) => asked(station, "/api/v1/fleet/stop");
+/** The stops that were pressed, without those that a slow answer asked for again. */
+const stops = (station) => asked(station, "/api/v1/fleet/stop").filter(({ body }) => !body.reason.endsWith("again"));
 const focused = (page) => page.evaluate(() => document.activeElement.textContent);
 const text = (page, selector) => page.textContent(selector).then((it) => it.replace(/\s+/g, " ").trim());
 
@@ -185,9 +186,23 @@ test("where the fleet cannot be asked, the arm of this station is stopped at lea
   const answer = ({ path }) => (path === "/api/v1/fleet/stop" ? { status: 503, body: ending } : undefined);
   const { page, station } = await open([member("desk-1", { here: true })], { answer });
   await page.waitForSelector(".tile");
+  const stopped = page.waitForResponse((it) => new URL(it.url()).pathname === "/api/v1/stop");
   await page.click("#stop");
   await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("The station leaves its fleet."));
+  await stopped;
   assert.equal(asked(station, "/api/v1/stop").length, 1);
+});
+
+test("a STOP that nothing answers is told in red, asked for again, and stops the arm of this station over another connection", async () => {
+  const { page } = await open([member("desk-1", { here: true })]);
+  await page.waitForSelector(".tile");
+  await page.route("**/api/v1/fleet/stop", () => {});
+  const stopped = page.waitForResponse((it) => new URL(it.url()).pathname === "/api/v1/stop");
+  await page.click("#stop");
+  await stopped;
+  await page.waitForFunction(() => document.querySelector("#stop-told[data-tone=bad]")?.textContent.includes("Switch the arms off"));
+  await page.unroute("**/api/v1/fleet/stop");
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 1 stopped."));
 });
 
 test("a station that wants a token is told in its own words, and the token that is given goes along", async () => {

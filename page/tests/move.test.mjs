@@ -151,8 +151,7 @@ test("speeds that are set are told to the arm", async () => {
   await page.fill("#speed-percent", "60");
   await page.fill("#acceleration-percent", "70");
   await page.click("#speeds-set");
-  await answered(page, "api/v1/state", ({ queue }) => queue.under_way === 0);
-  const [adjusted] = told.packets.slice(from).filter(({ floats: [state] }) => state === 10);
+  const adjusted = await told.next(from, ({ floats: [state] }) => state === 10);
   assert.deepEqual(adjusted.floats.slice(2, 4), [60, 70]);
 });
 

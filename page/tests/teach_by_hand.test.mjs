@@ -10,9 +10,10 @@ let bench, page, told;
 before(async () => {
   bench = await open({ webgl: true, viewport: { width: 1100, height: 800 }, speed: 8, options: { hasTouch: true, reducedMotion: "reduce" } });
   ({ page, told } = bench);
+  // Compiling the shaders without a GPU blocks the page for seconds, in which it would lose control.
+  await page.waitForSelector("#stage[data-shown='3d']");
   await takeControl(page);
   await rest(page);
-  await page.waitForSelector("#stage[data-shown='3d']");
   await page.click("[data-look=top]");
   await drawn(page);
   await page.click("#tab-teach");

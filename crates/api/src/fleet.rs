@@ -75,6 +75,43 @@ pub struct MemberAbout {
     pub given_by: Option<String>,
 }
 
+/// A stop of a whole fleet, or that it was reset. Every station keeps it and tells the others.
+///
+/// Of two with the same origin the one with the higher count is newer. The origin alone counts, so neither the clocks of
+/// other stations nor the order of messages matter. Stops of two origins hold beside each other.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FleetWideStop {
+    /// The number of the station that made it, as in [`Member::id`].
+    pub origin: String,
+    /// Its number among the stops of that station: at least the time when it was made, in milliseconds since
+    /// 1970-01-01T00:00:00Z by the clock of that station, and always above the one before.
+    pub count: u64,
+    /// Who stopped the fleet.
+    pub by: String,
+    /// Why.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+    /// Who reset it for the whole fleet; absent while it holds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reset_by: Option<String>,
+}
+
+impl FleetWideStop {
+    /// Whether it has not been reset for the whole fleet.
+    #[must_use]
+    pub const fn holds(&self) -> bool {
+        self.reset_by.is_none()
+    }
+
+    /// Who stopped the fleet and why, as a person reads it.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let text = format!("stopped: fleet, by {}", self.by);
+        crate::state::with_reason(text, self.reason.as_deref())
+    }
+}
+
 /// The virtual arms that a station gives to those without an arm.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct GivenArms {

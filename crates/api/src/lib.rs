@@ -46,8 +46,8 @@ pub use calibration::{
     Zeros,
 };
 pub use fleet::{
-    ApiAnswer, ApiRequest, FleetView, GivenArm, GivenArms, Member, MemberAbout, MemberAnswer,
-    Presence, Recipients, is_fleet_name,
+    ApiAnswer, ApiRequest, FleetView, FleetWideStop, GivenArm, GivenArms, Member, MemberAbout,
+    MemberAnswer, Presence, Recipients, is_fleet_name,
 };
 #[cfg(feature = "remote")]
 pub use folders::{Folders, make_private};

@@ -4,7 +4,7 @@ use dobot_wire::{Dialect, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{JobView, LeaseView, SlotsView};
+use crate::{FleetWideStop, JobView, LeaseView, SlotsView};
 
 /// All that the station knows at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -34,10 +34,17 @@ pub struct State {
     pub slots: Option<SlotsView>,
     /// The stop that holds the arm, if one does.
     pub stop: Option<StopView>,
+    /// The stops of the whole fleet that the station knows of, at most one of each station that made one. Those that were
+    /// reset are kept too, for stations that come back and do not know it yet.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fleet_stops: Vec<FleetWideStop>,
     /// The laser's interlock.
     pub laser: LaserView,
     /// The job that runs or is paused.
     pub job: Option<JobView>,
+    /// What is missing of the kept jobs and what to do, if the file in which they are kept was damaged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub jobs_missing: Option<String>,
     /// How many clients are connected.
     pub clients: usize,
 }
@@ -147,6 +154,30 @@ pub struct StopView {
     /// Whether the packets that stop it have left this computer: if not, it has to be switched off by hand.
     #[serde(default = "delivered")]
     pub delivered: bool,
+    /// Whether it is a stop of the whole fleet.
+    #[serde(default)]
+    pub of_fleet: bool,
+}
+
+impl StopView {
+    /// Who stopped the arm and why, as a person reads it.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let by = if self.of_fleet {
+            format!("stopped: fleet, by {}", self.by)
+        } else {
+            format!("stopped by {}", self.by)
+        };
+        with_reason(by, self.reason.as_deref())
+    }
+}
+
+/// A text with its reason behind it, if there is one.
+pub(crate) fn with_reason(text: String, reason: Option<&str>) -> String {
+    match reason {
+        Some(reason) => format!("{text}: {reason}"),
+        None => text,
+    }
 }
 
 /// A station of before this field says nothing else.

@@ -27,6 +27,8 @@ pub(crate) struct Belief {
     /// That button was sent, and nothing behind it: the arm jogs, or will as soon as it hears that.
     jogs: bool,
     last: Option<Status>,
+    /// The last two statuses are the same, and came when all that was sent should have been over.
+    stood: bool,
 }
 
 /// A command that waits for its turn.
@@ -57,6 +59,7 @@ impl Belief {
             release: None,
             jogs: false,
             last: None,
+            stood: false,
         }
     }
 
@@ -134,11 +137,11 @@ impl Belief {
         while let Some(expired) = self.under_way.pop_expired(now) {
             self.over = Some(expired.plan.after);
         }
-        let rests =
+        self.stood =
             self.last.replace(*status) == Some(*status) && now >= self.under_way.rests_from();
         match &mut self.over {
             None => self.over = Some(self.unknown(status)),
-            Some(model) if self.under_way.len() == 0 && !self.jogs && rests => {
+            Some(model) if self.under_way.len() == 0 && !self.jogs && self.stood => {
                 let before = *model;
                 model.seen(status);
                 if *model == before {
@@ -185,6 +188,15 @@ impl Belief {
     /// The same, to look at.
     pub(crate) fn next(&self) -> Option<&WaitingCommand> {
         self.waiting.front()
+    }
+
+    /// Whether the next command is a vector that burns, or one that does not, and how long it takes.
+    pub(crate) fn next_vector(&self) -> Option<(bool, Duration)> {
+        let next = self.next()?;
+        let is_vector = matches!(next.command, Command::WriteVector(_));
+        let plan = next.plan.as_ref().filter(|_| is_vector)?;
+        let lit = plan.trajectory.is_ok_and(|it| it.laser());
+        Some((lit, plan.motion))
     }
 
     /// Whether the next command is a straight line that could have no length, for nobody knows yet where
@@ -292,6 +304,11 @@ impl Belief {
     /// Whether everything that could move was seen to be over.
     pub(crate) fn is_at_rest(&self) -> bool {
         self.under_way.len() == 0 && !self.jogs
+    }
+
+    /// Whether the statuses showed it at rest, too.
+    pub(crate) fn was_seen_at_rest(&self) -> bool {
+        self.is_at_rest() && self.stood
     }
 
     /// What releases the button that was held last; `None` where none was.

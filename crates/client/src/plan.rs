@@ -60,6 +60,8 @@ impl Plan {
             Err(
                 trap @ (TrajectoryError::NeverEnds
                 | TrajectoryError::NothingToFollow
+                | TrajectoryError::NotUnderstood
+                | TrajectoryError::NotHeard
                 | TrajectoryError::BehindCutLine
                 | TrajectoryError::LeavesBackwards { .. }
                 | TrajectoryError::Uncounted { .. }),

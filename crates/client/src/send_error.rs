@@ -32,6 +32,11 @@ pub enum SendError {
     /// A stock arm would not come out of it: it would hang, or go on for ever (notes N48 and N51).
     #[error("{0}")]
     Trap(TrajectoryError),
+    /// A stock arm would hear other numbers than the words mean.
+    #[error(
+        "a stock arm hears other numbers than the words mean, such as 22 for sixteen (note N50); send the motion or the button that the words mean"
+    )]
+    Misheard,
     /// The command breaks a range of its table.
     #[error("the command is not allowed: {0}")]
     Invalid(ParseError),

@@ -29,7 +29,8 @@ use crate::{Disarmed, Event, SendError};
 /// Each status received is a permit to send one command (note N20): what is given to
 /// [`Session::send`] waits here for its turn. The protocol has no stop: the arm will do what it has got.
 /// So a command is sent only when it should begin within [`Session::with_ahead`] (0.5 s), and no later than
-/// that after a stop the arm begins another motion.
+/// that after a stop the arm begins another motion. A vector that burns should even end within that time: otherwise it is
+/// sent just in time, about 0.22 s before it begins. Other vectors may take 0.14 s longer.
 ///
 /// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
 /// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
@@ -148,8 +149,10 @@ impl Session {
     /// [`SendError::Undecided`] where its meaning depends on a dialect that nobody has told,
     /// [`SendError::Invalid`] where a value breaks its table, [`SendError::Untrusted`] where it moves
     /// an arm whose pose is not trusted, [`SendError::OnTheSpot`] where a stock arm would lose its
-    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed. Nothing is sent
-    /// then.
+    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed,
+    /// [`SendError::Misheard`] for voice to a stock arm over Bluetooth. Nothing is sent then.
+    ///
+    /// Voice waits until the arm was seen at rest (note N50).
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
         let plan = self.planned(&command)?;
@@ -175,6 +178,9 @@ impl Session {
         self.check_laser(command)?;
         if !self.is_trusted() && moves(command) {
             return Err(SendError::Untrusted);
+        }
+        if matches!(command, Command::Voice(_)) && self.is_bluetooth() {
+            return Err(SendError::Misheard);
         }
         self.packet(command)?;
         let plan = self.belief.plan(command);
@@ -293,8 +299,12 @@ impl Session {
 
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
+        let due = self.dispatch_at();
         self.now = now;
         self.watch_laser();
+        if due.is_some_and(|it| it <= now) {
+            self.dispatch();
+        }
         if now >= self.link_lost_at() {
             self.lost = true;
             self.events.push_back(Event::LinkLost {
@@ -324,8 +334,9 @@ impl Session {
     /// When [`Session::handle_time`] wants to be called next, at the latest.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
-        let laser = self.laser_wakeup().unwrap_or(Duration::MAX);
-        self.link_lost_at().min(laser)
+        let wakeups = [self.laser_wakeup(), self.dispatch_at()];
+        let first = wakeups.into_iter().flatten().min();
+        self.link_lost_at().min(first.unwrap_or(Duration::MAX))
     }
 
     /// When the link is lost if no status comes.
@@ -437,10 +448,37 @@ impl Session {
         }));
     }
 
+    /// How long before it begins the next command may be sent.
+    fn next_ahead(&self) -> Duration {
+        let Some((burns, motion)) = self.belief.next_vector() else {
+            return self.ahead;
+        };
+        let ends_within = if burns {
+            self.ahead.saturating_sub(LASER_OFF_TAKES)
+        } else {
+            self.ahead.saturating_add(UNLIT_LONGER)
+        };
+        let in_time = IN_TIME + self.extra_latency();
+        self.ahead
+            .min(ends_within.saturating_sub(motion).max(in_time))
+    }
+
+    /// When a permit that is there already can be used, if nothing else hinders that.
+    fn dispatch_at(&self) -> Option<Duration> {
+        let waits = self.permit && self.belief.waiting() > 0;
+        let early = self
+            .belief
+            .under_way()
+            .ahead(self.now)
+            .checked_sub(self.next_ahead());
+        let early = early.filter(|it| waits && !it.is_zero())?;
+        self.now.checked_add(early)
+    }
+
     fn dispatch(&mut self) {
         let begins_in = self.belief.under_way().ahead(self.now);
         let follows = |left| self.now.saturating_sub(left) < SPACING;
-        if !self.permit || begins_in > self.ahead || self.left.is_some_and(follows) {
+        if !self.permit || begins_in > self.next_ahead() || self.left.is_some_and(follows) {
             return;
         }
         let Some(next) = self.belief.next() else {
@@ -448,6 +486,7 @@ impl Session {
         };
         let waits = self.would_hide_a_reset()
             || self.waits_for_the_port(&next.command)
+            || self.speaks_too_early(&next.command)
             || self.belief.waits_for_place();
         if waits {
             return;
@@ -498,16 +537,20 @@ impl Session {
 
     /// Whether the next command has to wait because of the port that the arm serves: a joint jog until
     /// that is known, since its axes depend on it; over Bluetooth all while the queue may be full, since
-    /// messages tell nothing of its room, and a voice order while the arm moves, which it would cut
-    /// into (notes N38 and N50).
+    /// messages tell nothing of its room (note N38).
     fn waits_for_the_port(&self, command: &Command) -> bool {
         if !self.is_bluetooth() {
             let exchanged = |jog: &JointJog| jog.over_bluetooth() != *jog;
             return !self.scheme.is_known()
                 && matches!(command, Command::JointJog(jog) if exchanged(jog));
         }
-        let says = matches!(command, Command::Voice(_));
-        self.may_be_full() || says && !self.belief.is_at_rest()
+        self.may_be_full()
+    }
+
+    /// Whether the next command is voice, and the arm was not seen at rest: an arm that moves would go
+    /// on for ever with the pulses of the last tick, or lose its place (note N50).
+    fn speaks_too_early(&self, command: &Command) -> bool {
+        matches!(command, Command::Voice(_)) && !self.belief.was_seen_at_rest()
     }
 
     /// A release as the one of the button that was sent last, whichever kind it was given as.
@@ -570,6 +613,12 @@ const FIRST_STATUS: Duration = Duration::from_secs(5);
 /// More than twice the time that passes between the end of a command and the next one's arrival: a
 /// status, and a packet each way. So an arm never waits for the link, whatever the bound is.
 const AHEAD: Duration = Duration::from_millis(500);
+/// So long before it begins a vector is sent in time on a usual link: its way takes 55 ms, and the computer may be late.
+const IN_TIME: Duration = Duration::from_millis(220);
+/// Behind what burns an arm begins with laser off, and prediction is not exact: two ticks.
+const LASER_OFF_TAKES: Duration = Duration::from_millis(40);
+/// What an arm without a laser has received may take so much longer.
+const UNLIT_LONGER: Duration = Duration::from_millis(140);
 /// A status that is later than that has been withheld.
 const LATE: Duration = Duration::from_millis(60);
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).

@@ -20,7 +20,6 @@
 //!
 //! let summary = prepared.plan.summary();
 //! assert_eq!(summary.strokes, 1);
-//! assert_eq!(summary.vectors, 6); // lower, four sides, lift
 //! assert_eq!(summary.drawn_mm.round(), 120.0);
 //! # Ok::<(), dobot_draw::PrepareError>(())
 //! ```

@@ -32,6 +32,33 @@ pub(crate) struct Way {
     pub(crate) peers: Peers,
 }
 
+impl Way {
+    fn peer(&self, member: &MemberKey) -> Option<Arc<Peer>> {
+        let peers = self.peers.lock();
+        let peers = peers.unwrap_or_else(PoisonError::into_inner);
+        peers.get(member).cloned()
+    }
+
+    /// Asks a member at one of its resources, before all else that is on its way. Its answer is signed.
+    pub(crate) async fn ask_first(
+        &self,
+        member: &MemberKey,
+        what: &str,
+        payload: &[u8],
+        within: Duration,
+    ) -> Result<Vec<u8>, String> {
+        let peer = self.peer(member).ok_or("has not shown its certificate")?;
+        let asking = Asking {
+            way: self,
+            peer: &peer,
+        };
+        let key = member.resource(what);
+        asking
+            .signed(&key, payload, within, Priority::RealTime)
+            .await
+    }
+}
+
 /// How long another station may take to answer: as long as its own API takes for the slowest request.
 const WITHIN: Duration = Duration::from_secs(60);
 /// How long one may take to say that its arm is stopped.
@@ -96,11 +123,7 @@ async fn ask_other(
         name: name.clone(),
         id: member.id.clone(),
     };
-    let peers = way.peers.lock();
-    let peer = peers
-        .unwrap_or_else(PoisonError::into_inner)
-        .get(&key)
-        .cloned();
+    let peer = way.peer(&key);
     let peer = peer.ok_or_else(|| away(format!("{name} has not shown its certificate")))?;
     let asking = Asking { way, peer: &peer };
     let answer = if is_open(request) {
@@ -136,25 +159,35 @@ impl Asking<'_> {
         } else {
             (WITHIN, Priority::DEFAULT)
         };
-        let payload = json(request);
+        self.signed(key, &json(request), within, priority).await
+    }
+
+    /// Asks for what everyone may know. The answer is signed.
+    async fn signed(
+        &self,
+        key: &str,
+        payload: &[u8],
+        within: Duration,
+        priority: Priority,
+    ) -> Result<Vec<u8>, String> {
         let nonce = new_id().map_err(|error| format!("cannot be asked: {error}"))?;
         let replies = self
             .way
             .session
             .get(key)
-            .payload(&payload)
+            .payload(payload)
             .attachment(&nonce)
             .target(QueryTarget::All)
             .consolidation(ConsolidationMode::None)
             .timeout(within)
             .priority(priority)
-            .express(is_stop(request))
+            .express(priority == Priority::RealTime)
             .await
             .map_err(|error| format!("cannot be asked: {error}"))?;
         first(&replies, within, |sample| {
             let answer = sample.payload().to_bytes();
             let signature = sample.attachment()?.to_bytes();
-            let statement = answered(key, nonce.as_bytes(), &payload, &answer);
+            let statement = answered(key, nonce.as_bytes(), payload, &answer);
             let is_its_own = self.peer.has_signed(&statement, &signature);
             is_its_own.then(|| answer.into_owned())
         })
@@ -279,9 +312,13 @@ impl Answering {
             )),
             Err(problem) => ApiAnswer::of_problem(&problem),
         };
-        let answer = json(&answer);
+        self.reply(&query, API, &request, json(&answer)).await;
+    }
+
+    /// Answers at one of this station's resources, with a signature.
+    pub(crate) async fn reply(&self, query: &Query, what: &str, request: &[u8], answer: Vec<u8>) {
         let nonce = bytes(query.attachment());
-        let statement = answered(&self.own.resource(API), &nonce, &request, &answer);
+        let statement = answered(&self.own.resource(what), &nonce, request, &answer);
         let signature = self.identity.sign(&statement);
         let reply = query
             .reply(query.key_expr(), answer)

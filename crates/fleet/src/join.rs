@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use dobot_api::MemberAbout;
+use dobot_api::{ApiAnswer, Member, MemberAbout, MemberAnswer};
+use dobot_rules::Handle;
 use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi};
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};
@@ -12,13 +13,14 @@ use tokio::time::{MissedTickBehavior, interval};
 use zenoh::sample::{Sample, SampleKind};
 
 use crate::CredentialsError;
-use crate::asking::{self, Answering};
+use crate::asking::{self, Answering, Way};
 use crate::config::{FleetConfig, FleetConfigError};
 use crate::identity::Identity;
 use crate::keys::{Alive, MESSAGES, MemberKey, TOLD};
 use crate::network::{Incoming, Network, Opening, ask_all, incoming};
 use crate::roster::Roster;
 use crate::session::FleetSession;
+use crate::stops::{self, StopTelling};
 use crate::telling::{self, Pace};
 use crate::work::Working;
 
@@ -100,10 +102,15 @@ impl Fleet {
             // What is wrong is told at once.
             network = Some((&mut opening).await?);
         }
-        let (port, end) = FleetPort::new(&config.name);
-        let port = port.taking(config.about.takes_work);
+        let (port, end) = FleetPort::new(&config.name, id);
+        let port = port
+            .taking(config.about.takes_work)
+            .on_one_machine(session.is_on_one_machine());
+        end.is_settled.send_replace(false);
         let member = Joined {
             api: api.clone(),
+            stops: StopTelling::new(own.clone(), Duration::ZERO, SystemTime::now()),
+            telling_stops: JoinSet::new(),
             own,
             identity: identity.clone(),
             about: config.about.clone(),
@@ -164,6 +171,10 @@ struct Joined {
     network: Option<Network>,
     /// The work that was submitted here for any arm.
     work: Working,
+    /// Whom to tell which stops of the fleet there are.
+    stops: StopTelling,
+    /// Those that are being told: who has not answered.
+    telling_stops: JoinSet<Vec<MemberKey>>,
     /// What the others answer who are asked what they are and do.
     hearing: JoinSet<Vec<Sample>>,
     /// Those who wait for these answers.
@@ -200,6 +211,9 @@ impl Joined {
                     Incoming::Sealed(query) => {
                         asking.spawn(answering.clone().answer_sealed(query));
                     }
+                    Incoming::Stops(query) => {
+                        asking.spawn(stops::answer(self.api.handle().clone(), answering.clone(), query));
+                    }
                     Incoming::Told(sample) => self.hear(&sample),
                 },
                 Some(wish) = self.end.wishes.recv() => match wish {
@@ -209,9 +223,16 @@ impl Joined {
                         let api = self.api.clone();
                         asking.spawn(async move { asking::ask(way.as_ref(), &api, ask).await });
                     }
+                    FleetWish::TellStops(to, answers) => self.tell_stops(to, answers),
                     FleetWish::Work(wish) => self.work.handle(wish),
                 },
                 Some(_) = asking.join_next() => {}
+                Some(silent) = self.telling_stops.join_next() => {
+                    // Telling does not panic.
+                    for member in silent.unwrap_or_default() {
+                        self.stops.handle_silent(&member, self.since.0.elapsed());
+                    }
+                }
                 Some(heard) = self.hearing.join_next() => {
                     // Asking does not panic.
                     for sample in &heard.unwrap_or_default() {
@@ -230,9 +251,11 @@ impl Joined {
                 }
                 _ = &mut leaving => break,
             }
+            self.go_on_telling_stops();
+            let held = self.held();
             let way = self.network.as_ref().map(Network::way);
             let members = || self.roster.members();
-            self.work.go_on(way, &self.api, members);
+            self.work.go_on(way, &self.api, members, held);
         }
         if let Some(network) = self.network {
             network.leave().await;
@@ -268,6 +291,9 @@ impl Joined {
                         return;
                     }
                 };
+                if alive.messages == MESSAGES {
+                    self.stops.came(&alive.member, self.since.0.elapsed());
+                }
                 let was_full = self.roster.is_full();
                 self.roster.came(alive, peer, at_s);
                 if self.roster.is_full() && !was_full {
@@ -276,8 +302,94 @@ impl Joined {
                 }
             }
             SampleKind::Delete if alive.member == self.own => {}
-            SampleKind::Delete => self.roster.went(&alive),
+            SampleKind::Delete => {
+                self.stops.went(&alive.member);
+                self.roster.went(&alive);
+            }
         }
+    }
+
+    /// Tells those who came or came back which stops of the fleet there are.
+    fn go_on_telling_stops(&mut self) {
+        let now = self.since.0.elapsed();
+        self.stops.handle_time(now, SystemTime::now());
+        let is_settled = self.stops.is_settled(now);
+        self.end.is_settled.send_if_modified(|it| {
+            let was_settled = std::mem::replace(it, is_settled);
+            was_settled != is_settled
+        });
+        while let Some(member) = self.stops.poll_due(now) {
+            let (way, handle) = self.to_tell();
+            self.telling_stops.spawn(async move {
+                let answer = stops::exchange(way.as_ref(), &handle, &member).await;
+                Some(member)
+                    .filter(|_| !answer.is_success())
+                    .into_iter()
+                    .collect()
+            });
+        }
+    }
+
+    /// Tells these at once.
+    fn tell_stops(&mut self, to: Vec<Arc<Member>>, answers: oneshot::Sender<Vec<MemberAnswer>>) {
+        let mut telling = JoinSet::new();
+        for member in to {
+            let (way, handle) = self.to_tell();
+            telling.spawn(async move {
+                let began = Instant::now();
+                let key = MemberKey {
+                    name: member.name.clone(),
+                    id: member.id.clone(),
+                };
+                let answer = if member.here {
+                    ApiAnswer {
+                        status: 200,
+                        body: serde_json::json!({}),
+                    }
+                } else {
+                    stops::exchange(way.as_ref(), &handle, &key).await
+                };
+                let answer = MemberAnswer {
+                    member: key.name.clone(),
+                    id: key.id.clone(),
+                    answer,
+                    took_ms: began.elapsed().as_secs_f64() * 1e3,
+                };
+                (key, answer)
+            });
+        }
+        self.telling_stops.spawn(async move {
+            let mut told = telling.join_all().await;
+            told.sort_by(|one, other| one.0.cmp(&other.0));
+            let silent = told.iter().filter(|it| !it.1.answer.is_success());
+            let silent = silent.map(|it| it.0.clone()).collect();
+            // Whoever asked may be gone.
+            drop(answers.send(told.into_iter().map(|it| it.1).collect()));
+            silent
+        });
+    }
+
+    fn to_tell(&self) -> (Option<Way>, Handle) {
+        let way = self.network.as_ref().map(Network::way).cloned();
+        (way, self.api.handle().clone())
+    }
+
+    /// Why no work is offered from here now, if so.
+    fn held(&self) -> Option<String> {
+        if !self.stops.is_settled(self.since.0.elapsed()) {
+            let unsettled = "this station has just come or come back; it learns first whether the fleet is stopped";
+            return Some(unsettled.to_owned());
+        }
+        let snapshot = self.api.handle().state();
+        let state = snapshot.state();
+        if let Some(stop) = state.fleet_stops.iter().find(|it| it.holds()) {
+            return Some(format!(
+                "{}; `dobot fleet stop --reset` lets the fleet go on",
+                stop.text()
+            ));
+        }
+        let stop = state.stop.as_ref();
+        stop.map(|it| format!("the arm of this station is {}", it.text()))
     }
 
     /// A station tells of itself.

@@ -11,7 +11,7 @@ pub const MESSAGES: u32 = 2;
 pub(crate) const ALL_ALIVE: &str = "dobot/alive/**";
 
 /// A station, as its keys name it.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct MemberKey {
     /// What it is called.
     pub(crate) name: String,
@@ -143,6 +143,8 @@ pub(crate) fn of_all(what: &str) -> String {
 pub(crate) const TOLD: &str = "told";
 /// Where a station is asked for what everyone may know, and to stop.
 pub(crate) const API: &str = "api";
+/// Where a station is told which stops of the fleet there are, and tells those that it knows of.
+pub(crate) const STOPS: &str = "stops";
 /// Where a station is asked for what only the asker may know or do.
 pub(crate) const SEALED: &str = "sealed";
 

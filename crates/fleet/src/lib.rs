@@ -41,6 +41,7 @@
 //! | `dobot/2/NAME/ID/told` | published, and answered when asked: `{"about": MemberAbout, "state": State}`, with its number and a signature attached |
 //! | `dobot/2/NAME/ID/api` | answers an [`ApiRequest`](dobot_api::ApiRequest) to GET or to stop, without a token, with an [`ApiAnswer`](dobot_api::ApiAnswer); its signature is attached |
 //! | `dobot/2/NAME/ID/sealed` | the same for all other requests, which only this station can read |
+//! | `dobot/2/NAME/ID/stops` | takes the stops of the fleet that the sender knows, and answers with its own: lists of [`FleetWideStop`](dobot_api::FleetWideStop); the signature of the answer is attached |
 //!
 //! `2` is the version of these messages ([`MESSAGES`]), `VERSION` that of the program.
 
@@ -56,6 +57,7 @@ mod roster;
 mod router;
 mod sealing;
 mod session;
+mod stops;
 mod telling;
 pub mod together;
 mod virtual_arms;

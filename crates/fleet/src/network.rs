@@ -16,7 +16,7 @@ use zenoh::{Session, Wait};
 
 use crate::FleetError;
 use crate::asking::{Peers, Way};
-use crate::keys::{ALL_ALIVE, API, Alive, SEALED, TOLD, of_all};
+use crate::keys::{ALL_ALIVE, API, Alive, SEALED, STOPS, TOLD, of_all};
 use crate::session::FleetSession;
 use crate::telling::{self, Teller};
 
@@ -27,6 +27,8 @@ pub(crate) struct Network {
     lives: mpsc::UnboundedReceiver<Sample>,
     asked: Queryable<FifoChannelHandler<Query>>,
     sealed: Queryable<FifoChannelHandler<Query>>,
+    /// Who tells which stops of the fleet there are.
+    stops: Queryable<FifoChannelHandler<Query>>,
     /// What the others tell, while somebody looks.
     others: Option<Others>,
     /// What this station tells.
@@ -44,6 +46,7 @@ pub(crate) enum Incoming {
     Life(Sample),
     Asked(Query),
     Sealed(Query),
+    Stops(Query),
     Told(Sample),
 }
 
@@ -87,6 +90,7 @@ impl Network {
         let others = others.callback(move |it| drop(tells.send(it))).await?;
         let asked = session.declare_queryable(own.resource(API)).await?;
         let sealed = session.declare_queryable(own.resource(SEALED)).await?;
+        let stops = session.declare_queryable(own.resource(STOPS)).await?;
         let told = session.declare_queryable(own.resource(TOLD));
         let told = told
             .callback(answers(own.resource(TOLD), teller.clone(), about, handle))
@@ -98,6 +102,7 @@ impl Network {
             lives,
             asked,
             sealed,
+            stops,
             others: None,
             telling,
             teller,
@@ -113,6 +118,7 @@ impl Network {
     /// What comes next.
     async fn next(&mut self) -> Incoming {
         tokio::select! {
+            Ok(query) = self.stops.recv_async() => Incoming::Stops(query),
             Some(sample) = self.lives.recv() => Incoming::Life(sample),
             Ok(query) = self.asked.recv_async() => Incoming::Asked(query),
             Ok(query) = self.sealed.recv_async() => Incoming::Sealed(query),

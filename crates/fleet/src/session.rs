@@ -15,6 +15,7 @@ use crate::{Credentials, FleetError, config};
 pub struct FleetSession {
     opened: watch::Receiver<Option<Result<Session, String>>>,
     identity: Arc<Identity>,
+    is_on_one_machine: bool,
 }
 
 impl FleetSession {
@@ -38,7 +39,11 @@ impl FleetSession {
             .name("fleet".into())
             .spawn(opens)
             .map_err(|error| FleetError::Zenoh(error.to_string()))?;
-        let mut session = Self { opened, identity };
+        let mut session = Self {
+            opened,
+            identity,
+            is_on_one_machine: credentials.is_local(),
+        };
         if connect.is_empty() {
             // It waits for nobody, and what is wrong with this machine is told at once.
             session.opened().await?;
@@ -58,6 +63,11 @@ impl FleetSession {
     /// By what the program signs.
     pub(crate) const fn identity(&self) -> &Arc<Identity> {
         &self.identity
+    }
+
+    /// Whether nobody on another machine can join: that takes credentials.
+    pub(crate) const fn is_on_one_machine(&self) -> bool {
+        self.is_on_one_machine
     }
 
     /// Whether a router is waited for no longer.

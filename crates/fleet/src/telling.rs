@@ -198,11 +198,13 @@ pub(crate) mod tests {
             lock: None,
             slots: None,
             stop: None,
+            fleet_stops: Vec::new(),
             laser: LaserView {
                 armed_for_s: 0.0,
                 on: false,
             },
             job: None,
+            jobs_missing: None,
             clients: 0,
         }
     }
@@ -227,6 +229,7 @@ pub(crate) mod tests {
                     rests_by_s: 1.4,
                     at_rest: false,
                     delivered: true,
+                    of_fleet: false,
                 }),
                 ..state()
             })),
@@ -286,6 +289,7 @@ pub(crate) mod tests {
                 rests_by_s: 1.4,
                 at_rest: false,
                 delivered: true,
+                of_fleet: false,
             }),
             ..later
         };

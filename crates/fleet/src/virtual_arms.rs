@@ -9,6 +9,7 @@ use std::time::Duration;
 use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_SUCH_ARM};
 use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
 use dobot_client::Address;
+use dobot_rules::Handle;
 use dobot_station::{ArmWish, ArmsPort, Config, Station, StationApi, WantedArm};
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::{JoinHandle, JoinSet};
@@ -47,6 +48,7 @@ impl VirtualArms {
         let (ends, ended) = oneshot::channel();
         let giving = Giving {
             config,
+            handle: api.handle().clone(),
             given: Vec::new(),
             ending: JoinSet::new(),
         };
@@ -79,6 +81,8 @@ pub fn page_of(computer: &str, station: &Station) -> String {
 /// At work.
 struct Giving {
     config: VirtualArmsConfig,
+    /// The station that gives them.
+    handle: Handle,
     given: Vec<Given>,
     /// Those that come to rest.
     ending: JoinSet<()>,
@@ -189,6 +193,10 @@ impl Giving {
         let station = Station::start(config)
             .await
             .map_err(|error| not_started(&error))?;
+        // A stop of the fleet holds it from the start on. Stations that end answer nothing more.
+        if let Ok((stops, _)) = self.handle.adopt_fleet_stops(Vec::new()).await {
+            let _ = station.handle().adopt_fleet_stops(stops).await;
+        }
         let mut states = station.handle().states();
         let is_up = states.wait_for(|it| matches!(it.state().link.phase, LinkPhase::Up));
         // Whoever is given an arm may use it at once; one that takes longer says on its page what it waits for.

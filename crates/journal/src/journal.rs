@@ -11,8 +11,8 @@ use crate::new_rows::NewRows;
 use crate::offers::keep_outcome;
 use crate::rows::{self, JobRow};
 use crate::store::{
-    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, OFFERS, PLACES, REFUSALS, STEPS, Store,
-    WINDOWS,
+    CLEAN_FACT, COMMANDS, FACTS, FORMAT, FORMAT_FACT, JOBS, MISSING_FACT, OFFERS, PLACES, REFUSALS,
+    STEPS, Store, WINDOWS, fact,
 };
 use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 
@@ -27,6 +27,7 @@ use crate::{Adjustment, Behind, Job, JobId, JournalError, PlannedJob, Window};
 pub struct Journal {
     store: Mutex<Store>,
     was_clean: bool,
+    missing_writes: u64,
 }
 
 impl Journal {
@@ -70,6 +71,14 @@ impl Journal {
     #[must_use]
     pub const fn was_clean(&self) -> bool {
         self.was_clean
+    }
+
+    /// How many of its last writes are missing, because the newest part of the file was damaged and what was before it is
+    /// in force: the last queued jobs may be gone, or how far a job came. It is told until
+    /// [`Journal::note_clean_shutdown`].
+    #[must_use]
+    pub const fn missing_writes(&self) -> u64 {
+        self.missing_writes
     }
 
     /// Says that nothing is left to be put right: the arm rests, the laser is off.
@@ -297,9 +306,13 @@ impl Journal {
                 known: FORMAT,
             });
         }
+        let missing = store.read(|look| fact(look, MISSING_FACT))? + store.missing_writes()?;
         store.write(|change| {
             // Jobs of the formats before are read as they are; what is written is of this one.
-            change.open_table(FACTS)?.insert(FORMAT_FACT, FORMAT)?;
+            let mut facts = change.open_table(FACTS)?;
+            facts.insert(FORMAT_FACT, FORMAT)?;
+            facts.insert(MISSING_FACT, missing)?;
+            drop(facts);
             change.open_table(STEPS)?;
             change.open_table(PLACES)?;
             change.open_table(OFFERS)?;
@@ -309,6 +322,7 @@ impl Journal {
         Ok(Self {
             store: Mutex::new(store),
             was_clean: clean == 1,
+            missing_writes: missing,
         })
     }
 
@@ -437,15 +451,12 @@ fn place(table: &impl ReadableTable<u64, u64>, job: u64) -> Result<u64, redb::Er
     Ok(table.get(job)?.map_or(job, |place| place.value()))
 }
 
-/// A fact that is missing is 0, which no format, job or clean journal is.
-fn fact(look: &ReadTransaction, name: &str) -> Result<u64, redb::Error> {
-    let value = look.open_table(FACTS)?.get(name)?;
-    Ok(value.map_or(0, |value| value.value()))
-}
-
 fn note_clean(change: &WriteTransaction, clean: bool) -> Result<(), redb::Error> {
     let mut facts = change.open_table(FACTS)?;
     facts.insert(CLEAN_FACT, u64::from(clean))?;
+    if clean {
+        facts.insert(MISSING_FACT, 0)?;
+    }
     Ok(())
 }
 

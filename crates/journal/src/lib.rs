@@ -47,6 +47,7 @@ mod recovery;
 mod rows;
 mod store;
 mod window;
+mod write_count;
 
 pub use adjustment::{Adjustment, HeightChange};
 pub use ends::{End, Located, SPACING_MM};

@@ -1,17 +1,18 @@
 //! The file below the journal: opened, made, locked, and opened again after a failure.
 
 use std::fmt;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use redb::backends::{FileBackend, InMemoryBackend};
 use redb::{
-    Builder, Database, DatabaseError, ReadTransaction, ReadableDatabase, StorageBackend,
-    StorageError, TableDefinition, TableError, WriteTransaction,
+    Builder, Database, DatabaseError, ReadTransaction, ReadableDatabase, ReadableTable,
+    StorageBackend, StorageError, TableDefinition, TableError, WriteTransaction,
 };
 
 use crate::JournalError;
+use crate::write_count::WriteCount;
 
 /// A database that opens itself again after a failure, and knows its name for errors.
 pub(crate) struct Store {
@@ -19,6 +20,8 @@ pub(crate) struct Store {
     database: Option<Database>,
     open_again: Box<dyn Fn() -> Result<Database, DatabaseError> + Send + Sync>,
     file: String,
+    /// How many writes it has had, noted where damage to it does not reach.
+    count: Option<WriteCount>,
 }
 
 impl Store {
@@ -29,10 +32,13 @@ impl Store {
             let found = "it is empty, as a power cut or a full disk leaves it".to_owned();
             return Err(JournalError::Foreign { file, found });
         }
+        let mut count = WriteCount::beside(path);
         let database = match builder().open(path) {
             Err(DatabaseError::Storage(StorageError::Io(error)))
                 if error.kind() == ErrorKind::NotFound =>
             {
+                // The journal of before was moved away; this one has had no writes.
+                count.note(0);
                 create(path)
             }
             other => other,
@@ -42,6 +48,7 @@ impl Store {
             database: Some(database.map_err(|error| failed(&file, error.into()))?),
             open_again: Box::new(move || builder().open(&again)),
             file,
+            count: Some(count),
         })
     }
 
@@ -57,6 +64,7 @@ impl Store {
             database: Some(database),
             open_again: Box::new(open),
             file,
+            count: None,
         })
     }
 
@@ -80,8 +88,25 @@ impl Store {
         &mut self,
         change: impl FnOnce(&WriteTransaction) -> Result<(), redb::Error>,
     ) -> Result<(), JournalError> {
-        let changed = commit(self.database()?, change);
-        changed.map_err(|error| self.recover(error))
+        let mut number = 0;
+        let changed = commit(self.database()?, |transaction| {
+            change(transaction)?;
+            number = number_write(transaction)?;
+            Ok(())
+        });
+        changed.map_err(|error| self.recover(error))?;
+        if let Some(count) = &mut self.count {
+            count.note(number);
+        }
+        Ok(())
+    }
+
+    /// How many writes are missing of those that were noted beside the file: its newest part is damaged, and what was
+    /// before is in force.
+    pub(crate) fn missing_writes(&mut self) -> Result<u64, JournalError> {
+        let noted = self.count.as_ref().map_or(0, WriteCount::read);
+        let found = self.read(|look| fact(look, WRITES_FACT))?;
+        Ok(noted.saturating_sub(found))
     }
 
     /// What to say where the content makes no sense.
@@ -161,13 +186,17 @@ fn draft(path: &Path) -> PathBuf {
 }
 
 fn open_draft(draft: &Path) -> Result<Database, DatabaseError> {
-    let file = File::options()
-        .read(true)
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(draft)?;
+    let file = private().read(true).open(draft)?;
     builder().create_with_backend(FileBackend::new(file)?)
+}
+
+/// To write a file that is made for its owner alone; what is in it stays.
+pub(crate) fn private() -> OpenOptions {
+    let mut options = File::options();
+    options.write(true).create(true).truncate(false);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    options
 }
 
 /// A new name is lost in a power cut until its folder is on the disk.
@@ -212,6 +241,20 @@ fn commit(
     change(&transaction)?;
     transaction.commit()?;
     Ok(())
+}
+
+/// Counts a write; gives its number.
+fn number_write(change: &WriteTransaction) -> Result<u64, redb::Error> {
+    let mut facts = change.open_table(FACTS)?;
+    let number = facts.get(WRITES_FACT)?.map_or(0, |it| it.value()) + 1;
+    facts.insert(WRITES_FACT, number)?;
+    Ok(number)
+}
+
+/// A fact that is missing is 0, which no format, job or clean journal is.
+pub(crate) fn fact(look: &ReadTransaction, name: &str) -> Result<u64, redb::Error> {
+    let value = look.open_table(FACTS)?.get(name)?;
+    Ok(value.map_or(0, |value| value.value()))
 }
 
 /// Puts the words of the database into those of the journal.
@@ -259,6 +302,10 @@ pub(crate) const FORMAT: u64 = 5;
 pub(crate) const FORMAT_FACT: &str = "format";
 /// Whether the program said good-bye.
 pub(crate) const CLEAN_FACT: &str = "clean";
+/// How many writes it has had.
+const WRITES_FACT: &str = "writes";
+/// How many writes were missing when it was opened, since the program last said good-bye.
+pub(crate) const MISSING_FACT: &str = "missing writes";
 /// The number of the next job.
 pub(crate) const NEXT_JOB_FACT: &str = "next job";
 /// Facts about the journal itself.

@@ -282,11 +282,7 @@ fn alarms(state: &State) -> Vec<String> {
         alarms.push(format!("there is no arm: {why}"));
     }
     if let Some(stop) = &state.stop {
-        let why = stop.reason.as_deref().unwrap_or("no reason was told");
-        alarms.push(format!(
-            "{} stopped the arm ({why}); a person resets that",
-            stop.by
-        ));
+        alarms.push(format!("{}; a person resets that", stop.text()));
     }
     if !state.trust.trusted {
         let why = state.trust.reason.as_deref().unwrap_or("nobody has looked");

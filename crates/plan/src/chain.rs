@@ -30,8 +30,7 @@ impl ChainSpeeds {
     pub(super) fn new(machine: &Machine) -> Self {
         Self {
             cornering: Cornering {
-                // The spared part keeps rounded speeds within the acceleration.
-                acceleration_mm_s2: machine.acceleration_mm_s2 * (1.0 - 1e-5),
+                acceleration_mm_s2: machine.planned_acceleration_mm_s2(),
                 ..machine.cornering()
             },
             begin_mm_s: 0.0,
@@ -40,6 +39,14 @@ impl ChainSpeeds {
             junctions: Vec::new(),
             wanted_s: Vec::new(),
             seen: Vec::new(),
+        }
+    }
+
+    /// The same where vectors that take longer come in pieces.
+    pub(super) fn in_pieces(self, piece_s: f64) -> Self {
+        Self {
+            credit: self.credit.in_pieces(piece_s),
+            ..self
         }
     }
 

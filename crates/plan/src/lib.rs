@@ -1,7 +1,7 @@
 //! Strokes to vectors that arm and link can carry.
 //!
 //! A [`Plan`] has every vector with its speeds: the pen goes up and down, a laser runs up and out, the
-//! speeds look ahead, and each vector lasts as long as the link needs for the next. [`respeed`] makes
+//! speeds look ahead, and each vector lasts as long as the link needs for the next. A long vector comes in pieces. [`respeed`] makes
 //! the speeds of a chain of vectors anew when a job goes on in its middle.
 //!
 //! ```
@@ -12,7 +12,7 @@
 //! let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(240.0, 0.0)]);
 //! let pass = Pass::new(DrawingTool::Pen(Pen::default()), vec![line]);
 //! let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::of(Dialect::SPECIFICATION))?;
-//! assert_eq!(plan.summary().vectors, 3); // lower, draw, lift
+//! assert_eq!(plan.summary().vectors, 6); // lower, draw in four pieces, lift
 //! # Ok::<(), dobot_plan::PlanError>(())
 //! ```
 
@@ -35,6 +35,7 @@ mod motion;
 mod pace;
 mod paper;
 mod pass;
+mod pieces;
 mod plan;
 mod planner;
 mod respeed;
@@ -60,6 +61,7 @@ pub use motion::Motion;
 pub use pace::Pace;
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
+pub use pieces::{LONGEST_BURN_S, LONGEST_DRAW_S};
 pub use plan::Plan;
 pub use respeed::{RespeedStart, end_speed_mm_s, respeed};
 pub use rest_each::rest_each;

@@ -19,6 +19,8 @@ pub(super) struct Credit {
     /// How much time those that wait took on the link, in s.
     waiting_s: f64,
     most_s: f64,
+    /// A vector that takes longer comes in pieces, in s.
+    piece_s: f64,
 }
 
 impl Credit {
@@ -27,7 +29,13 @@ impl Credit {
             period_s: link.period_s,
             waiting_s: 0.0,
             most_s: link.period_s * MOST_WAITING,
+            piece_s: f64::INFINITY,
         }
+    }
+
+    /// The same where vectors that take longer come in pieces.
+    pub(super) const fn in_pieces(self, piece_s: f64) -> Self {
+        Self { piece_s, ..self }
     }
 
     /// How long the next vector has to take at the least.
@@ -37,7 +45,8 @@ impl Credit {
 
     /// The next vector takes so long.
     pub(super) fn take(&mut self, duration_s: f64) {
-        let waiting_s = self.waiting_s + duration_s - self.period_s;
+        let packets = (duration_s / self.piece_s).ceil().max(1.0);
+        let waiting_s = self.waiting_s + duration_s - packets * self.period_s;
         self.waiting_s = waiting_s.clamp(0.0, self.most_s);
     }
 }
@@ -62,5 +71,13 @@ mod tests {
         assert!((credit.least_s() - 0.0).abs() < 1e-12);
         credit.take(0.04);
         assert!((credit.least_s() - 0.04).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_vector_that_comes_in_pieces_leaves_less_time_for_others_to_come() {
+        let mut credit = Credit::new(LinkRate { period_s: 0.08 }).in_pieces(0.2);
+        // Two packets; the next one has come for a quarter of its time.
+        credit.take(0.22);
+        assert!((credit.least_s() - 0.02).abs() < 1e-12);
     }
 }

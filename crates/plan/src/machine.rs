@@ -51,6 +51,11 @@ impl Machine {
         }
     }
 
+    /// What speeds are planned with, in mm/s2: the spared part keeps rounded ones within the acceleration.
+    pub(super) fn planned_acceleration_mm_s2(&self) -> f64 {
+        self.acceleration_mm_s2 * (1.0 - 1e-5)
+    }
+
     /// Whether the arm can keep the speeds of a tool: where it has ticks, speeds are whole multiples
     /// of what a tick changes, and less than half of that is none.
     pub(super) fn check_keeps(&self, tool: &DrawingTool) -> Result<(), PlanError> {

@@ -9,6 +9,7 @@ use crate::joints::JointSpeeds;
 use crate::landing::Landing;
 use crate::lone::LoneVectors;
 use crate::lookahead::ChainVector;
+use crate::pieces::LONGEST_BURN_S;
 use crate::speeds::Speeds;
 use crate::tick_chain::LastPlaces;
 use crate::tick_fit::LEAST_BURN_MM_S;
@@ -50,12 +51,17 @@ impl<'a> Planner<'a> {
         machine: &'a Machine,
     ) -> Self {
         let ticker = Ticker::of(machine, 0.0);
+        let chain_speeds = ChainSpeeds::new(machine);
         Self {
             paper,
             machine,
-            chain_speeds: ChainSpeeds::new(machine),
+            chain_speeds: if tool.burns() {
+                chain_speeds.in_pieces(LONGEST_BURN_S)
+            } else {
+                chain_speeds
+            },
             ticker: if tool.burns() {
-                ticker.map(Ticker::of_others)
+                ticker.map(|it| it.of_others().in_pieces(LONGEST_BURN_S))
             } else {
                 ticker
             },

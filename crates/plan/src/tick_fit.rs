@@ -343,7 +343,7 @@ impl TickTarget {
 /// By how much begin speeds are lower and corrections smaller than they could be, for rounding.
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
-const NEAR: f32 = 0.4;
+pub(super) const NEAR: f32 = 0.4;
 /// By so many steps of speed a vector may end faster than wanted: whether that is too fast is seen at its ticks.
 const FREE_STEPS: f64 = 1.0;
 /// How many ticks it is worth not to be faster by one more; in its square.
@@ -375,7 +375,7 @@ pub(super) const MOST_FITS: usize = 30;
 /// Where in a step the largest speed lies before a rest: it decides how many ticks slow down to 0.
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.2, 0.4];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
-const LEAST_END_MM_S: f32 = 0.01;
+pub(super) const LEAST_END_MM_S: f32 = 0.01;
 /// Nor does it leave less to the next one: behind a laser that would creep (note N48).
 pub(super) const LEAST_LEFT_MM_S: f32 = 0.1;
 

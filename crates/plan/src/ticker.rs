@@ -49,6 +49,14 @@ impl Ticker {
         }
     }
 
+    /// The same where vectors that take longer come in pieces.
+    pub(super) const fn in_pieces(self, piece_s: f64) -> Self {
+        Self {
+            credit: self.credit.in_pieces(piece_s),
+            ..self
+        }
+    }
+
     /// Gives the vectors of a chain these speeds: they are run behind those before.
     pub(super) fn set(&mut self, moves: &mut [PlannedVector], speeds: &[Speeds], fits: &[TickFit]) {
         for ((vector, speeds), fit) in moves.iter_mut().zip(speeds).zip(fits) {
@@ -254,7 +262,7 @@ fn least_ticks(credit: Credit) -> i16 {
 }
 
 /// The length as the arm calculates it.
-fn length(vector: &WriteVector) -> f32 {
+pub(super) fn length(vector: &WriteVector) -> f32 {
     let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
     (x * x + y * y + z * z).sqrt()
 }

@@ -114,13 +114,8 @@ fn stop(state: &State) -> Diagnosis {
     let Some(stop) = &state.stop else {
         return Diagnosis::new("stop", Level::Ok, "the arm may move");
     };
-    let why = stop.reason.as_deref().unwrap_or("no reason was told");
-    Diagnosis::new(
-        "stop",
-        Level::Error,
-        format!("{} stopped the arm ({why}); a person resets that", stop.by),
-    )
-    .with("at_rest", stop.at_rest)
+    let text = format!("{}; a person resets that", stop.text());
+    Diagnosis::new("stop", Level::Error, text).with("at_rest", stop.at_rest)
 }
 
 fn queue(state: &State) -> Diagnosis {

@@ -10,9 +10,12 @@ use tokio::sync::oneshot;
 use crate::connect::Connecting;
 use crate::driver::Driver;
 use crate::guardian::PanicStop;
+use crate::priority;
 
 /// The thread that has the arm: the driver of its port runs there, and those who speak the arm's own
 /// protocol, so that no packet waits until a thousand others have been told where the arm is.
+///
+/// The system runs it before threads that can wait, where it is allowed to ([`priority`]).
 ///
 /// When it panics, its [`PanicStop`] sends laser off and the release, since nothing else is left that could.
 #[derive(Debug)]
@@ -36,12 +39,17 @@ impl ArmThread {
     ///
     /// What the operating system says.
     pub(crate) fn start(panic_stop: Arc<PanicStop>) -> io::Result<Self> {
-        let runtime = Builder::new_current_thread().enable_all().build()?;
+        // What is spawned beside it would be as urgent as the thread itself.
+        let runtime = Builder::new_current_thread()
+            .enable_all()
+            .on_thread_start(priority::of_jobs)
+            .build()?;
         let handle = runtime.handle().clone();
         let (driver, given) = oneshot::channel::<(Driver, Option<Connecting>)>();
         let (over, ended) = oneshot::channel();
         let thread = std::thread::Builder::new().name("arm".into());
         thread.spawn(move || {
+            priority::of_arm();
             panic_stop.send_on_panic();
             let work = || {
                 runtime.block_on(async {
@@ -229,6 +237,25 @@ mod tests {
             began.elapsed() < Duration::from_secs(5),
             "it did not wait for anybody"
         );
+    }
+
+    #[cfg(target_os = "linux")]
+    #[tokio::test]
+    async fn the_arm_goes_before_the_check_of_a_job() {
+        use rustix::process::{getpriority_process, setpriority_process};
+
+        let niceness = || getpriority_process(None).unwrap();
+        let usual = niceness();
+        // What the system allows here.
+        let allowed = std::thread::spawn(move || setpriority_process(None, -10).is_ok());
+        let allowed = allowed.join().unwrap();
+        let thread = ArmThread::start(Arc::default()).unwrap();
+        let of_arm = thread.runtime.spawn(async move { niceness() });
+        let of_jobs = thread.runtime.spawn_blocking(niceness);
+        let of_arm = of_arm.await.unwrap();
+        assert_eq!(of_arm, if allowed { -10 } else { usual });
+        assert!(of_jobs.await.unwrap() >= 5, "it is not inherited");
+        assert_eq!(niceness(), usual, "other threads stay as they are");
     }
 
     #[tokio::test]

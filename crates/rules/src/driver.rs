@@ -25,7 +25,7 @@ use crate::handle::{Ends, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::kept_slots::KeptSlots;
-use crate::kept_stop::KeptStop;
+use crate::kept_stop::{Content, KeptStop};
 use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
 use crate::supervisor::{Effect, Supervisor};
@@ -132,6 +132,10 @@ impl Driver {
     ///
     /// Why not, in one line.
     pub(crate) fn recover(&mut self) -> Result<(), String> {
+        if let Some(text) = self.jobs.missing() {
+            let now = self.now();
+            self.supervisor.handle_jobs_missing(now, text);
+        }
         let interrupted = self.jobs.interrupted().map_err(|error| error.to_string())?;
         let Some(job) = interrupted else {
             return Ok(());
@@ -164,18 +168,19 @@ impl Driver {
         taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
     }
 
-    /// Takes up the stop that held when the station before this one ended.
+    /// Takes up the stops that held when the station before this one ended.
     pub(crate) fn recover_stop(&mut self) {
-        if let Some(stop) = self.stop.as_ref().and_then(KeptStop::read) {
+        if let Some(Content { stop, fleet }) = self.stop.as_ref().map(KeptStop::read) {
             let now = self.now();
-            self.supervisor.handle_kept_stop(now, stop.by, stop.reason);
+            self.supervisor.handle_kept_stops(now, stop, fleet);
         }
     }
 
-    /// Keeps the stop for a station that comes after this one, or that none holds any more.
-    fn keep_stop(&mut self) {
-        if let Some(stop) = &self.stop {
-            let new = stop.keep(self.supervisor.state().stop);
+    /// Keeps the stops for a station that comes after this one, or that none holds any more.
+    fn keep_stops(&mut self) {
+        let kept = self.supervisor.poll_kept_stops();
+        if let (Some(file), Some((stop, fleet))) = (&self.stop, kept) {
+            let new = file.keep(&Content { stop, fleet });
             self.write_file(new.map(Some), "the stop cannot be kept");
         }
     }
@@ -308,6 +313,7 @@ impl Driver {
             self.remember(&notice);
             self.ends.announce(notice);
         }
+        self.keep_stops();
         if self.supervisor.poll_changed() {
             self.publish();
         }
@@ -421,6 +427,25 @@ impl Driver {
                 let model = self.supervisor.planning_model();
                 let jobs = self.jobs.clone();
                 jobs.answer_offer(key, ask, model, now_ms(), reply);
+            }
+            Message::FleetStop { origin, by, reply } => {
+                self.drop_held_start();
+                // A clock of before 1970 counts from the last stop on.
+                let now_ms = u64::try_from(now_ms()).unwrap_or_default();
+                let stopped = self.supervisor.handle_fleet_stop(now, &origin, by, now_ms);
+                self.send();
+                let _ = reply.send(stopped);
+            }
+            Message::FleetStops { stops, reply } => {
+                let stopped = self.supervisor.handle_fleet_stops(now, &stops);
+                self.send();
+                if stopped.is_some() {
+                    self.drop_held_start();
+                }
+                let _ = reply.send((self.supervisor.state().fleet_stops, stopped));
+            }
+            Message::FleetReset { by, reply } => {
+                let _ = reply.send(self.supervisor.handle_fleet_reset(now, &by));
             }
             Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
             Message::Failed(text) => self.fail(text),
@@ -595,7 +620,13 @@ impl Driver {
                 | Request::Stop { .. }
                 | Request::Lock { .. }
         );
-        if let Some(held) = self.held_start.take_if(|_| rests) {
+        if rests {
+            self.drop_held_start();
+        }
+    }
+
+    fn drop_held_start(&mut self) {
+        if let Some(held) = self.held_start.take() {
             let why = "it was told to rest before it had come to rest".to_owned();
             drop(held.start.reply.send(Err(Refusal::CannotResume(why))));
         }
@@ -650,9 +681,6 @@ impl Driver {
 
     /// Keeps which dialect the arm speaks, once that is known.
     fn remember(&mut self, notice: &Notice) {
-        if matches!(notice.news, News::Stopped | News::StopReset) {
-            self.keep_stop();
-        }
         let (News::DialectKnown { dialect }, Some(address)) = (&notice.news, &self.address) else {
             return;
         };

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use dobot_api::{
-    Calibrations, ClientId, JobPath, JobView, NewJob, Notice, Reply, Request, Role, State,
+    Calibrations, ClientId, FleetWideStop, JobPath, JobView, NewJob, Notice, Reply, Request, Role,
+    State,
 };
 use dobot_arm::Calibration;
 use dobot_safety::Policy;
@@ -14,6 +15,7 @@ use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
 use crate::Refusal;
+use crate::kept_stop::StoppedBy;
 use crate::supervisor::Begun;
 
 /// How the rest of the station talks to the task that owns the arm; clones share it.
@@ -204,6 +206,29 @@ pub enum Message {
         ask: OfferAsk,
         /// The answer.
         reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
+    },
+    /// Somebody stops the whole fleet at this station.
+    FleetStop {
+        /// The number that this station goes by in its fleet.
+        origin: String,
+        /// Who, and why.
+        by: StoppedBy,
+        /// The stop, of which the others are to be told, and how this arm stops.
+        reply: oneshot::Sender<(FleetWideStop, Reply)>,
+    },
+    /// Another station tells which stops of the fleet it knows of.
+    FleetStops {
+        /// The stops.
+        stops: Vec<FleetWideStop>,
+        /// Those that are known here now, and how this arm stops if a stop holds it.
+        reply: oneshot::Sender<(Vec<FleetWideStop>, Option<Reply>)>,
+    },
+    /// Somebody lets the whole fleet move again.
+    FleetReset {
+        /// Who.
+        by: String,
+        /// The stops, of which the others are to be told.
+        reply: oneshot::Sender<Vec<FleetWideStop>>,
     },
     /// A client behaves badly, in one line: those who watch are to know.
     Trouble(String),
@@ -443,6 +468,51 @@ impl Handle {
         let key = key.to_owned();
         self.send(Message::Offer { key, ask, reply }).await?;
         answer.await.map_err(|_| Refusal::Ending)?
+    }
+
+    /// Stops the whole fleet, as far as this station does that: its own arm. The others are to be told of the stop that is
+    /// returned. `origin` is the number that this station goes by in its fleet.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn stop_fleet(
+        &self,
+        origin: &str,
+        by: StoppedBy,
+    ) -> Result<(FleetWideStop, Reply), Refusal> {
+        let (reply, answer) = oneshot::channel();
+        let origin = origin.to_owned();
+        self.send(Message::FleetStop { origin, by, reply }).await?;
+        answer.await.map_err(|_| Refusal::Ending)
+    }
+
+    /// Takes which stops of the fleet another station knows of. Gives those that are known here then, and how this arm stops
+    /// where a stop holds it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn adopt_fleet_stops(
+        &self,
+        stops: Vec<FleetWideStop>,
+    ) -> Result<(Vec<FleetWideStop>, Option<Reply>), Refusal> {
+        let (reply, answer) = oneshot::channel();
+        self.send(Message::FleetStops { stops, reply }).await?;
+        answer.await.map_err(|_| Refusal::Ending)
+    }
+
+    /// Lets the whole fleet move again, as far as this station does that. The others are to be told of the stops that are
+    /// returned.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Ending`].
+    pub async fn reset_fleet_stops(&self, by: &str) -> Result<Vec<FleetWideStop>, Refusal> {
+        let (reply, answer) = oneshot::channel();
+        let by = by.to_owned();
+        self.send(Message::FleetReset { by, reply }).await?;
+        answer.await.map_err(|_| Refusal::Ending)
     }
 
     /// Lets those who watch know that a client behaves badly.

@@ -16,6 +16,7 @@ use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
 pub(crate) use self::list::{FORGETTABLE, again, forget, list, move_before};
+pub use self::offers::WITHDRAWN;
 pub(crate) use self::offers::answer;
 use crate::handle::{Message, OfferAnswer, OfferAsk};
 use crate::job_path::path_of;
@@ -83,6 +84,17 @@ impl Jobs {
     /// Plans by another policy from now on.
     pub(crate) fn set_policy(&mut self, policy: &Policy) {
         self.policy = Arc::new(policy.clone());
+    }
+
+    /// What is missing of the jobs because the journal was damaged, and what to do, in one line.
+    pub(crate) fn missing(&self) -> Option<String> {
+        let missing = self.journal.missing_writes();
+        (missing > 0).then(|| {
+            let writes = if missing == 1 { "write" } else { "writes" };
+            format!(
+                "the journal was damaged, and is {missing} {writes} behind: the last queued jobs may be missing; look through `dobot jobs`, and submit again what is not there"
+            )
+        })
     }
 
     /// The job that was at work when the station ended without saying so.

@@ -1,31 +1,35 @@
-//! The stop that holds the arm, through restarts of the station.
+//! The stop that holds the arm, and those of the fleet, through restarts of the station.
 
 use std::io;
 use std::path::PathBuf;
 
-use dobot_api::StopView;
 use serde::{Deserialize, Serialize};
 
 use crate::known_arms::{NewText, read_file};
+use crate::supervisor::KeptFleetStop;
 
-/// The file with the stop; it is empty while none holds.
+/// The file with the stop and those of the fleet; it is empty where there are none.
 #[derive(Debug)]
 pub(crate) struct KeptStop(PathBuf);
 
 #[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Content {
+pub(crate) struct Content {
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    stop: Option<StoppedBy>,
+    pub(crate) stop: Option<StoppedBy>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) fleet: Vec<KeptFleetStop>,
 }
 
 /// Who stopped the arm, and why.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct StoppedBy {
-    pub(crate) by: String,
+pub struct StoppedBy {
+    /// Who.
+    pub by: String,
+    /// Why.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) reason: Option<String>,
+    pub reason: Option<String>,
 }
 
 impl KeptStop {
@@ -33,8 +37,8 @@ impl KeptStop {
         Self(file)
     }
 
-    /// The stop that held when the station ended. A file that cannot be read counts as a stop: somebody has to look.
-    pub(crate) fn read(&self) -> Option<StoppedBy> {
+    /// What held when the station ended. A file that cannot be read counts as a stop: somebody has to look.
+    pub(crate) fn read(&self) -> Content {
         let text = read_file(&self.0).map_err(|error| error.to_string());
         let content = text.and_then(|text| {
             let text = text.unwrap_or_default();
@@ -48,44 +52,49 @@ impl KeptStop {
                     self.0.display()
                 )),
             }),
+            fleet: Vec::new(),
         };
-        content.unwrap_or_else(unreadable).stop
+        content.unwrap_or_else(unreadable)
     }
 
-    /// The file for the stop that holds now, if one does.
-    pub(crate) fn keep(&self, stop: Option<StopView>) -> io::Result<NewText> {
-        let stop = stop.map(|it| StoppedBy {
-            by: it.by,
-            reason: it.reason,
-        });
-        NewText::of(&self.0, &Content { stop })
+    /// The file for what holds now.
+    pub(crate) fn keep(&self, content: &Content) -> io::Result<NewText> {
+        NewText::of(&self.0, content)
     }
 }
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
+    use dobot_api::FleetWideStop;
+
     use super::*;
 
     #[test]
     fn a_stop_is_kept_until_it_is_reset() {
         let folder = tempfile::tempdir().unwrap();
         let kept = KeptStop::at(folder.path().join("stop.toml"));
-        assert_eq!(kept.read(), None);
-        let stop = StopView {
-            by: "Anna".into(),
-            reason: Some("finger caught".into()),
-            at_s: 5.0,
-            rests_by_s: 6.0,
-            at_rest: true,
-            delivered: true,
+        assert_eq!(kept.read(), Content::default());
+        let content = Content {
+            stop: Some(StoppedBy {
+                by: "Anna".into(),
+                reason: Some("finger caught".into()),
+            }),
+            fleet: vec![KeptFleetStop {
+                stop: FleetWideStop {
+                    origin: "0123".into(),
+                    count: 1_800_000_000_000,
+                    by: "Ms Weber".into(),
+                    reason: None,
+                    reset_by: Some("Ms Weber".into()),
+                },
+                is_reset_here: true,
+            }],
         };
-        kept.keep(Some(stop)).unwrap().write().unwrap();
-        let read = kept.read().unwrap();
-        assert_eq!(read.by, "Anna");
-        assert_eq!(read.reason.as_deref(), Some("finger caught"));
-        kept.keep(None).unwrap().write().unwrap();
-        assert_eq!(kept.read(), None);
+        kept.keep(&content).unwrap().write().unwrap();
+        assert_eq!(kept.read(), content);
+        kept.keep(&Content::default()).unwrap().write().unwrap();
+        assert_eq!(kept.read(), Content::default());
     }
 
     #[test]
@@ -93,7 +102,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("stop.toml");
         std::fs::write(&file, "[stop").unwrap();
-        let read = KeptStop::at(file).read().unwrap();
+        let read = KeptStop::at(file).read().stop.unwrap();
         assert!(read.reason.unwrap().contains("stop.toml"));
     }
 }

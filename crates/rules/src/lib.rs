@@ -58,6 +58,7 @@ mod kept_stop;
 mod known_arms;
 mod planned_for;
 mod predict;
+pub mod priority;
 mod recording;
 mod refusal;
 mod service_manager;
@@ -79,13 +80,15 @@ pub use handle::{
     Client, Ends, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
 };
 pub use host::{Host, HostError, Setup};
+pub use jobs::WITHDRAWN;
+pub use kept_stop::StoppedBy;
 pub use known_arms::KnownArmsError;
 pub use planned_for::PlannedFor;
 pub use predict::{Prediction, predict};
 pub use recording::{notice_topic, state_topic, tools_of};
 pub use refusal::{Holder, Refusal};
 pub use service_manager::{Notification, ServiceManager};
-pub use supervisor::{Begun, Effect, JobPlan, Supervisor};
+pub use supervisor::{Begun, Effect, JobPlan, KeptFleetStop, Supervisor};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};
 pub use text::is_plain;
 pub(crate) use text::plain;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Folders, Notice, State};
+use dobot_api::{Folders, Notice, State, make_private};
 use dobot_arm::Millimeters;
 use dobot_client::Address;
 use dobot_model::{MountedTool, ToolKind};
@@ -165,6 +165,8 @@ fn essence(state: &State) -> State {
 
 /// Starts a recording, or says why there is none.
 pub(crate) fn start(folders: &Folders) -> (Option<Recorder>, Option<String>) {
+    // What hinders it hinders the recorder too, which says so.
+    let _ = make_private(&folders.recordings());
     let recorder = Recorder::start(
         folders.recordings(),
         Limits::default(),
@@ -277,11 +279,13 @@ mod tests {
             lock: None,
             slots: None,
             stop: None,
+            fleet_stops: Vec::new(),
             laser: LaserView {
                 armed_for_s: 0.0,
                 on: false,
             },
             job: None,
+            jobs_missing: None,
             clients: 1,
         }
     }

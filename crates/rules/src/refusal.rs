@@ -52,12 +52,15 @@ pub enum Refusal {
     #[error("client {0} does not ask for control")]
     NotAsking(u64),
     /// The arm is stopped until a person resets that.
-    #[error("the arm was stopped by {by}{}", reason.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    #[error("{} {by}{}", if *of_fleet { "stopped: fleet, by" } else { "the arm was stopped by" },
+        reason.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
     Stopped {
         /// Who stopped it.
         by: String,
         /// Why.
         reason: Option<String>,
+        /// Whether the whole fleet was stopped.
+        of_fleet: bool,
     },
     /// The arm has not come to rest yet after a stop.
     #[error("the arm still moves; it rests within {within_s:.1} s")]
@@ -211,6 +214,10 @@ impl Refusal {
                 "wait for your own time, or until the arm is free: `dobot slots` shows when; anybody may stop the arm meanwhile",
             ),
             Self::NotAsking(_) => (problem_kinds::NOT_ASKING, "`dobot lease` shows who asks"),
+            Self::Stopped { of_fleet: true, .. } => (
+                problem_kinds::STOPPED,
+                "look at the arm; `dobot stop --reset` lets this one move again, `dobot fleet stop --reset` all of the fleet",
+            ),
             Self::Stopped { .. } => (
                 problem_kinds::STOPPED,
                 "look at the arm; when it may move again, `dobot stop --reset`",

@@ -6,6 +6,7 @@ mod button;
 mod commands;
 mod detecting;
 mod events;
+mod fleet_stops;
 mod halt;
 mod job;
 mod jog;
@@ -45,6 +46,7 @@ use self::save::Save;
 use self::stop::Stop;
 use crate::refusal::Refusal;
 
+pub use self::fleet_stops::KeptFleetStop;
 pub use self::plan::JobPlan;
 pub use self::run::{Begun, Effect};
 
@@ -73,6 +75,8 @@ pub struct Supervisor {
     confirmed_job: Option<u64>,
     /// Why nobody would stop the arm if the station were killed.
     unguarded: Option<String>,
+    /// What is missing of the kept jobs.
+    jobs_missing: Option<String>,
     save: Save,
     outbox: Outbox,
 }
@@ -94,6 +98,7 @@ impl Supervisor {
             run: None,
             confirmed_job: None,
             unguarded: None,
+            jobs_missing: None,
             save: Save::default(),
             outbox: Outbox::new(),
         }
@@ -103,6 +108,12 @@ impl Supervisor {
     pub fn handle_trouble(&mut self, now: Duration, text: String) {
         self.handle_time(now);
         self.notify(News::Trouble, text);
+    }
+
+    /// Takes that kept jobs are missing, in one line: all who watch are told, now and with each state.
+    pub fn handle_jobs_missing(&mut self, now: Duration, text: String) {
+        self.handle_trouble(now, text.clone());
+        self.jobs_missing = Some(text);
     }
 
     /// Lets the laser burn without having been armed: that of a virtual arm harms nobody.
@@ -208,6 +219,7 @@ impl Supervisor {
         // The stop before the job: that the arm rests is told before what it means for the job.
         if self.stop.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
+            self.let_go_of_fleet();
         }
         self.judge_grip(&status);
         self.of_run(Run::handle_status);
@@ -284,8 +296,10 @@ impl Supervisor {
             lock: self.leases.lock_view(),
             slots: self.leases.slots_view(),
             stop: self.stop.view(),
+            fleet_stops: self.stop.fleet_stops(),
             laser: self.arm.laser_view(),
             job: self.job(),
+            jobs_missing: self.jobs_missing.clone(),
             clients: self.leases.clients(),
         }
     }

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use dobot_api::JobState;
 use dobot_api::{
-    Calibrations, ClientId, JobPath, JobView, LinkPhase, NewJob, Notice, Reply, Request, Role,
+    Calibrations, ClientId, FleetWideStop, JobPath, JobView, LinkPhase, NewJob, Notice, Reply,
+    Request, Role,
 };
 use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
@@ -14,8 +15,8 @@ use dobot_wire::Packet;
 
 use crate::job_path::path_of;
 use crate::jobs;
-use crate::supervisor::{Begun, Effect, Supervisor};
-use crate::{OfferAnswer, OfferAsk, Refusal};
+use crate::supervisor::{Begun, Effect, KeptFleetStop, Supervisor};
+use crate::{OfferAnswer, OfferAsk, Refusal, StoppedBy};
 
 /// A supervisor and a virtual arm, in virtual time, with a real journal: for tests of everything that
 /// can go wrong, thousands of times faster than it would.
@@ -46,6 +47,8 @@ pub struct VirtualStation {
     looks: Duration,
     notices: Vec<Notice>,
     packets: Vec<(Duration, [u8; 42])>,
+    /// The stops that are on the disk: the one of this arm, and those of the fleet.
+    stops: (Option<StoppedBy>, Vec<KeptFleetStop>),
 }
 
 impl VirtualStation {
@@ -96,6 +99,7 @@ impl VirtualStation {
             looks: Duration::ZERO,
             notices: Vec::new(),
             packets: Vec::new(),
+            stops: Default::default(),
         };
         virtual_station.plug();
         virtual_station
@@ -174,9 +178,22 @@ impl VirtualStation {
         let dialect = Some(self.power_up.personality.dialect());
         self.supervisor = Supervisor::new(self.policy.clone(), dialect);
         self.started = self.now;
+        let (own, fleet) = self.stops.clone();
+        self.supervisor
+            .handle_kept_stops(Duration::ZERO, own, fleet);
         self.recover()?;
         self.plug();
         Ok(())
+    }
+
+    /// The station does nothing more, and its guardian sends these packets, each a gap after the one before: for a
+    /// station that is then killed by [`VirtualStation::crash`].
+    pub fn guard(&mut self, packets: &[Packet]) {
+        for packet in packets {
+            self.now += GUARDIAN_GAP;
+            self.arm.handle_time(self.now);
+            self.arm.handle_bytes(self.now, &packet.to_bytes());
+        }
     }
 
     /// The pose is not to be trusted until a person confirms it, as when the port of a real arm is opened.
@@ -279,6 +296,32 @@ impl VirtualStation {
         let answer = self.supervisor.handle_request(now, client, request);
         self.settle();
         answer.unwrap_or(Ok(Reply::Done))
+    }
+
+    /// Somebody stops the whole fleet at this station, which goes by the number `origin`. The others are to be told of the
+    /// stop that is returned.
+    pub fn stop_fleet(&mut self, origin: &str, by: StoppedBy) -> FleetWideStop {
+        let now = self.supervisor_now();
+        let now_ms = u64::try_from(self.now.as_millis()).unwrap_or_default();
+        let (stop, _) = self.supervisor.handle_fleet_stop(now, origin, by, now_ms);
+        self.settle();
+        stop
+    }
+
+    /// Another station tells which stops of the fleet it knows of; gives those that are known here then.
+    pub fn adopt_fleet_stops(&mut self, stops: &[FleetWideStop]) -> Vec<FleetWideStop> {
+        let now = self.supervisor_now();
+        self.supervisor.handle_fleet_stops(now, stops);
+        self.settle();
+        self.supervisor.state().fleet_stops
+    }
+
+    /// Somebody lets the whole fleet move again. The others are to be told of the stops that are returned.
+    pub fn reset_fleet(&mut self, by: &str) -> Vec<FleetWideStop> {
+        let now = self.supervisor_now();
+        let stops = self.supervisor.handle_fleet_reset(now, by);
+        self.settle();
+        stops
     }
 
     /// A program that speaks the arm's own protocol sends a packet.
@@ -535,6 +578,9 @@ impl VirtualStation {
         while let Some(effect) = self.supervisor.poll_effect() {
             self.disk.push((self.now + self.disk_takes, effect));
         }
+        if let Some(stops) = self.supervisor.poll_kept_stops() {
+            self.stops = stops;
+        }
         while let Some(notice) = self.supervisor.poll_notice() {
             self.notices.push(notice);
         }
@@ -550,5 +596,7 @@ impl VirtualStation {
     }
 }
 
+/// Between two packets of a guardian.
+const GUARDIAN_GAP: Duration = Duration::from_millis(60);
 /// A disk that takes longer has failed.
 const PATIENCE: Duration = Duration::from_secs(10);

@@ -1,5 +1,6 @@
 //! When the laser may burn.
 
+use dobot_arm::TICK_S;
 use dobot_trajectory::{Model, Trajectory, burns};
 use dobot_wire::{Command, WriteVector};
 
@@ -25,7 +26,10 @@ impl Policy {
             return Err(Violation::of_words("laser.standing", message));
         }
         match command {
-            Command::WriteVector(vector) if trajectory.laser() => self.check_burning_speed(vector),
+            Command::WriteVector(vector) if trajectory.laser() => {
+                self.check_burning_speed(vector)?;
+                self.check_burning_time(trajectory)
+            }
             _ => Ok(()),
         }
     }
@@ -44,5 +48,23 @@ impl Policy {
             allowed,
             " mm/s",
         ))
+    }
+
+    fn check_burning_time(&self, trajectory: &Trajectory) -> Result<(), Violation> {
+        let found = trajectory.motion_s().unwrap_or_default();
+        let allowed = Bounds::new(0.0, self.laser.longest_s);
+        if found <= allowed.max + TICK_S {
+            return Ok(());
+        }
+        let name = "the time of a burning vector";
+        let violation = Violation::of_value("laser.longest", name, found, allowed, " s");
+        let message = format!(
+            "{}: cut it into shorter ones that begin and end at its speed",
+            violation.message
+        );
+        Err(Violation {
+            message,
+            ..violation
+        })
     }
 }

@@ -130,6 +130,9 @@ section! {
         arm_for_s: f64 = 600.0,
         /// The least of the largest speed of a burning vector, in mm/s: 0 to 1000.
         least_speed_mm_s: f64 = 1.0,
+        /// How long a vector may burn, in s: 0.1 to 3600. The arm finishes what it has received, so it burns on for so
+        /// long after a stop.
+        longest_s: f64 = 1.0,
         /// Whether it may burn while the arm stands.
         standing: bool = false,
         /// Where it may burn: x, y and z as the arm tells them.

@@ -98,7 +98,7 @@ fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
 }
 
 /// Numbers and their ranges.
-fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 22] {
+fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 23] {
     let Policy {
         table,
         tool_length,
@@ -159,6 +159,7 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 22] {
             laser.least_speed_mm_s,
             within(0.0, 1000.0),
         ),
+        ("laser.longest_s", laser.longest_s, within(0.1, 3600.0)),
         ("jog.dead_man_s", jog.dead_man_s, within(0.05, 2.0)),
         ("jog.raw_dead_man_s", jog.raw_dead_man_s, within(0.05, 5.0)),
         ("jog.reaction_s", jog.reaction_s, within(0.05, 2.0)),

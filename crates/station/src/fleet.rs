@@ -4,7 +4,9 @@
 use std::sync::Arc;
 
 use dobot_api::problem_kinds::{ENDING, NO_SUCH_MEMBER};
-use dobot_api::{ApiRequest, Member, MemberAnswer, Problem, Recipients, TakesWork, WorkView};
+use dobot_api::{
+    ApiRequest, LinkPhase, Member, MemberAnswer, Problem, Recipients, State, TakesWork, WorkView,
+};
 use tokio::sync::{mpsc, oneshot, watch};
 
 /// All stations of a fleet that have been seen, by name.
@@ -14,7 +16,10 @@ pub type Members = Arc<[Arc<Member>]>;
 #[derive(Clone, Debug)]
 pub struct FleetPort {
     name: String,
+    id: String,
     takes_work: Option<TakesWork>,
+    is_on_one_machine: bool,
+    is_settled: watch::Receiver<bool>,
     members: watch::Receiver<Members>,
     wishes: mpsc::Sender<FleetWish>,
 }
@@ -24,6 +29,8 @@ pub struct FleetPort {
 pub struct FleetEnd {
     /// All stations that have been seen.
     pub members: watch::Sender<Members>,
+    /// Whether the station has learned which stops of the fleet there are since it came or came back.
+    pub is_settled: watch::Sender<bool>,
     /// What is wanted of the fleet.
     pub wishes: mpsc::Receiver<FleetWish>,
 }
@@ -36,6 +43,8 @@ pub enum FleetWish {
     Look(oneshot::Sender<()>),
     /// To ask others for something.
     Ask(FleetAsk),
+    /// To tell these stations at once which stops of the fleet there are. Those that do not answer are told later.
+    TellStops(Vec<Arc<Member>>, oneshot::Sender<Vec<MemberAnswer>>),
     /// That any arm does something.
     Work(WorkWish),
 }
@@ -87,20 +96,25 @@ pub struct FleetAsk {
 }
 
 impl FleetPort {
-    /// The two ends, for a station of this name.
+    /// The two ends, for a station of this name and number.
     #[must_use]
-    pub fn new(name: &str) -> (Self, FleetEnd) {
+    pub fn new(name: &str, id: &str) -> (Self, FleetEnd) {
         let (members, seen) = watch::channel(Members::default());
         // Each one who asks waits for its answer.
         let (wishes, wished) = mpsc::channel(64);
+        let (is_settled, settled) = watch::channel(true);
         let port = Self {
             name: name.into(),
+            id: id.into(),
             takes_work: None,
+            is_on_one_machine: false,
+            is_settled: settled,
             members: seen,
             wishes,
         };
         let end = FleetEnd {
             members,
+            is_settled,
             wishes: wished,
         };
         (port, end)
@@ -110,6 +124,33 @@ impl FleetPort {
     #[must_use]
     pub fn taking(self, takes_work: Option<TakesWork>) -> Self {
         Self { takes_work, ..self }
+    }
+
+    /// The same, for a fleet that nobody on another machine can join.
+    #[must_use]
+    pub fn on_one_machine(self, is_on_one_machine: bool) -> Self {
+        Self {
+            is_on_one_machine,
+            ..self
+        }
+    }
+
+    /// Whether nobody on another machine can join the fleet.
+    #[must_use]
+    pub const fn is_on_one_machine(&self) -> bool {
+        self.is_on_one_machine
+    }
+
+    /// Whether the station has learned which stops of the fleet there are since it came or came back.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        *self.is_settled.borrow()
+    }
+
+    /// The number that the station goes by, as in [`Member::id`].
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
     }
 
     /// What the station does with work of its fleet; nothing where it takes none.
@@ -163,6 +204,18 @@ impl FleetPort {
         answered.await.map_err(|_| ending())
     }
 
+    /// Tells these stations which stops of the fleet there are, and waits for the answer of each. Those that do not answer
+    /// are told later.
+    ///
+    /// # Errors
+    ///
+    /// [`ENDING`] where the fleet is left.
+    pub async fn tell_stops(&self, to: Vec<Arc<Member>>) -> Result<Vec<MemberAnswer>, Problem> {
+        let (answers, answered) = oneshot::channel();
+        self.wish(FleetWish::TellStops(to, answers)).await?;
+        answered.await.map_err(|_| ending())
+    }
+
     /// Wants something of the work for any arm, and waits for what comes of it.
     ///
     /// # Errors
@@ -177,6 +230,12 @@ impl FleetPort {
         answer.await.map_err(|_| ending())?
     }
 
+    /// All stations that have been seen, as far as that is known without asking them.
+    #[must_use]
+    pub fn members(&self) -> Members {
+        self.members.borrow().clone()
+    }
+
     /// The station of this name, as far as it has been seen.
     #[must_use]
     pub fn member(&self, name: &str) -> Option<Arc<Member>> {
@@ -186,6 +245,29 @@ impl FleetPort {
 
     async fn wish(&self, wish: FleetWish) -> Result<(), Problem> {
         self.wishes.send(wish).await.map_err(|_| ending())
+    }
+}
+
+/// Why an arm cannot start work of its fleet now, whatever its job is; one of a station that starts it by itself where nobody
+/// has control.
+#[must_use]
+pub fn work_hurdle(state: &State, takes_work: TakesWork) -> Option<String> {
+    if let Some(stop) = &state.stop {
+        return Some(stop.text());
+    }
+    if let Some(lock) = &state.lock {
+        return Some(format!("locked by {}", lock.by));
+    }
+    if state.link.phase != LinkPhase::Up {
+        return Some("its station does not hear the arm".into());
+    }
+    if !state.trust.trusted {
+        return Some("its pose is to be confirmed".into());
+    }
+    match (takes_work, &state.lease) {
+        (TakesWork::Start, Some(lease)) => Some(format!("{} has control", lease.name)),
+        // A person starts it, and that one may have control.
+        _ => None,
     }
 }
 

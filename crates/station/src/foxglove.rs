@@ -15,12 +15,15 @@ use foxglove::{
 };
 use jiff::{SignedDuration, Timestamp};
 use serde::Serialize;
+use tokio::net::TcpListener;
 use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::mpsc;
+use tokio::task::JoinSet;
 
 /// Where Foxglove comes and looks on: the topics are those of the recordings, so that one layout serves both.
 ///
-/// It is on this machine only, for its protocol knows no passwords; and nothing can be asked of the arm here.
+/// It is on this machine only, for its protocol knows no passwords; and nothing can be asked of the arm here. Pages of
+/// other sites are refused, by their `Origin`.
 #[derive(Debug)]
 pub struct FoxglovePort {
     server: WebSocketServerHandle,
@@ -28,6 +31,8 @@ pub struct FoxglovePort {
     context: Arc<Context>,
     /// Those who want to see the ink, as they come.
     late: mpsc::UnboundedReceiver<SinkId>,
+    /// Checks which page a connection comes from; ends with the port.
+    front: JoinSet<()>,
 }
 
 /// Why there is no port for Foxglove.
@@ -65,22 +70,30 @@ impl FoxglovePort {
         }
         let context = Context::new();
         let (came, late) = mpsc::unbounded_channel();
+        let failed = |source| FoxglovePortError::Listen {
+            address,
+            source: Box::new(source),
+        };
+        let listener = TcpListener::bind(address).await;
+        let listener = listener.map_err(|it| failed(FoxgloveError::Bind(it)))?;
+        let inner = front::hidden_address().map_err(|it| failed(FoxgloveError::Bind(it)))?;
         let server = context
             .websocket_server()
             .listener(Arc::new(Door(came)))
             .name(concat!("dobot ", env!("CARGO_PKG_VERSION")))
-            .bind(address.ip().to_string(), address.port());
-        let server = server.start().await;
-        let server = server.map_err(|source| FoxglovePortError::Listen {
-            address,
-            source: Box::new(source),
-        })?;
-        let address = SocketAddr::new(address.ip(), server.port());
+            .bind(inner.to_string(), 0);
+        let server = server.start().await.map_err(failed)?;
+        let address = listener.local_addr();
+        let address = address.map_err(|it| failed(FoxgloveError::Bind(it)))?;
+        let inner = SocketAddr::from((inner, server.port()));
+        let mut front = JoinSet::new();
+        front.spawn(front::serve(listener, inner));
         Ok(Self {
             server,
             address,
             context,
             late,
+            front,
         })
     }
 
@@ -128,6 +141,7 @@ impl FoxglovePort {
                 () = handle.ended() => break,
             }
         }
+        self.front.shutdown().await;
         self.server.stop().wait().await;
         Ok(())
     }
@@ -266,6 +280,8 @@ impl Teller {
         }
     }
 }
+
+mod front;
 
 #[cfg(test)]
 mod tests;

@@ -72,11 +72,13 @@ pub(crate) fn state(at_s: f64) -> State {
         lock: None,
         slots: None,
         stop: None,
+        fleet_stops: Vec::new(),
         laser: LaserView {
             armed_for_s: 0.0,
             on: false,
         },
         job: Some(job(7)),
+        jobs_missing: None,
         clients: 1,
     }
 }

@@ -61,7 +61,7 @@ function reasons({ say }, { presence, state }) {
   const texts = [
     presence.type === "away" ? say("fleet.away.text") : "",
     presence.type === "refused" ? problemText(presence.problem) : "",
-    stop ? say("stopped.by", { by: stop.by, why: stop.reason ? `: ${stop.reason}` : "", rest: say(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving") }) : "",
+    stop ? say(stop.of_fleet ? "stopped.by_fleet" : "stopped.by", { by: stop.by, why: stop.reason ? `: ${stop.reason}` : "", rest: say(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving") }) : "",
     lock ? `${say("locked.title")} ${say("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}` : "",
     state?.arm && !state.trust.trusted ? state.trust.reason ?? "" : "",
     state?.link.problem ?? "",

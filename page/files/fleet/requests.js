@@ -1,6 +1,7 @@
 // What a person asks of several stations at once, by the station of this board.
 
 import { saveAs } from "../parts/save.js";
+import { createStop } from "../station/stop.js";
 import { drawingOf } from "./drawing.js";
 import { isMeant, recipients } from "./members.js";
 import { problemOf } from "./outcome.js";
@@ -16,6 +17,9 @@ import { listsOf } from "./slots.js";
 /** What other clients do with the jobs of a station nobody tells: they are read so often while they are seen. */
 const JOBS_MS = 2000;
 const LEASE = "/api/v1/lease", SLOTS = "/api/v1/slots", ARMS = "/api/v1/fleet/virtual-arms";
+
+/** @type {import("../state/types.js").Problem} */
+const UNANSWERED = { title: "no answer to STOP", detail: "nothing answers the STOP", hint: "switch the arms off; the board asks again every second" };
 
 /** @param {Store} store @param {import("../station/http.js").Http} http */
 export function createRequests(store, http) {
@@ -84,17 +88,34 @@ export function createRequests(store, http) {
   }
 
   return {
-    /** Stops several arms; each press asks anew. @param {Recipients} to */
-    async stop(to) {
+    /** Stops several arms: each press asks anew, and again until something answers. @param {Recipients} to */
+    stop(to) {
       const reason = `pressed on the board of ${store.page.name || "a fleet"}`;
-      const answers = await told("stop", to, () => http.stop("api/v1/fleet/stop", { to, reason }));
-      // Where the fleet cannot be asked, the arm of this station stops at least.
       const own = store.page.members.find(({ here }) => here);
-      if (answers.length === 0 && (!own || isMeant(to, own))) void http.stop("api/v1/stop", { reason });
+      const number = asked += 1;
+      /** @param {MemberAnswer[] | null} answers @param {import("../state/types.js").Problem | null} problem */
+      const tell = (answers, problem) => send({ type: "answered", number, answers, problem });
+      // Where the fleet cannot be asked, the arm of this station stops at least, before anything is said about it.
+      const stopOwn = () => void ((!own || isMeant(to, own)) && http.stop("api/v1/stop", { reason }));
+      /** @param {string} reason */
+      async function ask(reason) {
+        const { value, problem } = await http.stop("api/v1/fleet/stop", { to, reason });
+        if (problem && problem.status === undefined) return false;
+        if (!value?.length) stopOwn();
+        tell(value ?? null, problem ?? null);
+        return true;
+      }
+      const again = () => (stopOwn(), ask(`${reason}, and asked for again`));
+      createStop({ first: () => ask(reason), again, late: () => tell(null, UNANSWERED), answered: () => {} })();
+      send({ type: "asked", asked: { number, what: "stop", to, answers: null, problem: null } });
     },
 
-    /** A person has looked. @param {Recipients} to */
-    reset: (to) => void ask("reset", to, { method: "DELETE", path: "/api/v1/stop" }),
+    /** A person has looked. Where no other station is shown as stopped, a stop of the fleet is over for its queue too. @param {Recipients} to */
+    async reset(to) {
+      await ask("reset", to, { method: "DELETE", path: "/api/v1/stop" });
+      const { group, members } = store.page;
+      if (group === null && members.every((it) => !it.state?.stop?.of_fleet || isMeant(to, it))) void http.ask("DELETE", "api/v1/fleet/stop");
+    },
 
     /** @param {Recipients} to @param {string} message */
     lock: (to, message) => void ask("lock", to, { method: "POST", path: "/api/v1/lock", body: { message } }),

@@ -72,7 +72,7 @@ function stopped({ page, say, act }) {
   const rest = say(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving");
   return html`
     <section id="stopped" class="banner" data-tone="bad" role="alert">
-      <p><strong>${say("stopped.title")}</strong> <span id="stopped-by">${say("stopped.by", { by: stop.by, why, rest })}</span></p>
+      <p><strong>${say("stopped.title")}</strong> <span id="stopped-by">${say(stop.of_fleet ? "stopped.by_fleet" : "stopped.by", { by: stop.by, why, rest })}</span></p>
       <button id="reset" type="button" ?disabled=${!stop.at_rest} @click=${() => act.question({ about: "reset_stop" })}>${say("stopped.reset")}</button>
     </section>`;
 }

@@ -31,6 +31,7 @@ export const en = {
   "old.note": "{age} old",
   "stopped.title": "The arm is stopped.",
   "stopped.by": "By {by}{why}. {rest}",
+  "stopped.by_fleet": "Fleet, by {by}{why}. {rest}",
   "stopped.at_rest": "It is at rest.",
   "stopped.not_delivered": "NOT DELIVERED: there is no link to the arm. Switch the arm off.",
   "stopped.moving": "It has not come to rest yet.",

@@ -32,6 +32,7 @@ export const zh = {
   "old.note": "已过时 {age}",
   "stopped.title": "机械臂已停止。",
   "stopped.by": "停止者:{by}{why}。{rest}",
+  "stopped.by_fleet": "机群,停止者:{by}{why}。{rest}",
   "stopped.at_rest": "已静止。",
   "stopped.not_delivered": "停止指令未送达:与机械臂没有连接。请关闭机械臂电源。",
   "stopped.moving": "尚未静止。",

@@ -7,7 +7,10 @@ mod together;
 mod work;
 
 use clap::Subcommand;
-use dobot_api::{FleetView, LinkPhase, Member, MemberAnswer, Presence, fetch, post};
+use dobot_api::{
+    FleetView, LinkPhase, Member, MemberAnswer, Presence, StationAddress, StopView, delete, fetch,
+    post,
+};
 use serde_json::json;
 
 use self::work::WorkArgs;
@@ -21,6 +24,7 @@ use crate::reach::Station;
 Examples:
   dobot fleet                                    who is there, and what each does
   dobot fleet stop --reason \"fire drill\"         all arms; `dobot fleet stop --group room-2` those of one group
+  dobot fleet stop --reset                       a person has looked: all may move again; --reset=desk-1 one of them
   dobot fleet certificates keys desk-1 desk-2 router=192.168.7.1    a folder with a certificate for each
   dobot fleet router --listen tls/0.0.0.0:7447 --fleet=keys/router
 
@@ -48,6 +52,13 @@ enum Action {
         /// Why, for those who find their arm stopped
         #[arg(long, value_name = "TEXT")]
         reason: Option<String>,
+        /// Let the whole fleet move again after a stop of all, or only the arm of the station NAME; a person has looked
+        #[arg(long, value_name = "NAME", num_args = 0..=1, require_equals = true, conflicts_with_all = ["group", "reason"])]
+        #[expect(
+            clippy::option_option,
+            reason = "it is given with a name, without one, or not at all"
+        )]
+        reset: Option<Option<String>>,
     },
     /// Submit drawings and programs to any arm that has what they need, and see what has become of them
     Work(WorkArgs),
@@ -68,7 +79,10 @@ enum Action {
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     match args.action.unwrap_or(Action::List) {
         Action::List => list(&args.station, args.json).await,
-        Action::Stop { group, reason } => stop(&args.station, group, reason, args.json).await,
+        Action::Stop {
+            reset: Some(name), ..
+        } => reset(&args.station, name, args.json).await,
+        Action::Stop { group, reason, .. } => stop(&args.station, group, reason, args.json).await,
         Action::Work(work) => work.run(&args.station, args.json).await,
         #[cfg(feature = "fleet")]
         Action::Together(together) => together.run(&args.station, args.json).await,
@@ -111,10 +125,7 @@ fn doing(member: &Member) -> String {
     let Some(state) = &member.state else {
         return "there, and has not told what it does".into();
     };
-    let stop = state.stop.as_ref().map(|it| match &it.reason {
-        Some(reason) => format!("stopped by {}: {reason}", it.by),
-        None => format!("stopped by {}", it.by),
-    });
+    let stop = state.stop.as_ref().map(StopView::text);
     let link = (state.link.phase != LinkPhase::Up).then(|| "no arm".to_owned());
     let job = state.job.as_ref().map(|job| {
         let done = 100 * job.completed / job.commands.max(1);
@@ -139,13 +150,46 @@ async fn stop(
     let address = station.address_of_running().await?;
     let to = group.map_or(json!("all"), |it| json!({ "group": it }));
     let body = json!({ "to": to, "reason": reason });
-    let answers: Vec<MemberAnswer> = post(&address, "/api/v1/fleet/stop", &body).await?;
+    let answers: Vec<MemberAnswer> = post(&address, FLEET_STOP, &body).await?;
+    let failure = Failure::new(
+        anyhow::anyhow!("not every arm is known to be stopped"),
+        "stop those on their own pages, or with their switches",
+    );
+    report(&answers, "stopped", as_json, failure)
+}
+
+/// Lets the fleet move again, or one of its arms.
+async fn reset(station: &Station, name: Option<String>, as_json: bool) -> Result<(), Failure> {
+    let address = station.address_of_running().await?;
+    let answers = match name {
+        Some(name) => reset_one(&address, &name).await?,
+        None => delete(&address, FLEET_STOP).await?,
+    };
+    let failure = Failure::new(
+        anyhow::anyhow!("not every arm may move again"),
+        "a station that is away learns of a reset of the fleet when it comes back; `dobot fleet` shows what holds the others",
+    );
+    report(&answers, "may move again", as_json, failure)
+}
+
+async fn reset_one(address: &StationAddress, name: &str) -> Result<Vec<MemberAnswer>, Failure> {
+    let body = json!({ "to": { "members": [name] }, "method": "DELETE", "path": "/api/v1/stop" });
+    Ok(post(address, "/api/v1/fleet/requests", &body).await?)
+}
+
+/// Tells how many stations have done it and what the others answer, which is a failure.
+fn report(
+    answers: &[MemberAnswer],
+    done: &str,
+    as_json: bool,
+    failure: Failure,
+) -> Result<(), Failure> {
     if as_json {
         output::json(&answers)?;
     }
     let (stopped, silent): (Vec<_>, Vec<_>) = answers.iter().partition(|it| it.answer.is_success());
     if !as_json {
-        output::line(&format!("{} of {} stopped", stopped.len(), answers.len()))?;
+        output::line(&format!("{} of {} {done}", stopped.len(), answers.len()))?;
         for it in &silent {
             let why = it.answer.body["detail"].as_str().unwrap_or("no answer");
             output::plain_line(&format!("{}: {why}", it.member))?;
@@ -154,8 +198,7 @@ async fn stop(
     if silent.is_empty() {
         return Ok(());
     }
-    Err(Failure::new(
-        anyhow::anyhow!("not every arm is known to be stopped"),
-        "stop those on their own pages, or with their switches",
-    ))
+    Err(failure)
 }
+
+const FLEET_STOP: &str = "/api/v1/fleet/stop";

@@ -200,6 +200,9 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
 
 async fn list(station: &mut StationClient, as_json: bool) -> Result<(), Failure> {
     let jobs = station.jobs().await?;
+    if let Some(missing) = control::first_state(station).await?.jobs_missing {
+        eprintln!("{missing}");
+    }
     if as_json {
         return Ok(output::json(&jobs)?);
     }

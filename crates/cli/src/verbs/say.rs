@@ -17,8 +17,8 @@ Examples:
   dobot say catch                             the pump on; `release` switches it off
 
 One order in each command: ahead, back, left, right, up or down with a number in English words, in millimetres,
-or catch or release. Other words do not count. An arm as it was sold hears voice on its Bluetooth port alone:
-over USB the station sends the motion or the button that the words mean.")]
+or catch or release. Other words do not count. An arm as it was sold gets the motion or the button that the words
+mean, over USB and Bluetooth: it would hear other numbers, and a text while it moves makes it hang.")]
 pub(crate) struct Args {
     /// What to say: up to 40 letters, digits and signs of ASCII
     #[arg(value_name = "WORD", required = true)]

@@ -5,6 +5,7 @@ use std::io::{Read, Write};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
+use std::time::{Duration, Instant};
 
 use rustix::fs::{Mode, OFlags, open};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -77,14 +78,24 @@ impl Terminal {
 
     /// Waits until the screen shows a text, in one piece.
     pub(crate) fn shows(&mut self, text: &str) {
+        let is_shown = self.shows_within(PATIENCE, text);
+        assert!(is_shown, "`{text}` is missing: {:?}", self.unread);
+    }
+
+    /// Whether the screen shows a text within this time, in one piece.
+    pub(crate) fn shows_within(&mut self, time: Duration, text: &str) -> bool {
+        let until = Instant::now() + time;
         loop {
             if let Some(at) = self.unread.find(text) {
                 self.unread.drain(..at + text.len());
-                return;
+                return true;
             }
-            match self.shown.recv_timeout(PATIENCE) {
+            match self
+                .shown
+                .recv_timeout(until.saturating_duration_since(Instant::now()))
+            {
                 Ok(more) => self.unread.push_str(&more),
-                Err(error) => panic!("`{text}` is missing ({error}): {:?}", self.unread),
+                Err(_) => return false,
             }
         }
     }

@@ -225,8 +225,13 @@ impl Session {
 
     /// How long before the end of what burns a packet has to leave to be there by then.
     fn lead(&self) -> Duration {
+        ON_THE_LINE + self.extra_latency()
+    }
+
+    /// How much longer packets take than on a usual link.
+    pub(super) fn extra_latency(&self) -> Duration {
         let latency = self.meter.latency().unwrap_or(LATENCY);
-        ON_THE_LINE + latency.saturating_sub(LATENCY)
+        latency.saturating_sub(LATENCY)
     }
 
     /// Now, if the arm is seen to stand where it should move.

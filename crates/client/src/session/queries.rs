@@ -86,7 +86,7 @@ impl Session {
     }
 
     /// Whether this is the Bluetooth port of a stock arm, as its statuses tell (note N38). Joint jogs
-    /// leave with the axes that it has there; a voice order is heard there only.
+    /// leave with the axes that it has there.
     #[must_use]
     pub fn is_bluetooth(&self) -> bool {
         self.scheme.is_bluetooth()

@@ -14,7 +14,7 @@ use crate::desk::{Desk, status, target, vector};
 
 #[test]
 fn one_command_leaves_for_each_status() {
-    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
     for y in [1.0, 2.0, 3.0] {
         desk.session.send(vector(0.0, y)).expect("it is allowed");
     }

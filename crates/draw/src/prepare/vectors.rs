@@ -169,7 +169,7 @@ impl Tried<'_> {
             return;
         }
         let pass = Pass::new(self.tool, vec![way.stroke.clone()]);
-        let Ok(plan) = Plan::new(&[pass], &self.settings.paper, &self.settings.machine) else {
+        let Ok(plan) = Plan::whole(&[pass], &self.settings.paper, &self.settings.machine) else {
             return;
         };
         let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);

@@ -71,8 +71,7 @@ fn paused(part: &Part, job: &JobView, reason: &str, state: &State) -> Seen {
 /// Why the arm could not go on, whatever its job says.
 fn hurdle(state: &State) -> Option<String> {
     if let Some(stop) = &state.stop {
-        let why = stop.reason.as_ref().map(|it| format!(": {it}"));
-        return Some(format!("stopped by {}{}", stop.by, why.unwrap_or_default()));
+        return Some(stop.text());
     }
     if state.link.phase != LinkPhase::Up {
         let why = state.link.problem.clone();

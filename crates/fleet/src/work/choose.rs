@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use dobot_api::{JobPhase, LinkPhase, Member, Presence, TakesWork, is_same_person};
+use dobot_api::{JobPhase, Member, Presence, is_same_person};
+use dobot_station::work_hurdle;
 
 use super::ticket::Ticket;
 
@@ -13,18 +14,10 @@ pub(crate) fn is_free(member: &Member) -> bool {
     else {
         return false;
     };
-    let has_hands = match about.takes_work {
-        None => false,
-        // A person starts it, and that one may have control.
-        Some(TakesWork::Queue) => true,
-        Some(TakesWork::Start) => state.lease.is_none(),
-    };
     let is_at_work = |phase: JobPhase| !phase.is_over();
-    has_hands
-        && state.stop.is_none()
-        && state.lock.is_none()
-        && state.link.phase == LinkPhase::Up
-        && state.trust.trusted
+    about
+        .takes_work
+        .is_some_and(|it| work_hurdle(state, it).is_none())
         && !state.job.as_ref().is_some_and(|it| is_at_work(it.phase))
 }
 

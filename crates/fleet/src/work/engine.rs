@@ -13,8 +13,10 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::time::Duration;
 
 use dobot_api::problem_kinds::{NO_SUCH_WORK, TOO_MANY, WORK_PHASE};
-use dobot_api::{JobView, Member, Presence, Problem, WorkMember, WorkPhase, WorkView};
-use dobot_station::Members;
+use dobot_api::{
+    JobPhase, JobView, Member, Presence, Problem, TakesWork, WorkMember, WorkPhase, WorkView,
+};
+use dobot_station::{Members, work_hurdle};
 
 use super::choose::{Shares, is_free, next};
 use super::settle::{
@@ -39,6 +41,10 @@ pub(crate) struct Work {
     due: HashMap<String, Duration>,
     /// Why the last question about a key was not answered.
     unclear: HashMap<String, String>,
+    /// Since when jobs that their stations start by themselves have been queued there, by key.
+    queued: HashMap<String, Duration>,
+    /// Why nothing is offered now, if so.
+    held: Option<String>,
     /// Until when stations are let alone that had other work, and for how long that was.
     resting: HashMap<String, (Duration, Duration)>,
     /// Makes the keys of offers, if it can.
@@ -102,6 +108,8 @@ const MOST: usize = 5000;
 const KEPT: usize = 500;
 /// How often a station is asked that has a ticket.
 const ASK_EVERY: Duration = Duration::from_secs(2);
+/// A station that starts work by itself does so within this.
+const STARTS_WITHIN: Duration = Duration::from_secs(10);
 /// How long a station is let alone that had other work, at first and at the most.
 const REST: [Duration; 2] = [Duration::from_secs(2), Duration::from_secs(60)];
 
@@ -121,6 +129,8 @@ impl Work {
             asking: HashSet::new(),
             due: HashMap::new(),
             unclear: HashMap::new(),
+            queued: HashMap::new(),
+            held: None,
             resting: HashMap::new(),
             new_key: Box::new(new_key),
         }
@@ -136,9 +146,10 @@ impl Work {
         self.tickets.values().any(is_open)
     }
 
-    /// The stations are so now.
-    pub(crate) fn see(&mut self, members: &Members) {
+    /// The stations are so now. While `held` says why not, nothing is offered.
+    pub(crate) fn see(&mut self, members: &Members, held: Option<String>) {
         self.members = members.clone();
+        self.held = held;
     }
 
     /// Whether a request of this key was for a ticket that is there.
@@ -253,7 +264,7 @@ impl Work {
             Answer::Unclear(why) => drop(self.unclear.insert(ask.key.clone(), why)),
         }
         let ticket = &self.tickets[&ask.ticket];
-        if matches!(ticket.at, Place::Taken { .. }) {
+        if matches!(&ticket.at, Place::Taken { job, .. } if job.phase != JobPhase::Queued) {
             self.resting.remove(&ask.member.id);
         }
         if !is_open(ticket) {
@@ -269,7 +280,10 @@ impl Work {
         if self.keeping.is_some() {
             return None;
         }
-        self.offer_waiting(now);
+        self.recall_hindered(now);
+        if self.held.is_none() {
+            self.offer_waiting(now);
+        }
         if let Some(id) = self.unkept.first().cloned() {
             if now < self.disk_due {
                 return None;
@@ -321,17 +335,65 @@ impl Work {
                 member,
                 key,
                 is_withdrawn: false,
+                recalled: None,
             };
-            self.ticket(&id).at = Place::Offered(offer);
+            let ticket = self.ticket(&id);
+            ticket.at = Place::Offered(offer);
+            ticket.returned = None;
             self.change(&id);
         }
+    }
+
+    /// Takes tickets back from stations that start work by themselves and cannot start these.
+    fn recall_hindered(&mut self, now: Duration) {
+        let mut queued = HashMap::new();
+        let mut recalled = Vec::new();
+        for ticket in self.tickets.values() {
+            let Place::Taken { offer, job } = &ticket.at else {
+                continue;
+            };
+            if job.phase != JobPhase::Queued || offer.is_taken_back() {
+                continue;
+            }
+            let since = *self.queued.get(&offer.key).unwrap_or(&now);
+            queued.insert(offer.key.clone(), since);
+            let is_late = now.saturating_sub(since) >= STARTS_WITHIN;
+            if let Some(why) = self.hurdle(&offer.member, is_late) {
+                recalled.push((ticket.id.clone(), offer.clone(), why));
+            }
+        }
+        self.queued = queued;
+        for (id, offer, why) in recalled {
+            self.due.remove(&offer.key);
+            self.rest(now, &offer.member.id);
+            if let Place::Taken { offer, .. } = &mut self.ticket(&id).at {
+                offer.recalled = Some(why);
+            }
+            self.change(&id);
+        }
+    }
+
+    /// Why a station that is there and starts work by itself cannot start what is queued there. A stop or a lock counts at
+    /// once; all else may pass, and counts when it is late.
+    fn hurdle(&self, member: &WorkMember, is_late: bool) -> Option<String> {
+        let member = self.present(member)?;
+        let (about, state) = (member.about.as_ref()?, member.state.as_ref()?);
+        let takes_work = about.takes_work.filter(|it| *it == TakesWork::Start)?;
+        let hurdle = work_hurdle(state, takes_work);
+        if state.stop.is_some() || state.lock.is_some() {
+            return hurdle;
+        }
+        let within_s = STARTS_WITHIN.as_secs();
+        let late = || format!("its station did not start it within {within_s} s");
+        is_late.then(|| hurdle.unwrap_or_else(late))
     }
 
     fn next_ask(&self, now: Duration) -> Option<Ask> {
         let open = self.tickets.values().filter(|it| is_open(it));
         open.flat_map(asks).find(|ask| {
             let is_due = self.due.get(&ask.key).is_none_or(|it| *it <= now);
-            is_due && !self.asking.contains(&ask.key) && self.is_present(&ask.member)
+            let is_held = ask.what == What::Offer && self.held.is_some();
+            is_due && !is_held && !self.asking.contains(&ask.key) && self.is_present(&ask.member)
         })
     }
 
@@ -353,9 +415,14 @@ impl Work {
     }
 
     fn is_present(&self, member: &WorkMember) -> bool {
+        self.present(member).is_some()
+    }
+
+    /// A station, if it can be reached.
+    fn present(&self, member: &WorkMember) -> Option<&Member> {
         let same = |it: &&std::sync::Arc<Member>| it.id == member.id && it.name == member.name;
-        let seen = self.members.iter().find(same);
-        seen.is_some_and(|it| it.presence == Presence::Present)
+        let seen = self.members.iter().find(same).map(|it| &**it);
+        seen.filter(|it| it.presence == Presence::Present)
     }
 
     fn change(&mut self, id: &str) {

@@ -1,6 +1,7 @@
 //! What an answer means for a ticket.
 
 use dobot_api::{JobPhase, JobView, Member, WorkMember};
+use dobot_rules::WITHDRAWN;
 
 use super::engine::{Ask, What};
 use super::ticket::{Before, Offer, Place, Refused, Ticket};
@@ -21,7 +22,7 @@ pub(crate) fn asks(ticket: &Ticket) -> Vec<Ask> {
     let withdrawn = ticket.before.iter().filter(|it| !it.is_settled);
     let mut asks: Vec<_> = withdrawn.map(|it| ask(&it.offer, What::Withdraw)).collect();
     match &ticket.at {
-        Place::Offered(offer) | Place::Taken { offer, .. } if offer.is_withdrawn => {
+        Place::Offered(offer) | Place::Taken { offer, .. } if offer.is_taken_back() => {
             asks.push(ask(offer, What::Withdraw));
         }
         Place::Offered(offer) => asks.push(ask(offer, What::Offer)),
@@ -50,6 +51,18 @@ pub(crate) fn settle_taken(ticket: &mut Ticket, ask: &Ask, job: Box<JobView>) {
         return;
     };
     let never_begun = job.phase == JobPhase::Stopped && job.completed == 0;
+    if !offer.is_withdrawn
+        && was_withdrawn(&job)
+        && let Some(reason) = offer.recalled
+    {
+        let member = offer.member;
+        ticket.returned = Some(Refused { member, reason });
+        ticket.at = Place::Waiting;
+        return;
+    }
+    // One that was begun before it could be taken back stays there.
+    let recalled = offer.recalled.filter(|_| job.phase == JobPhase::Queued);
+    let offer = Offer { recalled, ..offer };
     ticket.at = if offer.is_withdrawn && never_begun {
         Place::Cancelled
     } else if job.phase.is_over() {
@@ -81,6 +94,12 @@ pub(crate) fn settle_refused(ticket: &mut Ticket, ask: &Ask, reason: &str, busy:
             reason: reason.to_owned(),
         });
     }
+}
+
+/// Whether a job was withdrawn before its arm had begun it.
+fn was_withdrawn(job: &JobView) -> bool {
+    let reason = job.reason.as_deref().unwrap_or_default();
+    job.phase == JobPhase::Stopped && job.completed == 0 && reason.starts_with(WITHDRAWN)
 }
 
 fn current(ticket: &Ticket, ask: &Ask) -> Option<Offer> {

@@ -115,6 +115,7 @@ impl Working {
             at: Place::Waiting,
             refused: Vec::new(),
             before: Vec::new(),
+            returned: None,
         });
         self.doing.spawn(async move {
             let copy = ticket.clone();
@@ -163,12 +164,14 @@ impl Working {
         }
     }
 
-    /// Begins what is to be done now. Only where there is work to give it is asked who is there.
+    /// Begins what is to be done now. Only where there is work to give it is asked who is there. While `held` says why not,
+    /// nothing is offered.
     pub(crate) fn go_on(
         &mut self,
         way: Option<&Way>,
         api: &StationApi,
         members: impl FnOnce() -> Members,
+        held: Option<String>,
     ) {
         let Some(kept) = &self.kept else {
             return;
@@ -178,7 +181,7 @@ impl Working {
         } else {
             Members::default()
         };
-        self.engine.see(&members);
+        self.engine.see(&members, held);
         while let Some(wish) = self.engine.poll_wish(self.started.elapsed()) {
             let kept = kept.clone();
             match wish {

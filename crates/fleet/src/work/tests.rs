@@ -6,7 +6,8 @@ mod world;
 
 use std::time::Duration;
 
-use dobot_api::{JobPhase, WorkPhase};
+use dobot_api::{JobPhase, Request, TakesWork, WorkPhase};
+use dobot_rules::StoppedBy;
 
 use self::world::World;
 use super::kept::Kept;
@@ -295,4 +296,134 @@ fn tickets_are_there_again_after_a_kill_and_a_file_that_is_none_is_left_and_told
     assert!(half.exists());
     kept.forget(&ticket.id).unwrap();
     assert!(Kept::open(folder.path()).unwrap().1.is_empty());
+}
+
+/// Steps until something is so.
+fn until(world: &mut World, what: &str, is_so: impl Fn(&World) -> bool) {
+    for _ in 0..3000 {
+        if is_so(world) {
+            return;
+        }
+        world.step();
+    }
+    panic!("never: {what}: {:?}", world.views());
+}
+
+fn is_in(phase: WorkPhase) -> impl Fn(&World) -> bool {
+    move |world| world.views()[0].phase == phase
+}
+
+/// A fleet of one home, and of one station that starts by itself what it takes.
+fn with_one_that_starts(seed: u64) -> World {
+    let mut world = World::new(seed, 1, 1);
+    let desk = &mut world.desks[0];
+    desk.takes_work = TakesWork::Start;
+    desk.has_person = false;
+    world
+}
+
+fn fire_drill() -> StoppedBy {
+    StoppedBy {
+        by: "Ms Weber".into(),
+        reason: Some("fire drill".into()),
+    }
+}
+
+#[test]
+fn while_the_fleet_is_stopped_nothing_is_offered_and_the_list_says_why() {
+    let mut world = World::new(3, 1, 2);
+    let text = "stopped: fleet, by Ms Weber: fire drill";
+    world.homes[0].held = Some(text.into());
+    world.submit(0, 1, "Anna");
+    for _ in 0..100 {
+        world.step();
+        let view = world.views().remove(0);
+        assert_eq!(view.phase, WorkPhase::Waiting);
+        assert!(view.reason.unwrap().starts_with(text));
+    }
+    for desk in &mut world.desks {
+        assert!(desk.station.jobs().unwrap().is_empty());
+    }
+    world.homes[0].held = None;
+    until(&mut world, "it is done", is_in(WorkPhase::Done));
+}
+
+#[test]
+fn what_was_offered_before_a_stop_is_not_offered_again_while_it_holds() {
+    for seed in 0..10 {
+        let mut world = World::new(seed, 1, 1);
+        // Whatever the home asks is lost.
+        world.sides[1] = true;
+        world.submit(0, 1, "Anna");
+        until(&mut world, "it is offered", is_in(WorkPhase::Offered));
+        world.homes[0].held = Some("stopped".into());
+        // What was on its way is lost or there.
+        for _ in 0..300 {
+            world.step();
+        }
+        world.join();
+        for _ in 0..100 {
+            world.step();
+        }
+        assert!(world.desks[0].station.jobs().unwrap().is_empty());
+        world.homes[0].held = None;
+        until(&mut world, "it is done", is_in(WorkPhase::Done));
+    }
+}
+
+#[test]
+fn a_ticket_that_was_taken_just_before_a_stop_goes_back_to_the_queue_and_is_done_after_the_reset() {
+    for seed in 0..10 {
+        let mut world = with_one_that_starts(seed);
+        // The stop comes between taking and starting.
+        world.desks[0].can_start = false;
+        world.submit(0, 1, "Anna");
+        until(&mut world, "it is taken", is_in(WorkPhase::Taken));
+        let station = &mut world.desks[0].station;
+        station.stop_fleet("desk-9", fire_drill());
+        let before = station.packets().len();
+        world.desks[0].can_start = true;
+        until(&mut world, "it waits again", is_in(WorkPhase::Waiting));
+        let reason = world.views()[0].reason.clone().unwrap();
+        let text = "desk-1: stopped: fleet, by Ms Weber: fire drill";
+        assert!(reason.contains(text), "{reason}");
+        for _ in 0..100 {
+            world.step();
+        }
+        assert_eq!(world.views()[0].phase, WorkPhase::Waiting);
+        assert!(world.begun().is_empty());
+        // Only what stops an arm was sent.
+        let packets = &world.desks[0].station.packets()[before..];
+        assert!(packets.len() < 20, "{}", packets.len());
+        world.desks[0].station.reset_fleet("Ms Weber");
+        until(&mut world, "it is done", is_in(WorkPhase::Done));
+        check(&mut world, 1);
+    }
+}
+
+#[test]
+fn a_ticket_that_its_station_does_not_start_goes_to_another_one() {
+    let mut world = with_one_that_starts(4);
+    world.desks[0].can_start = false;
+    world.submit(0, 1, "Anna");
+    until(&mut world, "it is taken", is_in(WorkPhase::Taken));
+    world.add_desk();
+    until(&mut world, "it is done", is_in(WorkPhase::Done));
+    assert_eq!(world.views()[0].member.as_ref().unwrap().name, "desk-2");
+    check(&mut world, 1);
+}
+
+#[test]
+fn what_a_person_ends_at_the_arm_before_it_is_begun_is_not_done_elsewhere() {
+    let mut world = World::new(4, 1, 1);
+    world.desks[0].has_person = false;
+    world.submit(0, 1, "Anna");
+    until(&mut world, "it is taken", is_in(WorkPhase::Taken));
+    world.add_desk();
+    let station = &mut world.desks[0].station;
+    let person = station.client("Ben");
+    let job = station.jobs().unwrap()[0].job;
+    station.ask(person, Request::CancelJob { job }).unwrap();
+    until(&mut world, "it has failed", is_in(WorkPhase::Failed));
+    assert!(world.begun().is_empty());
 }

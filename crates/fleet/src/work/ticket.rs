@@ -23,6 +23,9 @@ pub(crate) struct Ticket {
     pub(crate) refused: Vec<Refused>,
     /// From whom a person has taken it.
     pub(crate) before: Vec<Before>,
+    /// Who gave it back last without having begun it, and why; absent once it is offered again.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) returned: Option<Refused>,
 }
 
 /// How far a ticket is.
@@ -54,9 +57,12 @@ pub(crate) struct Offer {
     pub(crate) key: String,
     /// Whether a person does not want it any more.
     pub(crate) is_withdrawn: bool,
+    /// Why it is taken back for another arm or a later time, where the arm cannot begin it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) recalled: Option<String>,
 }
 
-/// A station that cannot do it.
+/// A station that cannot do it, or not now.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Refused {
@@ -153,13 +159,25 @@ impl Ticket {
                     "it is being withdrawn from {name}; what the arm is at goes on until it is stopped there"
                 ))
             }
-            Place::Waiting if !self.refused.is_empty() => {
-                let refused = self.refused.iter();
+            Place::Offered(offer) | Place::Taken { offer, .. } => {
+                let why = offer.recalled.as_ref()?;
+                let name = &offer.member.name;
+                Some(format!("it is being taken back from {name}: {why}"))
+            }
+            Place::Waiting if !self.refused.is_empty() || self.returned.is_some() => {
+                let refused = self.refused.iter().chain(&self.returned);
                 let told = refused.map(|it| format!("{}: {}", it.member.name, it.reason));
                 Some(told.collect::<Vec<_>>().join("; "))
             }
             _ => None,
         }
+    }
+}
+
+impl Offer {
+    /// Whether it is to end there, unless the arm has begun it.
+    pub(crate) const fn is_taken_back(&self) -> bool {
+        self.is_withdrawn || self.recalled.is_some()
     }
 }
 

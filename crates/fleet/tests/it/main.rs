@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod stops;
 mod strangers;
 mod together;
 mod virtual_arms;
@@ -86,13 +87,21 @@ impl Desk {
         credentials: Option<Credentials>,
         folder: tempfile::TempDir,
     ) -> Self {
+        Self::joining(fleet_config(name), connect, credentials, folder).await
+    }
+
+    async fn joining(
+        config: FleetConfig,
+        connect: &str,
+        credentials: Option<Credentials>,
+        folder: tempfile::TempDir,
+    ) -> Self {
         let station = Station::start(station_config(folder.path()));
         let station = station.await.unwrap();
-        let credentials = credentials.unwrap_or_else(|| of_this_machine(name));
+        let credentials = credentials.unwrap_or_else(|| of_this_machine(&config.name));
         let session = FleetSession::open(&[connect.into()], &credentials)
             .await
             .unwrap();
-        let config = fleet_config(name);
         let id = own_id(&Folders::at(folder.path()).fleet_id()).unwrap();
         let fleet = Fleet::join(&session, &config, &id, station.api())
             .await
@@ -101,7 +110,7 @@ impl Desk {
             station,
             session,
             fleet,
-            name: name.into(),
+            name: config.name,
             folder,
         }
     }

@@ -227,6 +227,30 @@ async fn when_a_station_is_gone_the_others_hold_before_the_barrier() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn a_stop_of_the_fleet_holds_all_parts_before_the_barrier() {
+    let mut room = Room::open().await;
+    let parts = vec![part("desk-1", ""), part("desk-2", &to_and_fro(400))];
+    let mut running = Running::begin(&room.home, parts, false);
+    running.until(|it| is_at_barrier(it, 0)).await;
+    let answers = room.desks[2].stop_all().await;
+    assert!(answers.iter().all(|it| it.answer.is_success()));
+    assert_eq!(running.end().await, Outcome::Held);
+    for desk in 0..2 {
+        assert!(!room.has_gone_past(desk), "desk {desk}");
+        assert!(
+            room.desks[desk]
+                .station
+                .handle()
+                .state()
+                .state()
+                .stop
+                .is_some()
+        );
+    }
+    room.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn a_person_has_all_hold_and_go_on() {
     let mut room = Room::open().await;
     let slow = to_and_fro(4);

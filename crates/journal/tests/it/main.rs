@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+mod damage;
 mod full_disk;
 mod kill;
 mod lab;

@@ -46,14 +46,30 @@ fn a_job_is_there_again_when_the_file_is_opened_again() {
 }
 
 #[test]
-fn only_the_journal_itself_is_left_in_its_folder() {
+fn only_the_journal_and_the_count_of_its_writes_are_left_in_its_folder() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("journal.redb");
     let journal = Journal::open(&path).unwrap();
     let names = fs::read_dir(folder.path()).unwrap();
-    let names: Vec<_> = names.map(|entry| entry.unwrap().path()).collect();
-    assert_eq!(names, [path]);
+    let mut names: Vec<_> = names.map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["journal.redb", "journal.redb.writes"]);
     drop(journal);
+}
+
+#[cfg(unix)]
+#[test]
+fn nobody_else_reads_the_jobs() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = tempfile::tempdir().unwrap();
+    let _journal = Journal::open(&folder.path().join("journal.redb")).unwrap();
+    for file in ["journal.redb", "journal.redb.writes"] {
+        let mode = fs::metadata(folder.path().join(file))
+            .unwrap()
+            .permissions();
+        assert_eq!(mode.mode() & 0o777, 0o600, "{file}");
+    }
 }
 
 #[test]

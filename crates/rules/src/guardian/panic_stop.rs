@@ -97,3 +97,73 @@ thread_local! {
 /// So long a port may take for a packet.
 #[cfg(unix)]
 const PATIENCE: Duration = Duration::from_millis(100);
+
+#[cfg(all(test, unix))]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use std::io::{Read, Write, pipe};
+    use std::os::fd::AsFd;
+    use std::process::{Command, Stdio};
+
+    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
+
+    use super::super::JogKind;
+    use super::*;
+
+    const HAZARDS: Hazards = Hazards {
+        jog: Some(JogKind::Linear),
+        burns: true,
+    };
+    /// What makes this test the process that panics.
+    const PANICS: &str = "DOBOT_TEST_PANICS";
+
+    /// Standard output is the port of the arm.
+    fn panic_with_port() {
+        let stop = Arc::new(PanicStop::default());
+        let port = std::io::stdout().as_fd().try_clone_to_owned().unwrap();
+        stop.set_port(Some(port));
+        stop.note(HAZARDS);
+        stop.send_on_panic();
+        panic!("this text waits for a full pipe");
+    }
+
+    #[test]
+    fn a_panic_sends_its_packets_though_nobody_reads_standard_error() {
+        if std::env::var_os(PANICS).is_some() {
+            panic_with_port();
+        }
+        let (reader, mut errors) = pipe().unwrap();
+        let flags = fcntl_getfl(&errors).unwrap();
+        fcntl_setfl(&errors, flags | OFlags::NONBLOCK).unwrap();
+        while errors.write(&[b'.'; 4096]).is_ok() {}
+        while errors.write(b".").is_ok() {}
+        fcntl_setfl(&errors, flags).unwrap();
+        let (_, module) = module_path!().split_once("::").unwrap();
+        let name =
+            format!("{module}::a_panic_sends_its_packets_though_nobody_reads_standard_error");
+        let mut child = Command::new(std::env::current_exe().unwrap())
+            .args(["--exact", &name, "--nocapture"])
+            .env(PANICS, "1")
+            .stdout(Stdio::piped())
+            .stderr(errors)
+            .spawn()
+            .unwrap();
+        let wanted: Vec<u8> = HAZARDS
+            .stop_packets()
+            .iter()
+            .flat_map(|it| it.to_bytes())
+            .collect();
+        let mut heard = Vec::new();
+        let mut port = child.stdout.take().unwrap();
+        while !heard.windows(wanted.len()).any(|it| it == wanted) {
+            let mut bytes = [0; 256];
+            let read = port.read(&mut bytes).unwrap();
+            assert!(read > 0, "it ended without the packets");
+            heard.extend_from_slice(&bytes[..read]);
+        }
+        // It waits for the pipe now.
+        assert_eq!(child.try_wait().unwrap(), None);
+        drop(reader);
+        assert!(!child.wait().unwrap().success());
+    }
+}

@@ -26,9 +26,7 @@ pub(crate) fn answer(
     let answered = match (ask, known) {
         (OfferAsk::Withdraw { by }, _) => {
             let by = plain(&by, LONGEST_NAME);
-            journal
-                .withdraw(key, &format!("withdrawn by {by}"))
-                .map(Some)
+            journal.withdraw(key, &format!("{WITHDRAWN}{by}")).map(Some)
         }
         (_, Some(known)) => Ok(Some(known)),
         (OfferAsk::Look, None) => Ok(None),
@@ -95,6 +93,8 @@ fn forgotten(job: u64, state: &JobState) -> JobView {
     }
 }
 
+/// How the reason of a job begins that was withdrawn before its arm had begun it; behind it follows by whom.
+pub const WITHDRAWN: &str = "withdrawn by ";
 /// Why a job for an arm that differs from its drawing in another way is not taken.
 const OTHER_ARM: &str = "its commands were made for an arm with another calibration: submit the drawing itself, which is planned where it is drawn";
 /// How many characters of a station's name are told.

@@ -2,7 +2,7 @@
 
 use dobot_api::{ClientId, Jog, News, Reply};
 
-use super::jog::{JogSilence, Press, Still, act, is_released, moves};
+use super::jog::{EndedPress, JogSilence, Press, Still, act, is_released, moves};
 use super::{Supervisor, seconds};
 use crate::refusal::Refusal;
 
@@ -45,7 +45,8 @@ impl Supervisor {
     }
 
     fn change_speed(&mut self, jog: Jog) -> Result<Reply, Refusal> {
-        if let Err(why) = self.check_free().and_then(|()| act(&mut self.arm, jog)) {
+        let changed = self.check_free().and_then(|()| act(&mut self.arm, jog));
+        if let Err(why) = changed {
             self.withdraw(why.clone());
             return Err(why);
         }
@@ -72,9 +73,9 @@ impl Supervisor {
             return;
         };
         match self.check_free().and_then(|()| act(&mut self.arm, jog)) {
-            Ok(()) => {
+            Ok(command) => {
                 self.halt.forget();
-                self.jogging.handle_moves(self.arm.now());
+                self.jogging.handle_moves(self.arm.now(), command);
             }
             Err(refusal) => {
                 self.withdraw(refusal.clone());
@@ -90,30 +91,48 @@ impl Supervisor {
         let who = client.map_or_else(|| "the arm".into(), |it| self.client_name(it));
         let silent_ms = lasts.as_secs_f64() * 1e3;
         let why = format!("{who} fell silent for {silent_ms:.0} ms");
+        let waited = self.jogging.waits();
         if self.withdraw(Refusal::LetGo(why.clone())) {
             self.notify(News::DeadMan, format!("{why}: the button was released"));
+        } else if let Some((client, _)) = waited {
+            self.tell_lost_press(client);
         }
     }
 
-    /// Lets go of the button, if one is pressed: its client did.
+    /// Lets go of the button, if one is pressed: its client did. Who pressed it so shortly that the arm was never told,
+    /// is told that.
     pub(super) fn let_go(&mut self) {
-        if self.jogging.let_go() {
-            self.release_button();
+        let Some(ended) = self.jogging.let_go() else {
+            return;
+        };
+        if !self.release_button(ended) {
+            self.tell_lost_press(ended.client);
         }
     }
 
     /// The station lets go of the button, and its client has to press it anew; says whether the arm
     /// moved by it.
     pub(super) fn withdraw(&mut self, why: Refusal) -> bool {
-        let acted = self.jogging.bar(why);
-        if acted {
-            self.release_button();
-        }
-        acted
+        let ended = self.jogging.bar(why);
+        ended.is_some_and(|it| self.release_button(it) || it.command.is_some())
     }
 
-    fn release_button(&mut self) {
-        self.drop_waiting("the button was released");
+    /// Says whether the arm was told of the press that ends.
+    fn release_button(&mut self, ended: EndedPress) -> bool {
+        let Some(command) = ended.command else {
+            return false;
+        };
+        let forgotten = self.drop_waiting("the button was released");
         self.halt.release(&mut self.arm);
+        !forgotten.contains(&command)
+    }
+
+    fn tell_lost_press(&mut self, client: ClientId) {
+        let name = self.client_name(client);
+        let kind = Refusal::LetGo(String::new()).kind().to_owned();
+        let text = format!(
+            "refused to {name}: the button was let go before the arm could be told, so nothing moved; hold it until the arm moves"
+        );
+        self.notify(News::Refused { client, kind }, text);
     }
 }

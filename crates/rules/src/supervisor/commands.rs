@@ -66,8 +66,8 @@ fn knows_place(arm: &Arm) -> bool {
     arm.session().model().is_none_or(Model::knows_place)
 }
 
-/// A command as this arm understands it: what is said to one that does not hear voice is carried
-/// out as the motion or the button that the words mean (note N50).
+/// A command as this arm understands it: what is said to a stock arm, which does not hear voice or
+/// hears other numbers, is carried out as the motion or the button that the words mean (note N50).
 pub(super) fn understood(
     arm: &Arm,
     command: &Command,
@@ -80,11 +80,7 @@ pub(super) fn understood(
         let field = "voice";
         return Err(Refusal::Send(SendError::Undecided { field }));
     };
-    if arm.session().is_bluetooth() {
-        // It waits in the session until the arm rests.
-        return Ok(*command);
-    }
-    if dialect.hears_voice {
+    if dialect.hears_voice && !arm.session().is_bluetooth() {
         // From the first byte of a text on, a motion under way would rest and lose its place.
         let rests = arm.is_at_rest() && arm.is_idle() && !arm.session().is_moving();
         return if rests {

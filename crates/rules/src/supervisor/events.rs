@@ -2,12 +2,17 @@
 
 use std::time::Duration;
 
-use dobot_api::{LinkPhase, News, Reply};
+use dobot_api::{FleetWideStop, LinkPhase, News, Reply};
 use dobot_client::{Address, CommandId, Event};
 use dobot_trajectory::LASER_OFF;
 
 use super::Supervisor;
+use super::fleet_stops::KeptFleetStop;
+use super::request::REASON_LEN;
 use super::run::{Effect, Run};
+use super::stop::Stop;
+use crate::kept_stop::StoppedBy;
+use crate::plain;
 use crate::refusal::Refusal;
 
 impl Supervisor {
@@ -39,6 +44,8 @@ impl Supervisor {
         self.handle_time(now);
         self.arm.handle_bytes(bytes);
         self.follow_session();
+        // The status that shows the arm at rest has the permit for the press that waits for it.
+        self.watch_press();
         self.pump();
     }
 
@@ -92,11 +99,84 @@ impl Supervisor {
         }
     }
 
-    /// Takes a stop that held when the station ended: it holds until a person clears it.
-    pub fn handle_kept_stop(&mut self, now: Duration, by: String, reason: Option<String>) {
+    /// Takes the stops that held when the station ended: they hold until a person resets them.
+    pub fn handle_kept_stops(
+        &mut self,
+        now: Duration,
+        own: Option<StoppedBy>,
+        fleet: Vec<KeptFleetStop>,
+    ) {
         self.handle_time(now);
-        self.stop.handle_kept(self.arm.now(), by, reason);
+        self.stop.handle_kept(self.arm.now(), own, fleet);
         self.outbox.note_change();
+    }
+
+    /// Takes that somebody stops the whole fleet at this station, which goes by the number `origin`: this arm is stopped,
+    /// and the others are to be told of the stop that is returned. `now_ms` is the time in milliseconds since
+    /// 1970-01-01T00:00:00Z.
+    pub fn handle_fleet_stop(
+        &mut self,
+        now: Duration,
+        origin: &str,
+        by: StoppedBy,
+        now_ms: u64,
+    ) -> (FleetWideStop, Reply) {
+        self.handle_time(now);
+        let by = StoppedBy {
+            by: plain(&by.by, REASON_LEN),
+            reason: by.reason.map(|it| plain(&it, REASON_LEN)),
+        };
+        let stop = self.stop.make_fleet_stop(origin, by, now_ms);
+        let reply = self.bring_to_rest(&stop.text(), Stop::hold);
+        self.outbox.note_change();
+        (stop, reply)
+    }
+
+    /// Takes which stops of the fleet another station knows of: a new one stops this arm too. An arm that no stop holds any
+    /// more is let go as soon as it rests. `None` where no stop holds it then.
+    pub fn handle_fleet_stops(&mut self, now: Duration, stops: &[FleetWideStop]) -> Option<Reply> {
+        self.handle_time(now);
+        let reply = if self.stop.adopt(stops) {
+            self.bring_to_rest("the fleet was stopped", Stop::hold)
+        } else {
+            Reply::Stopping {
+                rests_within_s: self.rests_within().as_secs_f64(),
+                delivered: self.stop.view().is_none_or(|it| it.delivered),
+            }
+        };
+        self.let_go_of_fleet();
+        self.outbox.note_change();
+        self.stop.holds().then_some(reply)
+    }
+
+    /// Takes that somebody lets the whole fleet move again: this arm as soon as it rests, unless it was stopped by itself
+    /// too. The others are to be told of the stops that are returned.
+    pub fn handle_fleet_reset(&mut self, now: Duration, by: &str) -> Vec<FleetWideStop> {
+        self.handle_time(now);
+        self.stop.reset_fleet(&plain(by, REASON_LEN));
+        self.let_go_of_fleet();
+        self.outbox.note_change();
+        self.stop.fleet_stops()
+    }
+
+    /// Whether a stop holds the arm.
+    #[must_use]
+    pub const fn is_stopped(&self) -> bool {
+        self.stop.holds()
+    }
+
+    /// The stops to keep on the disk, if they have changed: the one of this arm, and those of the fleet.
+    pub fn poll_kept_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
+        self.stop.poll_kept()
+    }
+
+    /// Lets the arm go whose stop of the fleet was reset elsewhere.
+    pub(super) fn let_go_of_fleet(&mut self) {
+        if self.stop.let_go(self.arm.last().is_some()) {
+            self.halt.forget();
+            let text = "the stop of the fleet was reset: the arm may move again".to_owned();
+            self.notify(News::StopReset, text);
+        }
     }
 
     /// Takes that the station ends: nothing more is sent, and the laser goes off first.
@@ -229,11 +309,13 @@ impl Supervisor {
         }
     }
 
-    /// Forgets the commands that have not been sent.
-    pub(super) fn drop_waiting(&mut self, why: &str) {
-        for id in self.arm.session_mut().forget_waiting() {
-            self.command_forgotten(id, why);
+    /// Forgets the commands that have not been sent; says which they were.
+    pub(super) fn drop_waiting(&mut self, why: &str) -> Vec<CommandId> {
+        let forgotten = self.arm.session_mut().forget_waiting();
+        for id in &forgotten {
+            self.command_forgotten(*id, why);
         }
+        forgotten
     }
 
     /// The commands that are not over, of clients and of the job.

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{ClientId, Jog};
+use dobot_client::CommandId;
 use dobot_wire::{JointJogAxis, LinearJogAxis};
 
 use super::arm::Arm;
@@ -44,6 +45,14 @@ pub(super) enum Still {
     OtherSpeed,
 }
 
+/// A button that was pressed and is not any more.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EndedPress {
+    pub(super) client: ClientId,
+    /// What moves the arm by it, sent or to be sent; `None` where it still waited for the arm to rest.
+    pub(super) command: Option<CommandId>,
+}
+
 /// Who fell silent while a button was held.
 #[derive(Debug)]
 pub(super) struct JogSilence {
@@ -59,6 +68,7 @@ enum JogPhase {
     Waits,
     /// The arm moves.
     Acts {
+        command: CommandId,
         /// When a status showed last where the arm is.
         seen: Duration,
     },
@@ -77,13 +87,22 @@ impl Held {
         let silent = self.said + self.patience;
         match self.phase {
             JogPhase::Waits => Some(silent),
-            JogPhase::Acts { seen } => Some(silent.min(seen + BLIND)),
+            JogPhase::Acts { seen, .. } => Some(silent.min(seen + BLIND)),
             JogPhase::Over { .. } => None,
         }
     }
 
-    const fn acts(&self) -> bool {
-        matches!(self.phase, JogPhase::Acts { .. })
+    /// The press that ends with it, if it is not over already.
+    const fn ended(&self) -> Option<EndedPress> {
+        let command = match self.phase {
+            JogPhase::Waits => None,
+            JogPhase::Acts { command, .. } => Some(command),
+            JogPhase::Over { .. } => return None,
+        };
+        Some(EndedPress {
+            client: self.client,
+            command,
+        })
     }
 }
 
@@ -125,7 +144,8 @@ impl Jogging {
             patience: press.patience,
             phase: pressed.unwrap_or_else(|why| JogPhase::Over { why, told: false }),
         });
-        refused.map_or(Ok(held.acts()), Err)
+        let acts = matches!(held.phase, JogPhase::Acts { .. });
+        refused.map_or(Ok(acts), Err)
     }
 
     /// The press that waits for the arm to rest.
@@ -136,27 +156,23 @@ impl Jogging {
     }
 
     /// Takes that the press that waited moves the arm now.
-    pub(super) fn handle_moves(&mut self, now: Duration) {
+    pub(super) fn handle_moves(&mut self, now: Duration, command: CommandId) {
         if let Some(held) = &mut self.held {
-            held.phase = JogPhase::Acts { seen: now };
+            held.phase = JogPhase::Acts { command, seen: now };
         }
     }
 
-    /// Lets go of the button, if one is pressed: its client did. Says whether the arm moved by it.
-    pub(super) fn let_go(&mut self) -> bool {
-        self.held.take().is_some_and(|it| it.acts())
+    /// Lets go of the button, if one is pressed: its client did. Gives the press that ends.
+    pub(super) fn let_go(&mut self) -> Option<EndedPress> {
+        self.held.take().and_then(|it| it.ended())
     }
 
-    /// Lets go of the button, and its client has to press it anew. Says whether the arm moved by it.
-    pub(super) fn bar(&mut self, why: Refusal) -> bool {
-        let Some(held) = &mut self.held else {
-            return false;
-        };
-        let acted = held.acts();
-        if !matches!(held.phase, JogPhase::Over { .. }) {
-            held.phase = JogPhase::Over { why, told: false };
-        }
-        acted
+    /// Lets go of the button, and its client has to press it anew. Gives the press that ends.
+    pub(super) fn bar(&mut self, why: Refusal) -> Option<EndedPress> {
+        let held = self.held.as_mut()?;
+        let ended = held.ended()?;
+        held.phase = JogPhase::Over { why, told: false };
+        Some(ended)
     }
 
     /// Whether those who watch know already why a button does nothing, which is said as often as its
@@ -192,7 +208,7 @@ impl Jogging {
     /// Says what hinders whose button.
     pub(super) fn handle_status(&mut self, arm: &Arm) -> Option<(ClientId, Refusal)> {
         let (held, model) = (self.held.as_mut()?, arm.session().seen_model()?);
-        let JogPhase::Acts { seen } = &mut held.phase else {
+        let JogPhase::Acts { seen, .. } = &mut held.phase else {
             return None;
         };
         *seen = arm.now();
@@ -207,8 +223,9 @@ impl Jogging {
 /// What a new press does, if it may.
 fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<JogPhase, Refusal> {
     if !arm.session().is_moving() {
-        act(arm, jog)?;
-        return Ok(JogPhase::Acts { seen: arm.now() });
+        let command = act(arm, jog)?;
+        let seen = arm.now();
+        return Ok(JogPhase::Acts { command, seen });
     }
     // Whoever presses while the arm is at something longer means that, and not what follows it.
     if arm.session().waiting() == 0 && rests_within <= LONGEST_RUN_DOWN {
@@ -218,8 +235,8 @@ fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<JogPhase, Re
 }
 
 /// Moves the arm by a button, if the way is allowed.
-pub(super) fn act(arm: &mut Arm, jog: Jog) -> Result<(), Refusal> {
-    arm.send(&jog.command()).map(|_| ())
+pub(super) fn act(arm: &mut Arm, jog: Jog) -> Result<CommandId, Refusal> {
+    arm.send(&jog.command())
 }
 
 /// Whether it is the release of a button.

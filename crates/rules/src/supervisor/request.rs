@@ -11,7 +11,9 @@ use super::commands::{button, understood};
 use super::events::NOT_DELIVERED;
 use super::lease::{Change, TimeOver};
 use super::slots::Turn;
+use super::stop::Stop;
 use super::{Supervisor, still_moving};
+use crate::kept_stop::StoppedBy;
 use crate::plain;
 use crate::refusal::{Refusal, span};
 
@@ -273,26 +275,34 @@ impl Supervisor {
         }
     }
 
-    /// Stops: laser off first, buttons let go, nothing more is sent. The arm finishes the command
-    /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
-    /// again.
     fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {
         let by = self.client_name(client);
+        let why = format!("the arm was stopped by {by}");
+        let reason = reason.map(|it| plain(&it, REASON_LEN));
+        let by = StoppedBy { by, reason };
+        self.bring_to_rest(&why, |stop, now, rests_within, delivered| {
+            stop.handle_stop(now, by, rests_within, delivered)
+        })
+    }
+
+    /// Stops: laser off first, buttons let go, nothing more is sent. The arm finishes the command
+    /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
+    /// again. `hold` takes the time, how long the arm takes to rest and whether it hears, and says what is to be told.
+    pub(super) fn bring_to_rest(
+        &mut self,
+        why: &str,
+        hold: impl FnOnce(&mut Stop, Duration, Duration, bool) -> Option<String>,
+    ) -> Reply {
         let rests_within = self.rests_within();
         self.halt.begin(&mut self.arm);
         self.disarm_laser("the arm was stopped");
-        let why = format!("the arm was stopped by {by}");
-        self.jogging.bar(Refusal::LetGo(why.clone()));
-        self.drop_waiting(&why);
-        self.interrupt_run(&why);
-        self.end_detection(&why);
-        let reason = reason.map(|it| plain(&it, REASON_LEN));
-        let now = self.arm.now();
+        self.jogging.bar(Refusal::LetGo(why.to_owned()));
+        self.drop_waiting(why);
+        self.interrupt_run(why);
+        self.end_detection(why);
         // Without an arm there is nothing to deliver to.
         let delivered = self.link.is_there() || self.arm.last().is_none();
-        let told = self
-            .stop
-            .handle_stop(now, by, reason, rests_within, delivered);
+        let told = hold(&mut self.stop, self.arm.now(), rests_within, delivered);
         if let Some(text) = told {
             self.notify(News::Stopped, text);
             if !delivered {
@@ -561,6 +571,6 @@ fn told(turn: Turn) -> (News, String) {
 
 /// What to do about a packet that nothing helps.
 const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
-const REASON_LEN: usize = 200;
+pub(super) const REASON_LEN: usize = 200;
 /// A base that is as near as this to straight ahead is.
 const STRAIGHT_DEG: f64 = 0.1;

@@ -1,6 +1,9 @@
 //! Everything that can go wrong, a few times each: the example `reliability` does it thousands of times.
 
-use crate::cases::{cables, clients, disks, floods, fuzz, guardians, kills, lines, stands, stops};
+use crate::cases::{
+    cables, clients, disks, floods, fuzz, guardians, kills, lines, long_lines, sessions, stands,
+    stops,
+};
 
 /// Fails with the first thing that should not be, and says how many there are.
 fn right(wrong: &[String]) {
@@ -95,6 +98,15 @@ fn the_arm_rests_by_when_it_was_promised_whatever_it_does() {
 }
 
 #[test]
+fn what_an_arm_has_received_of_a_long_line_is_over_soon_whatever_ends_it() {
+    for it in long_lines::run(4) {
+        right(&it.wrong);
+        let what = if it.burns { "light" } else { "motion" };
+        assert_eq!(it.late, 0, "{} of {}: {:?}", what, it.material, it.ends);
+    }
+}
+
+#[test]
 fn the_laser_does_not_burn_on_the_spot_whoever_sent_what_burns() {
     for it in stands::run(12) {
         right(&it.wrong);
@@ -109,4 +121,12 @@ fn an_arm_is_never_lost_whatever_it_is_asked() {
     let it = fuzz::run(0, 200);
     right(&it.wrong);
     assert!(it.taken > it.requests / 5 && it.packets > 10_000, "{it:?}");
+}
+
+#[test]
+fn whatever_goes_wrong_one_after_the_other_the_arm_rests_dark_and_nothing_false_was_said() {
+    let it = sessions::run(60);
+    right(&it.wrong);
+    assert!(it.times == 60 && it.incidents > 100, "{it:?}");
+    assert!(it.jobs > 5 && it.undelivered > 0, "{it:?}");
 }

@@ -107,3 +107,29 @@ fn a_laser_that_creeps_sets_fire() {
     desk.allows(at(5.0));
     desk.refuses("laser.least_speed", at(4.0));
 }
+
+#[test]
+fn a_line_that_burns_for_long_comes_in_shorter_vectors() {
+    // 96 mm at 3 mm/s, from and to that speed: 32 s.
+    let at_speed = |length_mm: f32| WriteVector {
+        start_speed_mm_s: 3.0,
+        end_speed_mm_s: 3.0,
+        max_speed_mm_s: 3.0,
+        ..burning(0.0, length_mm)
+    };
+    for dialect in [Dialect::SPECIFICATION, Dialect::FIRMWARE_1_1] {
+        let desk = Desk::at(200.0, -48.0, 0.0).speaking(dialect);
+        let violation = desk.refuses("laser.longest", at_speed(96.0));
+        assert!(violation.to_string().contains("shorter"), "{violation}");
+        assert_eq!(violation.value.map(|it| it.nearest), Some(1.0));
+        desk.allows(at_speed(2.5));
+        desk.allows(WriteVector {
+            laser: false,
+            mode: WriteMode::Writing,
+            ..at_speed(96.0)
+        });
+        desk.clone()
+            .under("[laser]\nlongest_s = 60")
+            .allows(at_speed(96.0));
+    }
+}

@@ -4,8 +4,8 @@ use dobot_wire::Status;
 use futures_util::{SinkExt, StreamExt};
 use serde_json::{Value, json};
 use tokio::net::TcpStream;
-use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
 use super::*;
@@ -13,7 +13,7 @@ use crate::fake::FakeDriver;
 
 /// One that speaks the protocol as it is published.
 struct Onlooker {
-    socket: WebSocketStream<MaybeTlsStream<TcpStream>>,
+    socket: Socket,
     /// The number of each topic.
     channels: HashMap<String, u64>,
     advertised: Vec<Value>,
@@ -21,14 +21,7 @@ struct Onlooker {
 
 impl Onlooker {
     async fn come(address: SocketAddr) -> Self {
-        let mut request = format!("ws://{address}")
-            .into_client_request()
-            .expect("it is an address");
-        let protocol = "foxglove.sdk.v1".parse().expect("it is a header");
-        request
-            .headers_mut()
-            .insert("sec-websocket-protocol", protocol);
-        let (socket, _) = connect_async(request).await.expect("it listens");
+        let socket = connect(address, None).await.expect("it listens");
         let (channels, advertised) = (HashMap::new(), Vec::new());
         let mut onlooker = Self {
             socket,
@@ -94,6 +87,24 @@ impl Onlooker {
     }
 }
 
+type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
+
+/// Opens a socket as a page of this origin does, or a program without one.
+async fn connect(address: SocketAddr, origin: Option<&str>) -> Result<Socket, Error> {
+    let mut request = format!("ws://{address}").into_client_request()?;
+    let headers = [
+        ("sec-websocket-protocol", Some("foxglove.sdk.v1")),
+        ("origin", origin),
+    ];
+    for (name, value) in headers {
+        if let Some(value) = value {
+            let value = value.parse().expect("it is a header");
+            request.headers_mut().insert(name, value);
+        }
+    }
+    connect_async(request).await.map(|(socket, _)| socket)
+}
+
 /// A station whose arm does what the test says.
 async fn served() -> (FakeDriver, SocketAddr) {
     let (handle, driver) = FakeDriver::new(16);
@@ -155,6 +166,35 @@ async fn foxglove_is_offered_the_topics_of_the_recordings_with_their_schemas() {
         let scene = onlooker.advertised.iter().find(|it| it["topic"] == topic);
         let scene = scene.expect("it is offered");
         assert_eq!(scene["schemaName"], "foxglove.SceneUpdate");
+    }
+}
+
+#[tokio::test]
+async fn pages_of_other_sites_are_refused() {
+    let (_driver, address) = served().await;
+    for origin in [
+        "https://app.foxglove.dev",
+        "http://localhost:8080",
+        "http://127.0.0.1:8642",
+        "http://[::1]:80",
+        "file://",
+    ] {
+        let met = connect(address, Some(origin)).await;
+        assert!(met.is_ok(), "{origin}: {met:?}");
+    }
+    for origin in [
+        "http://evil.example",
+        "https://foxglove.dev.evil.example",
+        "https://evilfoxglove.dev",
+        "http://app.foxglove.dev",
+        "http://localhost.evil.example",
+        "null",
+        "",
+    ] {
+        match connect(address, Some(origin)).await {
+            Err(Error::Http(answer)) => assert_eq!(answer.status(), 403, "{origin}"),
+            met => panic!("{origin}: {met:?}"),
+        }
     }
 }
 

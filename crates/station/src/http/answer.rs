@@ -18,7 +18,7 @@ use dobot_api::Problem;
 use dobot_api::problem_kinds::{
     INTERNAL, MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS,
 };
-use dobot_rules::Refusal;
+use dobot_rules::{Refusal, priority};
 use futures_util::StreamExt;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -252,7 +252,11 @@ pub(super) async fn beside<T: Send + 'static>(
 type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
 
 async fn run_beside(work: Work) -> Result<Box<dyn Any + Send>, Problem> {
-    let done = tokio::task::spawn_blocking(|| panic::caught(work)).await;
+    let done = tokio::task::spawn_blocking(|| {
+        priority::of_planning();
+        panic::caught(work)
+    })
+    .await;
     let done = done.map_err(|_| Problem::from(Refusal::Ending))?;
     done.map_err(|panic| INTERNAL.problem(panic))
 }
@@ -295,3 +299,16 @@ impl FromRequest<Arc<App>> for OfJob {
 #[derive(Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Nothing {}
+
+#[cfg(all(test, target_os = "linux"))]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn what_may_take_long_gives_way_to_the_arm() {
+        let niceness = beside(|| rustix::process::getpriority_process(None).unwrap());
+        let niceness = niceness.await.unwrap_or_else(|_| panic!("it was not done"));
+        assert!(niceness >= 10, "{niceness}");
+    }
+}

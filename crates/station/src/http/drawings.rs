@@ -11,8 +11,8 @@ use dobot_draw::{
     DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
     WITHOUT_ARM_Z_MM, frame,
 };
-use dobot_rules::PlannedFor;
-use dobot_rules::drawing_job;
+use dobot_rules::{PlannedFor, drawing_job, is_plain};
+use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tokio::sync::{Semaphore, watch};
@@ -139,6 +139,14 @@ struct Planned {
     view: Bytes,
     whole: NewJob,
     frame: Result<NewJob, String>,
+}
+
+impl Planned {
+    /// How much memory it takes, about.
+    fn bytes(&self) -> usize {
+        let frame = self.frame.as_ref().map_or(0, |it| it.commands.len());
+        self.view.len() + (self.whole.commands.len() + frame) * size_of::<Command>()
+    }
 }
 
 impl Default for Drawings {
@@ -269,20 +277,30 @@ impl Drawings {
 }
 
 impl Kept {
-    /// Forgets the oldest drawing that is over, where as many are kept as may be.
+    /// Forgets the oldest drawings that are over, where as many are kept as may be, or as much of their plans.
     fn make_room(&mut self) -> Result<(), Problem> {
-        if self.drawings.len() < MOST {
-            return Ok(());
+        while self.drawings.len() >= MOST || self.bytes() > MOST_BYTES {
+            let oldest = self.drawings.iter().find(|(_, it)| it.is_over());
+            let oldest = oldest.map(|(&number, _)| number).ok_or_else(|| {
+                TOO_MANY.hinted(
+                    format!("{MOST} drawings are being planned, and there may be {MOST}"),
+                    "wait until some are planned, or give some up",
+                )
+            })?;
+            self.drawings.remove(&oldest);
         }
-        let oldest = self.drawings.iter().find(|(_, it)| it.is_over());
-        let oldest = oldest.map(|(&number, _)| number).ok_or_else(|| {
-            TOO_MANY.hinted(
-                format!("{MOST} drawings are being planned, and there may be {MOST}"),
-                "wait until some are planned, or give some up",
-            )
-        })?;
-        self.drawings.remove(&oldest);
         Ok(())
+    }
+
+    /// How much memory the plans take, about.
+    fn bytes(&self) -> usize {
+        let plans = self.drawings.values().map(|it| &it.progress);
+        plans
+            .map(|it| match &*it.borrow() {
+                Progress::Planned(planned) => planned.bytes(),
+                _ => 0,
+            })
+            .sum()
     }
 }
 
@@ -325,7 +343,8 @@ impl NewDrawing {
     pub(super) fn title(&self) -> String {
         let text = Subject::of_text(&self.options.what).map(|it| it.title);
         let title = self.name.clone().or(text).unwrap_or_default();
-        let title: String = title.trim().chars().take(MOST_LETTERS).collect();
+        let plain = title.trim().chars().filter(|it| is_plain(*it));
+        let title: String = plain.take(MOST_LETTERS).collect();
         if title.is_empty() {
             return "drawing".to_owned();
         }
@@ -385,6 +404,19 @@ impl Work {
         tell.send_replace(match planned.and_then(|it| it) {
             Ok(planned) => Progress::Planned(Arc::new(planned)),
             Err(problem) => Progress::Failed(problem),
+        });
+        // A plan may be large, and its client may never come back for it.
+        tokio::time::sleep(KEPT_FOR).await;
+        let kept_min = KEPT_FOR.as_secs() / 60;
+        tell.send_if_modified(|it| {
+            let is_planned = matches!(it, Progress::Planned(_));
+            if is_planned {
+                *it = Progress::Failed(BAD_DRAWING.hinted(
+                    format!("its plan was kept for {kept_min} minutes, and is forgotten"),
+                    "plan it again",
+                ));
+            }
+            is_planned
         });
     }
 
@@ -454,6 +486,53 @@ fn json(view: &DrawingView) -> Bytes {
 const AT_ONCE: usize = 2;
 /// How many are kept.
 const MOST: usize = 16;
+/// How much memory the plans that are kept may take when another one begins: a million vectors and their preview are a third
+/// of it.
+const MOST_BYTES: usize = 512 << 20;
+/// How long a plan is kept.
+const KEPT_FOR: Duration = Duration::from_mins(30);
 const LONGEST_PLAN: Duration = Duration::from_secs(120);
 const LONGEST_WAIT: Duration = Duration::from_secs(1);
 const MOST_LETTERS: usize = 150;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_api::{JobKind, JobProgram};
+
+    use super::*;
+
+    /// A drawing whose preview is so long; its memory is never touched.
+    fn planned(view_bytes: usize) -> Drawing {
+        let planned = Planned {
+            view: vec![0; view_bytes].into(),
+            whole: NewJob {
+                title: String::new(),
+                kind: JobKind::Drawing,
+                commands: Vec::new(),
+                lift_mm: 0.0,
+                pauses: Vec::new(),
+                program: JobProgram::default(),
+            },
+            frame: Err(String::new()),
+        };
+        Drawing {
+            title: String::new(),
+            give_up: GiveUp::default(),
+            progress: watch::channel(Progress::Planned(Arc::new(planned))).1,
+            work: tokio::spawn(async {}).abort_handle(),
+        }
+    }
+
+    #[tokio::test]
+    async fn plans_are_forgotten_oldest_first_where_they_take_too_much_memory() {
+        let mut kept = Kept::default();
+        for (number, megabytes) in [(1, 1), (2, 300), (3, 100), (4, 300)] {
+            kept.drawings.insert(number, planned(megabytes << 20));
+        }
+        kept.make_room().unwrap();
+        assert_eq!(kept.drawings.keys().copied().collect::<Vec<_>>(), [3, 4]);
+        kept.make_room().unwrap();
+        assert_eq!(kept.drawings.len(), 2, "the others stay");
+    }
+}

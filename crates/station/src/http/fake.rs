@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
-use dobot_api::{ClientId, JobPath, JobView, LeaseView, Reply, Request, Role};
+use dobot_api::{ClientId, FleetWideStop, JobPath, JobView, LeaseView, Reply, Request, Role};
 use dobot_rules::{Ends, Handle, Message, OfferAnswer, OfferAsk, Refusal, Rules};
 use tokio::sync::mpsc;
 
@@ -36,6 +36,7 @@ pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
         came: Mutex::default(),
         gone: Mutex::default(),
         trouble: Mutex::default(),
+        resets: Mutex::default(),
     });
     let asked = Asked::default();
     tokio::spawn(serve(messages, telling.clone(), asked.clone()));
@@ -52,6 +53,8 @@ pub(super) struct FakeNews {
     pub(super) gone: Mutex<Vec<ClientId>>,
     /// What those who watch were to know.
     pub(super) trouble: Mutex<Vec<String>>,
+    /// Who has let the whole fleet move again.
+    pub(super) resets: Mutex<Vec<String>>,
 }
 
 async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, asked: Asked) {
@@ -109,6 +112,23 @@ async fn serve(mut messages: mpsc::Receiver<Message>, telling: Arc<FakeNews>, as
             Message::Offer { key, ask, reply } => {
                 let _ = reply.send(Ok(answer(&mut offers, key, ask)));
             }
+            Message::FleetStop { origin, by, reply } => {
+                let stop = FleetWideStop {
+                    origin,
+                    count: 1,
+                    by: by.by,
+                    reason: by.reason,
+                    reset_by: None,
+                };
+                let _ = reply.send((stop, stopping()));
+            }
+            Message::FleetStops { stops, reply } => {
+                let _ = reply.send((stops, Some(stopping())));
+            }
+            Message::FleetReset { by, reply } => {
+                telling.resets.lock().expect("as above").push(by);
+                let _ = reply.send(Vec::new());
+            }
             Message::Trouble(text) => telling.trouble.lock().expect("as above").push(text),
             Message::Failed(text) => panic!("{text}"),
             Message::End => break,
@@ -142,16 +162,20 @@ fn answer(offers: &mut HashMap<String, OfferAnswer>, key: String, ask: OfferAsk)
     answer
 }
 
+const fn stopping() -> Reply {
+    Reply::Stopping {
+        rests_within_s: 0.8,
+        delivered: true,
+    }
+}
+
 fn granted(client: ClientId, request: &Request) -> Reply {
     match request {
         Request::Command { .. } => Reply::Accepted {
             command: 12,
             takes_s: Some(1.5),
         },
-        Request::Stop { .. } => Reply::Stopping {
-            rests_within_s: 0.8,
-            delivered: true,
-        },
+        Request::Stop { .. } => stopping(),
         Request::TakeLease | Request::SeizeLease => Reply::Lease {
             lease: Some(LeaseView {
                 client,

@@ -8,16 +8,17 @@ use std::time::Duration;
 use axum::extract::State;
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::{Extension, Json};
-use dobot_api::problem_kinds::{GIVES_NO_ARMS, NO_FLEET};
-use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients};
+use dobot_api::problem_kinds::{GIVES_NO_ARMS, NO_FLEET, UNAUTHORISED};
+use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients, Role};
+use dobot_rules::StoppedBy;
 use futures_util::Stream;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use tokio::sync::{OwnedSemaphorePermit, watch};
 use tokio::time::{Interval, MissedTickBehavior, interval};
 
-use super::answer::{Body, JOB, Maybe, NotDone};
-use super::app::{App, Caller, Stay};
+use super::answer::{Body, JOB, Maybe, NotDone, Nothing};
+use super::app::{App, Caller, Peer, Stay};
 use super::calls::Asker;
 use super::events::ALIVE_EVERY;
 use super::routes;
@@ -134,20 +135,65 @@ const fn all() -> Recipients {
     Recipients::All
 }
 
-/// Stops the arms of several stations.
+/// Stops the arms of several stations. A stop of all is one of the fleet, which each station keeps.
 pub(super) async fn stop(
     asker: Asker,
     Maybe(wanted): Maybe<FleetStop>,
 ) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+    let port = asker.app.fleet()?;
+    let reason = wanted.reason;
+    let fleet = if wanted.to == Recipients::All {
+        let by = StoppedBy {
+            by: asker.at(port),
+            reason: reason.clone(),
+        };
+        // Where this station ends, the others are stopped all the same.
+        let stopped = asker.app.handle.stop_fleet(port.id(), by).await;
+        stopped.ok().map(|(stop, _)| stop)
+    } else {
+        None
+    };
     // Anyone may stop, and a token that another station does not know would keep it from that.
-    let reason = wanted.reason.map(|it| serde_json::json!({ "reason": it }));
     let request = ApiRequest {
         method: "POST".into(),
         path: routes::STOP.into(),
-        body: reason,
+        body: Some(serde_json::json!({ "reason": reason, "fleet": fleet })),
         ..ApiRequest::default()
     };
-    Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
+    let answers = port.ask(&wanted.to, request).await?;
+    if fleet.is_some() {
+        let silent = |it: &&Arc<Member>| {
+            let failed = |answer: &MemberAnswer| {
+                (&answer.member, &answer.id) == (&it.name, &it.id) && !answer.answer.is_success()
+            };
+            answers.iter().any(failed)
+        };
+        let silent = port.members().iter().filter(silent).cloned().collect();
+        let port = port.clone();
+        // They are told until they answer; whoever stops does not wait for that.
+        tokio::spawn(async move { drop(port.tell_stops(silent).await) });
+    }
+    Ok(Json(answers))
+}
+
+/// Lets the whole fleet move again after a stop of all.
+pub(super) async fn reset_stop(
+    asker: Asker,
+    Extension(peer): Extension<Peer>,
+    _: Maybe<Nothing>,
+) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+    let app = &asker.app;
+    let port = app.fleet()?;
+    asker.check_role(Role::Control)?;
+    let has_token = asker.token.as_ref().is_some_and(|it| !app.is_local(it));
+    if !(has_token || peer.by_fleet || port.is_on_one_machine()) {
+        let detail = "that one may do everything on his own machine counts for nothing at the other stations";
+        let hint = "take a token of this station with the role control, in DOBOT_TOKEN; or reset the stop of this arm alone: `dobot stop --reset`";
+        return Err(UNAUTHORISED.hinted(detail, hint).into());
+    }
+    app.handle.reset_fleet_stops(&asker.at(port)).await?;
+    let members = port.members().iter().cloned().collect();
+    Ok(Json(port.tell_stops(members).await?))
 }
 
 /// A request to several stations at once.
@@ -186,6 +232,13 @@ pub(super) async fn request(
         token: asker.token.filter(|it| !asker.app.is_local(it)),
     };
     Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
+}
+
+impl Asker {
+    /// Who asks, and at which station, for those at others.
+    fn at(&self, port: &FleetPort) -> String {
+        format!("{} at {}", self.caller.name, port.name())
+    }
 }
 
 impl App {

@@ -8,7 +8,9 @@ use axum::http::request::Parts;
 use dobot_api::problem_kinds::{
     ARM_BUSY, DRAWING_PHASE, INVALID, MALFORMED, NO_SUCH_WORK, WORK_REFUSED,
 };
-use dobot_api::{JobPhase, JobView, NewJob, Problem, Request, Role, TakesWork, is_same_person};
+use dobot_api::{
+    JobPhase, JobView, NewJob, Problem, Request, Role, State, TakesWork, is_same_person,
+};
 use dobot_arm::Calibration;
 use dobot_rules::{Handle, OfferAnswer, OfferAsk};
 use schemars::JsonSchema;
@@ -18,6 +20,7 @@ use super::answer::{Body, JOB, NotDone};
 use super::app::{App, Peer};
 use super::calls::Asker;
 use super::drawings::NewDrawing;
+use crate::{FleetPort, work_hurdle};
 
 /// Work that a station offers: a drawing or a job.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
@@ -72,7 +75,7 @@ pub(super) async fn offer(
     }
     let student = offered.student.clone();
     let ask = match port.takes_work() {
-        Some(_) => match others_time(app, &student) {
+        Some(takes_work) => match not_now(app, port, takes_work, &student) {
             Some(reason) => OfferAsk::Refuse { reason, busy: true },
             None => offered.ask(app, &key).await?,
         },
@@ -192,10 +195,19 @@ impl Drop for Planning<'_> {
     }
 }
 
+/// Why work of this student is not taken now: the arm could not start it, or it is the time of another one.
+fn not_now(app: &App, port: &FleetPort, takes_work: TakesWork, student: &str) -> Option<String> {
+    if !port.is_settled() {
+        return Some(UNSETTLED.into());
+    }
+    let snapshot = app.handle.state();
+    let state = snapshot.state();
+    work_hurdle(state, takes_work).or_else(|| others_time(state, student))
+}
+
 /// Why work of this student is not taken now, where it is the time of another one.
-fn others_time(app: &App, student: &str) -> Option<String> {
-    let state = app.handle.state();
-    let now = state.state().slots.as_ref()?.now.as_ref()?;
+fn others_time(state: &State, student: &str) -> Option<String> {
+    let now = state.slots.as_ref()?.now.as_ref()?;
     let is_others = !is_same_person(&now.student, student);
     is_others.then(|| format!("it is the time of {} at this arm", now.student))
 }
@@ -223,3 +235,6 @@ async fn start(handle: Handle, job: u64, student: String) {
 }
 
 const LONGEST_TITLE: usize = 200;
+/// Why a station that has just come, or was away, takes no work yet.
+const UNSETTLED: &str =
+    "the station has just come or come back; it learns first whether the fleet is stopped";

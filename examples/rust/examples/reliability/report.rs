@@ -3,7 +3,8 @@
 use std::fmt::{Display, Write};
 
 use crate::cases::{
-    cables, carries, clients, disks, floods, fuzz, guardians, kills, lines, stands, stops,
+    cables, carries, clients, disks, floods, fuzz, guardians, kills, lines, long_lines, stands,
+    stops,
 };
 
 /// The document, and what should not be.
@@ -28,6 +29,7 @@ impl Report {
         self.floods(100_u64.div_ceil(fewer));
         self.disks(400 / fewer);
         self.stops(1_440 / fewer);
+        self.long_lines(40_u64.div_ceil(fewer));
         self.stands(60_u64.div_ceil(fewer));
         self.line(TAIL);
         self.fuzz(200 / fewer);
@@ -249,6 +251,31 @@ impl Report {
         }
     }
 
+    fn long_lines(&mut self, times: u64) {
+        let all = long_lines::run(times);
+        self.line(LONG_LINES);
+        let sum: usize = all.len() * long_lines::LineEnd::ALL.len();
+        self.line(&format!("{times} times each, {sum} cases.\n"));
+        let ends = long_lines::LineEnd::ALL.map(|it| it.to_string());
+        let columns: Vec<&str> = ends
+            .iter()
+            .map(String::as_str)
+            .chain(["**later**"])
+            .collect();
+        self.table(["material or pen", "what goes on"], &columns);
+        for it in all {
+            let most = it.ends.map(|(_, took_s)| format!("{:.2}", took_s.most()));
+            let what = if it.burns { "light" } else { "motion" };
+            let cells = format!("{what} | {} | {}", most.join(" | "), it.late);
+            self.row(it.material, cells);
+            if it.late > 0 {
+                self.wrong(vec![format!("one long line: {} too late", it.late)]);
+            }
+            self.wrong(it.wrong);
+        }
+        self.line(LONG_LINES_END);
+    }
+
     /// What a million requests came to stands in a file of its own, for they take their time; a few are
     /// asked here, too.
     fn fuzz(&mut self, cases: u64) {
@@ -423,6 +450,23 @@ const STOPS: &str = "
 
 Somebody stops the arm at a random moment. The answer says within what time it will certainly rest. The laser must be
 off by then, too.
+";
+
+const LONG_LINES: &str = "
+## One long line
+
+A line of 96 mm in each material and with each pen, which takes up to half a minute. In the middle of it somebody stops
+the arm or pauses the job, or the station is killed or stands still while its guardian is there. The figures are the
+longest times in seconds from then until the laser is off, or until a pen does not move any more. A laser has to be off
+within 0.5 s, and a pen has to rest within 0.7 s; in a pause it slows down on its line, and rests within 1.5 s.
+";
+
+const LONG_LINES_END: &str = "
+The planner cuts long lines into vectors of 0.2 s for a laser and 0.42 s for a pen, in which the arm goes on at the same
+speed. A vector that burns is sent only when it should end within `queue.ahead_s`, but early enough for the arm not to
+wait. On a stock arm a vector that only speeds up and brakes is not cut; at 30 mm/s it takes up to 0.6 s, and the light
+of what the arm has received lasts up to 0.9 s then. The policy refuses a vector that burns for longer than
+`laser.longest_s`. A link that is slower than usual needs vectors earlier, and the light lasts longer by as much.
 ";
 
 const STANDS: &str = "

@@ -116,6 +116,9 @@ fn what_helps(rule: &str) -> &'static str {
         Some(("laser", "least_speed")) => {
             "another `--speed`, or a material that is burned at another one (`dobot materials`); corners and short lines that are slower at any speed need a larger `--tolerance` or `--scale`"
         }
+        Some(("laser", "longest")) => {
+            "a higher `--speed` or `--acceleration`, or a policy with a larger `laser.longest_s` (`--policy`)"
+        }
         Some(("speed", _)) => {
             "another `--speed` or `--travel-speed`, or a pen or material with others (`dobot materials`)"
         }

@@ -137,6 +137,8 @@ WatchdogSec=5
 TimeoutStartSec=120
 TimeoutStopSec=15
 KillMode=control-group
+LimitNICE=-10
+ManagedOOMPreference=avoid
 
 [Install]
 WantedBy={target}
@@ -239,6 +241,9 @@ mod tests {
             "Restart=always",
             "Type=notify",
             "WatchdogSec=5",
+            "KillMode=control-group",
+            "LimitNICE=-10",
+            "ManagedOOMPreference=avoid",
             "default.target",
         ] {
             assert!(text.contains(line), "{line} is missing: {text}");

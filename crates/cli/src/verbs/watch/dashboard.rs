@@ -121,9 +121,8 @@ pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
         } else {
             "coming to rest"
         };
-        let reason = stop.reason.as_ref().map(|it| format!(": {it}"));
-        let reason = reason.unwrap_or_default();
-        return alarm(red, format!("STOPPED by {}{reason} ({rest})", stop.by));
+        let text = stop.text().replacen("stopped", "STOPPED", 1);
+        return alarm(red, format!("{text} ({rest})"));
     }
     if state.link.phase != LinkPhase::Up {
         return alarm(yellow, no_link(state));
@@ -272,6 +271,7 @@ mod tests {
                 rests_by_s: 10.5,
                 at_rest: true,
                 delivered: true,
+                of_fleet: false,
             });
         });
         shows(&stopped, &["STOPPED by the page: smoke (at rest)"]);
@@ -401,6 +401,7 @@ mod tests {
                 rests_by_s: 0.0,
                 at_rest: false,
                 delivered: true,
+                of_fleet: false,
             });
         });
         let screen = screen(&stopped, 20, 4).join("\n");

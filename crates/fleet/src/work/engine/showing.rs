@@ -23,8 +23,13 @@ impl Work {
 
     pub(super) fn view(&self, ticket: &Ticket) -> WorkView {
         let mut view = ticket.view(self.doubt(ticket));
-        if ticket.at == Place::Waiting && view.reason.is_none() {
-            view.reason = self.lacking(ticket);
+        if ticket.at == Place::Waiting {
+            let reasons = [
+                self.held.clone(),
+                view.reason.or_else(|| self.lacking(ticket)),
+            ];
+            let reasons: Vec<_> = reasons.into_iter().flatten().collect();
+            view.reason = Some(reasons.join("; ")).filter(|it| !it.is_empty());
         }
         view
     }

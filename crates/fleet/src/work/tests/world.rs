@@ -13,7 +13,7 @@ use dobot_controller::{Personality, PowerUp};
 use dobot_random::Random;
 use dobot_rules::{OfferAnswer, OfferAsk, VirtualStation};
 use dobot_safety::Policy;
-use dobot_station::Members;
+use dobot_station::{Members, work_hurdle};
 use dobot_wire::{MoveTo, MovingMode, WriteVector};
 
 use super::super::engine::{Answer, Ask, What, Wish, Work};
@@ -61,6 +61,8 @@ pub(super) struct Home {
     pub(super) disk: BTreeMap<String, Ticket>,
     /// What it does, while it runs.
     pub(super) work: Option<Work>,
+    /// Why it offers nothing.
+    pub(super) held: Option<String>,
     /// How often it was started.
     life: u64,
     back: Duration,
@@ -75,6 +77,9 @@ pub(super) struct Desk {
     pub(super) is_gone: bool,
     /// Somebody is there who starts what waits.
     pub(super) has_person: bool,
+    pub(super) takes_work: TakesWork,
+    /// Whether it starts what it takes, where it does that by itself.
+    pub(super) can_start: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -110,6 +115,7 @@ impl World {
             world.homes.push(Home {
                 disk: BTreeMap::new(),
                 work,
+                held: None,
                 life: 0,
                 back: Duration::ZERO,
             });
@@ -205,7 +211,7 @@ impl World {
         let Some(mut work) = self.homes[home].work.take() else {
             return;
         };
-        work.see(&members);
+        work.see(&members, self.homes[home].held.clone());
         while let Some(wish) = work.poll_wish(self.now) {
             match wish {
                 Wish::Keep(ticket) => {
@@ -348,10 +354,11 @@ impl World {
     fn look(&mut self) {
         for home in 0..self.homes.len() {
             let members = self.members(home);
+            let held = self.homes[home].held.clone();
             let Some(work) = &mut self.homes[home].work else {
                 continue;
             };
-            work.see(&members);
+            work.see(&members, held);
             for view in work.views() {
                 let key = (home, view.id.clone());
                 let is_away = |it: &Arc<Member>| {
@@ -432,6 +439,8 @@ impl Desk {
             person: None,
             is_gone: false,
             has_person: true,
+            takes_work: TakesWork::Queue,
+            can_start: true,
         }
     }
 
@@ -469,7 +478,14 @@ impl Desk {
     }
 
     fn answer(&mut self, ask: &Ask, job: Option<Box<NewJob>>) -> Answer {
+        let state = self.station.supervisor().state();
         let ask_of = match (ask.what, job) {
+            (What::Offer, Some(_)) if work_hurdle(&state, self.takes_work).is_some() => {
+                OfferAsk::Refuse {
+                    reason: work_hurdle(&state, self.takes_work).unwrap(),
+                    busy: true,
+                }
+            }
             (What::Offer, Some(job)) => OfferAsk::Take {
                 job,
                 made_for: None,
@@ -478,11 +494,26 @@ impl Desk {
             _ => OfferAsk::Look,
         };
         match self.station.offer(&ask.key, ask_of) {
-            Ok(OfferAnswer::Taken(job)) => Answer::Taken(job),
+            Ok(OfferAnswer::Taken(job)) => {
+                self.start(&job);
+                Answer::Taken(job)
+            }
             Ok(OfferAnswer::Refused { reason, busy }) => Answer::Refused { reason, busy },
             Ok(OfferAnswer::Unknown) => Answer::Unknown,
             Err(refusal) => Answer::Unclear(refusal.to_string()),
         }
+    }
+
+    /// Starts a job that it has taken, once, where it does that by itself.
+    fn start(&mut self, job: &JobView) {
+        if self.takes_work != TakesWork::Start || !self.can_start || job.phase != JobPhase::Queued {
+            return;
+        }
+        let client = self.station.client("work of the fleet");
+        for request in [Request::TakeLease, Request::StartJob { job: job.job }] {
+            drop(self.station.ask(client, request));
+        }
+        self.station.leave(client);
     }
 
     /// What it has drawn, in order.
@@ -511,7 +542,7 @@ impl Desk {
             heard_at_s: 0.0,
             about: Some(MemberAbout {
                 offers: vec!["pen".into(), "a5".into()],
-                takes_work: Some(TakesWork::Queue),
+                takes_work: Some(self.takes_work),
                 ..MemberAbout::default()
             }),
             state: Some(Box::new(self.station.supervisor().state())),
@@ -532,6 +563,7 @@ pub(super) fn ticket(home: usize, number: u64, student: &str) -> Ticket {
         at: Place::Waiting,
         refused: Vec::new(),
         before: Vec::new(),
+        returned: None,
     }
 }
 

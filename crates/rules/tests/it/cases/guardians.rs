@@ -141,30 +141,8 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     let mut scene = Scene::new(personality)?;
     begin(&mut scene, figures.doing, &mut chance)?;
     let at = scene.it.now();
-    let told = told(&scene);
-    let since_beat = chance.time(HEARTBEAT);
-    let mut after = After {
-        arm: scene.it.into_arm(),
-        now: at,
-        guardian: Guardian::new(at.saturating_sub(since_beat)),
-        first: None,
-        lit: at,
-        stood: Duration::ZERO,
-        rests: at,
-        joints: Joints::new(0.0, 0.0, 0.0, 0.0),
-    };
-    let life = at.saturating_sub(since_beat);
-    after
-        .guardian
-        .handle_heartbeat(life, Heartbeat::Alive(told));
-    let burnt = after.arm.controller().outputs().laser;
-    let from = after.arm.mechanics().joints_at(at);
-    let mut own = own_packets(figures.fate, at, told);
-    if figures.fate != Fate::Frozen {
-        after.guardian.handle_end(at);
-    }
-    after.joints = from;
-    after.run_until(at + Duration::from_secs(15), &mut own);
+    let burnt = scene.burns();
+    let (after, life, from) = left_alone(scene, figures.fate, &mut chance);
     let to = after.arm.mechanics().joints_at(after.now);
     let first = after
         .first
@@ -186,6 +164,39 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
         return Err(Wrong(text));
     }
     Ok(())
+}
+
+/// The arm with its guardian for fifteen seconds after the end of the station; when that told last that it lives, and the joints at
+/// its end.
+pub(super) fn left_alone(
+    scene: Scene,
+    fate: Fate,
+    chance: &mut Chance,
+) -> (After, Duration, Joints) {
+    let at = scene.it.now();
+    let told = told(&scene);
+    let life = at.saturating_sub(chance.time(HEARTBEAT));
+    let arm = scene.it.into_arm();
+    let from = arm.mechanics().joints_at(at);
+    let mut after = After {
+        arm,
+        now: at,
+        guardian: Guardian::new(life),
+        first: None,
+        lit: at,
+        stood: Duration::ZERO,
+        rests: at,
+        joints: from,
+    };
+    after
+        .guardian
+        .handle_heartbeat(life, Heartbeat::Alive(told));
+    let mut own = own_packets(fate, at, told);
+    if fate != Fate::Frozen {
+        after.guardian.handle_end(at);
+    }
+    after.run_until(at + Duration::from_secs(15), &mut own);
+    (after, life, from)
 }
 
 /// The arm at work, at a moment that chance chooses.
@@ -240,7 +251,7 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
 }
 
 /// What the guardian knows: of every packet before it leaves.
-fn told(scene: &Scene) -> Hazards {
+pub(super) fn told(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
     let packets = scene.it.packets().iter();
     packets
@@ -258,18 +269,18 @@ fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet
 }
 
 /// The arm and its guardian, after the station.
-struct After {
+pub(super) struct After {
     arm: VirtualArm,
     now: Duration,
     guardian: Guardian,
     /// When the first packet left.
     first: Option<Duration>,
     /// When the laser was seen on last.
-    lit: Duration,
+    pub lit: Duration,
     /// How long it was on while the arm stood.
     stood: Duration,
     /// When the arm was seen moving last.
-    rests: Duration,
+    pub rests: Duration,
     joints: Joints,
 }
 

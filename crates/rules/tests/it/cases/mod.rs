@@ -22,8 +22,10 @@ pub(crate) mod kills;
 #[path = "../../../../sim/tests/it/light.rs"]
 pub(crate) mod light;
 pub(crate) mod lines;
+pub(crate) mod long_lines;
 pub(crate) mod paper;
 pub(crate) mod scene;
+pub(crate) mod sessions;
 pub(crate) mod spread;
 pub(crate) mod stands;
 pub(crate) mod stops;

@@ -23,6 +23,11 @@ impl Spread {
         self.0.iter().copied().fold(0.0, f64::max)
     }
 
+    /// How many values are above this one.
+    pub(crate) fn above(&self, most: f64) -> usize {
+        self.0.iter().filter(|it| **it > most).count()
+    }
+
     /// The value that so many of a hundred are not above.
     pub(crate) fn percent(&self, percent: usize) -> f64 {
         let mut sorted = self.0.clone();

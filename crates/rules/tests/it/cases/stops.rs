@@ -153,7 +153,7 @@ fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
     Ok(())
 }
 
-fn work(scene: &mut Scene, sort: Sort, chance: &mut Chance) -> Result<(), Wrong> {
+pub(super) fn work(scene: &mut Scene, sort: Sort, chance: &mut Chance) -> Result<(), Wrong> {
     scene.begin(&sort.job(chance))?;
     let planned = scene.planned();
     scene.it.run_for(chance.time(planned));
@@ -173,7 +173,7 @@ fn pause(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
     Ok(())
 }
 
-fn targets(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
+pub(super) fn targets(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
     for _ in 0..=chance.below(5) {
         let command: Command = MoveTo {
             x_mm: chance.between(200.0, 235.0),
@@ -193,7 +193,7 @@ fn targets(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
 }
 
 /// Holds a button, and mostly lets it go again before the stop: or not.
-fn jog(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
+pub(super) fn jog(scene: &mut Scene, chance: &mut Chance) -> Result<(), Wrong> {
     let speed_percent = chance.between(10.0, 100.0);
     let jog = if chance.below(2) == 0 {
         Jog::Linear(LinearJog {

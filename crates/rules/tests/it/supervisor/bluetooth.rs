@@ -7,7 +7,7 @@ use dobot_controller::{Controller, Personality, Port, PowerUp};
 use dobot_rules::VirtualStation;
 use dobot_safety::Policy;
 use dobot_sim::{SerialLine, VirtualArm};
-use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, Voice};
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, VOICE_HEADER, Voice};
 
 use super::releases::{buttons, check_moved, frame, hold, joint, places, released};
 use crate::cases::commands::{target, vector};
@@ -190,7 +190,7 @@ fn one_command_leaves_for_each_permit_and_none_for_a_message() {
 }
 
 #[test]
-fn what_is_said_is_done_when_the_arm_rests() {
+fn what_is_said_becomes_the_motion_that_the_words_mean() {
     let (mut it, anna) = virtual_station();
     let aside = target([220.0, 40.0, 0.0]);
     it.ask(
@@ -200,16 +200,28 @@ fn what_is_said_is_done_when_the_arm_rests() {
         },
     )
     .unwrap();
-    let said = Voice::new("up ten").unwrap();
-    done(&mut it, anna, Command::Voice(said));
-    it.run_for(Duration::from_secs(3));
-    let at = it.arm().controller().pose_at(it.now()).position;
-    for (found, wanted) in [at.x.0, at.y.0, at.z.0]
-        .into_iter()
-        .zip([220.0, 40.0, 10.0])
-    {
-        assert!((found - wanted).abs() < 0.1, "{at:?}");
+    let from = it.packets().len();
+    // A stock arm hears 22 for sixteen, and 101 for one hundred two; while it moves it hangs on any text.
+    for (text, to) in [
+        ("back sixteen", [204.0, 40.0, 0.0]),
+        ("Up Ten", [204.0, 40.0, 10.0]),
+        ("right one hundred two", [204.0, -62.0, 10.0]),
+    ] {
+        let said = Voice::new(text).unwrap();
+        done(&mut it, anna, Command::Voice(said));
+        it.run_for(Duration::from_secs(3));
+        let at = it.arm().controller().pose_at(it.now()).position;
+        for (found, wanted) in [at.x.0, at.y.0, at.z.0].into_iter().zip(to) {
+            assert!((found - wanted).abs() < 0.1, "{text}: {at:?}");
+        }
     }
+    for text in ["hello", "up", ""] {
+        let command = Voice::new(text).unwrap().into();
+        let refused = it.ask(anna, Request::Command { command });
+        assert!(refused.is_err(), "{text}");
+    }
+    let voice = |(_, bytes): &&(Duration, [u8; 42])| bytes[0] == VOICE_HEADER;
+    assert_eq!(it.packets()[from..].iter().filter(voice).count(), 0);
     // And it obeys packets again.
     done(&mut it, anna, target([220.0, -40.0, 0.0]).into());
     let at = it.arm().controller().pose_at(it.now()).position;

@@ -80,8 +80,57 @@ fn a_press_while_the_arm_runs_down_acts_when_it_rests_if_it_is_still_held() {
     }
 }
 
+/// The notices of presses of which the arm was never told.
+fn lost_presses(it: &VirtualStation) -> usize {
+    let is_lost = |text: &str| text.contains("before the arm could be told, so nothing moved");
+    it.notices().iter().filter(|it| is_lost(&it.text)).count()
+}
+
 #[test]
-fn a_press_that_is_over_before_the_arm_rests_moves_nothing() {
+fn a_tap_is_sent_or_reported_whenever_it_comes() {
+    for personality in Personality::ALL {
+        for (after_ms, tap_ms) in (0..1200)
+            .step_by(37)
+            .flat_map(|after| [5, 20, 45, 90, 160].map(|tap| (after, tap)))
+        {
+            let (mut it, anna) = at_hand(personality);
+            hold(&mut it, anna, joint(JointJogAxis::BasePlus), BEAT * 8);
+            it.ask(anna, Request::Release).unwrap();
+            it.run_for(Duration::from_millis(after_ms));
+            let before = it.packets().len();
+            let jog = joint(JointJogAxis::RearPlus);
+            it.ask(anna, Request::Jog { jog }).unwrap();
+            it.run_for(Duration::from_millis(tap_ms.min(140)));
+            it.ask(anna, Request::Jog { jog }).unwrap();
+            it.run_for(Duration::from_millis(tap_ms.saturating_sub(140)));
+            it.ask(anna, Request::Release).unwrap();
+            it.run_for(Duration::from_secs(2));
+            let told = pressed(&it, before);
+            let sent = told.iter().any(|(_, it)| it.is_some());
+            let what = format!("{personality}, {tap_ms} ms, after {after_ms} ms: {told:?}");
+            assert_ne!(sent, lost_presses(&it) == 1, "{what}");
+            let last = told.last();
+            assert!(last.is_none_or(|(_, it)| it.is_none()), "{what}");
+        }
+    }
+}
+
+#[test]
+fn a_press_whose_client_falls_silent_before_the_arm_rests_is_reported() {
+    for personality in Personality::ALL {
+        let (mut it, anna) = at_hand(personality);
+        hold(&mut it, anna, linear(PLUS), Duration::from_secs(1));
+        it.ask(anna, Request::Release).unwrap();
+        it.run_for(BEAT);
+        let jog = joint(JointJogAxis::RearPlus);
+        it.ask(anna, Request::Jog { jog }).unwrap();
+        it.run_for(Duration::from_secs(3));
+        assert_eq!(lost_presses(&it), 1, "{personality}");
+    }
+}
+
+#[test]
+fn a_press_that_is_over_before_the_arm_rests_moves_nothing_and_is_reported() {
     for personality in Personality::ALL {
         let (mut it, anna) = at_hand(personality);
         hold(&mut it, anna, linear(PLUS), Duration::from_secs(1));
@@ -90,6 +139,7 @@ fn a_press_that_is_over_before_the_arm_rests_moves_nothing() {
         hold(&mut it, anna, linear(PLUS), Duration::from_millis(100));
         it.ask(anna, Request::Release).unwrap();
         it.run_for(Duration::from_secs(3));
+        assert_eq!(lost_presses(&it), 1, "{personality}");
         let told = pressed(&it, before);
         assert!(
             told.iter().all(|(_, it)| it.is_none()),

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, News, Notice, Reply, Request};
 use dobot_controller::Personality;
-use dobot_rules::VirtualStation;
+use dobot_rules::{StoppedBy, VirtualStation};
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, Packet};
 
 use super::drawing::{spiral, virtual_station};
@@ -206,4 +206,139 @@ fn a_stop_with_a_link_is_delivered() {
         "{reply:?}"
     );
     assert!(it.supervisor().state().stop.unwrap().delivered);
+}
+
+fn fire_drill() -> StoppedBy {
+    StoppedBy {
+        by: "Ms Weber".into(),
+        reason: Some("fire drill".into()),
+    }
+}
+
+/// Two stations of a fleet, and who controls the second one.
+fn two_stations() -> (VirtualStation, VirtualStation, ClientId) {
+    let one = virtual_station(Personality::Firmware11);
+    let mut other = virtual_station(Personality::Firmware11);
+    let ben = other.client("Ben");
+    other.ask(ben, Request::TakeLease).unwrap();
+    (one, other, ben)
+}
+
+/// No motion was put on the wire since then.
+fn moved_since(it: &VirtualStation, since: usize) -> bool {
+    let sent = sent_since(it, since);
+    sent.iter().any(
+        |it| !matches!(it, Command::JointJog(jog) if jog.speed_percent == 0.0 || *it == LASER_OFF),
+    )
+}
+
+#[test]
+fn a_stop_of_the_fleet_that_a_station_learns_of_switches_its_laser_off_first_and_nothing_more_is_sent()
+ {
+    let (mut one, mut other, ben) = two_stations();
+    let job = other.submit(&spiral(12)).unwrap();
+    other.start(ben, job).unwrap();
+    other.run_for(Duration::from_secs(3));
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    let before = other.packets().len();
+    other.adopt_fleet_stops(std::slice::from_ref(&stop));
+    assert_eq!(sent_since(&other, before)[0], LASER_OFF);
+    other.run_for(Duration::from_mins(1));
+    assert!(!moved_since(&other, before));
+    let refused = other.ask(ben, target(20.0)).unwrap_err();
+    assert_eq!(refused.kind(), "stopped");
+    let text = "stopped: fleet, by Ms Weber: fire drill";
+    assert_eq!(refused.to_string(), text);
+    assert_eq!(other.supervisor().state().stop.unwrap().text(), text);
+    assert!(other.start(ben, job).is_err());
+    assert!(!moved_since(&other, before));
+}
+
+#[test]
+fn a_stop_of_the_fleet_holds_through_a_restart_of_every_station() {
+    let (mut one, mut other, _) = two_stations();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    for it in [&mut one, &mut other] {
+        it.run_for(Duration::from_secs(10));
+        it.crash(Duration::from_secs(2)).unwrap();
+        it.run_for(Duration::from_secs(1));
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let before = it.packets().len();
+        assert_eq!(it.ask(anna, target(20.0)).unwrap_err().kind(), "stopped");
+        it.run_for(Duration::from_secs(10));
+        assert!(!moved_since(it, before));
+    }
+}
+
+#[test]
+fn a_station_that_was_away_when_the_fleet_was_reset_moves_again_when_it_learns_of_that() {
+    let (mut one, mut other, ben) = two_stations();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    one.run_for(Duration::from_secs(10));
+    let reset = one.reset_fleet("Ms Weber");
+    assert_eq!(one.supervisor().state().stop, None);
+    other.run_for(Duration::from_secs(10));
+    assert_eq!(other.ask(ben, target(20.0)).unwrap_err().kind(), "stopped");
+    other.adopt_fleet_stops(&reset);
+    other.ask(ben, target(20.0)).unwrap();
+}
+
+#[test]
+fn an_arm_that_still_moves_is_let_go_by_a_reset_of_the_fleet_when_it_rests() {
+    let (mut one, mut other, ben) = two_stations();
+    other.ask(ben, target(100.0)).unwrap();
+    other.run_for(Duration::from_millis(800));
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    other.adopt_fleet_stops(&one.reset_fleet("Ms Weber"));
+    assert_eq!(other.ask(ben, target(0.0)).unwrap_err().kind(), "stopped");
+    let minute = other.now() + Duration::from_mins(1);
+    assert!(other.run_until(minute, |it| it.supervisor().state().stop.is_none()));
+    assert!(other.supervisor().is_at_rest());
+}
+
+#[test]
+fn a_stop_of_one_arm_holds_when_that_of_the_fleet_is_reset() {
+    let (mut one, mut other, ben) = two_stations();
+    let reason = Some("finger caught".to_owned());
+    other.ask(ben, Request::Stop { reason }).unwrap();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    assert!(other.supervisor().state().stop.unwrap().of_fleet);
+    other.run_for(Duration::from_secs(10));
+    other.adopt_fleet_stops(&one.reset_fleet("Ms Weber"));
+    let stop = other.supervisor().state().stop.unwrap();
+    assert_eq!(stop.text(), "stopped by Ben: finger caught");
+    assert_eq!(other.ask(ben, target(20.0)).unwrap_err().kind(), "stopped");
+    // It is known after a restart which one is left.
+    other.crash(Duration::from_secs(2)).unwrap();
+    let stop = other.supervisor().state().stop.unwrap();
+    assert_eq!(stop.text(), "stopped by Ben: finger caught");
+}
+
+#[test]
+fn an_arm_that_a_person_lets_go_moves_while_the_others_stay_stopped_and_the_same_stop_does_not_come_back()
+ {
+    let (mut one, mut other, ben) = two_stations();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(std::slice::from_ref(&stop));
+    other.run_for(Duration::from_secs(10));
+    other.ask(ben, Request::ResetStop).unwrap();
+    other.ask(ben, target(20.0)).unwrap();
+    // The others tell it again, also after a restart.
+    other.run_for(Duration::from_secs(10));
+    other.crash(Duration::from_secs(2)).unwrap();
+    other.run_for(Duration::from_secs(1));
+    let known = other.adopt_fleet_stops(std::slice::from_ref(&stop));
+    assert_eq!(known, [stop]);
+    let ben = other.client("Ben");
+    other.ask(ben, Request::TakeLease).unwrap();
+    other.ask(ben, target(0.0)).unwrap();
+    assert!(one.supervisor().is_stopped());
+    // A new one stops it.
+    other.adopt_fleet_stops(&[one.stop_fleet("desk-1", fire_drill())]);
+    assert_eq!(other.ask(ben, target(20.0)).unwrap_err().kind(), "stopped");
 }

@@ -3,11 +3,12 @@
 use dobot_api::problem_kinds::{
     ALL_ARMS_GIVEN, ARM_BUSY, ARM_NOT_STARTED, DRAWING_PHASE, ENDING, GIVES_NO_ARMS, INVALID,
     JOURNAL, MALFORMED, NAME_TAKEN, NO_FLEET, NO_SUCH_ARM, NO_SUCH_MEMBER, NO_SUCH_WORK,
-    ProblemKind, ROLE, TOO_MANY, TOO_MANY_CLIENTS, WORK_FILE, WORK_PHASE, WORK_REFUSED,
+    ProblemKind, ROLE, TOO_MANY, TOO_MANY_CLIENTS, UNAUTHORISED, WORK_FILE, WORK_PHASE,
+    WORK_REFUSED,
 };
 use dobot_api::{FleetView, GivenArm, GivenArms, JobView, MemberAnswer, WorkView};
 
-use super::super::answer::{Body, JOB, Maybe};
+use super::super::answer::{Body, JOB, Maybe, Nothing};
 use super::super::events::ServerSentEvent;
 use super::super::fleet::{self, FleetRequest, FleetStop};
 use super::super::fleet_arms::{self, WantedVirtualArm};
@@ -46,13 +47,24 @@ fn stations() -> Vec<Route> {
             POST,
             FLEET_STOP,
             "Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which \
-                did not answer: their own pages stop them",
+                did not answer: their own pages stop them. A stop of all is kept by every station, and holds for those that \
+                come or come back, until a person resets it",
             fleet::stop,
         )
         .brings::<Maybe<FleetStop>>()
         .example(r#"{"to": {"group": "room-2"}, "reason": "smoke"}"#)
         .gives::<Vec<MemberAnswer>>(200, "the answer of each")
         .problems(ASKS),
+        Route::new(
+            DELETE,
+            FLEET_STOP,
+            "Lets the whole fleet move again after a stop of all; an arm that was stopped by itself too stays stopped. A \
+                station that is away learns of it when it comes back. For one arm alone: `DELETE /api/v1/stop` of its station",
+            fleet::reset_stop,
+        )
+        .brings::<Maybe<Nothing>>()
+        .gives::<Vec<MemberAnswer>>(200, "which stations know of it")
+        .problems(&[NO_FLEET, UNAUTHORISED, ROLE, ENDING]),
         Route::new(
             POST,
             "/api/v1/fleet/requests",

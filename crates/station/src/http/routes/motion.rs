@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
+use axum::{Extension, Json};
 use dobot_api::problem_kinds::{
     COMMAND, LASER_DISARMED, LOCKED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, SLOT,
     STILL_MOVING,
 };
-use dobot_api::{Jog, News, Notice, Problem, Reply, Request};
+use dobot_api::{FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
 use dobot_rules::Refusal;
 use dobot_wire::Command;
 use schemars::JsonSchema;
@@ -18,6 +18,7 @@ use tokio::sync::broadcast;
 use tokio::sync::broadcast::error::RecvError;
 
 use super::super::answer::{Body, Maybe, NotDone, Nothing};
+use super::super::app::Peer;
 use super::super::calls::Asker;
 use super::super::route::Route;
 use super::{DELETE, MOVES, POST, STOP};
@@ -65,12 +66,13 @@ pub(super) fn all() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the button is released")
         .problems(&[NO_LEASE, LOCKED, SLOT]),
-        Route::asks(
+        Route::new(
             POST,
             STOP,
             "Stops the arm. Anyone may, at any time, without a lease",
-            |Maybe(new): Maybe<NewStop>| Request::Stop { reason: new.reason },
+            stop,
         )
+        .brings::<Maybe<NewStop>>()
         .example(r#"{"reason": "a hand is in the way"}"#)
         .gives::<Reply>(200, "the stopping packet is on its way")
         .problems(&[OUT_OF_RANGE, NO_LINK]),
@@ -123,6 +125,23 @@ struct NewStop {
     /// Why, for those who find the arm stopped.
     #[serde(default)]
     reason: Option<String>,
+    /// The stop of the whole fleet that this is part of; only other stations of the fleet say so.
+    #[serde(default)]
+    fleet: Option<FleetWideStop>,
+}
+
+async fn stop(
+    asker: Asker,
+    Extension(peer): Extension<Peer>,
+    Maybe(new): Maybe<NewStop>,
+) -> Result<Json<Reply>, NotDone> {
+    // Over HTTP nobody resets or makes stops of the fleet this way.
+    if let Some(fleet) = new.fleet.filter(|it| peer.by_fleet && it.holds())
+        && let (_, Some(reply)) = asker.app.handle.adopt_fleet_stops(vec![fleet]).await?
+    {
+        return Ok(Json(reply));
+    }
+    asker.ask(Request::Stop { reason: new.reason }).await
 }
 
 async fn command(asker: Asker, Body(new): Body<NewCommand>) -> Result<Response, NotDone> {

@@ -1,5 +1,7 @@
 //! Drawings over HTTP: planned, looked at, given up, made into jobs.
 
+use std::time::Duration;
+
 use axum::body::Body;
 use dobot_api::{Request, Role};
 use serde_json::{Value, json};
@@ -59,6 +61,29 @@ async fn a_file_becomes_a_plan_with_its_layers_its_time_and_its_way() {
         "{bounds}"
     );
     assert_eq!(harness.asked(), []);
+}
+
+#[tokio::test]
+async fn a_title_holds_nothing_that_a_terminal_would_obey() {
+    let harness = Harness::near();
+    let place = json!({"at": [200, 30], "pen_down": -30});
+    let name = "\u{1b}[2Ja\u{7} cross\u{202e}";
+    let view = planned(&harness, file(name, SVG.as_bytes(), &place)).await;
+    assert_eq!(view["title"], "[2Ja cross");
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_plan_is_kept_for_half_an_hour_and_then_forgotten() {
+    let harness = Harness::near();
+    let place = json!({"at": [200, 30], "pen_down": -30});
+    let view = planned(&harness, file("cross.svg", SVG.as_bytes(), &place)).await;
+    let path = format!("/api/v1/drawings/{}", view["drawing"]);
+    tokio::time::sleep(Duration::from_mins(29)).await;
+    assert_eq!(harness.bare("GET", &path).await.value()["phase"], "planned");
+    tokio::time::sleep(Duration::from_mins(2)).await;
+    let view = harness.bare("GET", &path).await.value();
+    assert_eq!(view["phase"], "failed", "{view}");
+    assert_eq!(view["problem"]["hint"], "plan it again", "{view}");
 }
 
 #[tokio::test]

@@ -28,7 +28,7 @@ fn member(name: &str, group: &str) -> Arc<Member> {
 
 /// A station that has joined: every member answers with its own request.
 fn joined(harness: &Harness) -> tokio::task::JoinHandle<Vec<ApiRequest>> {
-    let (port, end) = FleetPort::new("desk-1");
+    let (port, end) = FleetPort::new("desk-1", "0123");
     harness.app.fleet.set(port).unwrap();
     let members: Members = [
         member("desk-1", "room-1"),
@@ -40,23 +40,29 @@ fn joined(harness: &Harness) -> tokio::task::JoinHandle<Vec<ApiRequest>> {
     tokio::spawn(stand_in(end))
 }
 
+fn answer(member: &Arc<Member>) -> MemberAnswer {
+    MemberAnswer {
+        member: member.name.clone(),
+        id: member.id.clone(),
+        answer: ApiAnswer {
+            status: 200,
+            body: json!({}),
+        },
+        took_ms: 1.0,
+    }
+}
+
 async fn stand_in(mut end: FleetEnd) -> Vec<ApiRequest> {
     let mut asked = Vec::new();
     while let Some(wish) = end.wishes.recv().await {
         match wish {
             FleetWish::Look(seen) => drop(seen.send(())),
             FleetWish::Ask(ask) => {
-                let answer = |member: &Arc<Member>| MemberAnswer {
-                    member: member.name.clone(),
-                    id: member.id.clone(),
-                    answer: ApiAnswer {
-                        status: 200,
-                        body: json!({}),
-                    },
-                    took_ms: 1.0,
-                };
                 drop(ask.answers.send(ask.to.iter().map(answer).collect()));
                 asked.push(ask.request);
+            }
+            FleetWish::TellStops(to, answers) => {
+                drop(answers.send(to.iter().map(answer).collect()));
             }
             FleetWish::Work(wish) => panic!("nobody submits work here: {wish:?}"),
         }
@@ -123,7 +129,59 @@ async fn anyone_stops_all_and_no_unknown_token_keeps_them_from_it() {
     let asked = stand_in.await.unwrap();
     assert_eq!(asked[0].token, None);
     assert_eq!(asked[0].path, "/api/v1/stop");
-    assert_eq!(asked[0].body, Some(json!({"reason": "smoke"})));
+    // A stop of all is one of the fleet, which each station keeps.
+    let body = asked[0].body.clone().unwrap();
+    assert_eq!(body["reason"], "smoke");
+    assert_eq!(body["fleet"]["origin"], "0123");
+    assert_eq!(body["fleet"]["by"], "watch at desk-1");
+}
+
+#[tokio::test]
+async fn a_stop_of_a_group_is_none_of_the_fleet() {
+    let harness = Harness::far();
+    let stand_in = joined(&harness);
+    let body = r#"{"to": {"group": "room-2"}, "reason": "smoke"}"#;
+    harness
+        .json("POST", "/api/v1/fleet/stop", body.to_owned())
+        .await;
+    drop(harness);
+    let asked = stand_in.await.unwrap();
+    assert!(
+        asked
+            .iter()
+            .all(|it| it.body.as_ref().unwrap()["fleet"].is_null())
+    );
+}
+
+#[tokio::test]
+async fn the_fleet_is_reset_by_whoever_has_control_by_a_token_and_by_nobody_else() {
+    let harness = Harness::near();
+    let stand_in = joined(&harness);
+    // That everyone may do everything on this machine counts for nothing at the others.
+    let bare = harness.bare("DELETE", "/api/v1/fleet/stop").await;
+    bare.is(401).is_problem("unauthorised");
+    for (role, status) in [(Role::Watch, 403), (Role::Queue, 403), (Role::Control, 200)] {
+        let request = harness
+            .request("DELETE", "/api/v1/fleet/stop")
+            .header("authorization", harness.bearer(role));
+        harness
+            .send(request.body("".into()).unwrap())
+            .await
+            .is(status);
+    }
+    let resets = harness.telling.resets.lock().unwrap().clone();
+    assert_eq!(resets, ["control at desk-1"]);
+    drop(harness);
+    stand_in.await.unwrap();
+}
+
+#[tokio::test]
+async fn a_stop_over_http_is_one_of_this_arm_whatever_it_says_of_the_fleet() {
+    let harness = Harness::near();
+    let fleet = json!({"origin": "0123", "count": 9, "by": "Anna"});
+    let body = json!({"fleet": fleet}).to_string();
+    harness.json("POST", "/api/v1/stop", body).await.is(200);
+    assert_eq!(harness.asked(), [Request::Stop { reason: None }]);
 }
 
 #[tokio::test]

@@ -17,7 +17,7 @@ fn desk(takes_work: Option<TakesWork>) -> (Harness, FleetEnd) {
 }
 
 fn joined(harness: Harness, takes_work: Option<TakesWork>) -> (Harness, FleetEnd) {
-    let (port, end) = FleetPort::new("desk-2");
+    let (port, end) = FleetPort::new("desk-2", "0123");
     harness.app.fleet.set(port.taking(takes_work)).unwrap();
     (harness, end)
 }

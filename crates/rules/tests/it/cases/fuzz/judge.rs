@@ -4,6 +4,7 @@ use dobot_arm::{Joints, Tool, forward};
 use dobot_controller::Refused;
 use dobot_rules::VirtualStation;
 use dobot_safety::{Bounds, Policy};
+use dobot_wire::VOICE_HEADER;
 
 /// Looks at the arm in every moment in which something happens: at every control tick at least,
 /// while it moves.
@@ -18,6 +19,10 @@ pub(crate) struct Judge {
     /// Control ticks seen.
     pub ticks: u64,
     tick: u32,
+    /// Packets seen on the line.
+    packets: usize,
+    /// The joints of the last moment.
+    before: Option<Joints>,
     /// What must not be, and its figures.
     pub lost: Option<(&'static str, String)>,
 }
@@ -35,6 +40,8 @@ impl Judge {
             resets,
             ticks: 0,
             tick: 0,
+            packets: 0,
+            before: None,
             lost: None,
         }
     }
@@ -42,6 +49,7 @@ impl Judge {
     /// Judges this moment.
     pub(crate) fn look(&mut self, it: &VirtualStation) {
         let arm = it.arm();
+        self.look_for_voice(it);
         let tick = arm.controller().tick_count();
         if self.lost.is_some() || tick == self.tick {
             return;
@@ -73,6 +81,17 @@ impl Judge {
         if let Some(why) = self.outside(&joints, tool) {
             self.lose(OUTSIDE, why);
         }
+    }
+
+    /// Voice that leaves for an arm in motion hangs a stock arm, with its motors running (note N50).
+    fn look_for_voice(&mut self, it: &VirtualStation) {
+        let joints = it.arm().mechanics().joints_at(it.now());
+        let moves = self.before.replace(joints).is_some_and(|it| it != joints);
+        let mut sent = it.packets().iter().skip(self.packets);
+        if moves && sent.any(|(_, bytes)| bytes[0] == VOICE_HEADER) {
+            self.lose(HANGS, "voice was sent while it moved".to_owned());
+        }
+        self.packets = it.packets().len();
     }
 
     /// Takes what the controller says of itself.

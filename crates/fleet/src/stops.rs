@@ -1,0 +1,245 @@
+//! Stops of the whole fleet: each station tells those that come or come back which ones it knows of, and learns theirs.
+
+use std::collections::{BTreeMap, HashSet};
+use std::time::{Duration, SystemTime};
+
+use dobot_api::problem_kinds::MEMBER_AWAY;
+use dobot_api::{ApiAnswer, FleetWideStop};
+use dobot_rules::Handle;
+use serde_json::json;
+use zenoh::query::Query;
+
+use crate::asking::{Answering, Way};
+use crate::keys::{MemberKey, STOPS};
+use crate::roster::MOST;
+
+/// Whom to tell which stops of the fleet there are, and when: an engine without a network or a clock.
+#[derive(Debug)]
+pub(crate) struct StopTelling {
+    own: MemberKey,
+    /// Who is there.
+    present: HashSet<MemberKey>,
+    /// Who was there before.
+    known: HashSet<MemberKey>,
+    /// Who is to be told, and when.
+    due: BTreeMap<MemberKey, Duration>,
+    /// Until when the station has just come, or come back.
+    settles: Duration,
+    /// When it was at work last, by a clock that never goes back and by that of the computer.
+    last: (Duration, SystemTime),
+}
+
+/// So long after it has come or come back a station waits before it takes or offers work: for the link to the others, and
+/// for what they tell.
+const SETTLES_WITHIN: Duration = Duration::from_secs(4);
+/// A station that did nothing for so long may be missed by the others. They take three seconds for that.
+const GAP: Duration = Duration::from_secs(2);
+/// One that does not answer is told again after so long.
+const AGAIN: Duration = Duration::from_secs(1);
+
+impl StopTelling {
+    pub(crate) fn new(own: MemberKey, now: Duration, clock: SystemTime) -> Self {
+        Self {
+            own,
+            present: HashSet::new(),
+            known: HashSet::new(),
+            due: BTreeMap::new(),
+            settles: now + SETTLES_WITHIN,
+            last: (now, clock),
+        }
+    }
+
+    /// Time passes. A station that stood still, or whose computer slept, may have missed something: it asks all.
+    pub(crate) fn handle_time(&mut self, now: Duration, clock: SystemTime) {
+        let (before, clock_before) = self.last;
+        self.last = (now, clock);
+        let slept = clock.duration_since(clock_before).unwrap_or_default();
+        if now.saturating_sub(before).max(slept) >= GAP {
+            self.settles = now + SETTLES_WITHIN;
+            self.due = self.present.iter().map(|it| (it.clone(), now)).collect();
+        }
+    }
+
+    /// Whether it has had the time to learn which stops there are.
+    pub(crate) fn is_settled(&self, now: Duration) -> bool {
+        now >= self.settles
+    }
+
+    /// A station is there. Of two that meet for the first time one tells the other.
+    pub(crate) fn came(&mut self, member: &MemberKey, now: Duration) {
+        // Of a flood of names no more is kept than of the stations themselves.
+        if *member == self.own || self.present.len() >= MOST {
+            return;
+        }
+        if self.known.len() >= MOST {
+            self.known.clone_from(&self.present);
+        }
+        let is_back = !self.known.insert(member.clone());
+        self.present.insert(member.clone());
+        if is_back || self.own < *member {
+            self.due.insert(member.clone(), now);
+        }
+    }
+
+    /// A station is not there any more.
+    pub(crate) fn went(&mut self, member: &MemberKey) {
+        self.present.remove(member);
+        self.due.remove(member);
+    }
+
+    /// It was not told: it is told again, while it is there.
+    pub(crate) fn handle_silent(&mut self, member: &MemberKey, now: Duration) {
+        if self.present.contains(member) {
+            self.due.insert(member.clone(), now + AGAIN);
+        }
+    }
+
+    /// Who is to be told now.
+    pub(crate) fn poll_due(&mut self, now: Duration) -> Option<MemberKey> {
+        let due = self.due.iter().find(|(_, at)| **at <= now);
+        let member = due?.0.clone();
+        self.due.remove(&member);
+        Some(member)
+    }
+}
+
+/// Tells another station which stops of the fleet are known here, and takes those that it knows of.
+pub(crate) async fn exchange(way: Option<&Way>, handle: &Handle, member: &MemberKey) -> ApiAnswer {
+    let learned = match way {
+        Some(way) => ask(way, handle, member).await,
+        None => Err("cannot be reached yet".to_owned()),
+    };
+    match learned {
+        Ok(()) => ApiAnswer {
+            status: 200,
+            body: json!({}),
+        },
+        Err(why) => ApiAnswer::of_problem(&MEMBER_AWAY.hinted(
+            format!("{} {why}", member.name),
+            "it learns of it when it comes back",
+        )),
+    }
+}
+
+async fn ask(way: &Way, handle: &Handle, member: &MemberKey) -> Result<(), String> {
+    let known = handle.adopt_fleet_stops(Vec::new()).await;
+    let (known, _) = known.map_err(|refusal| refusal.to_string())?;
+    let theirs = way.ask_first(member, STOPS, &emit(&known), WITHIN).await?;
+    let theirs = parse(&theirs).map_err(|error| error.to_string())?;
+    let adopted = handle.adopt_fleet_stops(theirs).await;
+    adopted.map(drop).map_err(|refusal| refusal.to_string())
+}
+
+/// Takes which stops another station knows of, and answers with those that are known here then.
+pub(crate) async fn answer(handle: Handle, answering: Answering, query: Query) {
+    let payload = query.payload().map(|it| it.to_bytes()).unwrap_or_default();
+    match parse(&payload) {
+        // Without an answer the sender tells it again.
+        Err(error) => tracing::info!(%error, "a member sends what are no stops of the fleet"),
+        // A station that ends says nothing more.
+        Ok(theirs) => {
+            if let Ok((known, _)) = handle.adopt_fleet_stops(theirs).await {
+                answering.reply(&query, STOPS, &payload, emit(&known)).await;
+            }
+        }
+    }
+}
+
+fn parse(payload: &[u8]) -> serde_json::Result<Vec<FleetWideStop>> {
+    serde_json::from_slice(payload)
+}
+
+fn emit(stops: &[FleetWideStop]) -> Vec<u8> {
+    serde_json::to_vec(stops).expect("structures with text keys are JSON")
+}
+
+/// How long another station may take to answer.
+const WITHIN: Duration = Duration::from_secs(2);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn key(name: &str) -> MemberKey {
+        MemberKey {
+            name: name.into(),
+            id: "a".repeat(32),
+        }
+    }
+
+    const fn at(seconds: u64) -> Duration {
+        Duration::from_secs(seconds)
+    }
+
+    fn clock(seconds: u64) -> SystemTime {
+        SystemTime::UNIX_EPOCH + at(1_000_000 + seconds)
+    }
+
+    /// A station of this name, which has settled.
+    fn telling(name: &str) -> StopTelling {
+        let mut telling = StopTelling::new(key(name), at(0), clock(0));
+        for second in 0..=4 {
+            telling.handle_time(at(second), clock(second));
+        }
+        telling
+    }
+
+    fn due(telling: &mut StopTelling, now: Duration) -> Vec<String> {
+        std::iter::from_fn(|| telling.poll_due(now))
+            .map(|it| it.name)
+            .collect()
+    }
+
+    #[test]
+    fn of_two_stations_that_meet_for_the_first_time_one_tells_the_other() {
+        let [mut one, mut other] = [telling("a"), telling("b")];
+        one.came(&key("b"), at(4));
+        other.came(&key("a"), at(4));
+        assert_eq!(due(&mut one, at(4)), ["b"]);
+        assert!(due(&mut other, at(4)).is_empty());
+    }
+
+    #[test]
+    fn a_station_that_comes_back_is_told_by_all() {
+        let mut telling = telling("b");
+        telling.came(&key("a"), at(4));
+        telling.went(&key("a"));
+        telling.came(&key("a"), at(5));
+        assert_eq!(due(&mut telling, at(5)), ["a"]);
+    }
+
+    #[test]
+    fn one_that_does_not_answer_is_told_again_while_it_is_there() {
+        let mut telling = telling("a");
+        telling.came(&key("b"), at(4));
+        assert_eq!(due(&mut telling, at(4)), ["b"]);
+        telling.handle_silent(&key("b"), at(6));
+        assert!(due(&mut telling, at(6)).is_empty());
+        assert_eq!(due(&mut telling, at(7)), ["b"]);
+        telling.went(&key("b"));
+        telling.handle_silent(&key("b"), at(8));
+        assert!(due(&mut telling, at(20)).is_empty());
+    }
+
+    #[test]
+    fn a_station_that_stood_still_or_slept_asks_all_before_it_is_settled_again() {
+        // Frozen, the one clock goes on; asleep, perhaps only the other one.
+        for (now, clock_now) in [(at(60), clock(60)), (at(4), clock(60))] {
+            let mut telling = telling("b");
+            telling.came(&key("a"), at(4));
+            assert!(due(&mut telling, at(4)).is_empty());
+            assert!(telling.is_settled(at(4)));
+            telling.handle_time(now, clock_now);
+            assert!(!telling.is_settled(now));
+            assert_eq!(due(&mut telling, now), ["a"]);
+            assert!(telling.is_settled(now + SETTLES_WITHIN));
+        }
+    }
+
+    #[test]
+    fn a_clock_that_is_set_back_changes_nothing() {
+        let mut telling = telling("a");
+        telling.handle_time(at(5), clock(0));
+        assert!(telling.is_settled(at(5)));
+    }
+}

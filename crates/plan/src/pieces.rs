@@ -1,0 +1,445 @@
+//! Long vectors cut into pieces.
+//!
+//! The protocol has no stop: an arm finishes what it has received. So no vector that it receives is to be long.
+//!
+//! ```text
+//!   speed     _____________          the same motion in four packets. With ticks each piece is a number
+//!     |     /|    |    |   \         of ticks, and none ends while the arm speeds up or brakes: it would
+//!     |____/_|____|____|____\_ way   go on with another speed
+//! ```
+
+use std::iter;
+
+use dobot_motion::{Cut, Profile};
+use dobot_wire::single;
+
+use crate::commands::write;
+use crate::landing::Landing;
+use crate::planner::round_down;
+use crate::tick::TICK_S;
+use crate::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
+use crate::ticker::{Ticker, length};
+use crate::{DrawingTool, Machine, MoveKind, PlannedVector};
+
+/// A vector that burns takes no longer, in s, unless a stock arm only speeds up and brakes on it.
+pub const LONGEST_BURN_S: f64 = 0.2;
+/// The same for a vector of a pen that draws.
+pub const LONGEST_DRAW_S: f64 = 0.42;
+
+/// Cuts long vectors into pieces. Ways, speeds and times stay as they are.
+pub(super) struct Pieces {
+    acceleration_mm_s2: f64,
+    /// An arm with ticks as it runs the vectors, and as it runs their pieces.
+    arms: Option<[TickedArm; 2]>,
+}
+
+impl Pieces {
+    /// Those of the first vectors of a plan, which begins at this place.
+    pub(super) fn new(machine: &Machine, tool: &DrawingTool, start: [f64; 3]) -> Self {
+        let arm = Ticker::of(machine, 0.0).map(|ticker| TickedArm {
+            ticker,
+            landing: Landing::new(machine, tool),
+            here: start,
+        });
+        Self {
+            acceleration_mm_s2: machine.planned_acceleration_mm_s2(),
+            arms: arm.map(|it| [it.clone(), it]),
+        }
+    }
+
+    /// The pieces of the next vector, behind which comes another one.
+    pub(super) fn of(
+        &mut self,
+        vector: &PlannedVector,
+        next: Option<&PlannedVector>,
+    ) -> Vec<PlannedVector> {
+        let longest_s = match vector.kind {
+            MoveKind::Burn => LONGEST_BURN_S,
+            MoveKind::Draw => LONGEST_DRAW_S,
+            _ => f64::INFINITY,
+        };
+        let Some([planned, cut]) = &mut self.arms else {
+            return of_time(vector, longest_s, self.acceleration_mm_s2);
+        };
+        let whole = planned.run(vector);
+        let goes_on_alike = |pieces: &Vec<PlannedVector>| {
+            let mut behind = cut.clone();
+            behind.run_all(pieces);
+            next.is_none_or(|it| is_like(&planned.cut(it), &behind.cut(it)))
+        };
+        let pieces = of_ticks(vector, longest_s, &whole, (cut, planned.here)).find(goes_on_alike);
+        let pieces = pieces.unwrap_or_else(|| vec![*vector]);
+        cut.run_all(&pieces);
+        pieces
+    }
+}
+
+/// An arm with ticks behind the vectors that it has run.
+#[derive(Clone)]
+struct TickedArm {
+    ticker: Ticker,
+    landing: Landing,
+    here: [f64; 3],
+}
+
+impl TickedArm {
+    fn run(&mut self, vector: &PlannedVector) -> Cut {
+        self.here = self.landing.behind(self.here, vector);
+        self.ticker.run(&write(vector))
+    }
+
+    fn run_all(&mut self, vectors: &[PlannedVector]) {
+        for vector in vectors {
+            self.run(vector);
+        }
+    }
+
+    /// How it would run a vector.
+    fn cut(&self, vector: &PlannedVector) -> Cut {
+        self.ticker.clone().run(&write(vector))
+    }
+}
+
+/// Pieces that all take as long.
+fn of_time(vector: &PlannedVector, longest_s: f64, acceleration_mm_s2: f64) -> Vec<PlannedVector> {
+    let whole = vector.profile(acceleration_mm_s2);
+    let count = (whole.duration_s() / longest_s - ROUNDING).ceil().max(1.0);
+    let each_s = whole.duration_s() / count;
+    let mut pieces = Vec::new();
+    let (mut rest, mut end_s) = (*vector, each_s);
+    while end_s < whole.duration_s() - 0.5 * each_s {
+        let [mut piece, mut after] = rest.parts(whole.distance() - whole.distance_at(end_s));
+        // Of the length as it is rounded.
+        let end_mm_s = speed_before_mm_s(&whole, after.length_mm(), acceleration_mm_s2);
+        piece.end_speed_mm_s = round_down(end_mm_s);
+        after.start_speed_mm_s = piece.end_speed_mm_s;
+        pieces.push(piece);
+        (rest, end_s) = (after, end_s + each_s);
+    }
+    pieces.push(rest);
+    for piece in &mut pieces {
+        #[expect(clippy::cast_possible_truncation, reason = "as the plan holds it")]
+        let duration_s = piece.profile(acceleration_mm_s2).duration_s() as f32;
+        piece.duration_s = duration_s;
+    }
+    pieces
+}
+
+/// The speed so far before the end of a vector, in mm/s.
+fn speed_before_mm_s(whole: &Profile, left_mm: f64, acceleration_mm_s2: f64) -> f64 {
+    let reached = |speed_mm_s: f64, way_mm: f64| {
+        (speed_mm_s * speed_mm_s + 2.0 * acceleration_mm_s2 * way_mm).sqrt()
+    };
+    let up_mm_s = reached(whole.start_speed(), whole.distance() - left_mm);
+    let down_mm_s = reached(whole.end_speed(), left_mm);
+    up_mm_s.min(down_mm_s).min(whole.peak_speed())
+}
+
+/// Whether a vector comes out in as many ticks, or if these are many in hardly more or less.
+fn is_like(a: &Cut, b: &Cut) -> bool {
+    let [[a_up, a_even, a_down], [b_up, b_even, b_down]] = [a.counts, b.counts];
+    let apart = f64::from(a_even.abs_diff(b_even));
+    a.is_true() == b.is_true()
+        && (a_up, a_down) == (b_up, b_down)
+        && apart <= HARDLY * f64::from(a.ticks())
+}
+
+/// Pieces of whole ticks, each as fast in every tick as the whole vector, in the ways in which there are such packets.
+///
+/// How many ticks slow down to a rest is told by the largest speed alone: that may fit only a piece that hardly does anything
+/// else. And by the last digit of what the last piece leaves, the next vector may take a tick more or less.
+fn of_ticks(
+    vector: &PlannedVector,
+    longest_s: f64,
+    whole: &Cut,
+    (arm, target): (&TickedArm, [f64; 3]),
+) -> impl Iterator<Item = Vec<PlannedVector>> {
+    let ways = [false, true]
+        .into_iter()
+        .flat_map(|brakes_apart| SHIFTS_MM.map(|it| (brakes_apart, it)));
+    ways.filter_map(move |(brakes_apart, shift_mm)| {
+        let ends = ends(whole.counts, longest_s, brakes_apart);
+        ending_at((&ends, shift_mm), vector, whole, (arm, target))
+    })
+}
+
+/// Pieces that end at these ticks, so far before them.
+fn ending_at(
+    (ends, shift_mm): (&[usize], f64),
+    vector: &PlannedVector,
+    whole: &Cut,
+    (arm, target): (&TickedArm, [f64; 3]),
+) -> Option<Vec<PlannedVector>> {
+    if ends.is_empty() {
+        return None;
+    }
+    let (mut arm, start) = (arm.clone(), arm.here);
+    let ways_mm = whole.speeds_mm_s().map(|it| f64::from(it * TICK_S));
+    let ways_mm: Vec<f64> = ways_mm.collect();
+    let length_mm: f64 = ways_mm.iter().sum();
+    // Each aims from where those before lead, so that what the arm rounds does not add up.
+    let piece_to = |share: f64, arm: &TickedArm| {
+        let to = [0, 1, 2].map(|i| start[i] + share * (target[i] - start[i]));
+        let [x_mm, y_mm, z_mm] = [0, 1, 2].map(|i| single(to[i] - arm.here[i]));
+        PlannedVector {
+            x_mm,
+            y_mm,
+            z_mm,
+            ..*vector
+        }
+    };
+    let mut pieces = Vec::new();
+    let [mut up, mut even, down] = whole.counts;
+    let mut begin = 0;
+    for &end in ends {
+        let left_mm = ways_mm[end..].iter().sum::<f64>() + shift_mm;
+        let kept = i16::try_from(end - begin).ok()? - up;
+        // It goes on as fast as it is.
+        let piece = PlannedVector {
+            end_speed_mm_s: f32::INFINITY,
+            ..piece_to(1.0 - left_mm / length_mm, &arm)
+        };
+        pieces.push(with_counts(&piece, [up, kept, 0], &mut arm)?);
+        (begin, up, even) = (end, 0, even - kept);
+    }
+    let last = piece_to(1.0, &arm);
+    pieces.push(with_counts(&last, [up, even, down], &mut arm)?);
+    Some(pieces)
+}
+
+/// At which ticks pieces end: among those that keep the speed, but for the last of them.
+fn ends([up, even, down]: [i16; 3], longest_s: f64, brakes_apart: bool) -> Vec<usize> {
+    let [up, even, down] = [up, even, down].map(|it| usize::try_from(it).unwrap_or(0));
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a few ticks"
+    )]
+    let longest = (longest_s / f64::from(TICK_S) + ROUNDING) as usize;
+    let ticks = up + even + down;
+    if ticks <= longest || even < 2 {
+        return Vec::new();
+    }
+    let last = up + even - 1;
+    let until = if brakes_apart { last } else { ticks };
+    let (mut ends, mut begin) = (Vec::new(), 0);
+    while until - begin > longest && begin < last {
+        let left = until - begin;
+        let each = left.div_ceil(left.div_ceil(longest));
+        begin = (begin + each).clamp(up + 1, last);
+        ends.push(begin);
+    }
+    ends.extend((brakes_apart && begin < last).then_some(last));
+    ends
+}
+
+/// A piece with speeds for which an arm cuts it into these ticks: how fast they are follows from its length.
+fn with_counts(
+    piece: &PlannedVector,
+    counts: [i16; 3],
+    arm: &mut TickedArm,
+) -> Option<PlannedVector> {
+    let step_mm_s = arm.ticker.step_mm_s();
+    let [ups, evens, downs] = counts.map(f32::from);
+    let ticks = ups + evens + downs;
+    // 50 L = n b + d s, with the begin speed b, a change d for each tick that is faster, and s of these in all ticks.
+    let steps = ups * (ups - 1.0) / 2.0 + ups * (evens + downs) - downs * (downs + 1.0) / 2.0;
+    let begin_mm_s = (50.0 * length(&write(piece)) - step_mm_s * steps) / ticks;
+    let top_mm_s = (begin_mm_s + ups * step_mm_s) * (1.0 - SPARE);
+    let least_mm_s = match piece.kind {
+        MoveKind::Burn => LEAST_BURN_MM_S.min(piece.max_speed_mm_s),
+        _ => LEAST_END_MM_S,
+    };
+    // What all ticks correct makes an arm faster than it was told: the rest is told of that speed, or it would take more ticks.
+    let slower = SLOWER_STEPS.map(|it| top_mm_s - it * step_mm_s);
+    let tops_mm_s = iter::once(piece.max_speed_mm_s).chain(slower);
+    let tried = tops_mm_s.flat_map(|it| {
+        let max_speed_mm_s = it.max(least_mm_s);
+        let near_mm_s = max_speed_mm_s - (downs - NEAR) * step_mm_s;
+        let near_mm_s = if piece.end_speed_mm_s > 0.0 {
+            near_mm_s.max(LEAST_END_MM_S)
+        } else {
+            0.0
+        };
+        [piece.end_speed_mm_s, near_mm_s].map(|end_speed_mm_s| PlannedVector {
+            start_speed_mm_s: arm.ticker.stored_mm_s().clamp(0.0, max_speed_mm_s),
+            end_speed_mm_s: end_speed_mm_s.min(max_speed_mm_s),
+            max_speed_mm_s,
+            duration_s: ticks * TICK_S,
+            ..*piece
+        })
+    });
+    let is_cut_so = |piece: &PlannedVector| {
+        let cut = arm.cut(piece);
+        cut.counts == counts && cut.is_true()
+    };
+    let found = tried.into_iter().find(is_cut_so)?;
+    arm.run(&found);
+    Some(found)
+}
+
+/// How much longer the last piece of a vector may be, in mm: the first one is as much shorter.
+const SHIFTS_MM: [f64; 5] = [0.0, 4e-5, -4e-5, 2e-4, -2e-4];
+/// Nobody sees that a line is drawn so much faster or slower, as a share.
+const HARDLY: f64 = 0.003;
+/// Numbers that differ by less, as shares, are the same.
+const ROUNDING: f64 = 1e-3;
+/// By how much a begin speed is lower than it could be, as a share: a piece is as long as single precision lets it be.
+const SPARE: f32 = 1e-4;
+/// So many steps of speed below the fastest tick a largest speed is tried.
+const SLOWER_STEPS: [f32; 3] = [0.25, 0.0, 0.45];
+
+#[cfg(test)]
+mod tests {
+    use dobot_geometry::{Point, Stroke, Vec2};
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{Laser, Paper, Pass, Pen, Plan};
+
+    fn machine(has_ticks: bool) -> Machine {
+        Machine {
+            has_ticks,
+            ..Machine::default()
+        }
+    }
+
+    fn laser(burn_speed_mm_s: f64) -> DrawingTool {
+        DrawingTool::Laser(Laser {
+            burn_speed_mm_s,
+            ..Laser::default()
+        })
+    }
+
+    fn pen(draw_speed_mm_s: f64) -> DrawingTool {
+        DrawingTool::Pen(Pen {
+            draw_speed_mm_s,
+            ..Pen::default()
+        })
+    }
+
+    /// The plan without pieces, and with them.
+    fn plans(strokes: &[Stroke], tool: DrawingTool, machine: &Machine) -> [Plan; 2] {
+        let passes = [Pass::new(tool, strokes.to_vec())];
+        let paper = Paper::level(-40.0);
+        [Plan::whole, Plan::new].map(|plan| plan(&passes, &paper, machine).expect("a plan"))
+    }
+
+    /// Where the tool of an arm is at each tick of a plan, in mm, and whether it burns or draws there.
+    fn motion(plan: &Plan) -> Vec<([f64; 3], MoveKind)> {
+        let mut places = Vec::new();
+        let mut ticker = Ticker::of(plan.machine(), 0.0);
+        let (mut here, mut begin_s) = (plan.start, 0.0);
+        let tick_s = f64::from(TICK_S);
+        for (vector, there) in plan.moves.iter().zip(plan.positions()) {
+            let direction = vector.increments().map(|it| it / vector.length_mm());
+            let mut ways_mm = Vec::new();
+            if let Some(ticker) = &mut ticker {
+                let cut = ticker.run(&write(vector));
+                ways_mm.extend(cut.speeds_mm_s().scan(0.0, |gone_mm, speed_mm_s| {
+                    *gone_mm += f64::from(speed_mm_s * TICK_S);
+                    Some(*gone_mm)
+                }));
+            } else {
+                let profile = vector.profile(plan.machine().acceleration_mm_s2);
+                let end_s = begin_s + profile.duration_s();
+                let first = (begin_s / tick_s).floor() + 1.0;
+                let ticks = (0..).map(|it| (first + f64::from(it)) * tick_s);
+                let ticks = ticks.take_while(|it| *it <= end_s);
+                ways_mm.extend(ticks.map(|it| profile.distance_at(it - begin_s)));
+                begin_s = end_s;
+            }
+            let at = |way_mm: f64| [0, 1, 2].map(|i| here[i] + way_mm * direction[i]);
+            places.extend(ways_mm.into_iter().map(|it| (at(it), vector.kind)));
+            here = there;
+        }
+        places
+    }
+
+    /// Both plans move the arm in the same way; in pieces none that keeps its speed lasts longer than this, in s.
+    fn check(
+        whole: &Plan,
+        cut: &Plan,
+        kind: MoveKind,
+        longest_s: f64,
+    ) -> Result<(), TestCaseError> {
+        let mut ticker = Ticker::of(cut.machine(), 0.0);
+        for piece in &cut.moves {
+            let evens = ticker.as_mut().map(|it| it.run(&write(piece)).counts[1]);
+            let is_short = f64::from(piece.duration_s) <= 1.002 * longest_s;
+            let may_be_long = piece.kind != kind || evens.is_some_and(|it| it < 2);
+            prop_assert!(is_short || may_be_long, "{evens:?} {piece:?}");
+        }
+        let [was_s, is_s] = [whole, cut].map(Plan::duration_s);
+        prop_assert!((was_s - is_s).abs() < 1e-3 * was_s, "{was_s} s, {is_s} s");
+        let [was, is] = [whole, cut].map(motion);
+        prop_assert!(
+            was.len().abs_diff(is.len()) <= 1,
+            "{} and {} ticks",
+            was.len(),
+            is.len()
+        );
+        for (tick, (a, b)) in was.iter().zip(&is).enumerate() {
+            let off_mm = crate::vector::length([0, 1, 2].map(|i| a.0[i] - b.0[i]));
+            prop_assert!(off_mm < 0.005, "{off_mm} mm in tick {tick}: {a:?}, {b:?}");
+        }
+        Ok(())
+    }
+
+    fn lines() -> impl Strategy<Value = Vec<Stroke>> {
+        let step = (0.0..360.0_f64, prop_oneof![0.1..3.0_f64, 1.0..60.0_f64]);
+        let stroke = (-30.0..30.0_f64, proptest::collection::vec(step, 1..8));
+        let stroke = stroke.prop_map(|(y, steps)| {
+            let mut points = vec![Point::new(220.0, y)];
+            points.extend(steps.iter().scan(points[0], |here, (turn_deg, length_mm)| {
+                *here += Vec2::from_angle(turn_deg.to_radians()) * *length_mm;
+                Some(*here)
+            }));
+            Stroke::open(points)
+        });
+        proptest::collection::vec(stroke, 1..4)
+    }
+
+    #[test]
+    fn a_long_line_is_burned_in_pieces_that_begin_and_end_at_its_speed() {
+        let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(200.0, 96.0)]);
+        for has_ticks in [false, true] {
+            let [whole, cut] = plans(&[line.clone()], laser(3.0), &machine(has_ticks));
+            let burned = |plan: &Plan| -> Vec<PlannedVector> {
+                let burned = plan.moves.iter().filter(|it| it.kind == MoveKind::Burn);
+                burned.copied().collect()
+            };
+            assert_eq!(burned(&whole).len(), 1);
+            let pieces = burned(&cut);
+            // 32 s, in pieces of a fifth of a second.
+            assert!((160..=165).contains(&pieces.len()), "{}", pieces.len());
+            for piece in &pieces {
+                let packet = write(piece);
+                let told = [
+                    packet.start_speed_mm_s,
+                    packet.end_speed_mm_s,
+                    packet.max_speed_mm_s,
+                ];
+                assert!(told.iter().all(|it| (it - 3.0).abs() < 0.02), "{packet:?}");
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_vector_that_burns_is_short_on_both_dialects(
+            strokes in lines(), burn_speed_mm_s in 1.0..16.0_f64, has_ticks: bool,
+        ) {
+            let [whole, cut] = plans(&strokes, laser(burn_speed_mm_s), &machine(has_ticks));
+            check(&whole, &cut, MoveKind::Burn, LONGEST_BURN_S)?;
+        }
+
+        #[test]
+        fn every_vector_that_draws_is_short_on_both_dialects(
+            strokes in lines(), draw_speed_mm_s in 5.0..40.0_f64, has_ticks: bool,
+        ) {
+            let [whole, cut] = plans(&strokes, pen(draw_speed_mm_s), &machine(has_ticks));
+            check(&whole, &cut, MoveKind::Draw, LONGEST_DRAW_S)?;
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! The stops of the whole fleet, as this station knows them.
+
+use std::collections::BTreeMap;
+
+use dobot_api::FleetWideStop;
+use serde::{Deserialize, Serialize};
+
+use crate::plain;
+
+/// The stops of the whole fleet, by origin: of each the newest one.
+#[derive(Clone, Debug, Default)]
+pub(super) struct FleetStops(BTreeMap<String, KeptFleetStop>);
+
+/// A stop of the whole fleet, and whether this arm was let go from it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct KeptFleetStop {
+    /// The stop.
+    pub stop: FleetWideStop,
+    /// Whether a person at this station has reset it for this arm alone.
+    #[serde(default)]
+    pub is_reset_here: bool,
+}
+
+/// What a stop changes that another station knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Adopted {
+    /// Nothing: it is known.
+    Known,
+    /// It stops this arm.
+    Stops,
+    /// It does not hold any more.
+    Reset,
+}
+
+impl FleetStops {
+    /// Those of before this start.
+    pub(super) fn of(kept: Vec<KeptFleetStop>) -> Self {
+        let by_origin = |it: KeptFleetStop| (it.stop.origin.clone(), it);
+        Self(kept.into_iter().map(by_origin).collect())
+    }
+
+    /// A person stops the fleet at the station with the number `origin`. The time by its clock makes the count new even where
+    /// the file of before was lost.
+    pub(super) fn make(
+        &mut self,
+        origin: &str,
+        by: String,
+        reason: Option<String>,
+        now_ms: u64,
+    ) -> FleetWideStop {
+        let before = self.0.get(origin).map_or(0, |it| it.stop.count);
+        let stop = FleetWideStop {
+            origin: origin.to_owned(),
+            count: now_ms.max(before + 1),
+            by,
+            reason,
+            reset_by: None,
+        };
+        self.put(stop.clone(), false);
+        stop
+    }
+
+    /// Takes what another station knows. A reset of the same stop is newer than the stop.
+    pub(super) fn adopt(&mut self, other: &FleetWideStop) -> Adopted {
+        let known = self.0.get(&other.origin);
+        let age = |it: &FleetWideStop| (it.count, !it.holds());
+        let is_newer = known.is_none_or(|it| age(other) > age(&it.stop));
+        let is_reset_here =
+            known.is_some_and(|it| it.is_reset_here && it.stop.count == other.count);
+        if !is_newer || other.count > MOST_COUNT || !self.has_room(&other.origin) {
+            return Adopted::Known;
+        }
+        let text = |it: &Option<String>| it.as_ref().map(|it| plain(it, LONGEST));
+        let stop = FleetWideStop {
+            origin: other.origin.clone(),
+            count: other.count,
+            by: plain(&other.by, LONGEST),
+            reason: text(&other.reason),
+            reset_by: text(&other.reset_by),
+        };
+        self.put(stop, is_reset_here);
+        if other.holds() {
+            Adopted::Stops
+        } else {
+            Adopted::Reset
+        }
+    }
+
+    /// A person lets the whole fleet move again.
+    pub(super) fn reset(&mut self, by: &str) {
+        for kept in self.0.values_mut().filter(|it| it.stop.holds()) {
+            kept.stop.reset_by = Some(by.to_owned());
+        }
+    }
+
+    /// A person at this station lets this arm move again.
+    pub(super) fn reset_here(&mut self) {
+        for kept in self.0.values_mut() {
+            kept.is_reset_here = true;
+        }
+    }
+
+    /// The one that holds this arm; of several the newest, as far as the clocks of their stations agree.
+    pub(super) fn holding(&self) -> Option<&FleetWideStop> {
+        let holding = self.0.values();
+        let holding = holding.filter(|it| it.stop.holds() && !it.is_reset_here);
+        holding.map(|it| &it.stop).max_by_key(|it| it.count)
+    }
+
+    pub(super) fn all(&self) -> Vec<FleetWideStop> {
+        self.0.values().map(|it| it.stop.clone()).collect()
+    }
+
+    pub(super) fn kept(&self) -> Vec<KeptFleetStop> {
+        self.0.values().cloned().collect()
+    }
+
+    fn put(&mut self, stop: FleetWideStop, is_reset_here: bool) {
+        let origin = stop.origin.clone();
+        let kept = KeptFleetStop {
+            stop,
+            is_reset_here,
+        };
+        self.0.insert(origin, kept);
+    }
+
+    /// Whether there is room for one of this origin. A stop that holds is never forgotten for another one.
+    fn has_room(&mut self, origin: &str) -> bool {
+        if origin.len() > LONGEST {
+            return false;
+        }
+        if self.0.len() >= MOST && !self.0.contains_key(origin) {
+            let over = self.0.iter().find(|(_, it)| !it.stop.holds());
+            let over = over.map(|(origin, _)| origin.clone());
+            return over.is_some_and(|it| self.0.remove(&it).is_some());
+        }
+        true
+    }
+}
+
+/// As many stations as a fleet has at the most.
+const MOST: usize = 2000;
+/// The largest whole number that every reader of JSON keeps.
+const MOST_COUNT: u64 = 1 << 53;
+/// How many characters of a text are kept, and how many bytes an origin may have.
+const LONGEST: usize = 200;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stop(origin: &str, count: u64) -> FleetWideStop {
+        FleetWideStop {
+            origin: origin.into(),
+            count,
+            by: "Ms Weber".into(),
+            reason: Some("fire drill".into()),
+            reset_by: None,
+        }
+    }
+
+    fn reset(origin: &str, count: u64) -> FleetWideStop {
+        FleetWideStop {
+            reset_by: Some("Ms Weber".into()),
+            ..stop(origin, count)
+        }
+    }
+
+    /// What a station knows after these messages.
+    fn after(messages: &[FleetWideStop]) -> FleetStops {
+        let mut stops = FleetStops::default();
+        for message in messages {
+            stops.adopt(message);
+        }
+        stops
+    }
+
+    #[test]
+    fn whatever_the_order_of_the_messages_all_stations_know_the_same_in_the_end() {
+        let messages = [stop("a", 5), reset("a", 5), stop("a", 7), stop("b", 6)];
+        let known = after(&messages).all();
+        for first in 0..messages.len() {
+            for second in 0..messages.len() {
+                let mut others = messages.clone();
+                others.swap(0, first);
+                others.swap(1, second);
+                assert_eq!(after(&others).all(), known, "{others:?}");
+            }
+        }
+        assert_eq!(known, [stop("a", 7), stop("b", 6)]);
+    }
+
+    #[test]
+    fn a_reset_ends_only_the_stops_that_its_station_knew() {
+        // Two stops at once, in two halves of a network: one half is reset before it hears of the other.
+        let mut one = after(&[stop("a", 5)]);
+        one.reset("Ms Weber");
+        assert_eq!(one.adopt(&stop("b", 4)), Adopted::Stops);
+        assert_eq!(one.holding().map(|it| &*it.origin), Some("b"));
+        assert_eq!(one.adopt(&stop("a", 5)), Adopted::Known);
+    }
+
+    #[test]
+    fn a_stop_made_after_a_reset_holds_even_with_a_clock_that_went_back() {
+        let mut stops = FleetStops::default();
+        let first = stops.make("a", "Anna".into(), None, 1000);
+        stops.reset("Anna");
+        let second = stops.make("a", "Anna".into(), None, 10);
+        assert!(second.count > first.count);
+        let mut other = after(&[first, reset("a", 1000)]);
+        assert_eq!(other.adopt(&second), Adopted::Stops);
+    }
+
+    #[test]
+    fn the_same_stop_does_not_hold_an_arm_again_that_a_person_let_go_and_a_newer_one_does() {
+        let mut stops = after(&[stop("a", 5)]);
+        stops.reset_here();
+        assert_eq!(stops.adopt(&stop("a", 5)), Adopted::Known);
+        assert_eq!(stops.holding(), None);
+        assert!(stops.all()[0].holds(), "it holds for the others");
+        assert_eq!(stops.adopt(&stop("a", 6)), Adopted::Stops);
+        assert!(stops.holding().is_some());
+    }
+
+    #[test]
+    fn a_flood_of_origins_is_bounded_and_pushes_out_no_stop_that_holds() {
+        let mut stops = after(&[stop("a", 5)]);
+        for number in 0..2 * MOST {
+            stops.adopt(&reset(&format!("flood-{number}"), 1));
+        }
+        assert_eq!(stops.all().len(), MOST);
+        assert!(stops.holding().is_some());
+        let long = "x".repeat(1000);
+        assert_eq!(stops.adopt(&stop(&long, 1)), Adopted::Known);
+    }
+}
