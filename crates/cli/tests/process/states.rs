@@ -70,9 +70,9 @@ fn a_vector_is_drawn_with_its_speeds() {
 
 #[test]
 fn a_vector_burns_only_with_the_laser_armed() {
-    let burn = ["vector", "-5", "20", "0", "--laser"];
+    let burn = ["vector", "-5", "10", "0", "--laser"];
     let verb = [&burn[..], &["--arm-laser", "60"]].concat();
-    gets(&verb, WriteVector::by(-5.0, 20.0, 0.0, 20.0).burning());
+    gets(&verb, WriteVector::by(-5.0, 10.0, 0.0, 20.0).burning());
     dobot(&["vector", "0", "20", "0", "--arm-laser", "60"]).fails(2, &["--laser"]);
 }
 

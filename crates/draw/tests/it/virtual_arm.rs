@@ -217,9 +217,10 @@ fn the_laser_burns_all_of_each_stroke_and_nothing_else() {
         );
         let burned = ways(&seen, |it| it.laser);
         let found = deviation(&strokes, &burned);
-        // It is looked each 20 ms, in which it goes 0.2 mm. A stock arm switches the laser at a tick.
+        // It is looked each 20 ms, in which it goes 0.2 mm. A stock arm switches the laser at a tick, in which it goes
+        // 0.005 mm, and each of a stroke's pieces is rounded as a packet is.
         let has_ticks = personality == Personality::Firmware11;
-        let allowed_mm = if has_ticks { 0.005 } else { 0.2 };
+        let allowed_mm = if has_ticks { 0.006 } else { 0.2 };
         assert!(
             found.missed.distance_mm < allowed_mm,
             "{personality:?}: {found:?}"

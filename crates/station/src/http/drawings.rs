@@ -490,7 +490,7 @@ const MOST: usize = 16;
 /// of it.
 const MOST_BYTES: usize = 512 << 20;
 /// How long a plan is kept.
-const KEPT_FOR: Duration = Duration::from_mins(30);
+const KEPT_FOR: Duration = Duration::from_secs(30 * 60);
 const LONGEST_PLAN: Duration = Duration::from_secs(120);
 const LONGEST_WAIT: Duration = Duration::from_secs(1);
 const MOST_LETTERS: usize = 150;

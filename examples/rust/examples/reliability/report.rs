@@ -3,8 +3,8 @@
 use std::fmt::{Display, Write};
 
 use crate::cases::{
-    cables, carries, clients, disks, floods, fuzz, guardians, kills, lines, long_lines, stands,
-    stops,
+    cables, carries, clients, disks, floods, fuzz, guardians, kills, lines, long_lines, sessions,
+    stands, stops,
 };
 
 /// The document, and what should not be.
@@ -31,6 +31,7 @@ impl Report {
         self.stops(1_440 / fewer);
         self.long_lines(40_u64.div_ceil(fewer));
         self.stands(60_u64.div_ceil(fewer));
+        self.sessions(1_000 / fewer);
         self.line(TAIL);
         self.fuzz(200 / fewer);
         self.work();
@@ -251,6 +252,22 @@ impl Report {
         }
     }
 
+    fn sessions(&mut self, sessions: u64) {
+        let it = sessions::run(sessions);
+        self.line(SESSIONS);
+        self.table(["", ""], &[]);
+        self.row("sessions", sessions);
+        self.row("**sessions in which something was wrong**", it.wrong.len());
+        self.row("incidents before the last stop", it.incidents);
+        self.row("jobs that were done in the end", it.jobs);
+        self.row("stops without a cable", it.undelivered);
+        self.line("");
+        self.times("From the last stop");
+        self.row("rest", &it.rest_s);
+        self.row("end of the light, where it burnt", &it.dark_s);
+        self.wrong(it.wrong);
+    }
+
     fn long_lines(&mut self, times: u64) {
         let all = long_lines::run(times);
         self.line(LONG_LINES);
@@ -450,6 +467,17 @@ const STOPS: &str = "
 
 Somebody stops the arm at a random moment. The answer says within what time it will certainly rest. The laser must be
 off by then, too.
+";
+
+const SESSIONS: &str = "
+## Random sessions
+
+Up to five things go wrong one after the other, at random moments of jobs, targets and held buttons: somebody who may
+only watch stops the arm, the station stands still, it is killed and its guardian sends its packets, the cable is pulled
+(and perhaps the arm is stopped meanwhile), the token of the person who has control is removed. Each time the arm has to
+come to rest with its laser off, an answer to a stop has to say truly whether it was delivered, laser off has to be the
+first packet, and a job has to be done in the end with nothing lost, repeated or spoilt. A last stop has to keep what it
+promises.
 ";
 
 const LONG_LINES: &str = "
