@@ -404,7 +404,7 @@ mod tests {
     fn a_long_line_is_burned_in_pieces_that_begin_and_end_at_its_speed() {
         let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(200.0, 96.0)]);
         for has_ticks in [false, true] {
-            let [whole, cut] = plans(&[line.clone()], laser(3.0), &machine(has_ticks));
+            let [whole, cut] = plans(std::slice::from_ref(&line), laser(3.0), &machine(has_ticks));
             let burned = |plan: &Plan| -> Vec<PlannedVector> {
                 let burned = plan.moves.iter().filter(|it| it.kind == MoveKind::Burn);
                 burned.copied().collect()

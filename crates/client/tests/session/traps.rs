@@ -160,7 +160,8 @@ fn a_stock_arm_gets_no_voice_on_either_port() {
     assert!(bluetooth.session.is_bluetooth());
     for mut desk in [usb, bluetooth] {
         // A stock arm hears 22 for sixteen.
-        let refused = desk.session.send(voice("back sixteen")).unwrap_err();
+        let refused = desk.session.send(voice("back sixteen"));
+        let refused = refused.expect_err("it would be misheard");
         assert!(refused.to_string().contains("send the motion"), "{refused}");
         assert_eq!(desk.packets(), 0);
     }

@@ -94,7 +94,10 @@ fn damage_never_loses_queued_work_silently() {
     assert!(refused > 10 && told > 0, "refused {refused}, told {told}");
 }
 
-fn open(path: &Path) -> Result<(Vec<(Job, Vec<Command>)>, u64), JournalError> {
+/// Jobs with their commands.
+type Kept = Vec<(Job, Vec<Command>)>;
+
+fn open(path: &Path) -> Result<(Kept, u64), JournalError> {
     let journal = Journal::open(path)?;
     Ok((content(&journal)?, journal.missing_writes()))
 }

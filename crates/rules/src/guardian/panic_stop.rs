@@ -151,7 +151,7 @@ mod tests {
         let wanted: Vec<u8> = HAZARDS
             .stop_packets()
             .iter()
-            .flat_map(|it| it.to_bytes())
+            .flat_map(dobot_wire::Packet::to_bytes)
             .collect();
         let mut heard = Vec::new();
         let mut port = child.stdout.take().unwrap();
