@@ -672,7 +672,11 @@ async fn a_stolen_token_that_is_removed_moves_no_arm_any_more_not_even_with_the_
     tokens.remove("anna").unwrap();
     // It is forgotten within 0.2 s.
     let until = Instant::now() + PATIENCE;
-    while thief("POST", "/api/v1/lease", Value::Null).await[0].answer.status != 401 {
+    while thief("POST", "/api/v1/lease", Value::Null).await[0]
+        .answer
+        .status
+        != 401
+    {
         assert!(Instant::now() < until, "the token is still known");
     }
     let mut packets = two.station.handle().passed();

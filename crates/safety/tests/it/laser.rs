@@ -47,7 +47,8 @@ fn a_laser_that_is_forbidden_is_never_lit() {
 
 #[test]
 fn a_laser_burns_only_within_its_area() {
-    let area = "[laser]\nlongest_s = 10\narea = { x_mm = [150, 250], y_mm = [-50, 50], z_mm = [-50, 10] }";
+    let area =
+        "[laser]\nlongest_s = 10\narea = { x_mm = [150, 250], y_mm = [-50, 50], z_mm = [-50, 10] }";
     let desk = Desk::at(200.0, 0.0, 0.0).under(area);
     desk.allows(burning(50.0, 50.0));
     let violation = desk.refuses("laser.area", burning(0.0, 60.0));
@@ -61,7 +62,8 @@ fn a_laser_burns_only_within_its_area() {
 
 #[test]
 fn a_laser_left_on_is_kept_within_its_area_in_every_motion() {
-    let area = "[laser]\nlongest_s = 10\narea = { x_mm = [150, 250], y_mm = [-50, 50], z_mm = [-50, 10] }";
+    let area =
+        "[laser]\nlongest_s = 10\narea = { x_mm = [150, 250], y_mm = [-50, 50], z_mm = [-50, 10] }";
     let mut desk = Desk::at(200.0, 0.0, 0.0).under(area);
     desk.model.laser = true;
     desk.refuses("laser.area", go(MovL, 200.0, 80.0, 0.0));
