@@ -132,7 +132,7 @@ section! {
         least_speed_mm_s: f64 = 1.0,
         /// How long a vector may burn, in s: 0.1 to 3600. The arm finishes what it has received, so it burns on for so
         /// long after a stop.
-        longest_s: f64 = 1.0,
+        longest_s: f64 = 3600.0,
         /// Whether it may burn while the arm stands.
         standing: bool = false,
         /// Where it may burn: x, y and z as the arm tells them.

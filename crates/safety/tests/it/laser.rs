@@ -120,7 +120,9 @@ fn a_line_that_burns_for_long_comes_in_shorter_vectors() {
         ..burning(0.0, length_mm)
     };
     for dialect in [Dialect::SPECIFICATION, Dialect::FIRMWARE_1_1] {
-        let desk = Desk::at(200.0, -48.0, 0.0).speaking(dialect);
+        let desk = Desk::at(200.0, -48.0, 0.0)
+            .speaking(dialect)
+            .under("[laser]\nlongest_s = 1");
         let violation = desk.refuses("laser.longest", at_speed(96.0));
         assert!(violation.to_string().contains("shorter"), "{violation}");
         assert_eq!(violation.value.map(|it| it.nearest), Some(1.0));

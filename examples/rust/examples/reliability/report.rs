@@ -486,7 +486,7 @@ const LONG_LINES: &str = "
 A line of 96 mm in each material and with each pen, which takes up to half a minute. In the middle of it somebody stops
 the arm or pauses the job, or the station is killed or stands still while its guardian is there. The figures are the
 longest times in seconds from then until the laser is off, or until a pen does not move any more. A laser has to be off
-within 0.5 s, and a pen has to rest within 0.7 s; in a pause it slows down on its line, and rests within 1.5 s.
+within 0.5 s, and a pen has to rest within 0.75 s; in a pause it slows down on its line, and rests within 1.5 s.
 ";
 
 const LONG_LINES_END: &str = "

@@ -168,6 +168,6 @@ const fn most_s(end: LineEnd, burns: bool) -> f64 {
     match end {
         _ if burns => 0.5,
         LineEnd::Paused => 1.5,
-        _ => 0.7,
+        _ => 0.75,
     }
 }
