@@ -55,6 +55,10 @@ pub struct Remote {
     next_id: u64,
 }
 
+/// How many states the station sends in a second at most. An arm in real time has 12.5 to 50; at a thousand times the speed
+/// of time there are 12,500, which a busy machine does not read.
+const STATES_PER_S: u32 = 200;
+
 type Socket = WebSocketStream<Box<dyn Bytes>>;
 type Incoming = SplitStream<Socket>;
 
@@ -164,7 +168,8 @@ impl Remote {
         answered.unwrap_or(Err(RemoteError::Silent))
     }
 
-    /// What the station tells next; of states only the last one is kept for those who are more than a second late.
+    /// What the station tells next: at most 200 states in a second, and only the last one for those who are more than
+    /// a second late.
     /// Nothing is lost when it is cancelled.
     ///
     /// # Errors
@@ -218,7 +223,7 @@ async fn receive(incoming: &mut Incoming) -> Result<ToClient<'static>, RemoteErr
 fn handshake(address: &StationAddress, name: &str) -> Result<Handshake, ConnectError> {
     let scheme = if address.is_encrypted() { "wss" } else { "ws" };
     let (authority, name) = (address.authority(), percent(name));
-    let url = format!("{scheme}://{authority}/api/v1/ws?name={name}");
+    let url = format!("{scheme}://{authority}/api/v1/ws?states={STATES_PER_S}&name={name}");
     let mut handshake = url
         .into_client_request()
         .map_err(|it| ConnectError::no_station(address, it))?;

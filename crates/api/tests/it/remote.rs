@@ -95,7 +95,10 @@ async fn the_name_and_the_token_reach_the_station() {
     let serve = async { Fake::welcome(listener.accept().await.unwrap().0).await.1 };
     let (remote, asked) = tokio::join!(Remote::connect(&address, "dobot move & co"), serve);
     assert_eq!(remote.unwrap().hello().client.0, 3);
-    assert_eq!(asked, "/api/v1/ws?name=dobot%20move%20%26%20co Bearer abc");
+    assert_eq!(
+        asked,
+        "/api/v1/ws?states=200&name=dobot%20move%20%26%20co Bearer abc"
+    );
 }
 
 #[tokio::test]
