@@ -75,7 +75,7 @@ pub struct MemberAbout {
     pub given_by: Option<String>,
 }
 
-/// A stop of a whole fleet, or that it was reset. Every station keeps it and tells the others.
+/// A stop of a whole fleet, or its reset. Every station keeps it and sends it to the others.
 ///
 /// Of two with the same origin the one with the higher count is newer. The origin alone counts, so neither the clocks of
 /// other stations nor the order of messages matter. Stops of two origins hold beside each other.

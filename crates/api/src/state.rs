@@ -172,7 +172,7 @@ impl StopView {
     }
 }
 
-/// A text with its reason behind it, if there is one.
+/// A text, followed by its reason if there is one.
 pub(crate) fn with_reason(text: String, reason: Option<&str>) -> String {
     match reason {
         Some(reason) => format!("{text}: {reason}"),

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::Duration;
 
-use dobot_rules::is_plain;
+use dobot_rules::plain;
 use dobot_wire::Status;
 use serde::Serialize;
 use serde_json::Value;
@@ -19,11 +19,7 @@ pub(crate) fn line(text: &str) -> io::Result<()> {
 
 /// Prints a line with texts of others: what a terminal would obey or not show is left out.
 pub(crate) fn plain_line(text: &str) -> io::Result<()> {
-    line(&plain(text))
-}
-
-fn plain(text: &str) -> String {
-    text.chars().filter(|&it| is_plain(it)).collect()
+    line(&plain(text, usize::MAX))
 }
 
 /// Prints a whole document.
@@ -168,8 +164,8 @@ mod tests {
 
     #[test]
     fn texts_of_others_command_no_terminal() {
-        let told = "desk-2  \u{1b}]0;pwn\u{7}\u{1b}[31mEVIL\r\n\u{9b}2J\u{202e}é";
-        assert_eq!(plain(told), "desk-2  ]0;pwn[31mEVIL2Jé");
+        let text = "desk-2  \u{1b}]0;pwn\u{7}\u{1b}[31mEVIL\r\n\u{9b}2J\u{202e}é";
+        assert_eq!(plain(text, usize::MAX), "desk-2  ]0;pwn[31mEVIL2Jé");
     }
 
     #[test]

@@ -463,7 +463,7 @@ impl Session {
             .min(ends_within.saturating_sub(motion).max(in_time))
     }
 
-    /// When a permit that is there already can be used, if nothing else hinders that.
+    /// When the next command becomes due, if there is a permit for it and only its time keeps it back.
     fn dispatch_at(&self) -> Option<Duration> {
         let waits = self.permit && self.belief.waiting() > 0;
         let early = self

@@ -1,6 +1,7 @@
 //! Requests to other stations, and theirs to this one.
 
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -11,10 +12,11 @@ use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 use zenoh::Session;
 use zenoh::bytes::ZBytes;
-use zenoh::handlers::FifoChannelHandler;
+use zenoh::handlers::{DefaultHandler, FifoChannelHandler};
 use zenoh::qos::Priority;
 use zenoh::query::{ConsolidationMode, Query, QueryTarget, Reply};
 use zenoh::sample::Sample;
+use zenoh::session::SessionGetBuilder;
 
 use crate::id::new_id;
 use crate::identity::{Identity, Peer, statement};
@@ -170,20 +172,12 @@ impl Asking<'_> {
         within: Duration,
         priority: Priority,
     ) -> Result<Vec<u8>, String> {
-        let nonce = new_id().map_err(|error| format!("cannot be asked: {error}"))?;
-        let replies = self
-            .way
-            .session
-            .get(key)
-            .payload(payload)
-            .attachment(&nonce)
-            .target(QueryTarget::All)
-            .consolidation(ConsolidationMode::None)
-            .timeout(within)
+        let nonce = new_id().map_err(not_asked)?;
+        let question = self.question(key, payload, within).attachment(&nonce);
+        let question = question
             .priority(priority)
-            .express(priority == Priority::RealTime)
-            .await
-            .map_err(|error| format!("cannot be asked: {error}"))?;
+            .express(priority == Priority::RealTime);
+        let replies = question.await.map_err(not_asked)?;
         first(&replies, within, |sample| {
             let answer = sample.payload().to_bytes();
             let signature = sample.attachment()?.to_bytes();
@@ -199,7 +193,8 @@ impl Asking<'_> {
         let own = &self.way.identity;
         let random = || "cannot be asked: the computer gives no random numbers".to_owned();
         let half = Half::new(own).ok_or_else(random)?;
-        let replies = self.get(key, half.public.to_vec(), MEET_WITHIN).await?;
+        let replies = self.question(key, &half.public, MEET_WITHIN);
+        let replies = replies.await.map_err(not_asked)?;
         let mut half = Some(half);
         let agreed = first(&replies, MEET_WITHIN, |sample| {
             let theirs = sample.payload().to_bytes();
@@ -216,29 +211,31 @@ impl Asking<'_> {
         let sealed = agreed
             .seal_request(own, &json(request))
             .ok_or_else(random)?;
-        let replies = self.get(key, [theirs, sealed].concat(), WITHIN).await?;
+        let replies = self.question(key, &[theirs, sealed].concat(), WITHIN);
+        let replies = replies.await.map_err(not_asked)?;
         first(&replies, WITHIN, |sample| {
             agreed.open_answer(&sample.payload().to_bytes())
         })
         .await
     }
 
-    async fn get(
-        &self,
-        key: &str,
-        payload: Vec<u8>,
+    /// A question to the station alone, to be sent.
+    fn question<'q>(
+        &'q self,
+        key: &'q str,
+        payload: &[u8],
         within: Duration,
-    ) -> Result<FifoChannelHandler<Reply>, String> {
-        self.way
-            .session
-            .get(key)
-            .payload(payload)
+    ) -> SessionGetBuilder<'q, 'q, DefaultHandler> {
+        let question = self.way.session.get(key).payload(payload);
+        question
             .target(QueryTarget::All)
             .consolidation(ConsolidationMode::None)
             .timeout(within)
-            .await
-            .map_err(|error| format!("cannot be asked: {error}"))
     }
+}
+
+fn not_asked(error: impl Display) -> String {
+    format!("cannot be asked: {error}")
 }
 
 /// The first answer that is one of the station that was asked.

@@ -54,7 +54,7 @@ pub enum CredentialsError {
         file: String,
     },
     /// A file holds something else.
-    #[error("{0}; `dobot fleet certificates FOLDER NAME...` makes the files anew")]
+    #[error("{0}; `dobot fleet certificates FOLDER NAME...` makes new ones")]
     Unusable(&'static str),
     /// The others of the fleet do not accept the certificate.
     #[error(
@@ -395,7 +395,9 @@ fn lines(file: &Path) -> Result<BTreeSet<String>, CredentialsError> {
 }
 
 fn write_lines(file: &Path, lines: &BTreeSet<String>) -> Result<(), CredentialsError> {
-    let text: String = lines.iter().map(|it| format!("{it}\n")).collect();
+    let text = lines
+        .iter()
+        .fold(String::new(), |text, line| text + line + "\n");
     write(file, &text)
 }
 

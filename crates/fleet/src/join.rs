@@ -6,7 +6,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use dobot_api::{ApiAnswer, Member, MemberAbout, MemberAnswer};
 use dobot_rules::Handle;
-use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi};
+use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi, UNSETTLED};
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};
 use tokio::time::{MissedTickBehavior, interval};
@@ -171,9 +171,9 @@ struct Joined {
     network: Option<Network>,
     /// The work that was submitted here for any arm.
     work: Working,
-    /// Whom to tell which stops of the fleet there are.
+    /// Which members have to be sent the stops of the fleet, and when.
     stops: StopTelling,
-    /// Those that are being told: who has not answered.
+    /// Exchanges of stops under way; each gives the members that did not answer.
     telling_stops: JoinSet<Vec<MemberKey>>,
     /// What the others answer who are asked what they are and do.
     hearing: JoinSet<Vec<Sample>>,
@@ -309,7 +309,7 @@ impl Joined {
         }
     }
 
-    /// Tells those who came or came back which stops of the fleet there are.
+    /// Sends the stops of the fleet to the members that joined or returned.
     fn go_on_telling_stops(&mut self) {
         let now = self.since.0.elapsed();
         self.stops.handle_time(now, SystemTime::now());
@@ -330,7 +330,7 @@ impl Joined {
         }
     }
 
-    /// Tells these at once.
+    /// Sends the stops of the fleet to these members at once.
     fn tell_stops(&mut self, to: Vec<Arc<Member>>, answers: oneshot::Sender<Vec<MemberAnswer>>) {
         let mut telling = JoinSet::new();
         for member in to {
@@ -359,12 +359,12 @@ impl Joined {
             });
         }
         self.telling_stops.spawn(async move {
-            let mut told = telling.join_all().await;
-            told.sort_by(|one, other| one.0.cmp(&other.0));
-            let silent = told.iter().filter(|it| !it.1.answer.is_success());
+            let mut answered = telling.join_all().await;
+            answered.sort_by(|one, other| one.0.cmp(&other.0));
+            let silent = answered.iter().filter(|it| !it.1.answer.is_success());
             let silent = silent.map(|it| it.0.clone()).collect();
             // Whoever asked may be gone.
-            drop(answers.send(told.into_iter().map(|it| it.1).collect()));
+            drop(answers.send(answered.into_iter().map(|it| it.1).collect()));
             silent
         });
     }
@@ -377,8 +377,7 @@ impl Joined {
     /// Why no work is offered from here now, if so.
     fn held(&self) -> Option<String> {
         if !self.stops.is_settled(self.since.0.elapsed()) {
-            let unsettled = "this station has just come or come back; it learns first whether the fleet is stopped";
-            return Some(unsettled.to_owned());
+            return Some(UNSETTLED.to_owned());
         }
         let snapshot = self.api.handle().state();
         let state = snapshot.state();

@@ -332,14 +332,14 @@ mod tests {
         made.unwrap().identity().unwrap()
     }
 
-    fn peer(name: &str) -> Option<Arc<Peer>> {
-        Some(certificate(name).own().clone())
+    fn peer(name: &str) -> Arc<Peer> {
+        certificate(name).own().clone()
     }
 
     /// A station with a certificate for its name.
     fn came(roster: &mut Roster, member: MemberKey, at_s: f64) {
         let peer = peer(&member.name);
-        roster.came(alive(member), peer, at_s);
+        roster.came(alive(member), Some(peer), at_s);
     }
 
     fn roster() -> Roster {
@@ -459,7 +459,7 @@ mod tests {
     #[test]
     fn five_thousand_stations_of_one_certificate_leave_room_for_the_others() {
         let mut roster = roster();
-        let rogue = peer("desk-9");
+        let rogue = Some(peer("desk-9"));
         for number in 0..5000 {
             let fake = alive(key(&format!("fake-{number}"), 'f'));
             roster.came(fake, rogue.clone(), 1.0);
@@ -493,7 +493,7 @@ mod tests {
     #[test]
     fn a_name_is_that_of_its_certificate_and_others_who_take_it_are_refused() {
         let mut roster = roster();
-        let rogue = peer("desk-9");
+        let rogue = Some(peer("desk-9"));
         came(&mut roster, key("desk-2", 'b'), 1.0);
         roster.came(alive(key("desk-2", 'f')), rogue.clone(), 2.0);
         // In the place of the station itself, too.

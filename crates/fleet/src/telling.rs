@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use dobot_api::{MemberAbout, State, is_fleet_name};
-use dobot_rules::{Snapshot, is_plain};
+use dobot_rules::{Snapshot, is_plain, plain};
 use serde_json::Value;
 
 use crate::identity::{Identity, Peer, SIGNATURE, statement};
@@ -89,9 +89,7 @@ pub(crate) fn read(told: &[u8], name: &str, holder: &str) -> Result<Told, String
         words.retain(|it| is_fleet_name(it));
         words.truncate(MOST_WORDS);
     }
-    about
-        .version
-        .truncate(about.version.floor_char_boundary(40));
+    about.version = plain(&about.version, 40);
     about.page.take_if(|it| !is_page(it));
     // The certificate says it.
     about.given_by = (holder != name).then(|| holder.to_owned());

@@ -90,6 +90,5 @@ pub use refusal::{Holder, Refusal};
 pub use service_manager::{Notification, ServiceManager};
 pub use supervisor::{Begun, Effect, JobPlan, KeptFleetStop, Supervisor};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};
-pub use text::is_plain;
-pub(crate) use text::plain;
+pub use text::{is_plain, plain};
 pub use virtual_station::VirtualStation;

@@ -2,7 +2,8 @@
 
 /// A text in one line that shows as what it is, up to so many characters: without control characters, and
 /// without those that turn the direction of what follows, or are not seen.
-pub(crate) fn plain(text: &str, most: usize) -> String {
+#[must_use]
+pub fn plain(text: &str, most: usize) -> String {
     text.chars().filter(|it| is_plain(*it)).take(most).collect()
 }
 

@@ -13,6 +13,7 @@ use dobot_safety::Policy;
 use dobot_sim::{SerialLine, VirtualArm};
 use dobot_wire::Packet;
 
+use crate::guardian::GAP;
 use crate::job_path::path_of;
 use crate::jobs;
 use crate::supervisor::{Begun, Effect, KeptFleetStop, Supervisor};
@@ -190,7 +191,7 @@ impl VirtualStation {
     /// station that is then killed by [`VirtualStation::crash`].
     pub fn guard(&mut self, packets: &[Packet]) {
         for packet in packets {
-            self.now += GUARDIAN_GAP;
+            self.now += GAP;
             self.arm.handle_time(self.now);
             self.arm.handle_bytes(self.now, &packet.to_bytes());
         }
@@ -596,7 +597,5 @@ impl VirtualStation {
     }
 }
 
-/// Between two packets of a guardian.
-const GUARDIAN_GAP: Duration = Duration::from_millis(60);
 /// A disk that takes longer has failed.
 const PATIENCE: Duration = Duration::from_secs(10);

@@ -248,6 +248,10 @@ impl FleetPort {
     }
 }
 
+/// Why a station that has just joined or returned neither takes nor offers work yet.
+pub const UNSETTLED: &str =
+    "the station has just joined or returned; it first learns whether the fleet is stopped";
+
 /// Why an arm cannot start work of its fleet now, whatever its job is; one of a station that starts it by itself where nobody
 /// has control.
 #[must_use]

@@ -55,7 +55,8 @@ mod virtual_port;
 
 pub use config::{Config, DEFAULT_HTTP, DEFAULT_RAW, TlsFiles};
 pub use fleet::{
-    FleetAsk, FleetEnd, FleetPort, FleetWish, Members, NewWork, OFFERS, WorkWish, work_hurdle,
+    FleetAsk, FleetEnd, FleetPort, FleetWish, Members, NewWork, OFFERS, UNSETTLED, WorkWish,
+    work_hurdle,
 };
 pub use foxglove::{FoxglovePort, FoxglovePortError};
 pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensError, Web, serve};

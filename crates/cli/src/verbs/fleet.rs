@@ -177,7 +177,7 @@ async fn reset_one(address: &StationAddress, name: &str) -> Result<Vec<MemberAns
     Ok(post(address, "/api/v1/fleet/requests", &body).await?)
 }
 
-/// Tells how many stations have done it and what the others answer, which is a failure.
+/// Prints how many stations succeeded and what the others answered; fails with `failure` if there are others.
 fn report(
     answers: &[MemberAnswer],
     done: &str,

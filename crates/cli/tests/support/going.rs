@@ -2,11 +2,14 @@
 
 use std::io::{BufRead, BufReader};
 #[cfg(unix)]
-use std::io::{PipeReader, PipeWriter, Write, pipe};
+use std::io::{PipeReader, Write};
 use std::process::{Child, ChildStderr, ChildStdout, Command, Stdio};
 
 #[cfg(unix)]
 use rustix::process::{Pid, Signal, kill_process};
+
+#[cfg(unix)]
+use super::full_pipe::full_pipe;
 
 /// A program that goes on; it ends with the test.
 pub(crate) struct Going {
@@ -111,19 +114,6 @@ impl Drop for Going {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
-}
-
-/// A pipe that takes nothing more.
-#[cfg(unix)]
-fn full_pipe() -> (PipeReader, PipeWriter) {
-    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
-    let (reader, mut writer) = pipe().expect("there is room");
-    let flags = fcntl_getfl(&writer).expect("it is open");
-    fcntl_setfl(&writer, flags | OFlags::NONBLOCK).expect("it is open");
-    while writer.write(&[b'.'; 4096]).is_ok() {}
-    while writer.write(b".").is_ok() {}
-    fcntl_setfl(&writer, flags).expect("it is open");
-    (reader, writer)
 }
 
 /// Reads until a line with this text.

@@ -5,6 +5,8 @@
 pub(crate) mod api;
 pub(crate) mod arm;
 pub(crate) mod bench;
+#[cfg(unix)]
+pub(crate) mod full_pipe;
 pub(crate) mod going;
 #[cfg(target_os = "linux")]
 pub(crate) mod keys;

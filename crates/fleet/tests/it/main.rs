@@ -223,12 +223,17 @@ async fn router(port: u16) -> (Router, String) {
     (router.unwrap(), address)
 }
 
+async fn two_desks(at: &str) -> [Desk; 2] {
+    let one = Desk::up("desk-1", at, None).await;
+    let two = Desk::up("desk-2", at, None).await;
+    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    [one, two]
+}
+
 #[tokio::test(flavor = "multi_thread")]
 async fn stations_see_each_other_and_one_that_left_is_away() {
     let (router, at) = router(free_port()).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     two.sees("both", present(&["desk-1", "desk-2"])).await;
     let group = r#"{"group": "room-1"}"#;
     let to: Value = serde_json::from_str(group).unwrap();
@@ -256,9 +261,7 @@ async fn stations_see_each_other_and_one_that_left_is_away() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_stop_of_all_switches_every_laser_off() {
     let (router, at) = router(free_port()).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     let mut packets = [&one, &two].map(|it| it.station.handle().passed());
     let answers = one.stop_all().await;
     assert!(
@@ -293,9 +296,7 @@ fn dialect() -> dobot_wire::Dialect {
 #[tokio::test(flavor = "multi_thread")]
 async fn each_station_judges_by_its_own_tokens() {
     let (router, at) = router(free_port()).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     let lease = json!({"to": "all", "method": "POST", "path": "/api/v1/lease"});
     let answers = one.all_as(Some(one.admin()), lease).await;
     let statuses: Vec<_> = answers.iter().map(|it| it.answer.status).collect();
@@ -319,9 +320,7 @@ async fn each_station_judges_by_its_own_tokens() {
 #[tokio::test(flavor = "multi_thread")]
 async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
     let (router, at) = router(free_port()).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     let token = dobot_station::Token::of_secret(&one.admin()).unwrap();
     let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
     tokens.accept(Role::Admin, "teacher", &token).unwrap();
@@ -655,9 +654,7 @@ async fn a_message_that_no_station_takes_reaches_none_and_a_stop_works_after_it(
 async fn a_stolen_token_that_is_removed_moves_no_arm_any_more_not_even_with_the_control_that_it_took()
  {
     let (router, at) = router(free_port()).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     let mut tokens = Tokens::open(&Folders::at(two.folder.path()).tokens()).unwrap();
     let stolen = tokens.add(Role::Control, "anna").unwrap();
     let mut others = Tokens::open(&Folders::at(one.folder.path()).tokens()).unwrap();
@@ -739,9 +736,7 @@ async fn between_too_many_requests_a_stop_works() {
 #[tokio::test(flavor = "multi_thread")]
 async fn whoever_looks_is_told_what_changes_elsewhere() {
     let (router, at) = router(free_port()).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     two.ask("POST", "/api/v1/stop", None).await;
     let stopped = |members: &[Member]| {
         let state = members.iter().find(|it| it.name == "desk-2").unwrap();

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{ApiRequest, State, TakesWork, WorkPhase, WorkView};
+use dobot_api::{ApiRequest, FleetWideStop, State, StopView, TakesWork, WorkPhase, WorkView};
 use dobot_fleet::{FleetConfig, VirtualArms, VirtualArmsConfig};
 use dobot_rules::PassedPacket;
 use dobot_wire::{Command, Packet};
@@ -12,7 +12,7 @@ use tokio::time::{interval, timeout};
 
 use super::{
     Desk, Folders, PATIENCE, dialect, fleet_config, free_port, is_away, present, router,
-    station_config,
+    station_config, two_desks,
 };
 
 const DRILL: &str = "stopped: fleet, by test at desk-1: fire drill";
@@ -29,6 +29,13 @@ impl Desk {
     async fn is_stopped(&self) {
         self.is("stopped by the fleet", |it| {
             text(it).as_deref() == Some(DRILL)
+        })
+        .await;
+    }
+
+    async fn is_at_rest(&self) {
+        self.is("at rest", |it| {
+            it.stop.as_ref().is_some_and(|it| it.at_rest)
         })
         .await;
     }
@@ -88,7 +95,7 @@ fn target() -> Value {
 }
 
 fn text(state: &State) -> Option<String> {
-    state.stop.as_ref().map(|it| it.text())
+    state.stop.as_ref().map(StopView::text)
 }
 
 fn silent(answers: &Value) -> Vec<String> {
@@ -115,9 +122,7 @@ fn motions(packets: &mut broadcast::Receiver<PassedPacket>) -> Vec<Command> {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_station_that_joins_late_is_stopped_with_the_others_and_all_stay_so_through_a_restart() {
     let (router, at) = router(free_port()).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     assert!(one.drill().await.is_empty());
     let late = Desk::up("desk-3", &at, None).await;
     let mut packets = late.station.handle().passed();
@@ -144,9 +149,7 @@ async fn a_station_that_joins_late_is_stopped_with_the_others_and_all_stay_so_th
 async fn a_station_that_was_cut_off_is_stopped_when_it_comes_back_and_let_go_by_a_reset_likewise() {
     let port = free_port();
     let (first, at) = router(port).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     first.end().await;
     one.sees("that desk-2 is away", is_away("desk-2")).await;
     assert_eq!(one.drill().await, ["desk-2"]);
@@ -158,10 +161,7 @@ async fn a_station_that_was_cut_off_is_stopped_when_it_comes_back_and_let_go_by_
     // The reset comes while it is away once more.
     second.end().await;
     one.sees("that desk-2 is away", is_away("desk-2")).await;
-    one.is("at rest", |it| {
-        it.stop.as_ref().is_some_and(|it| it.at_rest)
-    })
-    .await;
+    one.is_at_rest().await;
     assert_eq!(one.reset_all().await, ["desk-2"]);
     one.is_free().await;
     two.refuses_to_move().await;
@@ -179,14 +179,9 @@ async fn a_station_that_was_cut_off_is_stopped_when_it_comes_back_and_let_go_by_
 async fn an_arm_that_a_person_lets_go_moves_and_the_stop_does_not_come_back_to_it() {
     let port = free_port();
     let (first, at) = router(port).await;
-    let one = Desk::up("desk-1", &at, None).await;
-    let two = Desk::up("desk-2", &at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
+    let [one, two] = two_desks(&at).await;
     assert!(one.drill().await.is_empty());
-    two.is("at rest", |it| {
-        it.stop.as_ref().is_some_and(|it| it.at_rest)
-    })
-    .await;
+    two.is_at_rest().await;
     let (status, body) = two.ask("DELETE", "/api/v1/stop", None).await;
     assert_eq!(status, 200, "{body}");
     // The others tell it again when it comes back, and when it is started again.
@@ -197,7 +192,7 @@ async fn an_arm_that_a_person_lets_go_moves_and_the_stop_does_not_come_back_to_i
     let folder = two.left().await;
     let two = Desk::in_folder("desk-2", &at, None, folder).await;
     two.sees("both", present(&["desk-1", "desk-2"])).await;
-    let knows = |it: &State| it.fleet_stops.iter().any(|it| it.holds());
+    let knows = |it: &State| it.fleet_stops.iter().any(FleetWideStop::holds);
     two.is("told of it", knows).await;
     let (status, moved) = two.moves().await;
     assert_eq!(status, 202, "{moved}");
@@ -281,10 +276,7 @@ async fn while_the_fleet_is_stopped_its_queue_waits_and_no_arm_that_comes_begins
     for packets in &mut packets {
         assert!(motions(packets).is_empty());
     }
-    one.is("at rest", |it| {
-        it.stop.as_ref().is_some_and(|it| it.at_rest)
-    })
-    .await;
+    one.is_at_rest().await;
     one.reset_all().await;
     one.has_work("done", |it| it.phase == WorkPhase::Done).await;
     for desk in [one, late] {

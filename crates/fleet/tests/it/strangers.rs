@@ -6,10 +6,13 @@ use zenoh::query::Query;
 
 use super::*;
 
+/// A key, and what was asked there.
+type Heard = (String, Vec<u8>);
+
 /// A member of the fleet that answers for all others, and keeps what it is asked.
 struct Thief {
     session: zenoh::Session,
-    heard: Arc<Mutex<Vec<(String, Vec<u8>)>>>,
+    heard: Arc<Mutex<Vec<Heard>>>,
 }
 
 impl Thief {
@@ -47,20 +50,13 @@ impl Thief {
         timeout(PATIENCE, hears).await.unwrap();
     }
 
-    fn heard(&self) -> Vec<(String, Vec<u8>)> {
+    fn heard(&self) -> Vec<Heard> {
         self.heard.lock().unwrap().clone()
     }
 }
 
 fn to_two(method: &str, path: &str) -> Value {
     json!({"to": {"members": ["desk-2"]}, "method": method, "path": path})
-}
-
-async fn two_desks(at: &str) -> [Desk; 2] {
-    let one = Desk::up("desk-1", at, None).await;
-    let two = Desk::up("desk-2", at, None).await;
-    one.sees("both", present(&["desk-1", "desk-2"])).await;
-    [one, two]
 }
 
 /// Lets the token of one desk be accepted by the other.

@@ -99,15 +99,18 @@ thread_local! {
 const PATIENCE: Duration = Duration::from_millis(100);
 
 #[cfg(all(test, unix))]
+#[path = "../../../cli/tests/support/full_pipe.rs"]
+mod full_pipe;
+
+#[cfg(all(test, unix))]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use std::io::{Read, Write, pipe};
+    use std::io::Read;
     use std::os::fd::AsFd;
     use std::process::{Command, Stdio};
 
-    use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
-
     use super::super::JogKind;
+    use super::full_pipe::full_pipe;
     use super::*;
 
     const HAZARDS: Hazards = Hazards {
@@ -132,12 +135,7 @@ mod tests {
         if std::env::var_os(PANICS).is_some() {
             panic_with_port();
         }
-        let (reader, mut errors) = pipe().unwrap();
-        let flags = fcntl_getfl(&errors).unwrap();
-        fcntl_setfl(&errors, flags | OFlags::NONBLOCK).unwrap();
-        while errors.write(&[b'.'; 4096]).is_ok() {}
-        while errors.write(b".").is_ok() {}
-        fcntl_setfl(&errors, flags).unwrap();
+        let (reader, errors) = full_pipe();
         let (_, module) = module_path!().split_once("::").unwrap();
         let name =
             format!("{module}::a_panic_sends_its_packets_though_nobody_reads_standard_error");

@@ -1,4 +1,4 @@
-//! The door in front of Foxglove's server, which does not look at where a connection comes from.
+//! A proxy in front of Foxglove's server, which does not check the origin of a connection.
 
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
@@ -13,8 +13,10 @@ use tokio::time::timeout;
 /// Longer than the head of a request of any browser.
 const HEAD_LIMIT: usize = 16 * 1024;
 const HEAD_TIMEOUT: Duration = Duration::from_secs(10);
+/// How long to wait when the system has no more connections to give.
+const RETRY_AFTER: Duration = Duration::from_millis(50);
 
-/// An address of this machine at which no page finds the server behind this door.
+/// A loopback address for the server behind the proxy, at which no page finds it.
 ///
 /// On Linux all of 127.0.0.0/8 is this machine; elsewhere only the port is unknown.
 pub(super) fn hidden_address() -> io::Result<Ipv4Addr> {
@@ -30,7 +32,7 @@ pub(super) fn hidden_address() -> io::Result<Ipv4Addr> {
     })
 }
 
-/// Passes on what comes from Foxglove or from this machine, and refuses the rest, until it is dropped.
+/// Forwards connections of Foxglove and of this machine, and refuses all others, until it is dropped.
 pub(super) async fn serve(listener: TcpListener, inner: SocketAddr) {
     let mut open = JoinSet::new();
     loop {
@@ -43,8 +45,7 @@ pub(super) async fn serve(listener: TcpListener, inner: SocketAddr) {
                         }
                     });
                 }
-                // Out of file handles, for example.
-                Err(_) => tokio::time::sleep(Duration::from_millis(100)).await,
+                Err(_) => tokio::time::sleep(RETRY_AFTER).await,
             },
             Some(_) = open.join_next() => {}
         }
@@ -83,7 +84,7 @@ fn check(head: &[u8]) -> Result<(), &'static str> {
     let mut headers = [httparse::EMPTY_HEADER; 64];
     let mut request = httparse::Request::new(&mut headers);
     if !request.parse(head).is_ok_and(|it| it.is_complete()) {
-        return Err("this is no request of HTTP");
+        return Err("this is not an HTTP request");
     }
     let origins = request
         .headers

@@ -11,7 +11,7 @@ use dobot_draw::{
     DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
     WITHOUT_ARM_Z_MM, frame,
 };
-use dobot_rules::{PlannedFor, drawing_job, is_plain};
+use dobot_rules::{PlannedFor, drawing_job, plain};
 use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -343,8 +343,7 @@ impl NewDrawing {
     pub(super) fn title(&self) -> String {
         let text = Subject::of_text(&self.options.what).map(|it| it.title);
         let title = self.name.clone().or(text).unwrap_or_default();
-        let plain = title.trim().chars().filter(|it| is_plain(*it));
-        let title: String = plain.take(MOST_LETTERS).collect();
+        let title = plain(title.trim(), MOST_LETTERS);
         if title.is_empty() {
             return "drawing".to_owned();
         }

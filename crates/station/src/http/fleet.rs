@@ -162,13 +162,13 @@ pub(super) async fn stop(
     };
     let answers = port.ask(&wanted.to, request).await?;
     if fleet.is_some() {
-        let silent = |it: &&Arc<Member>| {
-            let failed = |answer: &MemberAnswer| {
-                (&answer.member, &answer.id) == (&it.name, &it.id) && !answer.answer.is_success()
-            };
-            answers.iter().any(failed)
-        };
-        let silent = port.members().iter().filter(silent).cloned().collect();
+        let failed = answers.iter().filter(|it| !it.answer.is_success());
+        let failed: HashSet<_> = failed.map(|it| (&it.member, &it.id)).collect();
+        let members = port.members();
+        let silent = members
+            .iter()
+            .filter(|it| failed.contains(&(&it.name, &it.id)));
+        let silent = silent.cloned().collect();
         let port = port.clone();
         // They are told until they answer; whoever stops does not wait for that.
         tokio::spawn(async move { drop(port.tell_stops(silent).await) });

@@ -20,7 +20,7 @@ use super::answer::{Body, JOB, NotDone};
 use super::app::{App, Peer};
 use super::calls::Asker;
 use super::drawings::NewDrawing;
-use crate::{FleetPort, work_hurdle};
+use crate::{FleetPort, UNSETTLED, work_hurdle};
 
 /// Work that a station offers: a drawing or a job.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
@@ -235,6 +235,3 @@ async fn start(handle: Handle, job: u64, student: String) {
 }
 
 const LONGEST_TITLE: usize = 200;
-/// Why a station that has just come, or was away, takes no work yet.
-const UNSETTLED: &str =
-    "the station has just come or come back; it learns first whether the fleet is stopped";

@@ -12,9 +12,9 @@ use super::chance::Chance;
 use super::guardians::told;
 use super::jobs::{DOWN_MM, Sort};
 use super::paper::Paper;
-use super::scene::{GivenCounts, LASER_OFF, Scene, Wrong, burns, each_seed};
+use super::scene::{GivenCounts, LASER_OFF, Scene, Wrong, each_seed};
 use super::spread::Spread;
-use super::stops::{jog, targets, work};
+use super::stops::{jog, targets, watch, work};
 
 /// What goes wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -302,28 +302,14 @@ fn works(it: &VirtualStation) -> bool {
 fn stop_for_good(figures: &mut Sessions, scene: &mut Scene) -> Result<(), Wrong> {
     let (at, burnt) = (scene.it.now(), scene.burns());
     stop(scene, true)?;
-    let held = scene.it.supervisor().state().stop;
-    let held = held.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
-    let promised_s = held.rests_by_s - held.at_s;
-    let mut lit = at;
-    let latest =
-        at + Duration::from_secs_f64(promised_s.clamp(4.0, 600.0)) + Duration::from_secs(8);
-    scene.it.run_until(latest, |it| {
-        if burns(it) {
-            lit = it.now();
-        }
-        false
-    });
-    let rest_s = (scene.rested_s() - at.as_secs_f64()).max(0.0);
-    figures.rest_s.add(rest_s);
+    let stopped = watch(scene, at)?;
+    figures.rest_s.add(stopped.took_s);
     if burnt {
-        figures.dark_s.add_time(at, lit);
+        figures.dark_s.add_time(at, stopped.lit);
     }
-    if rest_s > promised_s {
-        return Err(Wrong(format!("promised {promised_s} s, took {rest_s} s")));
-    }
-    if lit.saturating_sub(at).as_secs_f64() > promised_s.max(0.2) {
-        return Err(Wrong(format!("promised {promised_s} s, lit until {lit:?}")));
+    stopped.check_rest()?;
+    if stopped.burns_too_long() {
+        return Err(Wrong(format!("the laser was on until {:?}", stopped.lit)));
     }
     if scene.burns() {
         return Err(Wrong("the laser is on in the end".into()));

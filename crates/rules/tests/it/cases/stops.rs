@@ -121,6 +121,31 @@ fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), W
 fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
     let (at, burnt) = (scene.it.now(), scene.burns());
     scene.it.ask(scene.anna, Request::Stop { reason: None })?;
+    let stopped = watch(scene, at)?;
+    figures.times += 1;
+    figures.promised_s.add(stopped.promised.as_secs_f64());
+    figures.took_s.add(stopped.took_s);
+    if burnt {
+        figures.dark_s.add_time(at, stopped.lit);
+    }
+    figures.burnt += usize::from(stopped.burns_too_long());
+    let late = stopped.check_rest();
+    figures.late += usize::from(late.is_err());
+    late
+}
+
+/// What became of an arm that was stopped.
+pub(super) struct Stopped {
+    at: Duration,
+    promised: Duration,
+    /// How long it took to come to rest, in seconds.
+    pub(super) took_s: f64,
+    /// When the laser was seen on last; the time of the stop where it was not.
+    pub(super) lit: Duration,
+}
+
+/// Watches an arm that was stopped at this time, until long after it has to rest.
+pub(super) fn watch(scene: &mut Scene, at: Duration) -> Result<Stopped, Wrong> {
     let stop = scene.it.supervisor().state().stop;
     let stop = stop.ok_or_else(|| Wrong("no stop holds the arm".into()))?;
     let promised = Duration::try_from_secs_f64(stop.rests_by_s - stop.at_s).unwrap_or_default();
@@ -135,22 +160,31 @@ fn stop(figures: &mut Stops, scene: &mut Scene) -> Result<(), Wrong> {
         at + promised.max(Duration::from_secs(4)) + Duration::from_secs(8),
         note,
     );
-    let took_s = (scene.rested_s() - at.as_secs_f64()).max(0.0);
-    figures.times += 1;
-    figures.promised_s.add(promised.as_secs_f64());
-    figures.took_s.add(took_s);
-    if burnt {
-        figures.dark_s.add_time(at, lit);
+    Ok(Stopped {
+        at,
+        promised,
+        took_s: (scene.rested_s() - at.as_secs_f64()).max(0.0),
+        lit,
+    })
+}
+
+impl Stopped {
+    /// Whether the laser was on for longer than promised. The last packets are repeated, and need not have arrived at first.
+    pub(super) fn burns_too_long(&self) -> bool {
+        let dark_by = self.promised.max(Duration::from_millis(200));
+        self.lit.saturating_sub(self.at) > dark_by
     }
-    // The last packets say it again, and again; they need not have been heard by then.
-    let dark_by = promised.max(Duration::from_millis(200));
-    figures.burnt += usize::from(lit.saturating_sub(at) > dark_by);
-    if took_s > promised.as_secs_f64() {
-        figures.late += 1;
-        let text = format!("promised {promised:?}, took {took_s} s");
-        return Err(Wrong(text));
+
+    /// Whether the arm came to rest as soon as promised.
+    pub(super) fn check_rest(&self) -> Result<(), Wrong> {
+        let Self {
+            promised, took_s, ..
+        } = self;
+        if *took_s > promised.as_secs_f64() {
+            return Err(Wrong(format!("promised {promised:?}, took {took_s} s")));
+        }
+        Ok(())
     }
-    Ok(())
 }
 
 pub(super) fn work(scene: &mut Scene, sort: Sort, chance: &mut Chance) -> Result<(), Wrong> {

@@ -78,9 +78,9 @@ async fn a_plan_is_kept_for_half_an_hour_and_then_forgotten() {
     let place = json!({"at": [200, 30], "pen_down": -30});
     let view = planned(&harness, file("cross.svg", SVG.as_bytes(), &place)).await;
     let path = format!("/api/v1/drawings/{}", view["drawing"]);
-    tokio::time::sleep(Duration::from_mins(29)).await;
+    tokio::time::sleep(Duration::from_secs(29 * 60)).await;
     assert_eq!(harness.bare("GET", &path).await.value()["phase"], "planned");
-    tokio::time::sleep(Duration::from_mins(2)).await;
+    tokio::time::sleep(Duration::from_secs(2 * 60)).await;
     let view = harness.bare("GET", &path).await.value();
     assert_eq!(view["phase"], "failed", "{view}");
     assert_eq!(view["problem"]["hint"], "plan it again", "{view}");
