@@ -26,10 +26,10 @@ const students = {};
 const stations = new Map(), browsers = [], errors = [];
 
 const inside = (network) => ["ip", "netns", "exec", network];
-const beginRouter = async () => (await start(["fleet", "router", "--listen", "tls/0.0.0.0:7447", "--fleet=keys/router"], /the router is at (\S+)/, inside("router"))).child;
+const beginRouter = async () => (await start(["fleet", "router", "--listen", "quic/0.0.0.0:7447", "--fleet=keys/router"], /the router is at (\S+)/, inside("router"))).child;
 
 async function beginDesk(name, number) {
-  const words = ["up", "--virtual", "--raw", "off", "--no-open", "--data", resolve(name), "--name", name, `--fleet=keys/${name}`, "--connect", `tls/10.7.${number}.1:7447`, ...DESKS[name]];
+  const words = ["up", "--virtual", "--raw", "off", "--no-open", "--data", resolve(name), "--name", name, `--fleet=keys/${name}`, "--connect", `quic/10.7.${number}.1:7447`, ...DESKS[name]];
   return (await start(words, /page +(http:\S+)/, inside(name))).child;
 }
 

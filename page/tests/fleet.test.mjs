@@ -39,7 +39,7 @@ async function beginStation(name, at, data = name) {
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "dobot-fleet-"));
-  const at = `tls/127.0.0.1:${await freePort()}`;
+  const at = `quic/127.0.0.1:${await freePort()}`;
   router = { at, ...(await start(["fleet", "router", "--listen", at], /the router is at (\S+)/)) };
   // The teacher has one token for all stations.
   const file = join(folder, "teacher");

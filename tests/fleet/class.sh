@@ -35,7 +35,7 @@ sees() {
 
 start_router() {
   # The process that is killed is the router itself.
-  (exec ip netns exec router "$PROGRAM" fleet router --listen tls/0.0.0.0:7447 --fleet=keys/router) >router.log 2>&1 &
+  (exec ip netns exec router "$PROGRAM" fleet router --listen quic/0.0.0.0:7447 --fleet=keys/router) >router.log 2>&1 &
   router=$!
 }
 
@@ -44,7 +44,7 @@ start_router
 for number in 1 2 3; do
   desk=desk-$number
   at $desk "$PROGRAM" up --virtual --raw off --no-open --name $desk --group room-$((number / 2)) \
-    --fleet=keys/$desk --connect tls/10.7.$number.1:7447 >$desk.log 2>&1 &
+    --fleet=keys/$desk --connect quic/10.7.$number.1:7447 >$desk.log 2>&1 &
 done
 for number in 1 2 3; do
   sees desk-$number 3 free
@@ -52,7 +52,7 @@ done
 echo "three stations see each other over the router"
 
 token=$("$PROGRAM" token --data desk-2 add control peer)
-at router "$PYTHON" "$here/peer.py" tls/127.0.0.1:7447 keys/peer desk-2 "$token"
+at router "$PYTHON" "$here/peer.py" quic/127.0.0.1:7447 keys/peer desk-2 "$token"
 sees desk-1 1 'stopped by fleet: by a peer in Python'
 sees desk-3 2 free
 echo "a peer in Python read all states, and stopped desk-2"
@@ -85,7 +85,7 @@ for name in alone loopback; do
   at $name "$PROGRAM" up --virtual --raw off --no-open --name $name --http 127.0.0.1:0 $fleet >$name.log 2>&1 &
 done
 sees loopback 1 free
-at router "$PYTHON" "$here/stranger.py" tls/10.7.1.1:0 to1 alone keys/peer
+at router "$PYTHON" "$here/stranger.py" quic/10.7.1.1:0 to1 alone keys/peer
 for name in alone loopback; do
   sees $name 1 free
 done

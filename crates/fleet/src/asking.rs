@@ -67,6 +67,8 @@ const WITHIN: Duration = Duration::from_secs(60);
 const STOP_WITHIN: Duration = Duration::from_secs(2);
 /// How long one may take to show who it is.
 const MEET_WITHIN: Duration = Duration::from_secs(5);
+/// The longest request to stop, in bytes: it may have a reason.
+const LONGEST_STOP: usize = 4096;
 /// How many requests of others are answered at once; a stop is answered always.
 const AT_ONCE: usize = 64;
 
@@ -275,6 +277,12 @@ fn json(value: &impl serde::Serialize) -> Vec<u8> {
 
 fn is_stop(request: &ApiRequest) -> bool {
     request.method == "POST" && request.path == "/api/v1/stop"
+}
+
+/// Whether this asks to stop. What is longer than a stop is not read for that.
+pub(crate) fn asks_to_stop(query: &Query) -> bool {
+    let payload = query.payload().filter(|it| it.len() <= LONGEST_STOP);
+    payload.is_some() && read(&bytes(payload)).is_ok_and(|request| is_stop(&request))
 }
 
 /// Answers others.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::time::{Duration, SystemTime};
 
@@ -23,6 +23,8 @@ pub struct Credentials {
     certificate: String,
     key: String,
     revoked: BTreeSet<String>,
+    /// Where the revoked ones stand, also those that are revoked later.
+    revoked_file: Option<PathBuf>,
     /// Whether they are those of a person for the programs on this machine.
     is_local: bool,
 }
@@ -132,6 +134,7 @@ impl Credentials {
             certificate: read(&certificate)?,
             key: read(&key)?,
             revoked: lines(&folder.join(REVOKED))?,
+            revoked_file: Some(folder.join(REVOKED)),
             is_local: false,
         };
         credentials.identity()?;
@@ -243,6 +246,11 @@ impl Credentials {
     /// The certificates that count no longer, by their common names.
     pub(crate) const fn revoked(&self) -> &BTreeSet<String> {
         &self.revoked
+    }
+
+    /// The file with the revoked certificates; those of a person on one machine are not revoked.
+    pub(crate) fn revoked_file(&self) -> Option<&Path> {
+        self.revoked_file.as_deref()
     }
 
     /// The authority's certificate, the own one, and its key, as Zenoh takes them.
@@ -363,6 +371,7 @@ impl Authority {
             certificate: certificate.pem(),
             key: pair.serialize_pem(),
             revoked: BTreeSet::new(),
+            revoked_file: None,
             is_local: false,
         })
     }
@@ -385,6 +394,17 @@ fn der(pem: &str) -> Result<Vec<u8>, CredentialsError> {
 }
 
 /// The lines of a file; none where there is no file.
+/// The revoked certificates in a file, where it has changed after `before`.
+pub(crate) fn read_revoked(
+    file: &Path,
+    before: Option<SystemTime>,
+) -> Option<(SystemTime, BTreeSet<String>)> {
+    let changed = std::fs::metadata(file).and_then(|it| it.modified()).ok()?;
+    // A file that cannot be read changes nothing: what was revoked stays revoked.
+    let revoked = (Some(changed) != before).then(|| lines(file).ok())??;
+    Some((changed, revoked))
+}
+
 fn lines(file: &Path) -> Result<BTreeSet<String>, CredentialsError> {
     if !file.exists() {
         return Ok(BTreeSet::new());
@@ -484,6 +504,7 @@ mod tests {
             certificate: certificate.pem(),
             key: pair.serialize_pem(),
             revoked: BTreeSet::new(),
+            revoked_file: None,
             is_local: false,
         }
     }

@@ -1,7 +1,7 @@
 //! Who a member is: what its certificate says, and what it signs.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError, RwLock};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use dobot_api::is_fleet_name;
@@ -33,7 +33,7 @@ pub(crate) struct Identity {
     certificate: Vec<u8>,
     key: EcdsaKeyPair,
     authority: Vec<u8>,
-    revoked: BTreeSet<String>,
+    revoked: RwLock<BTreeSet<String>>,
     random: SystemRandom,
 }
 
@@ -85,7 +85,7 @@ impl Identity {
             key: key.map_err(|_| unusable("key.pem holds no P-256 key"))?,
             authority: authority.public_key().subject_public_key.data.to_vec(),
             certificate,
-            revoked,
+            revoked: RwLock::new(revoked),
             random,
         };
         let own = identity.peer(&identity.certificate);
@@ -131,10 +131,17 @@ impl Identity {
         if peer.expires_s <= now_s() {
             return Err("it has expired");
         }
-        if self.revoked.contains(&peer.common_name) {
+        let revoked = self.revoked.read().unwrap_or_else(PoisonError::into_inner);
+        if revoked.contains(&peer.common_name) {
             return Err("it is revoked");
         }
         Ok(())
+    }
+
+    /// Revokes more certificates. What is revoked stays so while the program runs.
+    pub(crate) fn revoke(&self, more: BTreeSet<String>) {
+        let mut revoked = self.revoked.write().unwrap_or_else(PoisonError::into_inner);
+        revoked.extend(more);
     }
 
     /// Signs a statement.

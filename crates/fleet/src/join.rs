@@ -90,13 +90,7 @@ impl Fleet {
         let mut roster = Roster::new(own.clone());
         let at_s = api.handle().state().state().at_s;
         roster.came(alive.clone(), Some(identity.own().clone()), at_s);
-        let opening = Network::open(
-            session.clone(),
-            alive,
-            roster.peers().clone(),
-            config.about.clone(),
-            api.handle().clone(),
-        );
+        let opening = Network::open(session.clone(), alive, roster.peers().clone());
         let mut opening: Opening = Box::pin(opening);
         if session.is_open() {
             // What is wrong is told at once.
@@ -213,6 +207,12 @@ impl Joined {
                     }
                     Incoming::Stops(query) => {
                         asking.spawn(stops::answer(self.api.handle().clone(), answering.clone(), query));
+                    }
+                    Incoming::About(query) => {
+                        let told = telling::told(&self.about, &self.api.handle().state());
+                        if let Some(network) = &self.network {
+                            asking.spawn(network.answer_about(query, told));
+                        }
                     }
                     Incoming::Told(sample) => self.hear(&sample),
                 },
@@ -440,6 +440,8 @@ impl Joined {
     }
 
     fn tick(&mut self) {
+        self.roster
+            .forget_strangers(|it| self.identity.check(it).is_ok());
         let (joined, _) = self.since;
         let state = self.api.handle().state();
         let is_due = self.pace.is_due(joined.elapsed(), state.state());

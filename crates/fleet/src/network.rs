@@ -3,11 +3,9 @@
 use std::pin::Pin;
 use std::time::{Duration, Instant};
 
-use dobot_api::MemberAbout;
-use dobot_rules::Handle;
 use tokio::sync::mpsc;
 use tokio::time::timeout;
-use zenoh::handlers::{FifoChannelHandler, RingChannel, RingChannelHandler};
+use zenoh::handlers::{RingChannel, RingChannelHandler};
 use zenoh::liveliness::LivelinessToken;
 use zenoh::pubsub::{Publisher, Subscriber};
 use zenoh::query::{ConsolidationMode, Query, QueryTarget, Queryable};
@@ -15,27 +13,27 @@ use zenoh::sample::Sample;
 use zenoh::{Session, Wait};
 
 use crate::FleetError;
-use crate::asking::{Peers, Way};
+use crate::asking::{self, Peers, Way};
 use crate::keys::{ALL_ALIVE, API, Alive, SEALED, STOPS, TOLD, of_all};
 use crate::session::FleetSession;
-use crate::telling::{self, Teller};
+use crate::telling::Teller;
 
 /// The way to the others.
 pub(crate) struct Network {
     way: Way,
     /// Who came and went. Nobody waits for this station to hear it: others of this program may join by the same session.
     lives: mpsc::UnboundedReceiver<Sample>,
-    asked: Queryable<FifoChannelHandler<Query>>,
-    sealed: Queryable<FifoChannelHandler<Query>>,
-    /// Who tells which stops of the fleet there are.
-    stops: Queryable<FifoChannelHandler<Query>>,
+    /// Requests to stop, and stops of the fleet: they wait behind nothing else.
+    urgent: mpsc::Receiver<Incoming>,
+    /// All other requests.
+    requests: mpsc::Receiver<Incoming>,
     /// What the others tell, while somebody looks.
     others: Option<Others>,
     /// What this station tells.
     telling: Publisher<'static>,
     teller: Teller,
     /// What says that it is there, and what it is and does, for as long as this is kept.
-    declared: (LivelinessToken, Queryable<()>, Subscriber<()>),
+    declared: (LivelinessToken, [Queryable<()>; 4], Subscriber<()>),
 }
 
 /// The network, while the router is waited for.
@@ -47,6 +45,8 @@ pub(crate) enum Incoming {
     Asked(Query),
     Sealed(Query),
     Stops(Query),
+    /// Somebody asks what this station is and does.
+    About(Query),
     Told(Sample),
 }
 
@@ -56,6 +56,8 @@ const TELL_WITHIN: Duration = Duration::from_secs(1);
 const FOLLOW_FOR: Duration = Duration::from_secs(10);
 /// So much of what the others tell waits for this station; of more the oldest is dropped, since each tells it anew every second.
 const TOLD_AT_ONCE: usize = 4096;
+/// How many requests wait for this station; more are left without an answer.
+const REQUESTS_AT_ONCE: usize = 256;
 
 impl Network {
     /// Opens the way, as soon as there is one. `peers` are those who are known to be asked.
@@ -63,24 +65,17 @@ impl Network {
         mut session: FleetSession,
         alive: Alive,
         peers: Peers,
-        about: MemberAbout,
-        handle: Handle,
     ) -> Result<Self, FleetError> {
         let way = Way {
             session: session.opened().await?,
             identity: session.identity().clone(),
             peers,
         };
-        let declared = Self::declare(way, alive, about, handle).await;
+        let declared = Self::declare(way, alive).await;
         declared.map_err(|error| FleetError::zenoh(&error))
     }
 
-    async fn declare(
-        way: Way,
-        alive: Alive,
-        about: MemberAbout,
-        handle: Handle,
-    ) -> Result<Self, zenoh::Error> {
+    async fn declare(way: Way, alive: Alive) -> Result<Self, zenoh::Error> {
         let (session, own) = (&way.session, &alive.member);
         let teller = Teller::new(way.identity.clone(), own.clone(), alive.run);
         let (tells, lives) = mpsc::unbounded_channel();
@@ -88,25 +83,39 @@ impl Network {
         let others = liveliness.declare_subscriber(ALL_ALIVE).history(true);
         // One that has left hears nothing more.
         let others = others.callback(move |it| drop(tells.send(it))).await?;
-        let asked = session.declare_queryable(own.resource(API)).await?;
-        let sealed = session.declare_queryable(own.resource(SEALED)).await?;
-        let stops = session.declare_queryable(own.resource(STOPS)).await?;
-        let told = session.declare_queryable(own.resource(TOLD));
-        let told = told
-            .callback(answers(own.resource(TOLD), teller.clone(), about, handle))
-            .await?;
+        let (to_urgent, urgent) = mpsc::channel(REQUESTS_AT_ONCE);
+        let (to_requests, requests) = mpsc::channel(REQUESTS_AT_ONCE);
+        // Never waits: a callback that waits keeps its link from receiving, a stop too, and a peer closes a link that takes
+        // nothing for some seconds.
+        let queue = async |what, put: fn(Query) -> Incoming| {
+            let (to_urgent, to_requests) = (to_urgent.clone(), to_requests.clone());
+            let queryable = session.declare_queryable(own.resource(what));
+            let queryable = queryable.callback(move |query| {
+                let is_urgent = what == STOPS || (what == API && asking::asks_to_stop(&query));
+                let queue = if is_urgent { &to_urgent } else { &to_requests };
+                if queue.try_send(put(query)).is_err() {
+                    tracing::info!(what, "a request of the fleet is dropped: too many wait");
+                }
+            });
+            queryable.await
+        };
+        let queryables = [
+            queue(API, Incoming::Asked).await?,
+            queue(SEALED, Incoming::Sealed).await?,
+            queue(STOPS, Incoming::Stops).await?,
+            queue(TOLD, Incoming::About).await?,
+        ];
         let telling = session.declare_publisher(own.resource(TOLD)).await?;
         let token = liveliness.declare_token(alive.key()).await?;
         Ok(Self {
             way,
             lives,
-            asked,
-            sealed,
-            stops,
+            urgent,
+            requests,
             others: None,
             telling,
             teller,
-            declared: (token, told, others),
+            declared: (token, queryables, others),
         })
     }
 
@@ -118,10 +127,9 @@ impl Network {
     /// What comes next.
     async fn next(&mut self) -> Incoming {
         tokio::select! {
-            Ok(query) = self.stops.recv_async() => Incoming::Stops(query),
+            Some(request) = self.urgent.recv() => request,
             Some(sample) = self.lives.recv() => Incoming::Life(sample),
-            Ok(query) = self.asked.recv_async() => Incoming::Asked(query),
-            Ok(query) = self.sealed.recv_async() => Incoming::Sealed(query),
+            Some(request) = self.requests.recv() => request,
             Ok(sample) = told(self.others.as_ref()) => Incoming::Told(sample),
             else => std::future::pending().await,
         }
@@ -166,6 +174,22 @@ impl Network {
         let signed = self.teller.sign(&told);
         if let Err(error) = self.telling.put(told).attachment(signed).wait() {
             tracing::info!(%error, "the fleet is not told");
+        }
+    }
+
+    /// Answers one who asks what this station is and does.
+    pub(crate) fn answer_about(
+        &self,
+        query: Query,
+        told: Vec<u8>,
+    ) -> impl Future<Output = ()> + Send + 'static {
+        let signed = self.teller.sign(&told);
+        let key = self.telling.key_expr().clone();
+        async move {
+            let reply = query.reply(key, told).attachment(signed);
+            if let Err(error) = reply.await {
+                tracing::info!(%error, "an answer to the fleet is lost");
+            }
         }
     }
 
@@ -218,21 +242,5 @@ async fn told(others: Option<&Others>) -> Result<Sample, zenoh::Error> {
     match others {
         Some(others) => others.told.recv_async().await,
         None => std::future::pending().await,
-    }
-}
-
-/// Tells those who ask what this station is and does.
-fn answers(
-    key: String,
-    teller: Teller,
-    about: MemberAbout,
-    handle: Handle,
-) -> impl Fn(Query) + Send + Sync {
-    move |query| {
-        let told = telling::told(&about, &handle.state());
-        let signed = teller.sign(&told);
-        if let Err(error) = query.reply(&key, told).attachment(signed).wait() {
-            tracing::info!(%error, "an answer to the fleet is lost");
-        }
     }
 }

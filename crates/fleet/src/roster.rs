@@ -199,6 +199,21 @@ impl Roster {
         }
     }
 
+    /// Forgets the stations whose certificates count no longer; `counts` says of each whether it does.
+    pub(crate) fn forget_strangers(&mut self, counts: impl Fn(&Peer) -> bool) {
+        let is_stranger = |seen: &Seen| seen.peer.as_deref().is_some_and(|it| !counts(it));
+        let strangers = self
+            .seen
+            .iter()
+            .filter(|(key, it)| **key != self.own && is_stranger(it));
+        let strangers: Vec<_> = strangers.map(|(key, _)| key.clone()).collect();
+        for member in strangers {
+            self.members = None;
+            self.forget(&member);
+            self.judge(&member.name);
+        }
+    }
+
     /// A station tells of itself, and has signed it. What was told before, or by somebody else, is not kept.
     pub(crate) fn hear(
         &mut self,

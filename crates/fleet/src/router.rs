@@ -11,7 +11,7 @@ pub struct Router {
 }
 
 impl Router {
-    /// Starts a router at these addresses, each as in `tls/0.0.0.0:7447`.
+    /// Starts a router at these addresses, each as in `quic/0.0.0.0:7447`.
     ///
     /// # Errors
     ///

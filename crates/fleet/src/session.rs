@@ -1,10 +1,15 @@
 //! The way of a program into its fleet.
 
-use std::sync::Arc;
+use std::path::PathBuf;
+use std::sync::{Arc, Weak};
+use std::time::Duration;
 
 use tokio::sync::watch;
+use tokio::task::spawn_blocking;
+use tokio::time::{MissedTickBehavior, interval};
 use zenoh::{Session, Wait};
 
+use crate::credentials::read_revoked;
 use crate::identity::Identity;
 use crate::{Credentials, FleetError, config};
 
@@ -18,8 +23,11 @@ pub struct FleetSession {
     is_on_one_machine: bool,
 }
 
+/// How often it is looked whether more certificates are revoked.
+const LOOK_EVERY: Duration = Duration::from_millis(100);
+
 impl FleetSession {
-    /// Opens a session by routers, each as in `tls/router.school:7447`; it does not wait for them. Without any it looks
+    /// Opens a session by routers, each as in `quic/router.school:7447`; it does not wait for them. Without any it looks
     /// for other stations by itself: on its network, or on this machine where the credentials are those of a person.
     ///
     /// # Errors
@@ -39,6 +47,9 @@ impl FleetSession {
             .name("fleet".into())
             .spawn(opens)
             .map_err(|error| FleetError::Zenoh(error.to_string()))?;
+        if let Some(file) = credentials.revoked_file() {
+            tokio::spawn(follow_revoked(file.to_owned(), Arc::downgrade(&identity)));
+        }
         let mut session = Self {
             opened,
             identity,
@@ -81,5 +92,24 @@ impl FleetSession {
         let opened = opened.map_err(|error| FleetError::Zenoh(error.to_string()))?;
         let opened = opened.clone().expect("it is waited for until it is there");
         opened.map_err(FleetError::Zenoh)
+    }
+}
+
+/// Revokes what is revoked while the program runs.
+async fn follow_revoked(file: PathBuf, identity: Weak<Identity>) {
+    let mut looks = interval(LOOK_EVERY);
+    looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    let mut seen = None;
+    loop {
+        looks.tick().await;
+        let (path, before) = (file.clone(), seen);
+        let read = spawn_blocking(move || read_revoked(&path, before)).await;
+        let Some(identity) = identity.upgrade() else {
+            return;
+        };
+        if let Ok(Some((changed, revoked))) = read {
+            seen = Some(changed);
+            identity.revoke(revoked);
+        }
     }
 }

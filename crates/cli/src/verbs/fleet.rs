@@ -26,7 +26,7 @@ Examples:
   dobot fleet stop --reason \"fire drill\"         all arms; `dobot fleet stop --group room-2` those of one group
   dobot fleet stop --reset                       a person has looked: all may move again; --reset=desk-1 one of them
   dobot fleet certificates keys desk-1 desk-2 router=192.168.7.1    a folder with a certificate for each
-  dobot fleet router --listen tls/0.0.0.0:7447 --fleet=keys/router
+  dobot fleet router --listen quic/0.0.0.0:7447 --fleet=keys/router
 
 A station joins with `dobot up --fleet`; docs/fleet.md tells how a school sets one up. Each station keeps its rules,
 its tokens and its own page, where its arm is stopped even when the network is gone.")]

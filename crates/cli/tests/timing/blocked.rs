@@ -46,6 +46,13 @@ fn delay_until(bench: &Bench, at: Instant, wanted: &[Command]) -> Duration {
     }
 }
 
+/// A file of the data folder that hangs whoever opens it to write.
+fn unread_pipe(bench: &Bench, name: &str) {
+    let mode = rustix::fs::Mode::from_bits_truncate(0o600);
+    let file = bench.folder().join(name);
+    rustix::fs::mkfifoat(rustix::fs::CWD, &file, mode).expect("there is room");
+}
+
 #[test]
 fn a_killed_or_frozen_station_is_spoken_for_though_nobody_reads_standard_error() {
     for format in FORMATS {
@@ -83,9 +90,7 @@ fn a_verb_that_is_killed_is_spoken_for_though_nobody_reads_its_standard_error() 
 #[test]
 fn a_killed_station_is_spoken_for_though_its_note_is_a_pipe_that_nobody_reads() {
     let bench = Bench::new();
-    let note = bench.folder().join("guardian.txt");
-    let mode = rustix::fs::Mode::from_bits_truncate(0o600);
-    rustix::fs::mkfifoat(rustix::fs::CWD, &note, mode).expect("there is room");
+    unread_pipe(&bench, "guardian.txt");
     let (mut station, _errors) = bench.station_with_errors();
     bench.confirm();
     let _holder = bench.jog("base+");
@@ -120,4 +125,32 @@ fn a_released_button_and_a_stop_reach_the_arm_though_nobody_reads_standard_error
             "{format}: {after:?} {at:?}"
         );
     }
+}
+
+#[test]
+fn a_stop_a_release_and_a_frozen_station_reach_the_arm_though_the_disk_hangs() {
+    let bench = Bench::new();
+    // The stop is written here, and the disk never answers.
+    unread_pipe(&bench, "stop.new");
+    let (station, _errors) = bench.station_with_errors();
+    bench.confirm();
+    for _ in 0..2 {
+        let _holder = bench.jog("base-");
+        let at = Instant::now();
+        bench.dobot(&["stop", "--reason", "test"]).succeeds();
+        let after = delay_until(&bench, at, &[LASER_OFF]);
+        assert!(after < Duration::from_millis(500), "{after:?}");
+        let after = delay_until(&bench, at, &[JOINT_RELEASE]);
+        assert!(after < Duration::from_millis(700), "{after:?}");
+        bench.dobot(&["stop", "--reset"]).succeeds();
+    }
+    let holder = bench.jog("base+");
+    let at = Instant::now();
+    assert_eq!(holder.interrupt(), Some(0));
+    let after = delay_until(&bench, at, &[JOINT_RELEASE]);
+    assert!(after < Duration::from_millis(500), "{after:?}");
+    let _holder = bench.jog("base+");
+    let at = Instant::now();
+    rustix::process::kill_process(station.pid(), Signal::STOP).expect("it is there");
+    bench.check_words(at, JOINT_RELEASE);
 }

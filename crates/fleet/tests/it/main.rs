@@ -218,7 +218,12 @@ fn is_away(name: &str) -> impl Fn(&[Member]) -> bool {
 }
 
 async fn router(port: u16) -> (Router, String) {
-    let address = format!("tls/127.0.0.1:{port}");
+    let address = format!("quic/127.0.0.1:{port}");
+    // A router that has ended lets its port go a little later.
+    let mut looks = interval(Duration::from_millis(10));
+    while std::net::UdpSocket::bind(("127.0.0.1", port)).is_err() {
+        looks.tick().await;
+    }
     let router = Router::start(std::slice::from_ref(&address), &of_this_machine("router")).await;
     (router.unwrap(), address)
 }
@@ -384,7 +389,7 @@ async fn time_slots_are_set_for_a_group_and_outlive_their_station() {
 #[tokio::test(flavor = "multi_thread")]
 async fn without_its_router_a_station_goes_on_and_finds_the_others_again() {
     let port = free_port();
-    let at = format!("tls/127.0.0.1:{port}");
+    let at = format!("quic/127.0.0.1:{port}");
     let one = Desk::up("desk-1", &at, None).await;
     one.sees("itself, before there is a router", present(&["desk-1"]))
         .await;
@@ -458,7 +463,7 @@ fn certificates(folder: &Path) -> Vec<Credentials> {
 async fn only_those_with_a_certificate_of_the_fleet_belong_to_it() {
     let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
     let [ours, strange] = folders.each_ref().map(|it| certificates(it.path()));
-    let at = format!("tls/127.0.0.1:{}", free_port());
+    let at = format!("quic/127.0.0.1:{}", free_port());
     let router = Router::start(std::slice::from_ref(&at), &ours[0]).await;
     let router = router.unwrap();
     let stranger = Desk::up("desk-1", &at, Some(strange[1].clone())).await;
@@ -618,7 +623,7 @@ async fn a_large_request_that_is_not_sealed_is_refused_and_a_stop_works_after_it
     let stranger = stranger_who_sees("desk-1", &at).await;
     let large = json!({
         "method": "POST", "path": "/api/v1/jobs", "token": one.admin(),
-        "body": {"title": "x".repeat(65 << 20)},
+        "body": {"title": "x".repeat(8 << 20)},
     });
     let large = serde_json::to_vec(&large).unwrap();
     let asked = stranger.get("dobot/2/desk-1/*/api").payload(large);

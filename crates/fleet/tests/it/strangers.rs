@@ -217,7 +217,7 @@ async fn a_thousand_stations_that_are_none_keep_nobody_from_asking_and_stopping(
 #[tokio::test(flavor = "multi_thread")]
 async fn whoever_has_a_revoked_certificate_neither_sees_nor_stops_anybody() {
     let folder = tempfile::tempdir().unwrap();
-    let at = format!("tls/127.0.0.1:{}", free_port());
+    let at = format!("quic/127.0.0.1:{}", free_port());
     // A copy on a stick that was lost.
     let stick = certificates(folder.path()).remove(2);
     Credentials::revoke(folder.path(), "desk-2").unwrap();
@@ -237,6 +237,30 @@ async fn whoever_has_a_revoked_certificate_neither_sees_nor_stops_anybody() {
     let (_, state) = two.ask("GET", "/api/v1/state", None).await;
     assert!(state["stop"].is_null(), "{state}");
     for desk in [one, two, lost] {
+        desk.end().await;
+    }
+    router.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_certificate_that_is_revoked_while_all_run_counts_no_longer() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = format!("quic/127.0.0.1:{}", free_port());
+    drop(certificates(folder.path()));
+    let of = |name: &str| Credentials::read(&folder.path().join(name)).unwrap();
+    let router = Router::start(std::slice::from_ref(&at), &of("router")).await;
+    let router = router.unwrap();
+    let one = Desk::up("desk-1", &at, Some(of("desk-1"))).await;
+    let lost = Desk::up("desk-2", &at, Some(of("desk-2"))).await;
+    one.sees("desk-2", present(&["desk-1", "desk-2"])).await;
+    lost.sees("desk-1", present(&["desk-1", "desk-2"])).await;
+    Credentials::revoke(folder.path(), "desk-2").unwrap();
+    one.sees("desk-2 no longer", present(&["desk-1"])).await;
+    let lease = json!({"to": {"members": ["desk-1"]}, "method": "POST", "path": "/api/v1/lease"});
+    let answers = lost.all_as(Some(lost.admin()), lease).await;
+    let problem = answers[0].answer.body["detail"].as_str().unwrap();
+    assert!(problem.contains("it is revoked"), "{answers:?}");
+    for desk in [one, lost] {
         desk.end().await;
     }
     router.end().await;

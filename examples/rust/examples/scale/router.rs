@@ -22,7 +22,7 @@ impl RouterProcess {
     pub(crate) fn start() -> Result<Self, Box<dyn Error + Send + Sync>> {
         // Free now; Zenoh does not tell which port it took by itself.
         let port = TcpListener::bind("127.0.0.1:0")?.local_addr()?.port();
-        let address = format!("tls/127.0.0.1:{port}");
+        let address = format!("quic/127.0.0.1:{port}");
         let mut child = Command::new(std::env::current_exe()?)
             .args([WORD, &address])
             .stdin(Stdio::piped())

@@ -57,8 +57,8 @@ impl RevokeArgs {
 /// Run a router.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct RouterArgs {
-    /// Where stations reach it, as in tls/0.0.0.0:7447; may be given several times
-    #[arg(long, value_name = "ADDRESS", default_value = "tls/127.0.0.1:7447")]
+    /// Where stations reach it, as in quic/0.0.0.0:7447; may be given several times
+    #[arg(long, value_name = "ADDRESS", default_value = "quic/127.0.0.1:7447")]
     listen: Vec<String>,
     /// The folder with its certificate; without one it is for this person's stations on this machine
     #[arg(long, value_name = "FOLDER")]

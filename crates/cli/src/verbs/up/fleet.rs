@@ -17,7 +17,7 @@ pub(super) struct JoinArgs {
         reason = "it is given with a folder, without one, or not at all"
     )]
     fleet: Option<Option<PathBuf>>,
-    /// A router by which it joins, as in tls/router.school:7447; may be given several times (default: it looks for the
+    /// A router by which it joins, as in quic/router.school:7447; may be given several times (default: it looks for the
     /// others by itself)
     #[arg(long, value_name = "ADDRESS", requires = "fleet")]
     connect: Vec<String>,
