@@ -66,7 +66,7 @@ const WITHIN: Duration = Duration::from_secs(60);
 /// How long one may take to say that its arm is stopped.
 const STOP_WITHIN: Duration = Duration::from_secs(2);
 /// How long one may take to show who it is.
-const MEET_WITHIN: Duration = Duration::from_secs(5);
+const MEET_WITHIN: Duration = Duration::from_secs(10);
 /// The longest request to stop, in bytes: it may have a reason.
 const LONGEST_STOP: usize = 4096;
 /// How many requests of others are answered at once; a stop is answered always.
