@@ -9,7 +9,7 @@ use dobot_draw::{
     AREA, Colors, DrawingRequest, GiveUp, InkLine, Materials, Picture, Prepared, Settings, Subject,
     View,
 };
-use dobot_rules::{PlannedFor, Rules, StationClient, drawing_job};
+use dobot_rules::{PlannedFor, Rules, StationClient, drawing_job, run_long};
 use dobot_safety::Policy;
 use dobot_wire::Dialect;
 use rmcp::model::{CallToolResult, ContentBlock};
@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 
 use crate::arguments::{NewDrawing, PlannedDrawing};
 use crate::call::{Call, no_arm, wait};
-use crate::refused::Refused;
+use crate::refused::{Refused, broken};
 
 /// The drawings that were planned, the latest of them.
 #[derive(Debug, Default)]
@@ -69,7 +69,7 @@ impl Call {
         let request = self.request(new).await?;
         let give_up = GiveUp::default();
         let _given_up = GivenUp(give_up.clone());
-        let planning = tokio::task::spawn_blocking(move || plan(request.until(give_up), &arm));
+        let planning = run_long(move || plan(request.until(give_up), &arm));
         let planned = tokio::time::timeout(LONGEST_PLAN, planning).await;
         let planned = planned.map_err(|_| {
             let most_s = LONGEST_PLAN.as_secs();
@@ -82,7 +82,7 @@ impl Call {
             drawing,
             mut figures,
             png,
-        } = planned.map_err(|it| bad(&it))??;
+        } = planned.map_err(broken)??;
         figures["drawing"] = self.shared.drawings.keep(drawing).into();
         let mut result = CallToolResult::structured(figures);
         let png = data_encoding::BASE64.encode(&png);
@@ -146,7 +146,7 @@ impl Call {
             (None, Some(file)) => Some(self.file(file).await?),
             (None, None) => None,
         };
-        let reading = tokio::task::spawn_blocking(move || {
+        let reading = run_long(move || {
             let subject = match (Subject::of_text(&options.what), file) {
                 (Some(text), _) => text,
                 (None, Some((name, bytes))) => {
@@ -157,7 +157,7 @@ impl Call {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
             request.map_err(|it| bad(&it))
         });
-        reading.await.map_err(|it| bad(&it))?
+        reading.await.map_err(broken)?
     }
 }
 

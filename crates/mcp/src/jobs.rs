@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{JobPhase, JobView, Reply, Request, StationEvent, post};
-use dobot_rules::{JobWatch, StationClient};
+use dobot_rules::{JobWatch, StationClient, run_long};
 use serde_json::{Value, json};
 use tokio::time::timeout;
 
@@ -11,7 +11,7 @@ use crate::arguments::{
     ChangeJob, JobAction, ProgramArguments, ProgramText, RunProgram, WhichJobs,
 };
 use crate::call::{Call, wait};
-use crate::refused::Refused;
+use crate::refused::{Refused, broken};
 
 impl Call {
     /// What the station says of a program.
@@ -69,8 +69,8 @@ impl Call {
                     .hinted("the person who starts it says which: `dobot mcp --files FOLDER`"),
             );
         };
-        let read = tokio::task::spawn_blocking(move || files.read(&name)).await;
-        read.map_err(|it| Refused::new("file", it.to_string()))?
+        let read = run_long(move || files.read(&name)).await;
+        read.map_err(broken)?
     }
 
     /// Starts a job that was just queued and follows it, or leaves it to a person.

@@ -1,7 +1,7 @@
 //! Why something was not done, as an agent reads it.
 
 use dobot_api::{ConnectError, Problem, RemoteError};
-use dobot_rules::JobsError;
+use dobot_rules::{JobsError, LongWorkError};
 use rmcp::model::CallToolResult;
 use serde::Serialize;
 use serde_json::json;
@@ -52,6 +52,11 @@ impl Refused {
     pub(crate) fn result(&self) -> CallToolResult {
         CallToolResult::structured_error(json!(self))
     }
+}
+
+/// The answer where long work broke off: a panic is a bug here, and says where.
+pub(crate) fn broken(error: LongWorkError) -> Refused {
+    Refused::new("internal", error.to_string())
 }
 
 impl From<Problem> for Refused {

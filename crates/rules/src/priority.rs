@@ -15,7 +15,7 @@ pub(crate) fn of_jobs() {
 }
 
 /// Threads that plan drawings and read files, for many seconds at times. The calling thread stays so.
-pub fn of_planning() {
+pub(crate) fn of_planning() {
     set(10);
 }
 

@@ -30,7 +30,6 @@ mod metrics;
 mod packets;
 mod page;
 mod paging;
-mod panic;
 mod programs;
 mod rate;
 mod recordings;

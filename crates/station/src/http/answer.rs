@@ -1,6 +1,5 @@
 //! Answers, and what requests are read into.
 
-use std::any::Any;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -18,14 +17,14 @@ use dobot_api::Problem;
 use dobot_api::problem_kinds::{
     INTERNAL, MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS,
 };
-use dobot_rules::{Refusal, priority};
+use dobot_rules::{LongWorkError, Refusal, run_long};
 use futures_util::StreamExt;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::app::App;
-use super::{panic, strict_json};
+use super::strict_json;
 
 /// How large a body may be, unless its route takes more.
 pub(super) const BODY: usize = 64 * 1024;
@@ -244,21 +243,10 @@ pub(super) async fn read_beside<T: Send + 'static>(
 pub(super) async fn beside<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Result<T, Problem> {
-    let done = run_beside(Box::new(move || Box::new(work()))).await?;
-    Ok(*done.downcast().expect("it is what the work gave"))
-}
-
-/// Of one type for all work, since the runtime is compiled anew for each type of task.
-type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
-
-async fn run_beside(work: Work) -> Result<Box<dyn Any + Send>, Problem> {
-    let done = tokio::task::spawn_blocking(|| {
-        priority::of_planning();
-        panic::caught(work)
+    run_long(work).await.map_err(|error| match error {
+        LongWorkError::Ending => Refusal::Ending.into(),
+        error => INTERNAL.problem(error.to_string()),
     })
-    .await;
-    let done = done.map_err(|_| Problem::from(Refusal::Ending))?;
-    done.map_err(|panic| INTERNAL.problem(panic))
 }
 
 /// The number in a path.
@@ -300,15 +288,17 @@ impl FromRequest<Arc<App>> for OfJob {
 #[serde(deny_unknown_fields)]
 pub(super) struct Nothing {}
 
-#[cfg(all(test, target_os = "linux"))]
-#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+#[cfg(test)]
 mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn what_may_take_long_gives_way_to_the_arm() {
-        let niceness = beside(|| rustix::process::getpriority_process(None).unwrap());
-        let niceness = niceness.await.unwrap_or_else(|_| panic!("it was not done"));
-        assert!(niceness >= 10, "{niceness}");
+    async fn work_that_panics_is_answered_as_a_bug_of_the_station() {
+        let problem = beside(|| panic!("no width")).await;
+        let problem = problem.map(|()| "no panic").expect_err("it panicked");
+        assert_eq!(problem.status, 500);
+        assert_eq!(problem.kind, INTERNAL.problem("").kind);
+        assert!(problem.detail.contains("answer.rs:"), "{}", problem.detail);
+        assert!(problem.detail.ends_with(": no width"), "{}", problem.detail);
     }
 }
