@@ -17,7 +17,7 @@ use serde_json::{Value, json};
 
 use crate::arguments::{NewDrawing, PlannedDrawing};
 use crate::call::{Call, no_arm, wait};
-use crate::refused::{Refused, broken};
+use crate::refused::Refused;
 
 /// The drawings that were planned, the latest of them.
 #[derive(Debug, Default)]
@@ -82,7 +82,7 @@ impl Call {
             drawing,
             mut figures,
             png,
-        } = planned.map_err(broken)??;
+        } = planned??;
         figures["drawing"] = self.shared.drawings.keep(drawing).into();
         let mut result = CallToolResult::structured(figures);
         let png = data_encoding::BASE64.encode(&png);
@@ -157,7 +157,7 @@ impl Call {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
             request.map_err(|it| bad(&it))
         });
-        reading.await.map_err(broken)?
+        reading.await?
     }
 }
 

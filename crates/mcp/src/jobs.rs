@@ -11,7 +11,7 @@ use crate::arguments::{
     ChangeJob, JobAction, ProgramArguments, ProgramText, RunProgram, WhichJobs,
 };
 use crate::call::{Call, wait};
-use crate::refused::{Refused, broken};
+use crate::refused::Refused;
 
 impl Call {
     /// What the station says of a program.
@@ -69,8 +69,7 @@ impl Call {
                     .hinted("the person who starts it says which: `dobot mcp --files FOLDER`"),
             );
         };
-        let read = run_long(move || files.read(&name)).await;
-        read.map_err(broken)?
+        run_long(move || files.read(&name)).await?
     }
 
     /// Starts a job that was just queued and follows it, or leaves it to a person.

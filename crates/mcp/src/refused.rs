@@ -54,11 +54,6 @@ impl Refused {
     }
 }
 
-/// The answer where long work broke off: a panic is a bug here, and says where.
-pub(crate) fn broken(error: LongWorkError) -> Refused {
-    Refused::new("internal", error.to_string())
-}
-
 impl From<Problem> for Refused {
     fn from(problem: Problem) -> Self {
         let kind = problem.name();
@@ -70,6 +65,13 @@ impl From<Problem> for Refused {
             at_mm: problem.at_mm,
             nearest_mm: problem.nearest_mm,
         }
+    }
+}
+
+/// A panic is a bug here, and says where.
+impl From<LongWorkError> for Refused {
+    fn from(error: LongWorkError) -> Self {
+        Self::new("internal", error.to_string())
     }
 }
 
