@@ -1669,7 +1669,7 @@ export interface components {
             of_fleet: boolean;
         };
         /**
-         * @description A stop of a whole fleet, or that it was reset. Every station keeps it and tells the others.
+         * @description A stop of a whole fleet, or its reset. Every station keeps it and sends it to the others.
          *
          *     Of two with the same origin the one with the higher count is newer. The origin alone counts, so neither the clocks of
          *     other stations nor the order of messages matter. Stops of two origins hold beside each other.
@@ -2081,7 +2081,7 @@ export interface components {
              *       "allowed": true,
              *       "arm_for_s": 600,
              *       "least_speed_mm_s": 1,
-             *       "longest_s": 1,
+             *       "longest_s": 3600,
              *       "standing": false,
              *       "area": {
              *         "x_mm": [
@@ -2369,7 +2369,7 @@ export interface components {
              * Format: double
              * @description How long a vector may burn, in s: 0.1 to 3600. The arm finishes what it has received, so it burns on for so
              *     long after a stop.
-             * @default 1
+             * @default 3600
              */
             longest_s: number;
             /**
