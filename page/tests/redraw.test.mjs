@@ -75,10 +75,14 @@ async function go(y_mm) {
 test("nothing is drawn while the arm rests, although its station tells of it all the time", async () => {
   await page.waitForSelector("#stage[data-shown='3d']");
   await drawn(page);
-  const before = (await draws(page)).length;
-  assert.ok(before > 0, "it was drawn at first");
-  await passed(page, 2);
-  assert.equal((await draws(page)).length, before);
+  // On a busy computer the page is not complete at once.
+  const counts = [(await draws(page)).length];
+  assert.ok(counts[0] > 0, "it was drawn at first");
+  do {
+    await passed(page, 2);
+    counts.unshift((await draws(page)).length);
+  } while (counts[0] !== counts[1] && counts.length < 6);
+  assert.equal(counts[0], counts[1], `frames, the last first: ${counts}`);
 });
 
 test("an arm that moves is drawn, 60 times in a second at most on a screen that is faster", async () => {

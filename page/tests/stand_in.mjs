@@ -89,7 +89,7 @@ export async function standIn(members, answer = () => undefined, submitted = [])
       listeners.add(response);
       return response.on("close", () => listeners.delete(response));
     }
-    if (pathname === "/api/v1/fleet/stop" || pathname === "/api/v1/fleet/requests") return json(response, 200, meant(body.to).map((it) => ({ member: it.name, id: it.id, answer: answerOf(it, body), took_ms: 1 })));
+    if (pathname === "/api/v1/fleet/stop" || pathname === "/api/v1/fleet/requests") return json(response, 200, meant(body?.to ?? "all").map((it) => ({ member: it.name, id: it.id, answer: answerOf(it, body), took_ms: 1 })));
     return json(response, 404, { type: "/api/v1/problems/unknown-path", title: "nothing is here", status: 404, detail: `there is nothing at ${pathname}` });
   });
   const answerOf = (it, { path, method, body }) => {
