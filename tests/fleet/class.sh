@@ -82,7 +82,8 @@ exec {ends}>ends
 for name in alone loopback; do
   fleet=--fleet
   [[ $name == loopback ]] || fleet+==keys/$name
-  at $name "$PROGRAM" up --virtual --raw off --no-open --name $name --http 127.0.0.1:0 $fleet >$name.log 2>&1 &
+  # It does not keep the input of the stranger open.
+  at $name "$PROGRAM" up --virtual --raw off --no-open --name $name --http 127.0.0.1:0 $fleet {ends}>&- >$name.log 2>&1 &
 done
 sees loopback 1 free
 at router "$PYTHON" "$here/stranger.py" quic/10.7.1.1:0 to1 alone keys/peer
