@@ -82,7 +82,7 @@ exec {ends}>ends
 for name in alone loopback; do
   fleet=--fleet
   [[ $name == loopback ]] || fleet+==keys/$name
-  # It does not keep the input of the stranger open.
+  # Do not inherit the pipe: the stranger ends when all of its writers have closed it.
   at $name "$PROGRAM" up --virtual --raw off --no-open --name $name --http 127.0.0.1:0 $fleet {ends}>&- >$name.log 2>&1 &
 done
 sees loopback 1 free

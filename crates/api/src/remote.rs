@@ -55,8 +55,8 @@ pub struct Remote {
     next_id: u64,
 }
 
-/// How many states the station sends in a second at most. An arm in real time has 12.5 to 50; at a thousand times the speed
-/// of time there are 12,500, which a busy machine does not read.
+/// The maximum number of states per second that the station sends. An arm in real time has 12.5 to 50; at a thousand times
+/// that speed there are 12,500, more than a busy machine can read.
 const STATES_PER_S: u32 = 200;
 
 type Socket = WebSocketStream<Box<dyn Bytes>>;
@@ -168,9 +168,8 @@ impl Remote {
         answered.unwrap_or(Err(RemoteError::Silent))
     }
 
-    /// What the station tells next: at most 200 states in a second, and only the last one for those who are more than
-    /// a second late.
-    /// Nothing is lost when it is cancelled.
+    /// The next event from the station. It sends at most 200 states per second; a caller that is more than a second behind
+    /// gets only the latest state. Cancelling this loses nothing.
     ///
     /// # Errors
     ///

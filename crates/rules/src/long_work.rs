@@ -35,7 +35,7 @@ pub async fn run_long<T: Send + 'static>(
     Ok(*done.downcast().expect("it is what the work gave"))
 }
 
-/// Of one type for all work, since the runtime is compiled anew for each type of task.
+/// One type for all work, because the runtime is compiled again for each type of task.
 type Work = Box<dyn FnOnce() -> Box<dyn Any + Send> + Send>;
 
 async fn run(work: Work) -> Result<Box<dyn Any + Send>, LongWorkError> {
@@ -51,7 +51,7 @@ async fn run(work: Work) -> Result<Box<dyn Any + Send>, LongWorkError> {
 /// Runs some work. If it panics, the error is the source location and the message in one line.
 fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     remember();
-    // What the work has changed is given up with it.
+    // Whatever the work has changed is dropped with it.
     catch_unwind(AssertUnwindSafe(work)).map_err(|_| LAST.take())
 }
 

@@ -46,7 +46,7 @@ fn delay_until(bench: &Bench, at: Instant, wanted: &[Command]) -> Duration {
     }
 }
 
-/// A file of the data folder that hangs whoever opens it to write.
+/// Creates a FIFO in the data folder. Opening it for writing blocks, because nobody reads it.
 fn unread_pipe(bench: &Bench, name: &str) {
     let mode = rustix::fs::Mode::from_bits_truncate(0o600);
     let file = bench.folder().join(name);
