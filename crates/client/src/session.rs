@@ -77,6 +77,8 @@ pub struct Session {
     now: Duration,
     /// When the last status came; at first the connect.
     heard: Duration,
+    /// When this computer went on after it had stood still; zero if it never did.
+    stalled: Duration,
     lost: bool,
     /// No status came since the port was opened.
     opened: bool,
@@ -133,6 +135,7 @@ impl Session {
             completion: Completion::default(),
             status: None,
             heard: Duration::ZERO,
+            stalled: Duration::ZERO,
             lost: false,
             opened: true,
             resyncs: 0,
@@ -288,13 +291,21 @@ impl Session {
         }
         // The frames borrow the decoder, so they are set aside: a read holds a few at the most.
         let frames: Vec<Frame> = self.decoder.feed(bytes).collect();
-        for frame in frames {
-            if let Ok(status) = Status::parse(&frame) {
-                self.handle_status(now, status);
-            }
+        let statuses: Vec<Status> = frames.iter().flat_map(Status::parse).collect();
+        if let Some(behind_the_first) = statuses.len().checked_sub(1) {
+            self.trust
+                .handle_read(now, behind_the_first, self.meter.period());
+        }
+        for status in statuses {
+            self.handle_status(now, status);
         }
         self.note_resync();
         self.watch_laser();
+    }
+
+    /// This computer stood still until now: what the arm sent meanwhile has not been read yet.
+    pub fn handle_stall(&mut self, now: Duration) {
+        self.stalled = now;
     }
 
     /// Takes the passing of time.
@@ -351,7 +362,7 @@ impl Session {
             }
             Some(_) | None => LINK_TIMEOUT,
         };
-        self.heard + timeout
+        self.heard.max(self.stalled) + timeout
     }
 
     /// Whether the arm's queue may be full, of urgent packets too; then it is silent.
@@ -616,9 +627,9 @@ const AHEAD: Duration = Duration::from_millis(500);
 /// So long before it begins a vector is sent in time on a usual link: its way takes 55 ms, and the computer may be late.
 const IN_TIME: Duration = Duration::from_millis(220);
 /// Behind what burns an arm begins with laser off, and prediction is not exact: two ticks.
-const LASER_OFF_TAKES: Duration = Duration::from_millis(40);
+const LASER_OFF_TAKES: Duration = Duration::from_millis(100);
 /// What an arm without a laser has received may take so much longer.
-const UNLIT_LONGER: Duration = Duration::from_millis(140);
+const UNLIT_LONGER: Duration = Duration::from_millis(60);
 /// A status that is later than that has been withheld.
 const LATE: Duration = Duration::from_millis(60);
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).

@@ -53,6 +53,10 @@ pub(crate) struct ResetWatch {
     /// Why the pose is not trusted, if it is not.
     reason: Option<String>,
     last: Option<(Duration, Status)>,
+    /// How long the arm was silent before the statuses that were read last.
+    silent_for: Duration,
+    /// The time between two statuses.
+    period: Duration,
     /// The port was opened since the last status: nobody listened before.
     opened: bool,
     /// The initial angles that were sent and not seen yet, and for how many statuses more they
@@ -67,6 +71,8 @@ impl ResetWatch {
         Self {
             reason: (!trusted).then(|| UNCONFIRMED.to_owned()),
             last: None,
+            silent_for: Duration::ZERO,
+            period: Duration::ZERO,
             opened: false,
             told: None,
             still: false,
@@ -84,6 +90,18 @@ impl ResetWatch {
     /// The port was opened again: until the next status the silence was ours.
     pub(crate) const fn handle_open(&mut self) {
         self.opened = true;
+    }
+
+    /// Takes that statuses are read, so many of them behind the first. The arm sent them one period apart: a computer that
+    /// stood still reads them late, and the arm was not silent meanwhile.
+    pub(crate) fn handle_read(&mut self, now: Duration, behind_the_first: usize, period: Duration) {
+        let Some((heard, _)) = self.last else {
+            return;
+        };
+        let behind = u32::try_from(behind_the_first).unwrap_or(u32::MAX);
+        let sending = period.saturating_mul(behind);
+        self.silent_for = now.saturating_sub(heard).saturating_sub(sending);
+        self.period = period;
     }
 
     pub(crate) fn distrust(&mut self, reason: &str) {
@@ -134,9 +152,11 @@ impl ResetWatch {
             Some((told, left)) if left > 0 => Some((told, left - 1)),
             _ => None,
         };
-        let silent_for = now.saturating_sub(heard);
+        let silent_for = self.silent_for;
         let deaf = silent_for >= DEAF;
-        let jumped = !jumps && jumped(&before, status, silent_for);
+        // Those that are read together were sent one period apart.
+        let within = now.saturating_sub(heard).max(self.period);
+        let jumped = !jumps && jumped(&before, status, within);
         let base_is_zero = status.base_deg == 0.0;
         // A joint that turned since the last status may have turned alone, and from 0.
         let begun_anew = !went_on && (!self.still || tells_otherwise(&before, status));

@@ -12,7 +12,7 @@
 //! let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(240.0, 0.0)]);
 //! let pass = Pass::new(DrawingTool::Pen(Pen::default()), vec![line]);
 //! let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::of(Dialect::SPECIFICATION))?;
-//! assert_eq!(plan.summary().vectors, 6); // lower, draw in four pieces, lift
+//! assert_eq!(plan.summary().vectors, 7); // lower, draw in five pieces, lift
 //! # Ok::<(), dobot_plan::PlanError>(())
 //! ```
 

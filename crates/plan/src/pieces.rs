@@ -22,9 +22,9 @@ use crate::ticker::{Ticker, length};
 use crate::{DrawingTool, Machine, MoveKind, PlannedVector};
 
 /// A vector that burns takes no longer, in s, unless a stock arm only speeds up and brakes on it.
-pub const LONGEST_BURN_S: f64 = 0.2;
+pub const LONGEST_BURN_S: f64 = 0.18;
 /// The same for a vector of a pen that draws.
-pub const LONGEST_DRAW_S: f64 = 0.42;
+pub const LONGEST_DRAW_S: f64 = 0.34;
 
 /// Cuts long vectors into pieces. Ways, speeds and times stay as they are.
 pub(super) struct Pieces {
@@ -411,8 +411,8 @@ mod tests {
             };
             assert_eq!(burned(&whole).len(), 1);
             let pieces = burned(&cut);
-            // 32 s, in pieces of a fifth of a second.
-            assert!((160..=165).contains(&pieces.len()), "{}", pieces.len());
+            // 32 s, in pieces of 0.18 s.
+            assert!((178..=183).contains(&pieces.len()), "{}", pieces.len());
             for piece in &pieces {
                 let packet = write(piece);
                 let told = [

@@ -250,8 +250,8 @@ mod tests {
         // 10 mm down at the same acceleration never reach 40 mm/s: 2 sqrt(10 / 100) s.
         assert!((durations[0] - 0.632_455_532).abs() < 1e-5, "{durations:?}");
         let summary = plan.summary();
-        // Each piece of the line takes 0.42 s at the most.
-        assert_eq!((summary.strokes, summary.vectors), (1, 6));
+        // The line takes 1.4 s: five pieces of 0.34 s at the most.
+        assert_eq!((summary.strokes, summary.vectors), (1, 7));
         assert!((summary.drawn_mm - 40.0).abs() < 1e-4, "{summary:?}");
         assert_eq!(summary.travelled_mm, 0.0);
     }
@@ -356,8 +356,9 @@ mod tests {
             ];
             assert!(speeds.iter().all(|v| (v - 10.0).abs() < 1e-5), "{speeds:?}");
             assert_eq!([vector.y_mm, vector.z_mm], [0.0, 0.0]);
-            assert!((vector.x_mm - 2.0).abs() < 1e-4, "{vector:?}");
-            assert!((vector.duration_s - 0.2).abs() < 1e-5, "{vector:?}");
+            // A second in six pieces.
+            assert!((vector.x_mm - 10.0 / 6.0).abs() < 1e-4, "{vector:?}");
+            assert!((vector.duration_s - 1.0 / 6.0).abs() < 1e-5, "{vector:?}");
         }
         assert_eq!(plan.summary().strokes, 2);
         assert_eq!(plan.commands().last(), Some(LASER_OFF.into()));

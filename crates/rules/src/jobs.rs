@@ -458,7 +458,7 @@ pub(crate) fn look_again(
         commands,
         &job.adjustment.heights,
         lift_mm,
-        job.window.completed,
+        job.window.upto,
         &job.program,
     )?;
     Ok(Begun::new(job, plan))

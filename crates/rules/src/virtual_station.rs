@@ -193,7 +193,9 @@ impl VirtualStation {
         for packet in packets {
             self.now += GAP;
             self.arm.handle_time(self.now);
-            self.arm.handle_bytes(self.now, &packet.to_bytes());
+            let packet = packet.to_bytes();
+            self.packets.push((self.now, packet));
+            self.arm.handle_bytes(self.now, &packet);
         }
     }
 

@@ -98,6 +98,43 @@ fn an_arm_that_was_told_to_move_before_a_silence_may_have_been_reset_though_it_t
     }
 }
 
+/// So many statuses of a base at 0, all read at once after a silence of so many milliseconds.
+fn read_at_once(desk: &mut Desk, statuses: usize, silent_ms: u64) {
+    desk.now += Duration::from_millis(silent_ms);
+    desk.session.handle_stall(desk.now);
+    desk.session.handle_time(desk.now);
+    let bytes = status(200.0, 0.0, 0.0).emit().to_bytes().repeat(statuses);
+    desk.session.handle_bytes(desk.now, &bytes);
+}
+
+#[test]
+fn an_arm_that_went_on_sending_while_the_computer_stood_still_was_not_reset() {
+    for statuses in [7, 14, 25] {
+        let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+        desk.status_at(200.0, 0.0, 0.0);
+        desk.session.send(vector(0.0, 60.0)).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+        read_at_once(&mut desk, statuses, 80 * statuses as u64 + 70);
+        assert!(desk.session.is_trusted(), "{statuses} statuses");
+        assert!(
+            desk.events()
+                .iter()
+                .all(|it| !matches!(it, Event::LinkLost { .. }))
+        );
+    }
+}
+
+#[test]
+fn an_arm_that_was_silent_in_part_of_that_time_may_have_been_reset() {
+    // The base stands at 0 only behind the reset, and 0.7 s of statuses are missing.
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session.send(vector(0.0, 60.0)).expect("it is allowed");
+    desk.status_at(200.0, 0.0, 0.0);
+    read_at_once(&mut desk, 10, 1_500);
+    assert!(!desk.session.is_trusted());
+}
+
 #[test]
 fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
     let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));

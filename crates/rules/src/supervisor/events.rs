@@ -53,6 +53,7 @@ impl Supervisor {
     /// as after a fault. Its guardian may have said it, too.
     pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
         self.arm.set_time(now);
+        self.arm.session_mut().handle_stall(now);
         let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
         self.arm.send_at_once(LASER_OFF);
         self.withdraw(Refusal::LetGo(why.clone()));
@@ -372,11 +373,12 @@ impl Supervisor {
     fn notice_reset(&mut self, evidence: &str) {
         self.jogging.bar(Refusal::LetGo("the arm was reset".into()));
         self.arm.part_from_laser();
+        // Nothing is sent again before a person has looked where the arm stands.
+        self.interrupt_run("the arm was reset");
         // The session has forgotten what was under way, too.
         for id in self.under_way() {
             self.command_over(id, Some("the arm was reset".into()));
         }
-        self.interrupt_run("the arm was reset");
         self.end_detection("the arm was reset");
         self.notify(
             News::Reset,

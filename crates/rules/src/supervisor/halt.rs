@@ -22,6 +22,8 @@ struct Round {
     behind: u32,
     /// A status came since the last packet: the arm has room for another.
     heard: bool,
+    /// The laser was switched off in it: a button that is let go of says nothing of the laser.
+    is_dark: bool,
 }
 
 impl Round {
@@ -33,6 +35,7 @@ impl Round {
             rounds: 0,
             behind: 0,
             heard: true,
+            is_dark: true,
         }
     }
 
@@ -53,6 +56,7 @@ impl Round {
             rounds: self.rounds + u32::from(!self.laser_is_next),
             behind,
             heard: false,
+            is_dark: self.is_dark || self.laser_is_next,
         })
     }
 }
@@ -72,7 +76,8 @@ impl Halt {
     /// rests. While that goes on already, or waits in the arm for its turn, it need not begin anew.
     pub(super) fn begin(&mut self, arm: &mut Arm) {
         let waits = arm.session().under_way() > 0;
-        if self.round.is_some_and(|it| it.rounds == 0 || waits) {
+        let goes_on = |it: &Round| it.is_dark && (it.rounds == 0 || waits);
+        if self.round.as_ref().is_some_and(goes_on) {
             return;
         }
         // What was urgent before is said again in its turn.
@@ -93,6 +98,7 @@ impl Halt {
             rounds: 1,
             behind: 0,
             heard: false,
+            is_dark: false,
         });
     }
 

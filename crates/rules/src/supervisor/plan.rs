@@ -83,8 +83,8 @@ impl Grips {
 
 impl JobPlan {
     /// Looks at every command of a job, from where the arm is, at the heights to which a person has
-    /// changed it. The way to its first target is not judged where the job has gone on from there
-    /// already. A cycle is looked at until it repeats itself, and stands here as often as a window of the
+    /// changed it. The way to its first target is not judged where the arm was given that already: of the commands
+    /// below `given` some may be done. A cycle is looked at until it repeats itself, and stands here as often as a window of the
     /// journal may reach.
     ///
     /// # Errors
@@ -96,7 +96,7 @@ impl JobPlan {
         commands: Vec<Command>,
         heights: &[HeightChange],
         lift_mm: f32,
-        completed: usize,
+        given: usize,
         program: &JobProgram,
     ) -> Result<Self, Refusal> {
         let first = check_beginning(&commands)?;
@@ -107,7 +107,7 @@ impl JobPlan {
             policy,
             model,
             height: Height::planned(burns),
-            unjudged: (completed > first).then_some(first),
+            unjudged: (given > first).then_some(first),
             until_s: 0.0,
         };
         let mut plan = Self {

@@ -18,6 +18,7 @@ mod people;
 mod policies;
 mod programs;
 mod releases;
+mod resumed;
 mod slots;
 mod stalls;
 mod stands;

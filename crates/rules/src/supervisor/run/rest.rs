@@ -42,17 +42,23 @@ impl Run {
             return Some(self.drain(JobPhase::Paused, why, Rests::AsItIs));
         }
         if let Phase::Draining {
+            then,
             reason,
             upto,
             rests,
-            ..
         } = &mut self.phase
         {
+            let was_to_try_again = *rests == Rests::ToTryAgain;
+            if was_to_try_again {
+                *then = JobPhase::Paused;
+                why.clone_into(reason);
+            }
             // It does not come to the place where it was to wait for a person.
             if *rests == Rests::ForPerson && self.next < *upto {
                 why.clone_into(reason);
             }
             (*upto, *rests) = (self.next, Rests::AsItIs);
+            return was_to_try_again.then(|| self.notify(JobPhase::Paused, why));
         }
         None
     }

@@ -62,19 +62,23 @@ impl Run {
             }
             Phase::Draining {
                 then, reason, upto, ..
-            } if arm.is_idle() && self.given.is_empty() && self.next >= *upto => {
+            } if self.is_idle(arm) && self.next >= *upto => {
                 let (then, reason) = (*then, reason.clone());
                 self.rest(arm, then, reason)
             }
-            // The session may be done with commands of which it has not told yet: how far the job is,
-            // only what was told says.
-            Phase::Lifting { then, reason } if arm.is_idle() && self.given.is_empty() => {
+            Phase::Lifting { then, reason } if self.is_idle(arm) => {
                 let (then, reason) = (*then, reason.clone());
                 self.rest(arm, then, reason)
             }
             Phase::Running { .. } if self.is_complete() && arm.is_at_rest() => self.finish(arm),
             _ => Vec::new(),
         }
+    }
+
+    /// Whether nothing of it is under way any more. The session may be done with commands of which it has not told yet, or
+    /// whose grip was not seen yet: how far the job is, only these say.
+    fn is_idle(&self, arm: &Arm) -> bool {
+        arm.is_idle() && self.given.is_empty() && self.unseen.is_none()
     }
 
     fn is_complete(&self) -> bool {

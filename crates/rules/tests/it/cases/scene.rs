@@ -10,7 +10,7 @@ use dobot_journal::{Journal, JournalError};
 use dobot_rules::{Refusal, VirtualStation};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, RECORDING_PERIOD, SerialLine, VirtualArm};
-use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, Packet};
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LINE_TIME, Packet};
 
 use super::jobs::{Sort, counts};
 use super::paper::Paper;
@@ -171,11 +171,7 @@ impl Scene {
     /// What the arm was given of a job.
     pub(crate) fn given(&self, job: &NewJob) -> GivenCounts {
         let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
-        let given = self
-            .sent(self.since)
-            .into_iter()
-            .filter(counts)
-            .collect::<Vec<_>>();
+        let given = self.given_once();
         let same = wanted
             .iter()
             .zip(&given)
@@ -192,6 +188,26 @@ impl Scene {
                 .max(usize::from(given.len() == wanted.len())),
             repeated: given.len().saturating_sub(wanted.len()),
         }
+    }
+
+    /// The commands that count, in the order in which they were sent. One that a stop cut short on the line never reached
+    /// the arm: the stop does not wait for the line. Where it was sent again it counts once.
+    fn given_once(&self) -> Vec<Command> {
+        let times = self.it.packets()[self.since..].iter().map(|(at, _)| *at);
+        let sent: Vec<_> = times.zip(self.sent(self.since)).collect();
+        let cut_short = sent.windows(2).map(|it| it[1].0 - it[0].0 < LINE_TIME);
+        let cut_short = cut_short.chain([false]);
+        let counted = sent.iter().zip(cut_short).filter(|((_, it), _)| counts(it));
+        let counted: Vec<_> = counted.collect();
+        let resent = |at: usize| {
+            counted
+                .get(at + 1)
+                .is_some_and(|next| next.0.1 == counted[at].0.1)
+        };
+        let kept = counted.iter().enumerate();
+        kept.filter(|(at, (_, cut_short))| !(*cut_short && resent(*at)))
+            .map(|(_, ((_, command), _))| *command)
+            .collect()
     }
 
     /// Whether all of a job was given once, and is on the paper.

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_api::{JobPhase, JobState, NewJob, Reply, Request, Role};
 use dobot_controller::Personality;
 use dobot_rules::VirtualStation;
-use dobot_wire::{Command, JointJogAxis, LinearJogAxis};
+use dobot_wire::{Command, JointJogAxis, LinearJogAxis, MovingMode};
 
 use super::chance::Chance;
 use super::guardians::told;
@@ -121,9 +121,9 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
             let last = samples.last().map_or(0.0, |it| it.position.z.0);
             let began_down = (last - f64::from(DOWN_MM)).abs() < 0.2;
             let samples = samples.len();
-            // The same chance makes the same job.
-            let wanted = sort.job(&mut chance.clone());
-            work(scene, sort, chance)?;
+            let mut wanted = sort.job(chance);
+            begin_elsewhere(&scene.it, &mut wanted);
+            work(scene, &wanted, chance)?;
             let job = scene.it.supervisor().job();
             Ok(job.map(|it| Begun {
                 id: it.job,
@@ -134,6 +134,22 @@ fn begin(scene: &mut Scene, motion: u64, chance: &mut Chance) -> Result<Option<B
         }
         JOG => jog(scene, chance).map(|()| None),
         _ => targets(scene, chance).map(|()| None),
+    }
+}
+
+/// A program may not begin with a straight line to where the arm stands; a person writes another mode then.
+fn begin_elsewhere(it: &VirtualStation, wanted: &mut NewJob) {
+    let here = it.supervisor().state().arm.map(|it| it.status);
+    if let (Some(Command::MoveTo(first)), Some(here)) = (wanted.commands.first_mut(), here)
+        && [
+            first.x_mm - here.x_mm,
+            first.y_mm - here.y_mm,
+            first.z_mm - here.z_mm,
+        ]
+        .iter()
+        .all(|it| it.abs() < 1.0)
+    {
+        first.mode = MovingMode::Jump;
     }
 }
 
@@ -263,6 +279,11 @@ fn recover(
         return Err(Wrong("the arm rests, and its laser is on".into()));
     }
     let anna = scene.anna;
+    if begun.is_none() {
+        // Whoever held a button lets go of it.
+        scene.it.ask(anna, Request::TakeLease)?;
+        scene.it.ask(anna, Request::Release)?;
+    }
     if scene.it.supervisor().state().stop.is_some() {
         scene.it.ask(anna, Request::ResetStop)?;
     }

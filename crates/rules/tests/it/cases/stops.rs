@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use dobot_api::{Jog, Request};
+use dobot_api::{Jog, NewJob, Request};
 use dobot_controller::Personality;
 use dobot_rules::VirtualStation;
 use dobot_wire::{Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode};
@@ -100,13 +100,16 @@ fn one(figures: &mut Stops, personality: Personality, seed: u64) -> Result<(), W
     let mut chance = Chance::new(seed);
     let mut scene = Scene::new(personality)?;
     match figures.doing {
-        StoppedMotion::Job(sort) => work(&mut scene, sort, &mut chance)?,
+        StoppedMotion::Job(sort) => {
+            let wanted = sort.job(&mut chance);
+            work(&mut scene, &wanted, &mut chance)?;
+        }
         StoppedMotion::Targets => targets(&mut scene, &mut chance)?,
         StoppedMotion::Jog => jog(&mut scene, &mut chance)?,
         StoppedMotion::Pausing => pause(&mut scene, &mut chance)?,
         StoppedMotion::Killed => {
-            let sort = chance.one(&Sort::ALL);
-            work(&mut scene, sort, &mut chance)?;
+            let wanted = chance.one(&Sort::ALL).job(&mut chance);
+            work(&mut scene, &wanted, &mut chance)?;
             scene.it.crash(chance.time(Duration::from_millis(300)))?;
             scene
                 .it
@@ -187,8 +190,8 @@ impl Stopped {
     }
 }
 
-pub(super) fn work(scene: &mut Scene, sort: Sort, chance: &mut Chance) -> Result<(), Wrong> {
-    scene.begin(&sort.job(chance))?;
+pub(super) fn work(scene: &mut Scene, wanted: &NewJob, chance: &mut Chance) -> Result<(), Wrong> {
+    scene.begin(wanted)?;
     let planned = scene.planned();
     scene.it.run_for(chance.time(planned));
     Ok(())

@@ -49,6 +49,44 @@ fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment()
 }
 
 #[test]
+fn a_stop_right_behind_the_release_of_a_button_switches_the_laser_off_too() {
+    for personality in Personality::ALL {
+        for (presses, later_ms) in [(1, 5), (2, 0), (2, 5), (2, 30), (2, 60), (8, 5), (8, 200)] {
+            let mut it = virtual_station(personality);
+            let anna = it.client("Anna");
+            it.ask(anna, Request::TakeLease).unwrap();
+            let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 30.0));
+            for _ in 0..presses {
+                it.ask(anna, Request::Jog { jog }).unwrap();
+                it.run_for(Duration::from_millis(60));
+            }
+            it.ask(anna, Request::Release).unwrap();
+            it.run_for(Duration::from_millis(later_ms));
+            let before = it.packets().len();
+            it.ask(anna, Request::Stop { reason: None }).unwrap();
+            let sent = sent_since(&it, before);
+            assert!(
+                matches!(
+                    sent[..],
+                    [Command::JointJog(JointJog {
+                        axis: JointJogAxis::LaserOff,
+                        ..
+                    })]
+                ),
+                "{personality}, {presses} presses, {later_ms} ms: {sent:?}"
+            );
+            // The release, which the laser's packet may have damaged on the line, is repeated.
+            it.run_for(Duration::from_secs(2));
+            let again = |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
+            assert!(
+                sent_since(&it, before).iter().any(again),
+                "{personality}, {later_ms} ms"
+            );
+        }
+    }
+}
+
+#[test]
 fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
     let mut it = virtual_station(Personality::Firmware11);
     let anna = it.client("Anna");
