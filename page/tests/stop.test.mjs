@@ -52,6 +52,7 @@ const PRESSES = {
   "a finger that moves by 20 px": { way: [20, 0], lasts: "until it stops" },
   "a finger that slides off": { way: [0, -40], lasts: "until it stops" },
   "a second finger while another one holds a jog button": { rests: "[data-axis=y_plus]" },
+  "a flat hand while another finger holds a jog button": { rests: "[data-axis=y_plus]", fingers: 3, lasts: "until it stops" },
   "a second finger while another one is on the picture": { rests: "#stage", lasts: "until it stops" },
   "a flat hand": { fingers: 3, lasts: "until it stops" },
   "a mouse that stays": { by: "mouse", lasts: "until it stops" },
