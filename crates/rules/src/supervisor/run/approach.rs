@@ -2,9 +2,10 @@
 
 use dobot_api::{JobPhase, News};
 use dobot_arm::Position;
-use dobot_client::position;
+use dobot_client::{SendError, position};
 use dobot_journal::prelude;
-use dobot_wire::{Command, MoveTo, Status, WriteVector, single};
+use dobot_trajectory::TrajectoryError;
+use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteVector, single};
 
 use super::watch::{THERE_MM, locate_at};
 use super::{Begun, CarriedOver, Effect, JobEffect, Phase, Run, ToolHeight};
@@ -22,7 +23,8 @@ impl Run {
         let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
         let begun = located(begun, status)?;
         check_holds(&begun, status)?;
-        let JobApproach { first, lower } = approach(&begun, status);
+        let JobApproach { mut first, lower } = approach(&begun, status);
+        first.extend(behind_cut_line(&begun, status, arm));
         let step_end = begun.single_step.then(|| begun.step_end());
         let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
         run.step_end = step_end;
@@ -136,13 +138,27 @@ fn settle() -> [Command; 2] {
     [straight(SETTLE_MM), straight(-SETTLE_MM)]
 }
 
+/// Where a straight line comes next and the one before was perhaps cut short: a MOVJ to where the arm is, without which a
+/// stock arm would begin with a jump (note N46).
+fn behind_cut_line(begun: &Begun, status: Option<Status>, arm: &Arm) -> Option<Command> {
+    let next = begun.plan.commands().get(begun.completed)?;
+    let trap = Err(SendError::Trap(TrajectoryError::BehindCutLine));
+    let here = begun.plan.start(begun.completed).or(status)?;
+    (arm.session().check(next) == trap).then(|| go(position(&here), &here, MovingMode::MovJ))
+}
+
 /// Up, across and down, with the tool turned and holding as planned.
 fn hop(to: Position, planned: &Status) -> Command {
+    go(to, planned, MovingMode::Jump)
+}
+
+fn go(to: Position, planned: &Status, mode: MovingMode) -> Command {
     let base_deg = to.y.0.atan2(to.x.0).to_degrees();
     MoveTo {
         rotation_deg: single(base_deg) + planned.servo_deg,
         suction: planned.suction,
         gripper_deg: planned.gripper_deg,
+        mode,
         ..MoveTo::to(single(to.x.0), single(to.y.0), single(to.z.0))
     }
     .into()

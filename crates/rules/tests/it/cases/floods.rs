@@ -80,7 +80,8 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
             flood(figures, &mut scene, stranger, &mut chance);
         }
         scene.it.run_for(chance.time(Duration::from_millis(100)));
-        overruns(figures, &mut scene.it);
+        let stops = figures.who == STOPS;
+        overruns(figures, &mut scene.it, stops);
         figures.most_waiting = figures
             .most_waiting
             .max(scene.it.supervisor().session().waiting());
@@ -89,10 +90,11 @@ fn one(figures: &mut Floods, personality: Personality, seed: u64) -> Result<(), 
     if let Some(job) = job {
         scene.finish(job)?;
     }
+    overruns(figures, &mut scene.it, false);
     let watcher = scene.it.client_as("the class", Role::Watch);
     scene.it.ask(watcher, Request::Stop { reason: None })?;
     scene.it.run_for(Duration::from_secs(20));
-    overruns(figures, &mut scene.it);
+    overruns(figures, &mut scene.it, true);
     let holds = scene
         .it
         .supervisor()
@@ -145,11 +147,11 @@ fn raw(scene: &Scene, command: Command, chance: &mut Chance) -> Packet {
     command.emit(&scene.personality().dialect())
 }
 
-fn overruns(figures: &mut Floods, it: &mut VirtualStation) {
+fn overruns(figures: &mut Floods, it: &mut VirtualStation, was_stopped: bool) {
     while let Some(refused) = it.arm_mut().poll_refused() {
         let lost = match refused {
             // The first packet of a stop does not wait for the line; it is said again.
-            Refused::TooLong => figures.who != STOPS,
+            Refused::TooLong => !was_stopped,
             _ => matches!(refused, Refused::QueueFull | Refused::BadTail),
         };
         figures.overrun += usize::from(lost);

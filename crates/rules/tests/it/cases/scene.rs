@@ -171,7 +171,10 @@ impl Scene {
     /// What the arm was given of a job.
     pub(crate) fn given(&self, job: &NewJob) -> GivenCounts {
         let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
-        let given = self.given_once();
+        let mut given: Vec<_> = self.sent(self.since).into_iter().filter(counts).collect();
+        if given.len() > wanted.len() {
+            given = self.given_once();
+        }
         let same = wanted
             .iter()
             .zip(&given)

@@ -172,3 +172,26 @@ fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_before_a_person_has
         assert_eq!(moves.count(), 0, "{personality}");
     }
 }
+
+#[test]
+fn behind_a_straight_line_that_was_perhaps_cut_short_the_arm_is_sent_a_movj_before_the_next() {
+    // The cable is pulled while the line waits until laser off has passed.
+    for unplugged_ms in [5, 20, 40, 47, 60, 100] {
+        let mut it = virtual_station(Personality::Firmware11);
+        let wanted = program(&[
+            target([200.0, -60.0, 25.0], MovingMode::MovJ, false),
+            target([230.0, 0.0, 25.0], MovingMode::MovL, false),
+        ]);
+        let (anna, job) = begin(&mut it, &wanted);
+        it.run_for(Duration::from_millis(500));
+        it.ask(anna, Request::PauseJob).unwrap();
+        paused(&mut it, job);
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(unplugged_ms));
+        it.unplug();
+        it.run_for(Duration::from_secs(5));
+        it.plug();
+        paused(&mut it, job);
+        assert_eq!(finish(&mut it, job, &wanted), [1, 1], "{unplugged_ms} ms");
+    }
+}
