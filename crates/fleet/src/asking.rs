@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use dobot_api::problem_kinds::{MALFORMED, MEMBER_AWAY, ROLE, TOO_MANY_REQUESTS, UNAUTHORISED};
 use dobot_api::{ApiAnswer, ApiRequest, Member, MemberAnswer, Presence, Problem};
-use dobot_station::{FleetAsk, StationApi};
+use dobot_station::{FleetAsk, PROOF, StationApi, prove};
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 use zenoh::Session;
@@ -21,7 +21,7 @@ use zenoh::session::SessionGetBuilder;
 use crate::id::new_id;
 use crate::identity::{Identity, Peer, statement};
 use crate::keys::{API, MemberKey, SEALED};
-use crate::sealing::{Half, KEY, Meetings};
+use crate::sealing::{Agreed, Half, KEY, Meetings};
 
 /// The certificates of those who can be asked.
 pub(crate) type Peers = Arc<Mutex<BTreeMap<MemberKey, Arc<Peer>>>>;
@@ -210,9 +210,8 @@ impl Asking<'_> {
         })
         .await;
         let (theirs, agreed) = agreed?;
-        let sealed = agreed
-            .seal_request(own, &json(request))
-            .ok_or_else(random)?;
+        let request = proved(&agreed, request);
+        let sealed = agreed.seal_request(own, &request).ok_or_else(random)?;
         let replies = self.question(key, &[theirs, sealed].concat(), WITHIN);
         let replies = replies.await.map_err(not_asked)?;
         first(&replies, WITHIN, |sample| {
@@ -235,6 +234,18 @@ impl Asking<'_> {
             .timeout(within)
     }
 }
+
+/// A request without its token, behind a proof that whoever asks has it: the asked station does not learn it.
+fn proved(agreed: &Agreed, request: &ApiRequest) -> Vec<u8> {
+    let mut request = request.clone();
+    let token = request.token.take();
+    let request = json(&request);
+    let proof = token.map_or(NO_PROOF, |it| prove(&it, &agreed.statement(&request)));
+    [&proof[..], &request].concat()
+}
+
+/// In place of a proof, where a request comes without a token.
+const NO_PROOF: [u8; PROOF] = [0; PROOF];
 
 fn not_asked(error: impl Display) -> String {
     format!("cannot be asked: {error}")
@@ -310,7 +321,7 @@ impl Answering {
     pub(crate) async fn answer(self, query: Query) {
         let request = bytes(query.payload());
         let answer = match read(&request) {
-            Ok(request) if is_open(&request) => self.call(&request).await,
+            Ok(request) if is_open(&request) => self.call(&request, None).await,
             Ok(_) => ApiAnswer::of_problem(&ROLE.hinted(
                 "this came as a request that everyone in the fleet can read; those may only GET and stop, and have no token",
                 "ask a station of the fleet, which seals it: `POST /api/v1/fleet/requests`",
@@ -365,10 +376,7 @@ impl Answering {
         let answer = match agreed.open_request(&self.identity, sealed) {
             Ok((peer, request)) => {
                 tracing::debug!(by = peer.common_name, "a request of the fleet");
-                match read(&request) {
-                    Ok(request) => self.call(&request).await,
-                    Err(problem) => ApiAnswer::of_problem(&problem),
-                }
+                self.answer_proved(&agreed, &request).await
             }
             Err(why) => ApiAnswer::of_problem(&UNAUTHORISED.problem(format!(
                 "the certificate of the asking station is not accepted: {why}"
@@ -377,13 +385,34 @@ impl Answering {
         agreed.seal_answer(json(&answer))
     }
 
-    async fn call(&self, request: &ApiRequest) -> ApiAnswer {
+    /// Answers a request that comes with a proof of its token.
+    async fn answer_proved(&self, agreed: &Agreed, request: &[u8]) -> ApiAnswer {
+        let Some((proof, text)) = request.split_at_checked(PROOF) else {
+            return ApiAnswer::of_problem(
+                &MALFORMED.problem("a sealed request begins with a proof"),
+            );
+        };
+        match read(text) {
+            Ok(request) if proof == NO_PROOF => self.call(&request, None).await,
+            Ok(request) => {
+                let proof = Some((&*agreed.statement(text), proof));
+                self.call(&request, proof).await
+            }
+            Err(problem) => ApiAnswer::of_problem(&problem),
+        }
+    }
+
+    /// Asks this station, with a statement and the proof of a token about it where there is one.
+    async fn call(&self, request: &ApiRequest, proof: Option<(&[u8], &[u8])>) -> ApiAnswer {
         let place = self.places.try_acquire();
         if place.is_err() && !is_stop(request) {
             let many = format!("{AT_ONCE} requests of the fleet are being answered already");
             return ApiAnswer::of_problem(&TOO_MANY_REQUESTS.hinted(many, "ask again in a second"));
         }
-        self.api.call(request).await
+        match proof {
+            Some((statement, proof)) => self.api.call_proved(request, statement, proof).await,
+            None => self.api.call(request).await,
+        }
     }
 }
 
@@ -399,4 +428,44 @@ fn read(request: &[u8]) -> Result<ApiRequest, Problem> {
             "a request of the fleet is JSON with method and path; this one is not: {error}"
         ))
     })
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::credentials::Credentials;
+
+    /// What two members agree on, when one is about to ask the other.
+    fn meet() -> Agreed {
+        let folder = tempfile::tempdir().unwrap();
+        let names = ["desk-1", "desk-2"].map(|it| it.parse().unwrap());
+        let all = Credentials::make(folder.path(), &names).unwrap();
+        let [asker, asked] = [0, 1].map(|it| all[it].identity().unwrap());
+        let half = Half::new(&asker).unwrap();
+        let meetings = Meetings::default();
+        let (key, _) = meetings.meet(&asked, "desk-2", &half.public).unwrap();
+        half.agree("desk-2", &key).unwrap()
+    }
+
+    #[test]
+    fn the_asked_station_gets_a_proof_for_this_request_and_not_the_token() {
+        let token = "0123456789abcdef".repeat(4);
+        let request = ApiRequest {
+            method: "POST".into(),
+            path: "/api/v1/lease".into(),
+            token: Some(token.clone()),
+            ..ApiRequest::default()
+        };
+        let [one, two] = [meet(), meet()].map(|agreed| proved(&agreed, &request));
+        let holds = |sent: &[u8]| sent.windows(16).any(|it| token.as_bytes().starts_with(it));
+        assert!(!holds(&one) && !holds(&two));
+        assert_eq!(one[PROOF..], two[PROOF..], "the request is the same");
+        assert_ne!(one[..PROOF], two[..PROOF], "the proof is not");
+        let without = ApiRequest {
+            token: None,
+            ..request
+        };
+        assert_eq!(proved(&meet(), &without)[..PROOF], NO_PROOF);
+    }
 }

@@ -84,6 +84,11 @@ impl Agreed {
         Ok((peer, request.to_vec()))
     }
 
+    /// What whoever asks proves his token about: this request to this station, once.
+    pub(crate) fn statement(&self, request: &[u8]) -> Vec<u8> {
+        statement("token", &[&self.transcript, request])
+    }
+
     pub(crate) fn seal_answer(&self, answer: Vec<u8>) -> Option<Vec<u8>> {
         seal(&self.answer, answer)
     }

@@ -31,6 +31,8 @@ mod packets;
 mod page;
 mod paging;
 mod programs;
+#[cfg(feature = "proofs")]
+mod proofs;
 mod rate;
 mod recordings;
 mod route;
@@ -48,6 +50,8 @@ mod tls;
 mod tls;
 mod tokens;
 
+#[cfg(feature = "proofs")]
+pub use proofs::{PROOF, prove};
 pub use served::{ServeError, Served, Web, serve};
 pub use station_api::StationApi;
 pub use tls::TlsError;

@@ -59,6 +59,8 @@ pub use fleet::{
     work_hurdle,
 };
 pub use foxglove::{FoxglovePort, FoxglovePortError};
+#[cfg(feature = "proofs")]
+pub use http::{PROOF, prove};
 pub use http::{ServeError, Served, StationApi, TlsError, Token, Tokens, TokensError, Web, serve};
 pub use program::{ProgramNews, Traffic};
 pub use raw::{RawPort, RawPortError};

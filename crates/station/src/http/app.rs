@@ -122,20 +122,24 @@ impl App {
         self.began.elapsed()
     }
 
-    /// Name and role of whoever has this token. Only for one that is not known yet the file is looked at: a stop waits
+    /// Name and role of whoever has the token of this digest. Only for one that is not known yet the file is looked at: a stop waits
     /// for no disk.
-    pub(super) fn holder(&self, secret: &str) -> Option<(String, Role)> {
-        let token = digest(secret);
-        let known = self.tokens().known(&token);
+    pub(super) fn holder(&self, token: &[u8; 32]) -> Option<(String, Role)> {
+        let known = self.tokens().known(token);
         known.or_else(|| {
             self.refresh_tokens();
-            self.tokens().known(&token)
+            self.tokens().known(token)
         })
     }
 
-    /// Whether this is the token of programs on the same machine.
-    pub(super) fn is_local(&self, secret: &str) -> bool {
-        self.tokens().is_local(secret)
+    /// The digest of the token of which this is a proof. Only for one that is not known yet the file is looked at.
+    #[cfg(feature = "proofs")]
+    pub(super) fn proved(&self, statement: &[u8], proof: &[u8]) -> Option<[u8; 32]> {
+        let proved = self.tokens().proved(statement, proof);
+        proved.or_else(|| {
+            self.refresh_tokens();
+            self.tokens().proved(statement, proof)
+        })
     }
 
     /// Reads the tokens anew if they have changed. Whoever may do less than before loses what he holds.

@@ -162,11 +162,15 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
         is_person: false,
         token: None,
     };
-    match presented(request.headers())? {
+    let token = match request.extensions().get() {
+        Some(Proved(token)) => Some(*token),
+        None => presented(request.headers())?.as_deref().map(digest),
+    };
+    match token {
         Some(token) => match app.holder(&token) {
             Some((name, role)) => Ok(Caller {
-                is_person: !app.is_local(&token) && !app.tokens().is_shared(&name),
-                token: Some(digest(&token)),
+                is_person: !app.tokens().is_local(&token) && !app.tokens().is_shared(&name),
+                token: Some(token),
                 name,
                 role,
             }),
@@ -176,6 +180,10 @@ fn identify(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Problem
         None => app.without_token.map(anyone).ok_or_else(no_token),
     }
 }
+
+/// The digest of a token of which a proof came with a request, and was checked.
+#[derive(Clone, Copy)]
+pub(super) struct Proved(pub(super) [u8; 32]);
 
 /// The token that comes with a request.
 pub(super) fn presented(headers: &HeaderMap) -> Result<Option<String>, Problem> {

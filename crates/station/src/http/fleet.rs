@@ -22,6 +22,7 @@ use super::app::{App, Caller, Peer, Stay};
 use super::calls::Asker;
 use super::events::ALIVE_EVERY;
 use super::routes;
+use super::tokens::digest;
 use crate::{ArmsPort, FleetPort, Members};
 
 /// What the station knows of its fleet.
@@ -185,7 +186,10 @@ pub(super) async fn reset_stop(
     let app = &asker.app;
     let port = app.fleet()?;
     asker.check_role(Role::Control)?;
-    let has_token = asker.token.as_ref().is_some_and(|it| !app.is_local(it));
+    let has_token = asker
+        .caller
+        .token
+        .is_some_and(|it| !app.tokens().is_local(&it));
     if !(has_token || peer.by_fleet || port.is_on_one_machine()) {
         let detail = "that one may do everything on his own machine counts for nothing at the other stations";
         let hint = "take a token of this station with the role control, in DOBOT_TOKEN; or reset the stop of this arm alone: `dobot stop --reset`";
@@ -229,7 +233,9 @@ pub(super) async fn request(
         key: wanted.key,
         body: wanted.body,
         // What programs of this machine say here is known here alone.
-        token: asker.token.filter(|it| !asker.app.is_local(it)),
+        token: asker
+            .token
+            .filter(|it| !asker.app.tokens().is_local(&digest(it))),
     };
     Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
 }

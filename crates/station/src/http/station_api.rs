@@ -11,7 +11,7 @@ use axum::http::header::{AUTHORIZATION, CONTENT_TYPE, HOST};
 use axum::http::{HeaderValue, Method};
 use axum::response::Response;
 use axum::{Extension, Router};
-use dobot_api::problem_kinds::{INVALID, MALFORMED, TIMEOUT, TOO_LARGE};
+use dobot_api::problem_kinds::{INVALID, MALFORMED, TIMEOUT, TOO_LARGE, UNAUTHORISED};
 use dobot_api::{ApiAnswer, ApiRequest, Problem};
 use dobot_rules::Handle;
 use serde_json::Value;
@@ -20,6 +20,7 @@ use tower::ServiceExt;
 
 use super::answer::JOB;
 use super::app::{App, Peer};
+use super::auth::Proved;
 use super::calls::{KEY, LEASE};
 use super::routes;
 use crate::{ArmsPort, FleetPort};
@@ -66,8 +67,32 @@ impl StationApi {
 
     /// Asks the station.
     pub async fn call(&self, request: &ApiRequest) -> ApiAnswer {
+        self.call_as(request, None).await
+    }
+
+    /// Asks the station with a proof of a token, which is one about this statement.
+    #[cfg(feature = "proofs")]
+    pub async fn call_proved(
+        &self,
+        request: &ApiRequest,
+        statement: &[u8],
+        proof: &[u8],
+    ) -> ApiAnswer {
+        match self.app.proved(statement, proof) {
+            Some(token) => self.call_as(request, Some(Proved(token))).await,
+            None => ApiAnswer::of_problem(&UNAUTHORISED.hinted(
+                "the station does not know the token of this proof",
+                "on the asked station: `dobot token add ROLE NAME --same-as FILE`; one that an older program accepted has to be removed first",
+            )),
+        }
+    }
+
+    async fn call_as(&self, request: &ApiRequest, who: Option<Proved>) -> ApiAnswer {
         let answered = async {
-            let request = read(request, self.to)?;
+            let mut request = read(request, self.to)?;
+            if let Some(proved) = who {
+                request.extensions_mut().insert(proved);
+            }
             let Ok(response) = self.router.clone().oneshot(request).await;
             answer(response).await
         };

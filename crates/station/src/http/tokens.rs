@@ -84,6 +84,10 @@ impl Tokens {
             role,
             shared: false,
             sha256,
+            #[cfg(feature = "proofs")]
+            key: Some(super::proofs::public_key(token.secret())),
+            #[cfg(not(feature = "proofs"))]
+            key: None,
         });
         self.write()
     }
@@ -109,9 +113,8 @@ impl Tokens {
     }
 
     /// Whether this is the token of programs on the same machine.
-    pub(super) fn is_local(&self, secret: &str) -> bool {
-        self.local
-            .is_some_and(|local| same(&local, &digest(secret)))
+    pub(super) fn is_local(&self, token: &[u8; 32]) -> bool {
+        self.local.is_some_and(|local| same(&local, token))
     }
 
     /// Removes a token: it is refused from now on.
@@ -183,6 +186,18 @@ impl Tokens {
             }
         });
         found.map(|it| (it.name.clone(), it.role))
+    }
+
+    /// The digest of the token of which this is a proof, as the file was read last.
+    #[cfg(feature = "proofs")]
+    pub(super) fn proved(&self, statement: &[u8], proof: &[u8]) -> Option<[u8; 32]> {
+        let is_proved = |it: &&Known| {
+            let key = it.key.as_deref();
+            key.is_some_and(|key| super::proofs::is_proved(key, statement, proof))
+        };
+        let known = self.known.iter().find(is_proved)?;
+        let digest = data_encoding::HEXLOWER.decode(known.sha256.as_bytes());
+        digest.ok()?.try_into().ok()
     }
 
     /// Reads the file if it is not the one that was read last.
@@ -350,6 +365,9 @@ struct Known {
     #[serde(default, skip_serializing_if = "is_not")]
     shared: bool,
     sha256: String,
+    /// By what proofs with the token are checked; absent where the program that accepted it could not make them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    key: Option<String>,
 }
 
 #[expect(

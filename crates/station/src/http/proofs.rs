@@ -1,0 +1,56 @@
+//! Proofs that somebody has a token. Whoever checks one learns nothing by which he could make another.
+
+use ring::signature::{ED25519, Ed25519KeyPair, KeyPair, UnparsedPublicKey};
+use sha2::{Digest, Sha256};
+
+use super::tokens::hex;
+
+/// The length of a proof in bytes.
+pub const PROOF: usize = 64;
+
+/// Proves about a statement that it is made by whoever has a token (Ed25519).
+#[must_use]
+pub fn prove(token: &str, statement: &[u8]) -> [u8; PROOF] {
+    let signature = key_pair(token).sign(statement);
+    let bytes = signature.as_ref().try_into();
+    bytes.expect("a signature of Ed25519 has 64 bytes")
+}
+
+/// By what proofs with a token are checked, in hexadecimal digits.
+pub(super) fn public_key(token: &str) -> String {
+    hex(key_pair(token).public_key().as_ref())
+}
+
+/// Whether a proof about a statement is made with the token of this public key.
+pub(super) fn is_proved(public_key: &str, statement: &[u8], proof: &[u8]) -> bool {
+    let key = data_encoding::HEXLOWER.decode(public_key.as_bytes());
+    key.is_ok_and(|key| {
+        let key = UnparsedPublicKey::new(&ED25519, key);
+        key.verify(statement, proof).is_ok()
+    })
+}
+
+fn key_pair(token: &str) -> Ed25519KeyPair {
+    // Not the digest that is kept of a token, by which nobody may prove anything.
+    let seed = Sha256::new()
+        .chain_update(b"dobot token proof\0")
+        .chain_update(token.to_ascii_lowercase())
+        .finalize();
+    Ed25519KeyPair::from_seed_unchecked(&seed).expect("any 32 bytes are a seed")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_proof_counts_for_its_token_and_statement_only() {
+        let [one, other] = ["a", "b"].map(|it| it.repeat(64));
+        let proof = prove(&one, b"stop");
+        assert!(is_proved(&public_key(&one), b"stop", &proof));
+        assert!(!is_proved(&public_key(&one), b"go", &proof));
+        assert!(!is_proved(&public_key(&other), b"stop", &proof));
+        assert!(!is_proved("no key", b"stop", &proof));
+        assert!(!is_proved(&public_key(&one), b"stop", &[0; PROOF]));
+    }
+}
