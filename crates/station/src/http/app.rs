@@ -19,7 +19,7 @@ use super::learners::Learners;
 use super::listen::ConnectionSlot;
 use super::rate::Addresses;
 use super::recordings::Recordings;
-use super::tokens::{Tokens, digest};
+use super::tokens::Tokens;
 use crate::{ArmsPort, FleetPort};
 
 /// What all requests share.
