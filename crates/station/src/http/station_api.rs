@@ -11,7 +11,9 @@ use axum::http::header::{AUTHORIZATION, CONTENT_TYPE, HOST};
 use axum::http::{HeaderValue, Method};
 use axum::response::Response;
 use axum::{Extension, Router};
-use dobot_api::problem_kinds::{INVALID, MALFORMED, TIMEOUT, TOO_LARGE, UNAUTHORISED};
+#[cfg(feature = "proofs")]
+use dobot_api::problem_kinds::UNAUTHORISED;
+use dobot_api::problem_kinds::{INVALID, MALFORMED, TIMEOUT, TOO_LARGE};
 use dobot_api::{ApiAnswer, ApiRequest, Problem};
 use dobot_rules::Handle;
 use serde_json::Value;

@@ -486,11 +486,12 @@ const LONG_LINES: &str = "
 A line of 96 mm in each material and with each pen, which takes up to half a minute. In the middle of it somebody stops
 the arm or pauses the job, or the station is killed or stands still while its guardian is there. The figures are the
 longest times in seconds from then until the laser is off, or until a pen does not move any more. A laser has to be off
-within 0.5 s, and a pen has to rest within 0.75 s; in a pause it slows down on its line, and rests within 1.5 s.
+within 0.5 s, and a pen has to rest within 0.7 s; in a pause it slows down on its line, and rests within 1.5 s. A marker
+is drawn at 60 mm/s and speeds up for longer, which cannot be cut: 0.8 s, and 1.7 s in a pause.
 ";
 
 const LONG_LINES_END: &str = "
-The planner cuts long lines into vectors of 0.2 s for a laser and 0.42 s for a pen, in which the arm goes on at the same
+The planner cuts long lines into vectors of 0.18 s for a laser and 0.34 s for a pen, in which the arm goes on at the same
 speed. A vector that burns is sent only when it should end within `queue.ahead_s`, but early enough for the arm not to
 wait. On a stock arm a vector that only speeds up and brakes is not cut; at 30 mm/s it takes up to 0.6 s, and the light
 of what the arm has received lasts up to 0.9 s then. The policy refuses a vector that burns for longer than

@@ -42,7 +42,7 @@ fn begin(it: &mut VirtualStation, job: &NewJob) -> (ClientId, u64) {
 
 /// Waits until the job is paused in the journal.
 fn paused(it: &mut VirtualStation, job: u64) {
-    let latest = it.now() + Duration::from_mins(1);
+    let latest = it.now() + Duration::from_secs(60);
     let is_paused = |it: &VirtualStation| {
         let state = it.job(job).unwrap().state;
         matches!(state, JobState::Paused { .. }) && it.supervisor().is_at_rest()
@@ -60,7 +60,7 @@ fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
     it.ask(anna, Request::SeizeLease).unwrap();
     it.ask(anna, Request::ConfirmPose).unwrap();
     it.start(anna, job).unwrap();
-    let latest = it.now() + Duration::from_mins(1);
+    let latest = it.now() + Duration::from_secs(60);
     let is_done = |it: &VirtualStation| it.job(job).unwrap().state == JobState::Done;
     assert!(
         it.run_until(latest, is_done),
