@@ -2112,7 +2112,8 @@ export interface components {
             /**
              * @description What waits in the arm.
              * @default {
-             *       "ahead_s": 0.5
+             *       "ahead_s": 0.5,
+             *       "line_s": 3600
              *     }
              */
             queue: components["schemas"]["QueueRules"];
@@ -2426,6 +2427,13 @@ export interface components {
              * @default 0.5
              */
             ahead_s: number;
+            /**
+             * Format: double
+             * @description How long a straight line (MOVL) of a client may take, in s: 0.5 to 3600. A longer one is sent in pieces, between which
+             *     the arm stands for a moment; after a stop it finishes the piece that it is at.
+             * @default 3600
+             */
+            line_s: number;
         };
         /** @description A text that is to be the policy. */
         PolicyText: {

@@ -162,6 +162,9 @@ section! {
         /// How long before the arm should begin a command it may be sent, in s: 0 to 60. So long after a stop
         /// the arm may begin another motion.
         ahead_s: f64 = 0.5,
+        /// How long a straight line (MOVL) of a client may take, in s: 0.5 to 3600. A longer one is sent in pieces, between which
+        /// the arm stands for a moment; after a stop it finishes the piece that it is at.
+        line_s: f64 = 3600.0,
     }
 }
 

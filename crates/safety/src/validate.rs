@@ -98,7 +98,7 @@ fn spans(policy: &Policy) -> [(&'static str, Bounds, Bounds); 9] {
 }
 
 /// Numbers and their ranges.
-fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 23] {
+fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 24] {
     let Policy {
         table,
         tool_length,
@@ -164,6 +164,7 @@ fn numbers(policy: &Policy) -> [(&'static str, f64, Bounds); 23] {
         ("jog.raw_dead_man_s", jog.raw_dead_man_s, within(0.05, 5.0)),
         ("jog.reaction_s", jog.reaction_s, within(0.05, 2.0)),
         ("queue.ahead_s", queue.ahead_s, within(0.0, 60.0)),
+        ("queue.line_s", queue.line_s, within(0.5, 3600.0)),
     ]
 }
 

@@ -40,7 +40,12 @@ impl Commands {
         if leads_somewhere(&command) && !knows_place(arm) {
             return Err(still_moving(rests_within));
         }
-        let id = arm.send(&command)?;
+        let pieces = line_pieces(arm, &command)?;
+        let mut last = None;
+        for piece in pieces.iter().chain([&command]) {
+            last = Some(arm.send(piece)?);
+        }
+        let id = last.expect("the command itself is sent");
         self.pending.insert(id, client);
         Ok(id)
     }
@@ -110,6 +115,44 @@ pub(super) fn button(command: &Command) -> Option<Jog> {
     }
 }
 
+/// What is sent before a straight line that takes longer than the policy wants, so that each piece is short enough: targets on
+/// the line, with pump and gripper as they are before it. All of them are allowed.
+fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
+    let (Command::MoveTo(target), Some(begin)) = (command, arm.session().model()) else {
+        return Ok(Vec::new());
+    };
+    if target.mode != MovingMode::MovL {
+        return Ok(Vec::new());
+    }
+    let policy = arm.policy();
+    let takes_s = policy.check(begin, command)?.motion_s();
+    let is_enough =
+        |pieces: &u16| takes_s.is_none_or(|it| it <= f64::from(*pieces) * policy.queue.line_s);
+    let pieces = (1..MOST_PIECES).find(is_enough).unwrap_or(MOST_PIECES);
+    let status = begin.status();
+    let at = |share: f32| {
+        let between = |from: f32, to: f32| from + share * (to - from);
+        Command::from(MoveTo {
+            x_mm: between(status.x_mm, target.x_mm),
+            y_mm: between(status.y_mm, target.y_mm),
+            z_mm: between(status.z_mm, target.z_mm),
+            rotation_deg: status.rotation_deg,
+            suction: begin.suction,
+            gripper_deg: status.gripper_deg,
+            pause_s: 0.0,
+            ..*target
+        })
+    };
+    let before_last = (1..pieces).map(|it| at(f32::from(it) / f32::from(pieces)));
+    let before_last: Vec<Command> = before_last.collect();
+    let mut model = *begin;
+    for piece in before_last.iter().chain([command]) {
+        let trajectory = policy.check(&model, piece)?;
+        model = model.after(piece, &trajectory);
+    }
+    Ok(before_last)
+}
+
 /// Whether the way of a command begins where the arm is.
 const fn leads_somewhere(command: &Command) -> bool {
     match command {
@@ -151,5 +194,7 @@ fn spoken(order: VoiceOrder, model: &Model) -> Command {
     }
 }
 
+/// More than that many pieces of a line are longer instead.
+const MOST_PIECES: u16 = 32;
 /// A client that has so much waiting had better send a job.
 const MOST_WAITING: usize = 64;
