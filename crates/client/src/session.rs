@@ -629,7 +629,7 @@ const IN_TIME: Duration = Duration::from_millis(220);
 /// Behind what burns an arm begins with laser off, and prediction is not exact: two ticks.
 const LASER_OFF_TAKES: Duration = Duration::from_millis(100);
 /// What an arm without a laser has received may take so much longer.
-const UNLIT_LONGER: Duration = Duration::from_millis(60);
+const UNLIT_LONGER: Duration = Duration::from_millis(100);
 /// A status that is later than that has been withheld.
 const LATE: Duration = Duration::from_millis(60);
 /// With that many commands under way the queue may be full, and a full queue is silent (note N20).
