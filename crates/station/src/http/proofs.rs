@@ -9,6 +9,10 @@ use super::tokens::hex;
 pub const PROOF: usize = 64;
 
 /// Proves about a statement that it is made by whoever has a token (Ed25519).
+///
+/// # Panics
+///
+/// Never: a signature has 64 bytes.
 #[must_use]
 pub fn prove(token: &str, statement: &[u8]) -> [u8; PROOF] {
     let signature = key_pair(token).sign(statement);
