@@ -626,7 +626,7 @@ const FIRST_STATUS: Duration = Duration::from_secs(5);
 const AHEAD: Duration = Duration::from_millis(500);
 /// So long before it begins a vector is sent in time on a usual link: its way takes 55 ms, and the computer may be late.
 const IN_TIME: Duration = Duration::from_millis(220);
-/// Behind what burns an arm begins with laser off, and prediction is not exact: two ticks.
+/// From the end of what burns until the laser is off: a packet, a tick, and an error of the prediction.
 const LASER_OFF_TAKES: Duration = Duration::from_millis(100);
 /// What an arm without a laser has received may take so much longer.
 const UNLIT_LONGER: Duration = Duration::from_millis(100);

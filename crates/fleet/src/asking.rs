@@ -235,7 +235,7 @@ impl Asking<'_> {
     }
 }
 
-/// A request without its token, behind a proof that whoever asks has it: the asked station does not learn it.
+/// A request without its token, after a proof that the sender holds the token. The receiving station does not learn it.
 fn proved(agreed: &Agreed, request: &ApiRequest) -> Vec<u8> {
     let mut request = request.clone();
     let token = request.token.take();

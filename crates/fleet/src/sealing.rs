@@ -84,7 +84,7 @@ impl Agreed {
         Ok((peer, request.to_vec()))
     }
 
-    /// What whoever asks proves his token about: this request to this station, once.
+    /// The statement that a proof of a token covers: this request to this station, once.
     pub(crate) fn statement(&self, request: &[u8]) -> Vec<u8> {
         statement("token", &[&self.transcript, request])
     }

@@ -115,8 +115,8 @@ pub(super) fn button(command: &Command) -> Option<Jog> {
     }
 }
 
-/// What is sent before a straight line that takes longer than the policy wants, so that each piece is short enough: targets on
-/// the line, with pump and gripper as they are before it. All of them are allowed.
+/// The targets to send before a straight line that takes longer than `queue.line_s`, so that each piece is short enough. Pump and
+/// gripper stay as they are until the last piece. Every piece is allowed by the policy.
 fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
     let (Command::MoveTo(target), Some(begin)) = (command, arm.session().model()) else {
         return Ok(Vec::new());
@@ -125,10 +125,14 @@ fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
         return Ok(Vec::new());
     }
     let policy = arm.policy();
-    let takes_s = policy.check(begin, command)?.motion_s();
+    // A line that leads nowhere is refused when it is sent.
+    let takes_s = begin.trajectory(command).ok().and_then(|it| it.motion_s());
     let is_enough =
         |pieces: &u16| takes_s.is_none_or(|it| it <= f64::from(*pieces) * policy.queue.line_s);
     let pieces = (1..MOST_PIECES).find(is_enough).unwrap_or(MOST_PIECES);
+    if pieces == 1 {
+        return Ok(Vec::new());
+    }
     let status = begin.status();
     let at = |share: f32| {
         let between = |from: f32, to: f32| from + share * (to - from);
@@ -194,7 +198,7 @@ fn spoken(order: VoiceOrder, model: &Model) -> Command {
     }
 }
 
-/// More than that many pieces of a line are longer instead.
+/// The maximum number of pieces of a line. A very slow line has longer pieces instead.
 const MOST_PIECES: u16 = 32;
 /// A client that has so much waiting had better send a job.
 const MOST_WAITING: usize = 64;

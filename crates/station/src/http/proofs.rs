@@ -1,4 +1,4 @@
-//! Proofs that somebody has a token. Whoever checks one learns nothing by which he could make another.
+//! Proofs that a client holds a token. A station that checks one cannot make another from it.
 
 use ring::signature::{ED25519, Ed25519KeyPair, KeyPair, UnparsedPublicKey};
 use sha2::{Digest, Sha256};
@@ -8,7 +8,7 @@ use super::tokens::hex;
 /// The length of a proof in bytes.
 pub const PROOF: usize = 64;
 
-/// Proves about a statement that it is made by whoever has a token (Ed25519).
+/// Signs a statement with a token (Ed25519), which proves that the sender holds it.
 ///
 /// # Panics
 ///
