@@ -33,8 +33,8 @@ readonly PUSH_STEPS=(
   "licences     Does every dependency have a licence that we may ship?"
   "lint         Run clippy; warnings are errors. Check the Rust version that each crate names"
   "test         Run cargo test"
-  "doc          Build the documentation; warnings are errors. Compare the READMEs with its examples"
-  "no-std       Link wire, arm, motion, trajectory and controller without the standard library"
+  "doc          Build the documentation; warnings are errors. Compare the READMEs with its examples, and docs/crates.md with the manifests"
+  "no-std       Link wire, arm, motion and controller without the standard library"
   "examples     Run every example; none needs an arm"
   "api          Send a station requests that schemathesis makes from its OpenAPI document"
   "python       Run the Python package's tests and notebooks; check its types with mypy and pyright"
@@ -66,7 +66,7 @@ readonly OTHER_STEPS=(
 # Crates that take minutes to build and that few people change; `wide` tests them.
 readonly RARE=(--exclude dobot-fleet --exclude dobot-ros2 --exclude dobot-mcp)
 # The crates that `cargo test` does not build, or not with all features.
-readonly FEATURED=(-p dobot-api -p dobot-cli -p dobot-fleet -p dobot-mcp -p dobot-ros2 -p dobot-station -p dobot-tables
+readonly FEATURED=(-p dobot-api -p dobot-cli -p dobot-fleet -p dobot-mcp -p dobot-ros2 -p dobot-record -p dobot-station
   -p dobot-arm-python -p dobot-examples -p dobot-features)
 
 # The licences that dependencies come with; each allows what MIT and Apache 2.0 do, except MPL 2.0,
@@ -179,6 +179,8 @@ step_doc() {
     diff <(example_of_library "$library") <(example_of_readme "$readme") ||
       fail "$readme: the example is not that of $library (<), which is tested"
   done
+  diff <(cargo run --locked --quiet -p dobot-examples --example crates) docs/crates.md ||
+    fail "docs/crates.md is not what the manifests say (<); CONTRIBUTING tells how to write it again"
 }
 
 step_doc-all() {
@@ -188,7 +190,8 @@ step_doc-all() {
 # The first example of a library's documentation, without its hidden lines.
 example_of_library() {
   sed -n 's/^\/\/! \{0,1\}//p' "$1" |
-    awk '!within && /^```(no_run)?$/ { within = 1; next } within && /^```$/ { exit } within && !/^#( |$)/'
+    awk '/^```/ { if (within) exit; if (other) other = 0; else if (/^```(no_run)?$/) within = 1; else other = 1; next }
+      within && !/^#( |$)/'
 }
 
 example_of_readme() {
@@ -307,7 +310,7 @@ step_recordings() {
   tests/recordings/read.sh "$folder"
   rm -rf "$folder"
   mkdir "$folder"
-  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --all-features "${FEATURED[@]}" -p dobot-tables --test it -- --exact export::samples --ignored
+  DOBOT_RECORD_SAMPLES=$folder cargo test --locked --all-features "${FEATURED[@]}" -p dobot-record --test it -- --exact export::samples --ignored
   tests/recordings/tables.sh "$(built)/dobot" "$folder"
   rm -rf "$folder"
   mkdir "$folder"

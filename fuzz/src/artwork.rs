@@ -1,6 +1,6 @@
 //! Drawings that were read.
 
-use dobot_source::{Artwork, ReadOptions, Source};
+use dobot_import::{Artwork, ReadOptions, Source};
 
 /// Reads a source: what comes back lies within the limits of a drawing.
 pub(crate) fn read(source: &Source) -> Option<Artwork> {

@@ -1,4 +1,4 @@
-use dobot_source::Source;
+use dobot_import::Source;
 
 /// Files of every format that a decoder of others reads, and packed ones: an error, or ink, but never a
 /// panic, and never more memory than a drawing needs.

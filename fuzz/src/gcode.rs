@@ -1,4 +1,4 @@
-use dobot_source::Source;
+use dobot_import::Source;
 
 /// G-code of any kind: an error, or ink within the limits, but never a panic.
 pub fn gcode(input: &[u8]) {

@@ -1,4 +1,4 @@
-use dobot_source::Source;
+use dobot_import::Source;
 
 /// Plots of any kind: an error, or ink within the limits, but never a panic.
 pub fn hpgl(input: &[u8]) {

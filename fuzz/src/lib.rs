@@ -56,7 +56,7 @@ mod tests {
     use std::fs;
     use std::path::PathBuf;
 
-    use dobot_random::Random;
+    use dobot_geometry::Random;
 
     macro_rules! tests {
         ($($target:ident)*) => {

@@ -1,6 +1,6 @@
 use std::io::{Cursor, Write};
 
-use dobot_source::{ReadOptions, Shading, ShadingStyle, Source};
+use dobot_import::{ReadOptions, Shading, ShadingStyle, Source};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use image::{DynamicImage, GrayAlphaImage, GrayImage, ImageFormat, RgbImage, RgbaImage};

@@ -1,4 +1,4 @@
-use dobot_source::Source;
+use dobot_import::Source;
 
 /// Points in CSV and JSON: an error, or ink within the limits, but never a panic.
 pub fn points(input: &[u8]) {

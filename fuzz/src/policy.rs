@@ -1,5 +1,5 @@
+use dobot_motion::Model;
 use dobot_safety::Policy;
-use dobot_trajectory::Model;
 use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MoveTo, Status, WriteVector};
 
 /// A policy that anybody writes: an error with its line, or a policy that is written and read again

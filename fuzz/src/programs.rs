@@ -1,6 +1,6 @@
+use dobot_motion::Model;
 use dobot_safety::Policy;
 use dobot_teach::{NoFiles, Program, ProgramDocument, check};
-use dobot_trajectory::Model;
 use dobot_wire::{Dialect, Status};
 
 /// A program that anybody writes: an error with its line, or a program that is written and read again unchanged, that

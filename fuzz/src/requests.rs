@@ -2,7 +2,7 @@ use std::time::Duration;
 
 use dobot_api::{FromClient, Reply, Request};
 use dobot_controller::{Personality, PowerUp};
-use dobot_rules::VirtualStation;
+use dobot_host::VirtualStation;
 use dobot_safety::Policy;
 use dobot_wire::{Command, Decoder, Dialect, Packet};
 

@@ -1,4 +1,4 @@
-use dobot_source::Source;
+use dobot_import::Source;
 
 /// SVG of any kind: an error, or ink on the file's page, but never a panic.
 pub fn svg(input: &[u8]) {

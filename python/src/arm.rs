@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_api::{Button, Request};
 use dobot_controller::PowerUp;
-use dobot_rules::{PathName, Target, TargetPlace};
+use dobot_host::{PathName, Target, TargetPlace};
 use dobot_sim::VirtualArm;
 use dobot_teach::Times;
 use dobot_wire::{JointJog, JointJogAxis, MovingMode, PlaybackAdjustment, Status};

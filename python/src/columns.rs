@@ -1,6 +1,6 @@
 //! Columns of tables for Python: the bytes of a numpy array, or a list of texts.
 
-use dobot_tables::{TableColumn, Values};
+use dobot_record::tables::{TableColumn, Values};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dobot_api::{ConnectError, Problem, RemoteError, problem_kinds};
-use dobot_rules::NoArm;
+use dobot_host::NoArm;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -5,10 +5,10 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use dobot_record::{OpenError, Recording};
 #[cfg(feature = "full")]
-use dobot_tables::export_lerobot;
-use dobot_tables::{ExportError, TableForm, export_files, holds_packets, read_tables};
+use dobot_record::tables::export_lerobot;
+use dobot_record::tables::{ExportError, TableForm, export_files, holds_packets, read_tables};
+use dobot_record::{OpenError, Recording};
 #[cfg(not(feature = "full"))]
 use pyo3::exceptions::PyNotImplementedError;
 use pyo3::exceptions::{PyFileExistsError, PyOSError, PyValueError};

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use dobot_api::{CertificateTrust, Folders, StationAddress, StationSearch, fingerprint};
-use dobot_client::Address;
-use dobot_rules::LocalArm;
+use dobot_host::LocalArm;
 use dobot_safety::Policy;
+use dobot_session::Address;
 use dobot_wire::Dialect;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_rules::{PlannedFor, Rules};
+use dobot_host::{PlannedFor, Rules};
 use dobot_safety::Policy;
 use dobot_teach::{Compiled, Program, ProgramError, ProgramForm, Times, check};
 use dobot_wire::Dialect;

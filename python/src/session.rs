@@ -7,7 +7,7 @@ use std::time::Duration;
 use dobot_api::problem_kinds::BAD_PROGRAM;
 use dobot_api::{Jog, RemoteError, Reply, Request, State, StationEvent};
 use dobot_controller::PowerUp;
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::{Command, Status};
 use tokio::sync::mpsc::UnboundedReceiver;
 use tokio::time::timeout;

@@ -1,8 +1,8 @@
 //! Scripts in virtual time.
 
 use dobot_controller::Personality;
+use dobot_record::tables::STATUS_FLOATS;
 use dobot_sim::{Plot, Script, Simulation, Snapshot, simulate_watched};
-use dobot_tables::STATUS_FLOATS;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

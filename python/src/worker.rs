@@ -8,7 +8,7 @@ use std::time::Duration;
 use dobot_api::{Jog, Request, StationSearch};
 use dobot_controller::PowerUp;
 use dobot_draw::DrawingRequest;
-use dobot_rules::{LocalArm, StationClient};
+use dobot_host::{LocalArm, StationClient};
 use dobot_safety::Policy;
 use dobot_sim::VirtualArm;
 use dobot_wire::{Command, Status};

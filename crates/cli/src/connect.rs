@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
 use dobot_api::State;
-use dobot_client::Address;
 use dobot_controller::{Personality, PowerUp};
-use dobot_rules::{LocalArm, StationClient};
+use dobot_host::{LocalArm, StationClient};
 use dobot_safety::Policy;
+use dobot_session::Address;
 use dobot_wire::Dialect;
 
 use crate::bounded;

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{ArmView, RemoteError, Reply, Request, State};
-use dobot_rules::{PlannedFor, Rules, StationClient};
+use dobot_host::{PlannedFor, Rules, StationClient};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Status};
 use tokio::io::{AsyncBufReadExt, BufReader};

@@ -3,9 +3,9 @@
 use std::process::ExitCode;
 
 use dobot_api::{ConnectError, NotBuilt, RemoteError};
-use dobot_client::{LinkError, OpenError, SendError};
 use dobot_draw::OptionsError;
-use dobot_rules::{NoArm, OpenArmError};
+use dobot_host::{NoArm, OpenArmError};
+use dobot_session::{LinkError, OpenError, SendError};
 
 use crate::logging::LogFormat;
 

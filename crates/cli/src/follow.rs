@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{JobPhase, JobView, ProgramView, RemoteError, Request, State, StationEvent};
-use dobot_rules::{JobWatch, StationClient};
+use dobot_host::{JobWatch, StationClient};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::control::take_control;

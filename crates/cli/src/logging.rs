@@ -1,4 +1,4 @@
-//! The log: what the rooms tell through `tracing`, on standard error.
+//! The log: the events of all crates through `tracing`, on standard error.
 
 use std::env::VarError;
 
@@ -54,7 +54,7 @@ impl LogFormat {
 
     /// Whether a person sees a station's notices here: not where the log holds them already.
     pub(crate) fn shows_notices(self) -> bool {
-        self == Self::Text && !tracing::enabled!(target: "dobot_rules", Level::INFO)
+        self == Self::Text && !tracing::enabled!(target: "dobot_host", Level::INFO)
     }
 
     fn targets(self, wanted: Result<String, VarError>) -> Result<Targets, String> {
@@ -78,7 +78,7 @@ impl LogFormat {
 fn not_understood(wanted: &str, error: &dyn std::error::Error) -> String {
     format!(
         "RUST_LOG is \"{}\", which cannot be read ({error}), and is passed over; it may be a level (off, error, warn, info, \
-         debug, trace), or levels of rooms, as in dobot_rules=debug,dobot_station=info",
+         debug, trace), or levels of crates, as in dobot_host=debug,dobot_station=info",
         wanted.escape_debug()
     )
 }
@@ -99,9 +99,9 @@ mod tests {
         let quiet = LogFormat::Text
             .targets(Err(VarError::NotPresent))
             .expect("it is understood");
-        assert!(!quiet.would_enable("dobot_rules", &Level::ERROR));
-        assert!(wants(LogFormat::Text, "info", "dobot_rules", Level::INFO));
-        assert!(!wants(LogFormat::Text, "info", "dobot_rules", Level::DEBUG));
+        assert!(!quiet.would_enable("dobot_host", &Level::ERROR));
+        assert!(wants(LogFormat::Text, "info", "dobot_host", Level::INFO));
+        assert!(!wants(LogFormat::Text, "info", "dobot_host", Level::DEBUG));
     }
 
     #[test]
@@ -111,13 +111,13 @@ mod tests {
             .expect("it is understood");
         assert!(service.would_enable("dobot_station::http", &Level::INFO));
         assert!(!service.would_enable("dobot_station::http", &Level::DEBUG));
-        assert!(!wants(LogFormat::Json, "warn", "dobot_rules", Level::INFO));
+        assert!(!wants(LogFormat::Json, "warn", "dobot_host", Level::INFO));
     }
 
     #[test]
     fn each_room_may_have_a_level_of_its_own() {
-        let wanted = "warn,dobot_rules=debug";
-        let (rules, station) = ("dobot_rules::driver", "dobot_station::http");
+        let wanted = "warn,dobot_host=debug";
+        let (rules, station) = ("dobot_host::driver", "dobot_station::http");
         assert!(wants(LogFormat::Text, wanted, rules, Level::DEBUG));
         assert!(!wants(LogFormat::Text, wanted, station, Level::INFO));
         assert!(wants(LogFormat::Text, wanted, station, Level::WARN));
@@ -126,10 +126,10 @@ mod tests {
     #[test]
     fn a_level_that_there_is_not_is_told_with_those_that_there_are() {
         let problem = LogFormat::Text
-            .targets(Ok("dobot_rules=loud".into()))
+            .targets(Ok("dobot_host=loud".into()))
             .expect_err("it is not");
         assert!(
-            problem.contains("\"dobot_rules=loud\"") && problem.contains("debug"),
+            problem.contains("\"dobot_host=loud\"") && problem.contains("debug"),
             "{problem}"
         );
     }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::Duration;
 
-use dobot_rules::plain;
+use dobot_supervisor::plain;
 use dobot_wire::Status;
 use serde::Serialize;
 use serde_json::Value;

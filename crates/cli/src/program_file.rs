@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context, anyhow};
 use dobot_draw::ProgramFiles;
-use dobot_rules::PlannedFor;
+use dobot_host::PlannedFor;
 use dobot_teach::{Compiled, Files, Program, ProgramForm};
 
 use crate::failure::Failure;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::anyhow;
 use dobot_api::{Folders, SearchError, StationAddress, StationOptions};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 
 use crate::failure::Failure;
 

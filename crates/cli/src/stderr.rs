@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::time::Duration;
 
-use dobot_rules::Background;
+use dobot_host::Background;
 
 enum Item {
     Bytes(Vec<u8>),

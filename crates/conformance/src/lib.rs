@@ -6,7 +6,7 @@
 //! process in virtual time.
 //!
 //! ```
-//! use dobot_client::Link;
+//! use dobot_session::Link;
 //! use dobot_conformance::{Options, Suite, Verdict};
 //! use dobot_controller::{Controller, PowerUp};
 //! use dobot_sim::{InProcess, SerialLine, VirtualArm};

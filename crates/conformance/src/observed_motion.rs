@@ -1,7 +1,7 @@
 //! A motion as its statuses tell it.
 
 use dobot_arm::{Position, Tool, forward};
-use dobot_client::position;
+use dobot_session::position;
 use dobot_wire::{Dialect, Status};
 
 use crate::rig::joints;

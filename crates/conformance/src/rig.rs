@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::{Joints, Position, Tool, forward};
-use dobot_client::{Link, LinkError, plausible, position};
+use dobot_session::{Link, LinkError, plausible, position};
 use dobot_wire::{Decoder, Frame, PACKET_LEN, Status, Statuses};
 
 use crate::Options;

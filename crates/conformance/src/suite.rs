@@ -1,6 +1,6 @@
 //! The suite: all checks in order, over one link.
 
-use dobot_client::{Link, LinkError};
+use dobot_session::{Link, LinkError};
 
 use crate::check::{Begins, Check};
 use crate::checks::flow;

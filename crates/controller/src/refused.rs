@@ -1,7 +1,7 @@
 //! The reasons why a controller does not do what it is told.
 
 use dobot_arm::Unreachable;
-use dobot_trajectory::TrajectoryError;
+use dobot_motion::TrajectoryError;
 use dobot_wire::ParseError;
 
 /// Why the controller did not do what a packet says, or stopped.

@@ -8,7 +8,7 @@ mod motion;
 use core::time::Duration;
 
 use dobot_arm::{Joints, Pose, TICK, Tool, Unreachable};
-use dobot_trajectory::{ArmPlace, Button, JogAxis, JogTrajectory, Model, Trajectory};
+use dobot_motion::{ArmPlace, Button, JogAxis, JogTrajectory, Model, Trajectory};
 use dobot_wire::{Command, Commands, Decoder, Dialect, Frame, Packet, VoiceOrder, single};
 use heapless::Deque;
 

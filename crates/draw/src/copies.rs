@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use dobot_geometry::{Rect, Vec2, bounds};
-use dobot_source::Artwork;
+use dobot_import::Artwork;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -75,7 +75,7 @@ pub(crate) fn in_cells(artworks: &[Artwork], grid: Grid, gap_mm: f64) -> Artwork
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use dobot_geometry::{Point, Stroke};
-    use dobot_source::Layer;
+    use dobot_import::Layer;
 
     use super::*;
 

@@ -225,8 +225,8 @@ const UNITS_A_MM: f64 = 40.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
+    use dobot_import::{ReadOptions, Source};
     use dobot_plan::Laser;
-    use dobot_source::{ReadOptions, Source};
 
     /// A corner, a line and a dot, 60 mm wide and 40 mm high.
     fn passes() -> Vec<Pass> {

@@ -1,4 +1,4 @@
-//! Strokes on the paper: what the readers of `dobot-source` give is placed, hatched, clipped, merged,
+//! Strokes on the paper: what the readers of `dobot-import` give is placed, hatched, clipped, merged,
 //! ordered and simplified, and planned by `dobot-plan`; then it is estimated, or shown as a picture.
 //!
 //! ```text

@@ -26,8 +26,7 @@ use self::stops::{Stop, cost, drawn, given, turn_loops};
 pub use self::travel::Travel;
 use self::turns::Turns;
 use crate::give_up::GiveUp;
-use dobot_geometry::{Point, Stroke};
-use dobot_random::Random;
+use dobot_geometry::{Point, Random, Stroke};
 
 /// What to search for, and for how long.
 ///

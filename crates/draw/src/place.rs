@@ -4,8 +4,8 @@ use std::{fmt, iter};
 
 use dobot_arm::Position;
 use dobot_geometry::{Point, Rect, Vec2, bounds, direction, steps};
+use dobot_import::{Artwork, Layer};
 use dobot_plan::{MoveKind, Paper, Plan};
-use dobot_source::{Artwork, Layer};
 use thiserror::Error;
 
 use crate::sheet::SheetPlace;

@@ -23,8 +23,8 @@ use crate::place::{PlaceError, Placed, check_reach};
 use crate::progress::PrepareStep;
 use crate::start::StartError;
 use dobot_geometry::{Point, Stroke};
+use dobot_import::{Source, SourceError, Warning};
 use dobot_plan::{DrawingTool, Machine, Pass, Plan, PlanError};
-use dobot_source::{Source, SourceError, Warning};
 
 /// A drawing, ready to be sent.
 #[derive(Clone, Debug, PartialEq)]

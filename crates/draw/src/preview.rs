@@ -114,7 +114,7 @@ const fn moment(t_s: f64, [x, y, z]: [f64; 3], ink: Ink, error_mm: f64) -> Trace
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_source::{LayersBy, Source};
+    use dobot_import::{LayersBy, Source};
 
     use crate::{Settings, prepare};
 

@@ -130,7 +130,7 @@ const STEPS: [PrepareStep; 4] = [
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_source::Source;
+    use dobot_import::Source;
 
     use super::*;
     use crate::{Settings, prepare};

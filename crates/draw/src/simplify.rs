@@ -217,9 +217,8 @@ mod tests {
 
     use super::oracle::fewest_between_points;
     use super::*;
-    use dobot_geometry::{Vec2, deviation};
+    use dobot_geometry::{Random, Vec2, deviation};
     use dobot_plan::{DrawingTool, Machine, Paper, Pass, Plan};
-    use dobot_random::Random;
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())

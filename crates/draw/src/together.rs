@@ -1,7 +1,7 @@
 //! Several files on one page, and a text below them.
 
 use dobot_geometry::{Rect, Vec2, bounds};
-use dobot_source::{Align, Artwork, Source};
+use dobot_import::{Align, Artwork, Source};
 
 use crate::copies::in_cells;
 use crate::place::PlaceError;
@@ -75,7 +75,7 @@ fn captioned(mut page: Artwork, text: Artwork, align: Align, gap_mm: f64) -> Art
 #[cfg(test)]
 mod tests {
     use dobot_geometry::{Point, Stroke};
-    use dobot_source::{Layer, Text};
+    use dobot_import::{Layer, Text};
 
     use super::*;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use dobot_api::{ApiAnswer, Member, MemberAbout, MemberAnswer};
-use dobot_rules::Handle;
+use dobot_host::Handle;
 use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi, UNSETTLED};
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};

@@ -5,7 +5,7 @@ use std::time::{Duration, SystemTime};
 
 use dobot_api::problem_kinds::MEMBER_AWAY;
 use dobot_api::{ApiAnswer, FleetWideStop};
-use dobot_rules::Handle;
+use dobot_host::Handle;
 use serde_json::json;
 use zenoh::query::Query;
 

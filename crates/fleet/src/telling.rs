@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use dobot_api::{MemberAbout, State, is_fleet_name};
-use dobot_rules::{Snapshot, is_plain, plain};
+use dobot_host::Snapshot;
+use dobot_supervisor::{is_plain, plain};
 use serde_json::Value;
 
 use crate::identity::{Identity, Peer, SIGNATURE, statement};

@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_SUCH_ARM};
 use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
-use dobot_client::Address;
-use dobot_rules::Handle;
+use dobot_host::Handle;
+use dobot_session::Address;
 use dobot_station::{ArmWish, ArmsPort, Config, Station, StationApi, WantedArm};
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::{JoinHandle, JoinSet};

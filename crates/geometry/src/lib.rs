@@ -1,4 +1,4 @@
-//! Points, strokes and areas in the plane, and what lies near what.
+//! Points, strokes and areas in the plane, spatial indexes, and pseudo-random numbers.
 //!
 //! ```
 //! use dobot_geometry::{Point, Stroke, deviation};
@@ -17,6 +17,7 @@ mod deviation;
 mod direction;
 mod height_map;
 mod linear;
+mod random;
 mod segment_index;
 mod stroke;
 
@@ -29,10 +30,11 @@ pub use deviation::{Deviation, PathDistance, WorstPoint, deviation};
 pub use direction::direction;
 pub use height_map::HeightMap;
 pub use linear::{inverse, solve};
+pub use random::Random;
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};
 
-/// The types that all rooms calculate with, in millimetres and radians. On the sheet x points right and y down, as
+/// The types that all crates calculate with, in millimetres and radians. On the sheet x points right and y down, as
 /// in an SVG file; in the base frame x points forward and y to the left (Figure 3.1).
 pub use kurbo::{Affine, Point, Rect, Vec2};
 /// A straight piece, how to ask for its nearest point, and curves.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dobot_arm::Position;
-use dobot_trajectory::Model;
+use dobot_motion::Model;
 use dobot_wire::{Command, WriteVector};
 
 use crate::prelude::is_setting;

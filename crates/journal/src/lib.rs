@@ -37,25 +37,36 @@
 
 mod adjustment;
 mod ends;
+#[cfg(feature = "store")]
 mod error;
 mod job;
+#[cfg(feature = "store")]
 mod journal;
+#[cfg(feature = "store")]
 mod new_rows;
+#[cfg(feature = "store")]
 mod offers;
 mod prelude;
 mod recovery;
+#[cfg(feature = "store")]
 mod rows;
+#[cfg(feature = "store")]
 mod store;
 mod window;
+#[cfg(feature = "store")]
 mod write_count;
 
 pub use adjustment::{Adjustment, HeightChange};
 pub use ends::{End, Located, SPACING_MM};
+#[cfg(feature = "store")]
 pub use error::JournalError;
 pub use job::{Behind, Job, JobId, PlannedJob};
+#[cfg(feature = "store")]
 pub use journal::Journal;
+#[cfg(feature = "store")]
 pub use offers::Offered;
 pub use prelude::{model_at, prelude};
 pub use recovery::{NEAR_MM, Unclear, locate, window_end};
+#[cfg(feature = "store")]
 pub use redb::StorageBackend;
 pub use window::Window;

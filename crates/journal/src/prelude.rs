@@ -2,7 +2,7 @@
 
 use std::mem::{Discriminant, discriminant};
 
-use dobot_trajectory::Model;
+use dobot_motion::Model;
 use dobot_wire::{Command, Configuration, Dialect};
 
 use crate::Window;

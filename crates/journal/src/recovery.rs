@@ -1,7 +1,7 @@
 //! Which command was the last one done, told by where the arm rests.
 
 use dobot_arm::Position;
-use dobot_trajectory::Model;
+use dobot_motion::Model;
 use dobot_wire::Command;
 
 use crate::Window;

@@ -1,6 +1,6 @@
 //! Which commands of a job the arm may have done.
 
-use dobot_trajectory::Model;
+use dobot_motion::Model;
 use dobot_wire::{Status, single};
 
 /// Which commands of a job the arm may have done: those before `completed` for sure, those in

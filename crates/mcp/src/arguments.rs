@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dobot_api::problem_kinds::OUT_OF_RANGE;
 use dobot_draw::Options;
-use dobot_rules::{Target, TargetPlace};
+use dobot_host::{Target, TargetPlace};
 use dobot_wire::{MovingMode, single};
 use rmcp::model::JsonObject;
 use schemars::JsonSchema;

@@ -4,7 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_api::{Reply, Request, Role, State, StationAddress, fetch};
-use dobot_rules::{StationClient, Target, is_plain};
+use dobot_host::{StationClient, Target};
+use dobot_supervisor::is_plain;
 use rmcp::RoleServer;
 use rmcp::model::CallToolResult;
 use rmcp::service::RequestContext;

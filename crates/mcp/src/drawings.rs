@@ -9,7 +9,7 @@ use dobot_draw::{
     AREA, Colors, DrawingRequest, GiveUp, InkLine, Materials, Picture, Prepared, Settings, Subject,
     View,
 };
-use dobot_rules::{PlannedFor, Rules, StationClient, drawing_job, run_long};
+use dobot_host::{PlannedFor, Rules, StationClient, drawing_job, run_long};
 use dobot_safety::Policy;
 use dobot_wire::Dialect;
 use rmcp::model::{CallToolResult, ContentBlock};

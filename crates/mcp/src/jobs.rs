@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{JobPhase, JobView, Reply, Request, StationEvent, post};
-use dobot_rules::{JobWatch, StationClient, run_long};
+use dobot_host::{JobWatch, StationClient, run_long};
 use serde_json::{Value, json};
 use tokio::time::timeout;
 

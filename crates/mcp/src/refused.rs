@@ -1,7 +1,7 @@
 //! Why something was not done, as an agent reads it.
 
 use dobot_api::{ConnectError, Problem, RemoteError};
-use dobot_rules::{JobsError, LongWorkError};
+use dobot_host::{JobsError, LongWorkError};
 use rmcp::model::CallToolResult;
 use serde::Serialize;
 use serde_json::json;

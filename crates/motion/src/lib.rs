@@ -1,4 +1,6 @@
-//! Speed profiles and the ways in which the original Dobot Arm moves.
+//! Speed profiles, the motions of the original Dobot Arm, and the motion that a command causes.
+//!
+//! # Motions
 //!
 //! Every motion is planned once and is then a pure function of the time in seconds since its
 //! start: before 0 it stands at its start, after its duration exactly at its end. Which way to
@@ -27,6 +29,30 @@
 //! # Ok::<(), dobot_motion::PlanError>(())
 //! ```
 
+//! # Commands
+//!
+//! A [`Model`] holds what is known of an arm. It predicts the [`Trajectory`] of a [`Command`](dobot_wire::Command), and the
+//! model after the command. Controller, client and safety share this prediction. The differences between arms are fields of
+//! [`Dialect`](dobot_wire::Dialect). A stock arm executes motions in ticks of 20 ms: each of its motions ends up to one tick
+//! later than its trajectory, and deviates from it by up to one tick's travel.
+//!
+//! ```
+//! use dobot_motion::Model;
+//! use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status};
+//!
+//! let status = Status::AT_ZERO;
+//! let model = Model::new(Dialect::SPECIFICATION, &status);
+//! let line = MoveTo::to(215.07, 0.0, 35.0).with_mode(MovingMode::MovL);
+//! let down = Command::from(MoveTo { suction: true, pause_s: 0.5, ..line });
+//! let trajectory = model.trajectory(&down)?;
+//! // 100 mm at 50 mm/s with ramps of half a second, and the pause.
+//! assert!((trajectory.duration_s().unwrap() - 3.0).abs() < 1e-9);
+//! let half_way = trajectory.place_at(1.25)?;
+//! assert!((half_way.pose.position.z.0 - 85.0).abs() < 1e-9);
+//! assert!(model.after(&down, &trajectory).suction);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
 #![no_std]
 
 mod cut;
@@ -34,6 +60,7 @@ mod gait;
 mod joint_move;
 mod jump;
 mod line_move;
+mod model;
 mod pace;
 mod plan_error;
 mod profile;
@@ -46,6 +73,10 @@ pub use gait::Gait;
 pub use joint_move::JointMove;
 pub use jump::Jump;
 pub use line_move::LineMove;
+pub use model::{
+    ArmPlace, ArmSettings, Bend, Button, JogAxis, JogTrajectory, LASER_OFF, LONGEST_S, Model,
+    Segment, Trajectory, TrajectoryError, burns, told, tool_named,
+};
 pub use plan_error::PlanError;
 pub use profile::Profile;
 pub use ramp::Ramp;

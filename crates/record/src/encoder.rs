@@ -63,7 +63,7 @@ impl Encoder {
             start_ns,
             dialect: None,
             commands: Decoder::commands(),
-            statuses: Decoder::statuses(dobot_client::plausible),
+            statuses: Decoder::statuses(dobot_session::plausible),
             repeats: None,
             shown: None,
             scene: Scene::default(),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use dobot_arm::Tool;
 use dobot_model::{LinkFrame, Model, MountedTool, ToolKind};
-use dobot_trajectory::ArmPlace;
+use dobot_motion::ArmPlace;
 use dobot_wire::Status;
 use serde_json::{Value, json};
 

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_trajectory::Trajectory;
+use dobot_motion::Trajectory;
 use serde_json::{Value, json};
 
 use crate::scene::{color, entity, line, points, removal, sphere};
@@ -228,7 +228,7 @@ const BURN: u32 = 0x4a_2c_14;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use dobot_arm::{Joints, Tool};
-    use dobot_trajectory::{ArmPlace, Model};
+    use dobot_motion::{ArmPlace, Model};
     use dobot_wire::{Command, Dialect, WriteVector};
 
     use super::*;

@@ -48,6 +48,8 @@ mod replay;
 mod rotation;
 mod scene;
 mod schema;
+#[cfg(feature = "tables")]
+pub mod tables;
 mod target;
 mod topic;
 mod track;

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use data_encoding::HEXLOWER;
-use dobot_client::Peer;
+use dobot_session::Peer;
 
 use crate::playback::Playback;
 use crate::{Damage, OpenError};

@@ -4,9 +4,9 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_arm::{Position, Tool};
-use dobot_client::Bystander;
 use dobot_model::MountedTool;
-use dobot_trajectory::Model;
+use dobot_motion::Model;
+use dobot_session::Bystander;
 use dobot_wire::{Command, Dialect, Status};
 use serde_json::{Value, json};
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_trajectory::Trajectory;
+use dobot_motion::Trajectory;
 use serde_json::{Value, json};
 
 use crate::scene::{color, entity, line, points, removal, sphere};

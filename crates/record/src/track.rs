@@ -35,7 +35,7 @@ impl Track {
         stretch: &RangeInclusive<Duration>,
         most: usize,
     ) -> Self {
-        let mut decoder = Decoder::statuses(dobot_client::plausible);
+        let mut decoder = Decoder::statuses(dobot_session::plausible);
         let mut thinning = Thinning::new(most);
         for moment in recording {
             if moment.at > *stretch.end() {

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{JobPhase, JobView, Jog, RemoteError, Reply, Request, State, StationEvent};
-use dobot_rules::{JobWatch, StationClient, Target, TargetPlace};
+use dobot_host::{JobWatch, StationClient, Target, TargetPlace};
 use dobot_wire::{Dialect, JointJog, JointJogAxis, MovingMode, Status};
 use tokio::sync::watch;
 use tokio::time::timeout;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use dobot_host::StationClient;
 use dobot_model::Model;
-use dobot_rules::StationClient;
 use futures_util::StreamExt;
 use ros2_client::{Message, Server, Subscription};
 use tokio::sync::{mpsc, oneshot, watch};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dobot_api::{Jog, Request};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use tokio::sync::watch;
 use tokio::time::timeout;
 

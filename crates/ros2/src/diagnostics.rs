@@ -174,7 +174,7 @@ fn laser(state: &State) -> Diagnosis {
 #[cfg(test)]
 mod tests {
     use dobot_controller::{Personality, PowerUp};
-    use dobot_rules::StationClient;
+    use dobot_host::StationClient;
 
     use super::*;
 

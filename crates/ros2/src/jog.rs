@@ -1,7 +1,7 @@
 //! From a speed that somebody wants to a button of the arm: it moves one axis at a time.
 
 use dobot_api::{Button, Jog};
-use dobot_trajectory::ArmSettings;
+use dobot_motion::ArmSettings;
 use dobot_wire::{Dialect, JointJogAxis as J, LinearJogAxis as L, single};
 
 use crate::frames::Frames;

@@ -1,7 +1,7 @@
 //! The station of the arm: found anew for each connection, since one that was started again has another token.
 
 use dobot_api::{ConnectError, RemoteError, StationAddress, StationOptions, fetch};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_safety::Policy;
 
 /// How the station is reached.

@@ -1,6 +1,6 @@
 //! From a pose that somebody wants to a target of the arm.
 
-use dobot_rules::{Target, TargetPlace};
+use dobot_host::{Target, TargetPlace};
 use dobot_wire::{MovingMode, single};
 
 use crate::frames::Frames;

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_api::{LinkPhase, News, State, StationEvent};
+use dobot_host::StationClient;
 use dobot_model::Model;
-use dobot_rules::StationClient;
 use dobot_safety::Policy;
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant, sleep_until};

@@ -6,8 +6,8 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_arm::{Joints, Tool};
+use dobot_motion::{ArmPlace, Model};
 use dobot_safety::Policy;
-use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MoveTo, MovingMode, WriteVector};
 
 fn main() {

@@ -1,7 +1,7 @@
 //! Where the parts of the arm are at one place, and what the rules measure there.
 
 use dobot_arm::{Calibration, FOREARM, Joints, REAR_ARM, Tool};
-use dobot_trajectory::ArmPlace;
+use dobot_motion::ArmPlace;
 
 use crate::distance::distance;
 

@@ -1,7 +1,7 @@
 //! The check of a command over its whole way.
 
 use dobot_arm::{Calibration, Position};
-use dobot_trajectory::{ArmPlace, Button, Model, Trajectory, burns};
+use dobot_motion::{ArmPlace, Button, Model, Trajectory, burns};
 use dobot_wire::{Command, Configuration, MoveTo, single};
 
 use crate::body::measures;

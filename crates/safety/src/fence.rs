@@ -1,7 +1,7 @@
 //! The rules in force on a way: those of the policy, wider where the arm stands outside already.
 
 use dobot_arm::{Calibration, Tool, Unreachable};
-use dobot_trajectory::{ArmPlace, Bend};
+use dobot_motion::{ArmPlace, Bend};
 
 use crate::body::{Body, MEASURES, measures};
 use crate::limits::{LASER_AREA, Limit};

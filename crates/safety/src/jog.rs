@@ -1,7 +1,7 @@
 //! The way that a jog can cover until a release is in force.
 
 use dobot_arm::{Degrees, Joints, Millimeters, Position, TICK_S};
-use dobot_trajectory::{ArmPlace, JogAxis, JogTrajectory, Model};
+use dobot_motion::{ArmPlace, JogAxis, JogTrajectory, Model};
 use dobot_wire::Command;
 
 use crate::check::worst;

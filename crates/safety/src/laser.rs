@@ -1,7 +1,7 @@
 //! When the laser may burn.
 
 use dobot_arm::TICK_S;
-use dobot_trajectory::{Model, Trajectory, burns};
+use dobot_motion::{Model, Trajectory, burns};
 use dobot_wire::{Command, WriteVector};
 
 use crate::{Bounds, Policy, Violation};

@@ -6,7 +6,7 @@
 //! explains each rule, how the check works and what it does not promise.
 //!
 //! ```
-//! use dobot_trajectory::{ArmPlace, Model};
+//! use dobot_motion::{ArmPlace, Model};
 //! use dobot_safety::Policy;
 //! use dobot_wire::{Command, Dialect, Status, WriteVector};
 //!

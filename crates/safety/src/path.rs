@@ -1,7 +1,7 @@
 //! A segment of a way on which the same things change evenly.
 
 use dobot_arm::{Joints, Pose, Tool, Unreachable};
-use dobot_trajectory::{ArmPlace, Bend, Trajectory};
+use dobot_motion::{ArmPlace, Bend, Trajectory};
 
 /// A segment of a way; where on it is told by a share, 0 to 1.
 #[derive(Clone, Copy, Debug)]

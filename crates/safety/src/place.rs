@@ -1,7 +1,7 @@
 //! Whether the arm may be somewhere at all.
 
 use dobot_arm::{Calibration, Tool};
-use dobot_trajectory::ArmPlace;
+use dobot_motion::ArmPlace;
 
 use crate::fence::Fence;
 use crate::{Policy, Violation};

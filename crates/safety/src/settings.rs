@@ -1,7 +1,6 @@
 //! Speeds, accelerations and the height of a JUMP against their ceilings.
 
-use dobot_motion::Speeds;
-use dobot_trajectory::{ArmSettings, JogAxis, Model, Trajectory};
+use dobot_motion::{ArmSettings, JogAxis, Model, Speeds, Trajectory};
 use dobot_wire::{Command, Configuration, MovingMode, WriteVector};
 
 use crate::{Bounds, Policy, Violation};

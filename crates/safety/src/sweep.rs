@@ -7,7 +7,7 @@
 //! `docs/safety.md` derives them.
 
 use dobot_arm::{Calibration, FOREARM, Joints, Pose, REAR_ARM, Tool};
-use dobot_trajectory::{ArmPlace, Bend};
+use dobot_motion::{ArmPlace, Bend};
 
 use crate::Bounds;
 use crate::body::{MEASURES, Measure};

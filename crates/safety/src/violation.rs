@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dobot_arm::{Quantity, Unreachable};
-use dobot_trajectory::TrajectoryError;
+use dobot_motion::TrajectoryError;
 use schemars::JsonSchema;
 use serde::Serialize;
 

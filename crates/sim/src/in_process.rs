@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use dobot_client::Peer;
+use dobot_session::Peer;
 
 use crate::VirtualArm;
 

@@ -5,13 +5,13 @@
 //! for programs, in real time or faster.
 //!
 //! ```
-//! use dobot_client::Connection;
+//! use dobot_session::Connection;
 //! use dobot_controller::{Controller, PowerUp};
 //! use dobot_sim::{InProcess, SerialLine, VirtualArm};
 //! use dobot_wire::Dialect;
 //!
 //! # #[tokio::main(flavor = "current_thread")]
-//! # async fn main() -> Result<(), dobot_client::LinkError> {
+//! # async fn main() -> Result<(), dobot_session::LinkError> {
 //! let arm = VirtualArm::new(Controller::power_up(PowerUp::default()), SerialLine::STOCK);
 //! let mut connection = Connection::over_peer(InProcess::new(arm), Some(Dialect::SPECIFICATION));
 //! assert_eq!(connection.next_status().await?.rear_deg, 45.0);

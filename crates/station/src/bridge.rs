@@ -3,7 +3,8 @@
 mod backoff;
 mod web;
 
-use dobot_rules::{Client, Refusal};
+use dobot_host::Client;
+use dobot_supervisor::Refusal;
 use dobot_wire::{Commands, Decoder, PACKET_LEN, Packet};
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::sync::broadcast::Receiver;

@@ -4,9 +4,9 @@ use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4};
 use std::path::PathBuf;
 
 use dobot_api::{Folders, Role};
-use dobot_client::Address;
 use dobot_controller::Personality;
-use dobot_rules::{Approach, WantedArm};
+use dobot_host::{Approach, WantedArm};
+use dobot_session::Address;
 use dobot_sim::Speed;
 use dobot_wire::Dialect;
 
@@ -23,7 +23,7 @@ use crate::StartError;
 ///     ..Config::new(Folders::at("/srv/dobot"))
 /// };
 /// assert_eq!(config.http.to_string(), "127.0.0.1:8642");
-/// # Ok::<(), dobot_client::AddressError>(())
+/// # Ok::<(), dobot_session::AddressError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config {

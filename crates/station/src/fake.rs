@@ -4,8 +4,9 @@ mod harness;
 
 use dobot_api::{ClientId, Role};
 #[cfg(feature = "full")]
-use dobot_rules::PassedPacket;
-use dobot_rules::{Ends, Handle, Message, Refusal, Rules};
+use dobot_host::PassedPacket;
+use dobot_host::{Ends, Handle, Message, Rules};
+use dobot_supervisor::Refusal;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
 

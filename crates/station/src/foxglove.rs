@@ -5,8 +5,8 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
+use dobot_host::{Handle, PassedPacket, Snapshot, notice_topic, state_topic, tools_of};
 use dobot_record::{About, INK, Live, Record, Topic, topics};
-use dobot_rules::{Handle, PassedPacket, Snapshot, notice_topic, state_topic, tools_of};
 use dobot_safety::{Policy, ToolLengths};
 use dobot_wire::Dialect;
 use foxglove::websocket::{ChannelView, Client, ServerListener};

@@ -4,15 +4,15 @@
 //!   browsers, programs      old programs
 //!    http, WebSocket     raw port, virtual port
 //!          |                     |
-//!          `------ Handle -------+----> dobot_rules::Host ----> the arm
+//!          `------ Handle -------+----> dobot_host::Host ----> the arm
 //! ```
 //!
-//! [`Station::start`] puts all of it together. The rules are those of `dobot_rules`, and what is said over
+//! [`Station::start`] puts all of it together. The rules are those of `dobot_host`, and what is said over
 //! HTTP and WebSocket is `dobot_api`:
 //!
 //! ```
 //! use dobot_api::{Folders, Remote, Request, StationAddress};
-//! use dobot_client::Address;
+//! use dobot_session::Address;
 //! use dobot_station::{Config, Station};
 //!
 //! # #[tokio::main(flavor = "current_thread")]

@@ -6,7 +6,8 @@ use std::pin::{Pin, pin};
 use std::time::Duration;
 
 use dobot_api::Role;
-use dobot_rules::{Handle, Refusal};
+use dobot_host::Handle;
+use dobot_supervisor::Refusal;
 use tokio::io::AsyncWriteExt;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::time::{Instant, sleep, timeout};

@@ -4,9 +4,9 @@ use std::io::ErrorKind;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
-use dobot_client::Address;
-use dobot_rules::{Approach, Handle, Host, HostError, ServiceManager, Setup};
+use dobot_host::{Approach, Handle, Host, HostError, ServiceManager, Setup};
 use dobot_safety::{Policy, PolicyError};
+use dobot_session::Address;
 
 #[cfg(unix)]
 use crate::VirtualPort;

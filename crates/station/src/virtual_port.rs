@@ -5,8 +5,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use dobot_api::Role;
-use dobot_rules::{Handle, Refusal};
+use dobot_host::Handle;
 use dobot_sim::{Pty, PtyClient};
+use dobot_supervisor::Refusal;
 use tokio::time::{MissedTickBehavior, interval};
 
 use crate::ProgramNews;

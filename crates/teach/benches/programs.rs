@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use divan::{Bencher, black_box};
+use dobot_motion::Model;
 use dobot_safety::Policy;
 use dobot_teach::{Compiled, NoFiles, Program, check};
-use dobot_trajectory::Model;
 use dobot_wire::{Dialect, Status};
 
 fn main() {

@@ -4,8 +4,8 @@ use std::fmt;
 
 use dobot_api::JobRepeat;
 use dobot_arm::{Joints, Limits, Tool};
+use dobot_motion::{ArmPlace, Model};
 use dobot_safety::{Policy, Violation};
-use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::Command;
 use serde::Serialize;
 

@@ -9,7 +9,7 @@ use std::sync::Arc as Shared;
 
 use dobot_api::{JobPause, JobRepeat};
 use dobot_arm::{Calibration, Joints, Pose, Position, Tool, inverse};
-use dobot_trajectory::told;
+use dobot_motion::told;
 use dobot_wire::{Command, MovingMode};
 use toml::Spanned;
 

@@ -5,7 +5,7 @@
 //! ```
 //! use dobot_safety::Policy;
 //! use dobot_teach::{NoFiles, Program, check};
-//! use dobot_trajectory::Model;
+//! use dobot_motion::Model;
 //! use dobot_wire::{Dialect, Status};
 //!
 //! let program = Program::from_toml(r#"

@@ -4,7 +4,7 @@
 
 use dobot_arm::{Calibration, Degrees, Joints, Plane, Position, Tool};
 use dobot_calibrate::{Fit, SHEET_POINTS, Touch, fit};
-use dobot_random::Random;
+use dobot_geometry::Random;
 
 /// An arm with all that may be wrong with one, and its paper.
 struct Arm {

@@ -10,8 +10,8 @@ use std::fs;
 
 use dobot_api::{JobKind, JobPhase, NewJob, News, Reply, Request, StationEvent};
 use dobot_draw::{Settings, prepare};
+use dobot_import::Source;
 use dobot_plan::{Machine, Paper};
-use dobot_source::Source;
 
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {

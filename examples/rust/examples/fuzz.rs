@@ -3,7 +3,7 @@
 //! Asks the whole station anything, until the arm is lost. A million take some minutes (`--release`).
 //! It prints the figures as the table of docs/reliability.md (`reliability/fuzz.md`).
 
-#[path = "../../../crates/rules/tests/it/cases/mod.rs"]
+#[path = "../../../crates/host/tests/it/cases/mod.rs"]
 #[allow(
     dead_code,
     reason = "the other cases are those of the reliability example"

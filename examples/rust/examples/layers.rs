@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::fs;
 
-use dobot_source::{ReadOptions, Source};
+use dobot_import::{ReadOptions, Source};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let file = std::env::args().nth(1).ok_or("usage: layers FILE")?;

@@ -6,7 +6,7 @@ use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 
-use dobot_source::{Font, ReadOptions, Source, StrokeFont, Text};
+use dobot_import::{Font, ReadOptions, Source, StrokeFont, Text};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use dobot_draw::{Search, Travel, order};
 use dobot_geometry::{Point, Stroke};
-use dobot_source::{ReadOptions, Source};
+use dobot_import::{ReadOptions, Source};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

@@ -5,8 +5,8 @@
 
 use std::error::Error;
 
-use dobot_client::{Connection, LinkError};
 use dobot_controller::{Controller, PowerUp};
+use dobot_session::{Connection, LinkError};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Dialect, MoveTo};
 

@@ -8,8 +8,8 @@ use std::fmt::Write as _;
 use std::fs;
 
 use dobot_draw::{Settings, Size, prepare};
+use dobot_import::Source;
 use dobot_plan::{LinkRate, Machine, MoveKind, Plan, acceleration};
-use dobot_source::Source;
 use dobot_wire::Dialect;
 
 fn main() -> Result<(), Box<dyn Error>> {

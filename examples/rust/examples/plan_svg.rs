@@ -7,8 +7,8 @@ use std::fs;
 
 use dobot_arm::Position;
 use dobot_draw::{Colors, InkLine, Picture, Settings, View, prepare};
+use dobot_import::Source;
 use dobot_plan::MoveKind;
-use dobot_source::Source;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

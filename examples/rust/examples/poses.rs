@@ -3,7 +3,7 @@
 //! Each has joint angles, the place and the turn of the tool that they lead to, and whether the stock arm may be there.
 
 use dobot_arm::{Joints, Limits, Span, Tool, forward};
-use dobot_random::Random;
+use dobot_geometry::Random;
 
 fn main() {
     let tool = match std::env::args().nth(1).as_deref() {

@@ -5,7 +5,7 @@
 
 use dobot_arm::{Calibration, Position, Tool};
 use dobot_calibrate::{SHEET_POINTS, Touch, fit, residuals_svg};
-use dobot_random::Random;
+use dobot_geometry::Random;
 
 fn main() {
     let arm = Calibration {

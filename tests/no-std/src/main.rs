@@ -1,7 +1,7 @@
-//! Proof that `wire`, `arm`, `motion`, `trajectory` and `controller` need neither the standard library nor a heap.
+//! Proof that `wire`, `arm`, `motion` and `controller` need neither the standard library nor a heap.
 //!
-//! This program has no `std`, no allocator and a panic handler of its own. Were one of the five
-//! rooms, or anything below them, to ask for `std`, there would be two panic handlers; were one to
+//! This program has no `std`, no allocator and a panic handler of its own. Were one of the four
+//! crates, or anything below them, to ask for `std`, there would be two panic handlers; were one to
 //! ask for a heap, there would be no allocator: in both cases it does not link.
 //!
 //! Its exit code tells which part of the check went wrong; 0 is none.
@@ -15,8 +15,7 @@ use core::time::Duration;
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
 use dobot_controller::{Controller, PowerUp};
-use dobot_motion::{LineMove, Speeds};
-use dobot_trajectory::{ArmPlace, Model};
+use dobot_motion::{ArmPlace, LineMove, Model, Speeds};
 use dobot_wire::{Command, Decoder, Dialect, MoveTo, MovingMode, Packet, Status};
 
 // The one place of the project with `unsafe`: without `std` nobody else gives the C start-up code

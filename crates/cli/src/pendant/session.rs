@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use crossterm::event::{Event, EventStream};
 use dobot_api::{RemoteError, Reply, Request, State, StationEvent};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use futures_util::StreamExt;
 use ratatui::Frame;
 use tokio::time::Instant;

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, anyhow, bail};
 use dobot_api::{CalibrationFile, Request, Zeros};
 use dobot_calibrate::{check_bar, read_calibration, sheet_svg, write_calibration};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::{MoveJoints, MovingMode, Status};
 
 use self::comb::{CombOf, read_slack};

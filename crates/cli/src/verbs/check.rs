@@ -1,6 +1,6 @@
 //! `dobot check`: looks at a program before anything moves.
 
-use dobot_rules::{PlannedFor, Rules};
+use dobot_host::{PlannedFor, Rules};
 use std::path::PathBuf;
 
 use anyhow::anyhow;

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::{Context, anyhow};
-use dobot_client::{Address, Link};
 use dobot_conformance::{HEADING, Hindrance, Options, Outcome, Report, Row, Suite, Verdict};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_session::{Address, Link};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 
 use crate::failure::Failure;

@@ -1,7 +1,7 @@
 //! `dobot detect`: find out which dialect the arm speaks.
 
 use dobot_api::{Reply, Request};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 
 use crate::connect::To;
 use crate::control::{self, check_pose, stop, take_control};

@@ -20,7 +20,7 @@ use dobot_draw::{
     WITHOUT_ARM_Z_MM, export, frame, ink_seen,
 };
 use dobot_geometry::{Deviation, Stroke, WorstPoint, deviation};
-use dobot_rules::{PlannedFor, StationClient};
+use dobot_host::{PlannedFor, StationClient};
 use dobot_sim::RECORDING_PERIOD;
 use dobot_wire::{Dialect, Status};
 use indicatif::ProgressBar;

@@ -32,6 +32,6 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         .build()?;
     let _context = runtime.enter();
     let _stays = interrupt();
-    dobot_rules::guard(&args.note)?;
+    dobot_host::guard(&args.note)?;
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! `dobot hand`: go where a hand is (state 8).
 
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::{Gesture, Status};
 
 use crate::connect::To;

@@ -8,7 +8,7 @@ use std::time::Duration;
 use anyhow::{Context, anyhow};
 use clap::Subcommand;
 use dobot_api::{JobPhase, JobView, NewJob, Reply, Request, Role};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 
 use crate::connect::To;
 use crate::control::{self, arm_laser, check_pose, take_control};

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use anyhow::bail;
 use dobot_api::{Button, Jog, JogFrame, Request};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::Status;
 
 use crate::connect::To;

@@ -5,7 +5,7 @@ use std::time::Duration;
 use anyhow::{anyhow, bail};
 use clap::Subcommand;
 use dobot_api::{ClientId, LeaseView, News, Notice, Reply, Request, StationEvent};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use tokio::sync::mpsc;
 use tokio::time::sleep;
 

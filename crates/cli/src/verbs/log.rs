@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::{Context, anyhow};
-use dobot_client::plausible;
 use dobot_record::{
     Entry, FROM_ARM, Moment, OpenError, Recording, TO_ARM, is_being_written, recordings,
 };
+use dobot_session::plausible;
 use dobot_wire::{Commands, Decoder, Dialect, Status, Statuses};
 use serde_json::json;
 

@@ -1,6 +1,6 @@
 //! `dobot mouse`: move by a little, as a mouse does (state 1).
 
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::{Command, Dialect, MouseMove, Status};
 
 use crate::connect::To;

@@ -1,7 +1,7 @@
 //! `dobot move`: go to a point or to joint angles.
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
-use dobot_rules::{PathName, StationClient, Target, TargetPlace};
+use dobot_host::{PathName, StationClient, Target, TargetPlace};
 use dobot_wire::{Command, Status};
 
 use crate::connect::To;

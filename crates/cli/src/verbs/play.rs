@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{JobRepeat, NewJob};
-use dobot_rules::{PlannedFor, Prediction, Rules, StationClient, predict};
+use dobot_host::{PlannedFor, Prediction, Rules, StationClient, predict};
 use dobot_teach::{Compiled, Times, check};
 use serde::Serialize;
 

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use anyhow::{Context, anyhow};
 use clap::{Subcommand, ValueEnum};
 use dobot_arm::{Degrees, Pose, Position, Tool};
+use dobot_motion::{ArmPlace, Model};
 use dobot_safety::Policy;
-use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{Dialect, MoveTo, MovingMode, single};
 
 use crate::connect::read_policy;

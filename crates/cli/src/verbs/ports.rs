@@ -18,7 +18,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let ports = dobot_client::ports()?;
+    let ports = dobot_session::ports()?;
     if args.json {
         let ports: Vec<_> = ports
             .iter()

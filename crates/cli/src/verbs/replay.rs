@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use anyhow::anyhow;
-use dobot_client::Peer;
 use dobot_record::{Difference, Replay, Report};
+use dobot_session::Peer;
 use dobot_wire::{Dialect, Packet};
 use serde_json::{Value, json};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};

@@ -1,6 +1,6 @@
 //! `dobot say`: a spoken order as text (state 5).
 
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::Voice;
 
 use crate::connect::To;

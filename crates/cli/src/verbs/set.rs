@@ -1,7 +1,7 @@
 //! `dobot set`: configuration (states 9 and 10).
 
 use clap::{Subcommand, ValueEnum};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::{Command, Configuration, EndEffector, PlaybackAdjustment};
 
 use crate::connect::To;

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use anyhow::{Context, bail};
 use dobot_api::{Reply, Request, TimeSlot};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 
 use crate::failure::Failure;
 use crate::output::{self, clock};

@@ -2,7 +2,7 @@
 
 use std::io::{IsTerminal, Write};
 
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 
 use crate::connect::To;
 use crate::control;

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::{Context, anyhow, bail};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 
 use self::lesson::Lesson;
 use self::teacher::{Settings, Teacher};

@@ -12,9 +12,9 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{Folders, News, Notice, Remote, Role, running};
-use dobot_client::Address;
 use dobot_controller::Personality;
-use dobot_rules::{Notification, ServiceManager};
+use dobot_host::{Notification, ServiceManager};
+use dobot_session::Address;
 use dobot_sim::Speed;
 #[cfg(feature = "full")]
 use dobot_station::FoxglovePortError;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::WriteVector;
 
 use crate::connect::To;

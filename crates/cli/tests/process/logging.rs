@@ -49,7 +49,7 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
     let stop = stop.unwrap_or_else(|| panic!("no stop is told: {log}"));
     assert_eq!(
         (&stop["level"], &stop["target"]),
-        (&"WARN".into(), &"dobot_rules::driver::log".into())
+        (&"WARN".into(), &"dobot_host::driver::log".into())
     );
     assert!(events.iter().all(|it| it["level"] != "DEBUG"), "{log}");
 }
@@ -57,7 +57,7 @@ fn the_log_of_a_service_is_a_json_object_a_line_from_its_start_to_its_end() {
 #[test]
 fn a_station_logs_requests_for_those_who_ask_for_them_and_tells_no_notice_twice() {
     let (mut up, folder) = up(&[]);
-    up.env("RUST_LOG", "warn,dobot_rules=info,dobot_station=debug");
+    up.env("RUST_LOG", "warn,dobot_host=info,dobot_station=debug");
     let (mut station, errors) = Going::with_errors(up);
     station.reads("Ctrl-C");
     let log = stopped_and_ended(station, &folder, errors);
@@ -95,9 +95,9 @@ fn a_service_that_cannot_start_logs_why_and_what_to_do() {
 #[test]
 fn a_level_that_there_is_not_is_told_and_keeps_nothing_from_being_done() {
     let mut policy = command(&["policy"]);
-    let outcome = run(policy.env("RUST_LOG", "dobot_rules=loud"), b"").succeeds();
+    let outcome = run(policy.env("RUST_LOG", "dobot_host=loud"), b"").succeeds();
     assert!(
-        outcome.stderr.contains("RUST_LOG is \"dobot_rules=loud\""),
+        outcome.stderr.contains("RUST_LOG is \"dobot_host=loud\""),
         "{outcome:?}"
     );
 }

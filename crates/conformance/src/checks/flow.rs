@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use dobot_arm::Position;
-use dobot_client::position;
+use dobot_session::position;
 use dobot_wire::Status;
 
 use crate::flow::{BLOCKER, Flow, NEAR_MM, STEPS};

@@ -149,7 +149,7 @@ fn cramped(start: &Status) -> Option<String> {
 
 /// The corners of the room that the checks need.
 fn corners(start: &Status) -> impl Iterator<Item = Position> {
-    let at = dobot_client::position(start);
+    let at = dobot_session::position(start);
     let sides = [-ROOM_MM, ROOM_MM];
     sides.into_iter().flat_map(move |x| {
         sides

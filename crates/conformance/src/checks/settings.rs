@@ -52,7 +52,7 @@ pub(crate) async fn show_tool(rig: &mut Rig, own: bool) -> Result<(), CheckError
 }
 
 pub(crate) fn reach_of(status: &Status) -> f64 {
-    dobot_client::position(status).reach().0
+    dobot_session::position(status).reach().0
 }
 
 /// The joint speed of teaching, and the share of it that a jog asks for.

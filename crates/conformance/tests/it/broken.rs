@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::fmt;
 use std::time::Duration;
 
-use dobot_client::Peer;
+use dobot_session::Peer;
 use dobot_sim::InProcess;
 use dobot_wire::{Frame, PACKET_LEN};
 

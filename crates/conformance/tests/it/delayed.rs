@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_client::Peer;
+use dobot_session::Peer;
 use dobot_sim::InProcess;
 
 /// A virtual arm behind a line that is late.

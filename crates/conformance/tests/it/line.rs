@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_conformance::{Hindrance, Verdict};
 use dobot_controller::Personality;
-use dobot_random::Random;
+use dobot_geometry::Random;
 
 use crate::broken::Broken;
 use crate::delayed::Delayed;

@@ -9,9 +9,9 @@ use std::time::Duration;
 
 use broken::Broken;
 use dobot_arm::{Joints, Position, Tool, forward};
-use dobot_client::{Link, Peer};
 use dobot_conformance::{Check, HEADING, Options, Outcome, Report, Suite, Verdict};
 use dobot_controller::{Controller, Personality, PowerUp, STEPS_PER_DEG};
+use dobot_session::{Link, Peer};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::Frame;
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};

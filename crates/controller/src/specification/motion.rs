@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use dobot_arm::Unreachable;
-use dobot_trajectory::{ArmPlace, JogTrajectory, Trajectory};
+use dobot_motion::{ArmPlace, JogTrajectory, Trajectory};
 use dobot_wire::Command;
 
 /// What is going on.

@@ -7,8 +7,8 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use dobot_draw::{Placement, Search, Settings, Size, Travel, order, prepare, simplify};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
+use dobot_import::{ReadOptions, Source, Text};
 use dobot_plan::{ChainVector, Cornering, DrawingTool, Machine, Paper, Pass, Plan};
-use dobot_source::{ReadOptions, Source, Text};
 
 /// Look-ahead alone: the aim is below 60 ns per vector.
 #[divan::bench]

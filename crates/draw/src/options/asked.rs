@@ -5,8 +5,8 @@ use std::sync::Arc;
 use dobot_api::CalibrationFile;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_geometry::Point;
+use dobot_import::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
 use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen};
-use dobot_source::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
 use dobot_wire::Dialect;
 
 use super::check::check;

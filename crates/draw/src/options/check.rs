@@ -1,6 +1,6 @@
 //! Checks that the options fit the source and each other. An option that would do nothing is refused.
 
-use dobot_source::{Shading, ShadingStyle, Source};
+use dobot_import::{Shading, ShadingStyle, Source};
 
 use super::{Options, OptionsError, PlaceOptions};
 use crate::prepare::NamedSource;

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use dobot_source::{Align, LayersBy, ShadingStyle};
+use dobot_import::{Align, LayersBy, ShadingStyle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

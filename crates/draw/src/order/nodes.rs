@@ -1,7 +1,6 @@
 //! The ends of the strokes as the nodes of a tour.
 
-use dobot_geometry::{BoxTree, Point, Stroke};
-use dobot_random::Random;
+use dobot_geometry::{BoxTree, Point, Random, Stroke};
 
 use super::neighbours::{NEAR, near};
 use super::stops::Stop;

@@ -1,6 +1,6 @@
 //! The search for shorter tours: exchanges of a few edges at a time, and kicks.
 
-use dobot_random::Random;
+use dobot_geometry::Random;
 use std::collections::VecDeque;
 
 use super::nodes::{Near, Nodes};

@@ -9,7 +9,7 @@
 //!   '----    ----'             ----'    '----
 //! ```
 
-use dobot_random::Random;
+use dobot_geometry::Random;
 
 use super::nodes::{Near, Nodes};
 use super::row::{Part, Row};

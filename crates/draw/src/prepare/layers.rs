@@ -1,7 +1,7 @@
 //! Which layers are drawn, with what, one after the other.
 
+use dobot_import::{Layer, Warning};
 use dobot_plan::{DrawingTool, LEAST_BURN_MM_S, Pass, Plan, SlowBurning};
-use dobot_source::{Layer, Warning};
 
 use super::passes::counted;
 use super::{PrepareError, Settings};

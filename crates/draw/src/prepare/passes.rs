@@ -2,8 +2,8 @@
 
 use dobot_arm::Position;
 use dobot_geometry::{Point, Rect, Stroke, bounds};
+use dobot_import::{Layer, Warning};
 use dobot_plan::{DrawingTool, Pass};
-use dobot_source::{Layer, Warning};
 
 use super::layers;
 use super::{MOST_REACH_MM, PrepareError, Settings, beside_mm};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dobot_geometry::{Point, Stroke};
-use dobot_source::{Artwork, Layer, ReadOptions, Source, SourceError, Warning};
+use dobot_import::{Artwork, Layer, ReadOptions, Source, SourceError, Warning};
 
 use super::{NamedSource, PrepareError, Settings};
 use crate::place::Placed;

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use dobot_api::CalibrationFile;
 use dobot_geometry::Area;
+use dobot_import::fontdb;
+use dobot_import::{LayersBy, Shading, ShadingStyle};
 use dobot_plan::{DrawingTool, Machine, Paper};
-use dobot_source::fontdb;
-use dobot_source::{LayersBy, Shading, ShadingStyle};
 
 use super::PrepareError;
 use crate::copies::Grid;

@@ -6,9 +6,8 @@ use crate::frame::{FrameShape, frame};
 use crate::hatch::{Hatch, HatchStyle};
 use crate::place::{Placement, Size};
 use dobot_api::{Backlash, CalibrationFile};
-use dobot_geometry::{Vec2, deviation};
+use dobot_geometry::{Random, Vec2, deviation};
 use dobot_plan::{Laser, Machine, MoveKind, Pace};
-use dobot_random::Random;
 
 const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/drawings/harbour.svg"),
@@ -264,7 +263,7 @@ fn a_hole_on_a_layer_of_its_own_is_cut_as_a_hole_and_what_is_engraved_as_it_is()
     let settings = Settings {
         tool: laser(true),
         tools: vec![("black".to_owned(), laser(false))],
-        layers: Some(dobot_source::LayersBy::Color),
+        layers: Some(dobot_import::LayersBy::Color),
         cutting: Cutting {
             kerf_mm: 0.4,
             ..Cutting::default()
@@ -649,7 +648,7 @@ fn stipples_become_one_line_without_a_lift() {
     drop(writer);
     let mut settings = Settings::default();
     settings.placement.size = Size::Fit;
-    settings.shading = dobot_source::Shading::new(dobot_source::ShadingStyle::Tsp);
+    settings.shading = dobot_import::Shading::new(dobot_import::ShadingStyle::Tsp);
     settings.shading.spacing_mm = 4.0;
     let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
     let wanted = prepared.wanted();
@@ -674,7 +673,7 @@ fn layers_are_chosen_by_names_with_commas_between_them_or_in_them() {
         <g inkscape:groupmode="layer" inkscape:label="text"><path d="M5 25H25"/></g></svg>"#;
     let chosen = |only: &[&str]| {
         let settings = Settings {
-            layers: Some(dobot_source::LayersBy::Group),
+            layers: Some(dobot_import::LayersBy::Group),
             only: only.iter().map(|&it| it.to_owned()).collect(),
             ..Settings::default()
         };
@@ -705,7 +704,7 @@ fn a_hole_is_cut_as_a_hole_though_its_part_is_cut_another_time() {
             cuts: true,
             ..Laser::default()
         }),
-        layers: Some(dobot_source::LayersBy::Color),
+        layers: Some(dobot_import::LayersBy::Color),
         only: vec!["blue".to_owned()],
         cutting: Cutting {
             kerf_mm: 0.4,

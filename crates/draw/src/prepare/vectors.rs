@@ -221,8 +221,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
-    use dobot_geometry::{Point, Vec2, deviation};
-    use dobot_random::Random;
+    use dobot_geometry::{Point, Random, Vec2, deviation};
 
     /// So many of them for a drawing of one stroke.
     fn trials_of(left: usize) -> Trials {

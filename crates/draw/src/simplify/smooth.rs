@@ -105,7 +105,7 @@ const SHARE: f64 = 0.6;
 
 #[cfg(test)]
 mod tests {
-    use dobot_random::Random;
+    use dobot_geometry::Random;
 
     use super::*;
 

@@ -8,8 +8,8 @@ use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{Settings, prepare};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
+use dobot_import::{Font, Source, StrokeFont, Text};
 use dobot_plan::{DrawingTool, Laser, Machine, MoveKind, Paper, Pass, Plan, RespeedStart, respeed};
-use dobot_source::{Font, Source, StrokeFont, Text};
 use dobot_wire::{Command, WriteVector};
 
 /// What the arm does in a tick: where it is behind it, and whether it burned.

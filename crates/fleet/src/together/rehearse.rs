@@ -4,8 +4,9 @@ use std::time::Duration;
 
 use dobot_api::{ClientId, JobView, Request};
 use dobot_controller::{Personality, PowerUp};
-use dobot_rules::{Refusal, VirtualStation};
+use dobot_host::VirtualStation;
 use dobot_safety::Policy;
+use dobot_supervisor::Refusal;
 use serde::Serialize;
 
 use super::barriers::Barriers;

@@ -44,7 +44,7 @@ fn meetings() -> impl Strategy<Value = Vec<Vec<u8>>> {
 
 /// Whether parts come to their ends, where nobody knows anything but who waits where.
 fn come_through(parts: &[Vec<u8>], seed: u64) -> bool {
-    let mut random = dobot_random::Random::new(seed);
+    let mut random = dobot_geometry::Random::new(seed);
     let mut passed = vec![0; parts.len()];
     loop {
         let next: Vec<_> = parts

@@ -1,7 +1,7 @@
 //! What an answer means for a ticket.
 
 use dobot_api::{JobPhase, JobView, Member, WorkMember};
-use dobot_rules::WITHDRAWN;
+use dobot_host::WITHDRAWN;
 
 use super::engine::{Ask, What};
 use super::ticket::{Before, Offer, Place, Refused, Ticket};

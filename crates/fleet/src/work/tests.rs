@@ -7,7 +7,7 @@ mod world;
 use std::time::Duration;
 
 use dobot_api::{JobPhase, Request, TakesWork, WorkPhase};
-use dobot_rules::StoppedBy;
+use dobot_supervisor::StoppedBy;
 
 use self::world::World;
 use super::kept::Kept;

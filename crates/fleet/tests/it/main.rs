@@ -15,10 +15,10 @@ use std::time::{Duration, Instant};
 use dobot_api::{
     ApiRequest, FleetView, Folders, Member, MemberAbout, MemberAnswer, Presence, Role,
 };
-use dobot_client::Address;
 use dobot_fleet::{Credentials, Fleet, FleetConfig, FleetSession, Router, own_id};
+use dobot_motion::LASER_OFF;
+use dobot_session::Address;
 use dobot_station::{Config, Station, Tokens};
-use dobot_trajectory::LASER_OFF;
 use serde_json::{Value, json};
 use tokio::time::{interval, timeout};
 use zenoh::handlers::FifoChannelHandler;

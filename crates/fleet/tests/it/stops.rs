@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_api::{ApiRequest, FleetWideStop, State, StopView, TakesWork, WorkPhase, WorkView};
 use dobot_fleet::{FleetConfig, VirtualArms, VirtualArmsConfig};
-use dobot_rules::PassedPacket;
+use dobot_host::PassedPacket;
 use dobot_wire::{Command, Packet};
 use serde_json::{Value, json};
 use tokio::sync::broadcast;

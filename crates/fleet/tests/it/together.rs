@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dobot_api::StationAddress;
 use dobot_fleet::together::{Home, News, Order, Outcome, Part, Said, check, run};
-use dobot_rules::PassedPacket;
+use dobot_host::PassedPacket;
 use dobot_teach::{NoFiles, Program};
 use dobot_wire::{Command, Packet};
 use tokio::sync::broadcast::error::TryRecvError;

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use dobot_api::JobState;
+use dobot_geometry::Random;
 use dobot_journal::{Job, Journal, JournalError};
-use dobot_random::Random;
 use dobot_wire::Command;
 
 use crate::lab::job;

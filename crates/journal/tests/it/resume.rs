@@ -7,7 +7,7 @@ use dobot_arm::{Position, Tool};
 use dobot_journal::{
     JobId, Journal, PlannedJob, SPACING_MM, Window, locate, model_at, prelude, window_end,
 };
-use dobot_trajectory::{ArmPlace, Model};
+use dobot_motion::{ArmPlace, Model};
 use dobot_wire::{Command, Dialect};
 use proptest::prelude::*;
 

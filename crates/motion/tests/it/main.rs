@@ -1,4 +1,5 @@
-//! Moves and their profiles: limits, continuity, where they end.
+//! Moves and their profiles (limits, continuity, ends), and the motion model.
 
+mod model;
 mod moves;
 mod profile;

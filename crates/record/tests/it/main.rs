@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
+#[cfg(feature = "parquet")]
+mod export;
 mod recorder;
 mod recordings;
 mod repairs;

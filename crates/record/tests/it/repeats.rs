@@ -189,7 +189,7 @@ struct Heard {
 impl Heard {
     fn of(records: impl Iterator<Item = (Duration, String, Vec<u8>)>) -> Self {
         let mut heard = Self::default();
-        let mut decoder = Decoder::statuses(dobot_client::plausible);
+        let mut decoder = Decoder::statuses(dobot_session::plausible);
         for (at, topic, bytes) in records {
             if topic != FROM_ARM {
                 heard.all.push((at, topic, bytes));

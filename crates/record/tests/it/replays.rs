@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use dobot_client::{Connection, LinkError, Peer};
 use dobot_controller::{Controller, PowerUp};
 use dobot_record::{About, Limits, Record, Recorder, Replay, recordings};
+use dobot_session::{Connection, LinkError, Peer};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Dialect, MoveTo, MovingMode, Status};
 

@@ -1,8 +1,8 @@
 //! An arm before a policy, and short words for commands.
 
 use dobot_arm::{Degrees, Joints, Pose, Position, Tool};
+use dobot_motion::{ArmPlace, Model, Trajectory};
 use dobot_safety::{Policy, Violation};
-use dobot_trajectory::{ArmPlace, Model, Trajectory};
 use dobot_wire::{
     Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo,
     MovingMode, WriteVector,

@@ -1,6 +1,6 @@
 //! Jogs: the way that they can cover until the release is in force.
 
-use dobot_trajectory::Model;
+use dobot_motion::Model;
 use dobot_wire::{Command, JointJogAxis as J, LinearJogAxis as L};
 
 use crate::desk::{Desk, assert_near, jog, slide};

@@ -1,6 +1,6 @@
 //! When and where the laser may burn.
 
-use dobot_trajectory::burns;
+use dobot_motion::burns;
 use dobot_wire::{
     Command, Dialect, JointJogAxis, LinearJogAxis, MovingMode::MovL, WriteMode, WriteVector,
 };

@@ -1,8 +1,8 @@
 //! What holds for every policy, place and command.
 
 use dobot_arm::{Calibration, Joints, Limits, Plane, Tool};
+use dobot_motion::{ArmPlace, Model};
 use dobot_safety::{Area, Bounds, Cylinder, KeepOut, Policy};
-use dobot_trajectory::{ArmPlace, Model};
 use dobot_wire::{
     Command, Dialect, JointJogAxis, LinearJogAxis, MoveTo,
     MovingMode::{self, Jump, MovJ, MovL},

@@ -1,8 +1,8 @@
 //! What the policy means, written down a second time and slowly: for one place, by points.
 
 use dobot_arm::Tool;
+use dobot_motion::ArmPlace;
 use dobot_safety::{Bounds, KeepOut, Policy};
-use dobot_trajectory::ArmPlace;
 
 /// What is broken at a place with the suction cup; values and points may be out by `tolerance`.
 pub(crate) fn broken(policy: &Policy, place: &ArmPlace, tolerance: f64) -> Option<String> {

@@ -1,7 +1,7 @@
 //! What the whole way of a command may and may not do.
 
 use dobot_arm::{Calibration, Plane, Tool};
-use dobot_trajectory::{ArmPlace, Model};
+use dobot_motion::{ArmPlace, Model};
 use dobot_wire::{
     Configuration, Dialect, EndEffector, Gesture, MouseMove,
     MovingMode::{Jump, MovJ, MovL},

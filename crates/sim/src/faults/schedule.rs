@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use dobot_random::Random;
+use dobot_geometry::Random;
 
 use super::when::{FaultEnd, FaultMoment};
 use super::{Amount, Damage, Fault, FaultEffect, FaultKind, Struck, Tilt};

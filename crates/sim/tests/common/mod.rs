@@ -4,8 +4,8 @@
 
 use std::time::Duration;
 
-use dobot_client::{CommandId, Connection, Event};
 use dobot_controller::{Controller, PowerUp, Refused};
+use dobot_session::{CommandId, Connection, Event};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Command, Configuration, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector};
 

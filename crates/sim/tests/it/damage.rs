@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use crate::common::{button, completed, in_process, move_to, ms, refusals, run};
 use dobot_arm::Position;
-use dobot_client::{Connection, Event, LinkError, Peer};
-use dobot_random::Random;
+use dobot_geometry::Random;
+use dobot_session::{Connection, Event, LinkError, Peer};
 use dobot_sim::InProcess;
 use dobot_wire::{Command, Dialect, JointJogAxis, MovingMode};
 

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use dobot_arm::{Joints, Pose, Position, Tool};
-use dobot_client::{Detection, DetectionError, Peer, plausible, position};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_session::{Detection, DetectionError, Peer, plausible, position};
 use dobot_sim::{Fault, InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Command, Decoder, Finding, JointJog, JointJogAxis, Status, Statuses};
 use proptest::prelude::*;

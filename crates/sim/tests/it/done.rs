@@ -7,9 +7,9 @@ mod pauses;
 use std::time::Duration;
 
 use crate::common::{button, move_to, ms, playback};
-use dobot_client::{CommandId, Connection, Event, SendError};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_random::Random;
+use dobot_geometry::Random;
+use dobot_session::{CommandId, Connection, Event, SendError};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{
     Command, Configuration, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog, LinearJogAxis,

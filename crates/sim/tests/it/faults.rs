@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use crate::common::{button, completed, move_to, ms, playback, program, run};
 use dobot_arm::Joints;
-use dobot_client::{Connection, Event, LinkError, Peer};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_session::{Connection, Event, LinkError, Peer};
 use dobot_sim::{Fault, FaultEffect, InProcess, SerialLine, VirtualArm};
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, MovingMode, Status};
 use proptest::prelude::*;
@@ -47,7 +47,7 @@ fn listen(arm: &mut VirtualArm, until: Duration) -> Vec<u8> {
 }
 
 fn statuses(bytes: &[u8]) -> Vec<Status> {
-    let mut decoder = Decoder::statuses(dobot_client::plausible);
+    let mut decoder = Decoder::statuses(dobot_session::plausible);
     let frames = decoder.feed(bytes);
     frames.filter_map(|it| Status::parse(&it).ok()).collect()
 }

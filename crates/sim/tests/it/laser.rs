@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use dobot_client::{Connection, LinkError, SendError};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_session::{Connection, LinkError, SendError};
 use dobot_sim::world::{Scene, World};
 use dobot_sim::{InProcess, RECORDING_PERIOD, SerialLine, VirtualArm};
 use dobot_wire::{

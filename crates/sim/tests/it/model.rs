@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_arm::{Position, TICK};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_trajectory::{Model, TrajectoryError};
+use dobot_motion::{Model, TrajectoryError};
 use dobot_wire::{
     Command, Configuration, EndEffector, MoveTo, MovingMode, PlaybackAdjustment, Status, WriteMode,
     WriteVector,

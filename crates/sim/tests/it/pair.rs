@@ -13,10 +13,10 @@ use crate::common::{
     vector, virtual_arm,
 };
 use dobot_arm::Position;
-use dobot_client::{CommandId, Connection, Event, Peer};
 use dobot_controller::Refused;
+use dobot_motion::TrajectoryError;
+use dobot_session::{CommandId, Connection, Event, Peer};
 use dobot_sim::{InProcess, Sample};
-use dobot_trajectory::TrajectoryError;
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, JointJogAxis, LinearJog, LinearJogAxis,
     MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice, WriteVector,

@@ -6,7 +6,7 @@ use crate::common::{
     button, completed, in_process, move_to, ms, refusals, run, vector, virtual_arm,
 };
 use dobot_arm::Position;
-use dobot_client::Connection;
+use dobot_session::Connection;
 use dobot_sim::{InProcess, Sample};
 use dobot_wire::{Command, Dialect, JointJogAxis, MovingMode, WriteMode, WriteVector};
 

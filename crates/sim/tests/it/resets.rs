@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use crate::common::{move_to, ms, vector};
 use dobot_arm::{Joints, TICK};
-use dobot_client::{Connection, Event, Session};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_session::{Connection, Event, Session};
 use dobot_sim::{Fault, InProcess, Script, SerialLine, VirtualArm, simulate_watched};
 use dobot_wire::{Command, Decoder, Dialect, Frame, MovingMode, Status, WriteVector};
 use proptest::prelude::*;

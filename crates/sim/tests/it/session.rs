@@ -4,8 +4,8 @@
 use std::time::Duration;
 
 use crate::common::{button, move_to, ms, vector};
-use dobot_client::{Arm, Connection, Event, LinkError, NotReached, SendError, Session, blocking};
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_session::{Arm, Connection, Event, LinkError, NotReached, SendError, Session, blocking};
 use dobot_sim::{Fault, InProcess, SerialLine, VirtualArm};
 use dobot_wire::{
     Command, Configuration, JointJogAxis, LinearJog, LinearJogAxis, MovingMode, WriteVector,

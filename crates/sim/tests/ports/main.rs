@@ -22,8 +22,8 @@ use std::path::Path;
 use std::time::Duration;
 
 use common::{POWER_UP_X_MM, button, move_to, ms, virtual_arm};
-use dobot_client::{Connection, plausible};
 use dobot_controller::PowerUp;
+use dobot_session::{Connection, plausible};
 use dobot_sim::{FaultEffect, Pty, Server, ServerEvent, Speed};
 use dobot_wire::{Command, Decoder, Dialect, JointJogAxis, MoveTo, MovingMode, Status};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};

@@ -1,5 +1,5 @@
 use dobot_api::Role;
-use dobot_rules::Handle;
+use dobot_host::Handle;
 use proptest::prelude::*;
 use tokio::io::{DuplexStream, duplex, split};
 use tokio::task::JoinHandle;

@@ -1,7 +1,7 @@
 //! A port for old programs with the driver behind it.
 
 use dobot_api::Role;
-use dobot_rules::Handle;
+use dobot_host::Handle;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
 use super::FakeDriver;

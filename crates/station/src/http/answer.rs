@@ -17,7 +17,8 @@ use dobot_api::Problem;
 use dobot_api::problem_kinds::{
     INTERNAL, MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS,
 };
-use dobot_rules::{LongWorkError, Refusal, run_long};
+use dobot_host::{LongWorkError, run_long};
+use dobot_supervisor::Refusal;
 use futures_util::StreamExt;
 use schemars::JsonSchema;
 use serde::Deserialize;

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
 use dobot_api::{Problem, Role, StationAddress};
-use dobot_rules::{Handle, OwnVirtualArm, PlannedFor};
+use dobot_host::{Handle, OwnVirtualArm, PlannedFor};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
 

@@ -10,8 +10,9 @@ use axum::http::{HeaderName, Method, StatusCode, Uri};
 use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
 use dobot_api::{NewJob, Notice, Reply, Request, Role, write_private};
-use dobot_rules::{Client, Refusal, is_plain};
+use dobot_host::Client;
 use dobot_safety::Policy;
+use dobot_supervisor::{Refusal, is_plain};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -11,7 +11,8 @@ use dobot_draw::{
     DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
     WITHOUT_ARM_Z_MM, frame,
 };
-use dobot_rules::{PlannedFor, drawing_job, plain};
+use dobot_host::{PlannedFor, drawing_job};
+use dobot_supervisor::plain;
 use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use dobot_api::{ClientId, FleetWideStop, JobPath, JobView, LeaseView, Reply, Request, Role};
-use dobot_rules::{Ends, Handle, Message, OfferAnswer, OfferAsk, Refusal, Rules};
+use dobot_host::{Ends, Handle, Message, OfferAnswer, OfferAsk, Rules};
+use dobot_supervisor::Refusal;
 use tokio::sync::mpsc;
 
 use crate::sample::{job, state};

@@ -10,7 +10,7 @@ use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::{Extension, Json};
 use dobot_api::problem_kinds::{GIVES_NO_ARMS, NO_FLEET, UNAUTHORISED};
 use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients, Role};
-use dobot_rules::StoppedBy;
+use dobot_supervisor::StoppedBy;
 use futures_util::Stream;
 use schemars::JsonSchema;
 use serde::Deserialize;

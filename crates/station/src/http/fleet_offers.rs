@@ -12,7 +12,7 @@ use dobot_api::{
     JobPhase, JobView, NewJob, Problem, Request, Role, State, TakesWork, is_same_person,
 };
 use dobot_arm::Calibration;
-use dobot_rules::{Handle, OfferAnswer, OfferAsk};
+use dobot_host::{Handle, OfferAnswer, OfferAsk};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use dobot_api::problem_kinds::{ENDING, LEASE_GONE, ROLE, TOO_MANY_CLIENTS};
 use dobot_api::{Problem, Role};
-use dobot_rules::Client;
+use dobot_host::Client;
 
 use super::app::Caller;
 use super::tokens::{Token, digest};

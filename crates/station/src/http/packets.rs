@@ -7,7 +7,7 @@ use axum::Extension;
 use axum::extract::State;
 use axum::response::sse::{Event, KeepAlive, Sse};
 use data_encoding::HEXLOWER;
-use dobot_rules::PassedPacket;
+use dobot_host::PassedPacket;
 use dobot_wire::{Command, Dialect, Frame, Packet, Status};
 use futures_util::Stream;
 use schemars::JsonSchema;

@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
 use dobot_api::{NewJob, Problem};
 use dobot_draw::ProgramFiles;
-use dobot_rules::PlannedFor;
+use dobot_host::PlannedFor;
 use dobot_teach::{
     Action, Compiled, Point, Program, ProgramDocument, ProgramError, ProgramForm, RecordedPlace,
     Report, Times, ToolState, check, path_steps, simplified,

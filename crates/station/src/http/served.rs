@@ -5,7 +5,7 @@ use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 
 use dobot_api::{Folders, Role, Running, RunningError, StationAddress, StationAddressError};
-use dobot_rules::{Handle, OwnVirtualArm};
+use dobot_host::{Handle, OwnVirtualArm};
 use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;

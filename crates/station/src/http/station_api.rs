@@ -15,7 +15,7 @@ use axum::{Extension, Router};
 use dobot_api::problem_kinds::UNAUTHORISED;
 use dobot_api::problem_kinds::{INVALID, MALFORMED, TIMEOUT, TOO_LARGE};
 use dobot_api::{ApiAnswer, ApiRequest, Problem};
-use dobot_rules::Handle;
+use dobot_host::Handle;
 use serde_json::Value;
 use tokio::time::timeout;
 use tower::ServiceExt;

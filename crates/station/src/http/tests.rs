@@ -36,7 +36,7 @@ use axum::http::request::Builder;
 use axum::http::{HeaderMap, Request, StatusCode};
 use dobot_api::{Request as Wish, Role, StationAddress};
 use dobot_controller::{Controller, Personality, PowerUp};
-use dobot_rules::OwnVirtualArm;
+use dobot_host::OwnVirtualArm;
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use futures_util::{FutureExt, StreamExt};
 use serde_json::Value;

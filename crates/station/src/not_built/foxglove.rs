@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::net::SocketAddr;
 
 use dobot_api::NotBuilt;
-use dobot_rules::Handle;
+use dobot_host::Handle;
 
 /// A port that this build cannot open.
 #[derive(Debug)]

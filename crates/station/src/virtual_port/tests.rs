@@ -1,6 +1,6 @@
 use std::path::PathBuf;
 
-use dobot_client::{Address, Link};
+use dobot_session::{Address, Link};
 
 use super::*;
 use crate::fake::{Harness, packet};

@@ -1,8 +1,7 @@
 //! What the arm was told so far.
 
 use dobot_arm::{Degrees, Joints, Pose, Position, Tool};
-use dobot_motion::Speeds;
-use dobot_trajectory::tool_named;
+use dobot_motion::{Speeds, tool_named};
 use dobot_wire::{Command, Configuration, MovingMode, PlaybackAdjustment, single};
 
 use super::resolve::Spot;

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use dobot_motion::Model;
 use dobot_safety::Policy;
 use dobot_teach::{Compiled, Drawing, Files, NoFiles, Program, barrier_reason, check};
-use dobot_trajectory::Model;
 use dobot_wire::{Command, Dialect, MoveTo, MovingMode, Status, WriteVector};
 
 /// Files in memory; a drawing is one line of 10 mm.

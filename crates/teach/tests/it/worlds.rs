@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_motion::Model;
 use dobot_safety::Policy;
 use dobot_sim::world::{Object, Scene, World};
 use dobot_sim::{SerialLine, VirtualArm};
 use dobot_teach::{Compiled, Drawing, Files, Program, check};
-use dobot_trajectory::Model;
 use dobot_wire::{Command, Dialect, Status};
 
 struct ExampleFiles;

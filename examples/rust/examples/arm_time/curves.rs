@@ -3,9 +3,8 @@
 use std::f64::consts::TAU;
 
 use dobot_draw::Placement;
-use dobot_geometry::{Point, Stroke, Vec2};
+use dobot_geometry::{Point, Random, Stroke, Vec2};
 use dobot_lettering::{Anchor, strokes};
-use dobot_random::Random;
 
 /// Strokes to draw, and the curves that they stand for.
 pub(crate) struct Curves {

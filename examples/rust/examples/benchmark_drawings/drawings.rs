@@ -3,9 +3,8 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-use dobot_geometry::Point;
+use dobot_geometry::{Point, Random};
 use dobot_lettering::{Anchor, strokes, width};
-use dobot_random::Random;
 
 /// All of them.
 pub(crate) const ALL: [Benchmark; 10] = [

@@ -4,8 +4,8 @@
 
 use std::error::Error;
 
-use dobot_client::{Address, Arm, Connection};
 use dobot_controller::{Controller, PowerUp};
+use dobot_session::{Address, Arm, Connection};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::Dialect;
 

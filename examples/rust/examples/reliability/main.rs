@@ -2,7 +2,7 @@
 //!
 //! Without `--quick`, and with `> docs/reliability.md` behind it, it writes that file anew.
 
-#[path = "../../../../crates/rules/tests/it/cases/mod.rs"]
+#[path = "../../../../crates/host/tests/it/cases/mod.rs"]
 mod cases;
 mod report;
 

@@ -365,7 +365,7 @@ supervisor of the station, a virtual arm and a real journal in virtual time. Not
 ```sh
 cargo run -p dobot-examples --example reliability > docs/reliability.md    # the numbers below
 cargo run -p dobot-examples --example reliability -- --quick               # a fortieth of it, as CI does
-cargo test -p dobot-rules faults::                                         # the same, with what must hold
+cargo test -p dobot-host faults::                                         # the same, with what must hold
 ```
 
 Every case has a number, counted from 0, which is the seed of all its random choices. Even numbers are arms of the
@@ -535,7 +535,7 @@ the policy. Three arms of four are stock arms.
 ```sh
 cargo run --release -p dobot-examples --example fuzz -- --requests 1000000 > examples/rust/examples/reliability/fuzz.md
 cargo run -p dobot-examples --example fuzz -- --seed 42    # one case
-cargo test -p dobot-rules faults::an_arm_is_never_lost         # 80,000 of them, as CI does
+cargo test -p dobot-host faults::an_arm_is_never_lost         # 80,000 of them, as CI does
 ```
 
 Some cases are left out, because no station can promise anything there: packets that get lost on the way to the arm,

@@ -4,8 +4,8 @@ use std::error::Error;
 use std::time::{Duration, Instant};
 
 use dobot_api::{JobKind, JobProgram, MemberAnswer, NewJob, Reply, Request, State, StationAddress};
-use dobot_rules::{Client, Handle, PassedPacket};
-use dobot_trajectory::LASER_OFF;
+use dobot_host::{Client, Handle, PassedPacket};
+use dobot_motion::LASER_OFF;
 use dobot_wire::{Command, Configuration, Dialect, EndEffector, MoveTo, MovingMode, WriteVector};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;

@@ -4,9 +4,9 @@ use std::error::Error;
 use std::time::Duration;
 
 use dobot_api::{ApiRequest, FleetView, Folders, MemberAbout, Role, StationAddress, fetch};
-use dobot_client::Address;
 use dobot_fleet::{Credentials, Fleet, FleetConfig, FleetSession, own_id};
-use dobot_rules::Client;
+use dobot_host::Client;
+use dobot_session::Address;
 use dobot_station::{Config, Station, Token, Tokens};
 use serde_json::json;
 use tempfile::TempDir;
@@ -194,7 +194,7 @@ impl Desk {
     }
 
     /// One who may do everything there.
-    pub(crate) async fn teacher(&self) -> Result<Client, dobot_rules::Refusal> {
+    pub(crate) async fn teacher(&self) -> Result<Client, dobot_supervisor::Refusal> {
         self.station.handle().client("teacher", Role::Admin).await
     }
 }

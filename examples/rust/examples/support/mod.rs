@@ -5,7 +5,7 @@ use std::io::stdin;
 
 use dobot_api::{Folders, Request, State, StationAddress};
 use dobot_controller::{Personality, PowerUp};
-use dobot_rules::{LocalArm, StationClient};
+use dobot_host::{LocalArm, StationClient};
 use dobot_safety::Policy;
 
 /// The arm at an address, of a station, or a virtual one.

@@ -9,7 +9,7 @@ use dobot_arm::Tool;
 use dobot_calibrate::{COMB_PAIRS, COMB_STEP_DEG, SlackJoint, comb};
 use dobot_draw::known_paper;
 use dobot_geometry::Point;
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 
 use super::{hold, keep};
 use crate::connect::To;

@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use anyhow::{anyhow, bail};
 use dobot_arm::{Position, Tool};
 use dobot_calibrate::{Repeatability, SHEET_POINTS, repeatability};
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_wire::{MoveTo, MovingMode, single};
 
 use crate::connect::To;

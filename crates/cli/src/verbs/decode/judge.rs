@@ -1,6 +1,6 @@
 //! What each stretch of bytes is: packet by packet, whoever sent it.
 
-use dobot_client::plausible;
+use dobot_session::plausible;
 use dobot_wire::{Command, Decoder, Dialect, Frame, PACKET_LEN, Packet, Status};
 
 use super::From;

@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use anyhow::anyhow;
 use dobot_api::{RemoteError, State, problem_kinds};
-use dobot_client::position;
+use dobot_host::{StationClient, drawing_job};
+use dobot_motion::Model;
 use dobot_plan::Plan;
-use dobot_rules::{StationClient, drawing_job};
-use dobot_trajectory::Model;
+use dobot_session::position;
 use indicatif::ProgressBar;
 
 use crate::control::{self, arm_laser, first_state, line_entered, take_control};

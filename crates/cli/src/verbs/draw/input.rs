@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, anyhow};
 
 use dobot_draw::{DrawingRequest, Materials, Options, Subject};
-use dobot_source::{Source, SourceError};
+use dobot_import::{Source, SourceError};
 
 use super::args::Args;
 use super::defaults::{fitted, told};

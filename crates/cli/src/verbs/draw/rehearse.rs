@@ -7,7 +7,7 @@ use dobot_api::Request;
 use dobot_controller::PowerUp;
 use dobot_draw::{Estimate, InkLine, Prepared, Sample, Settings, Timeline, Trace};
 use dobot_geometry::Stroke;
-use dobot_rules::StationClient;
+use dobot_host::StationClient;
 use dobot_safety::Policy;
 use dobot_sim::{RECORDING_PERIOD, VirtualArm};
 use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use dobot_draw::{Estimate, PassFigures, Prepared, SheetPlace, ToolKind};
 use dobot_geometry::{Stroke, bounds};
+use dobot_import::Warning;
 use dobot_plan::Pass;
-use dobot_source::Warning;
 use serde::Serialize;
 
 use super::defaults::DefaultsLine;

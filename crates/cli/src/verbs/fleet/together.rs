@@ -10,7 +10,7 @@ use dobot_draw::ProgramFiles;
 use dobot_fleet::together::{
     Home, News, Order, Outcome, Part, Rehearsal, Said, Together, check, rehearse, run,
 };
-use dobot_rules::{PlannedFor, Rules};
+use dobot_host::{PlannedFor, Rules};
 use dobot_safety::Policy;
 use dobot_teach::Program;
 use dobot_wire::Dialect;

@@ -12,8 +12,8 @@ use clap::ValueEnum;
 use dobot_api::NotBuilt;
 use dobot_record::Recording;
 #[cfg(feature = "full")]
-use dobot_tables::export_lerobot;
-use dobot_tables::{ExportError, TableForm, export_files, holds_packets};
+use dobot_record::tables::export_lerobot;
+use dobot_record::tables::{ExportError, TableForm, export_files, holds_packets};
 
 use super::open;
 use crate::failure::Failure;

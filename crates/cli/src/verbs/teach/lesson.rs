@@ -1,6 +1,6 @@
 //! The program that is being taught: what each key changes in it.
 
-use dobot_rules::PlannedFor;
+use dobot_host::PlannedFor;
 use std::collections::BTreeMap;
 
 use dobot_api::NewJob;
@@ -472,7 +472,7 @@ mod tests {
     use dobot_teach::NoFiles;
     use dobot_wire::Command;
 
-    use dobot_rules::Rules;
+    use dobot_host::Rules;
     use dobot_safety::Policy;
 
     use super::*;

@@ -1,14 +1,14 @@
 //! Teaching as an engine: the pendant, the program, and the job that runs it.
 
-use dobot_rules::{PlannedFor, Rules};
+use dobot_host::{PlannedFor, Rules};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{Event, KeyEvent, KeyEventKind};
 use dobot_api::{JobPhase, JobView, NewJob, Reply, Request, State};
+use dobot_motion::burns;
 use dobot_teach::{ProgramError, RecordedPlace, simplified};
-use dobot_trajectory::burns;
 use dobot_wire::MovingMode;
 use ratatui::Frame;
 

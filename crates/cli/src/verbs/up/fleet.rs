@@ -51,11 +51,11 @@ mod joined {
 
     use anyhow::anyhow;
     use dobot_api::{MemberAbout, TakesWork};
-    use dobot_client::Address;
     use dobot_fleet::{
         Credentials, Fleet, FleetConfig, FleetSession, VirtualArms, VirtualArmsConfig, own_id,
         page_of,
     };
+    use dobot_session::Address;
     use dobot_station::Config;
 
     use super::{Failure, JoinArgs, Station, TakeWork};

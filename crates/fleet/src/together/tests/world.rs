@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use dobot_random::Random;
+use dobot_geometry::Random;
 
 use super::barriers;
 use crate::together::engine::{Engine, News, Start, Wish};

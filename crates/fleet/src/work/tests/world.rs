@@ -10,8 +10,8 @@ use dobot_api::{
     Request, TakesWork, TimeSlot, WorkView,
 };
 use dobot_controller::{Personality, PowerUp};
-use dobot_random::Random;
-use dobot_rules::{OfferAnswer, OfferAsk, VirtualStation};
+use dobot_geometry::Random;
+use dobot_host::{OfferAnswer, OfferAsk, VirtualStation};
 use dobot_safety::Policy;
 use dobot_station::{Members, work_hurdle};
 use dobot_wire::{MoveTo, MovingMode, WriteVector};

@@ -1,7 +1,7 @@
 //! Random programs, and where they lead.
 
 use dobot_arm::{Degrees, Pose, Position, Tool};
-use dobot_trajectory::{ArmPlace, Model};
+use dobot_motion::{ArmPlace, Model};
 use dobot_wire::{Command, Configuration, Dialect, MoveTo, MovingMode};
 use proptest::prelude::*;
 

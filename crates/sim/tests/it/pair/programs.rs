@@ -1,7 +1,7 @@
 //! Random programs within reach, against a model of where they lead.
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
-use dobot_trajectory::tool_named;
+use dobot_motion::tool_named;
 use dobot_wire::single;
 use proptest::prelude::*;
 

@@ -6,8 +6,8 @@ use std::net::SocketAddr;
 use std::process::{Child, Command, Stdio};
 
 use dobot_api::Folders;
-use dobot_client::Address;
 use dobot_controller::Personality;
+use dobot_session::Address;
 use dobot_station::{Config, Station};
 use tempfile::TempDir;
 

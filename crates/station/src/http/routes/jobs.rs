@@ -10,7 +10,7 @@ use dobot_api::problem_kinds::{
     NO_JOB_RUNS, NO_LEASE, NO_SUCH_JOB, OUT_OF_RANGE, POLICY, SLOT, TOO_MANY,
 };
 use dobot_api::{JobPath, JobView, NewJob, Reply, Request};
-use dobot_rules::Refusal;
+use dobot_supervisor::Refusal;
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -10,7 +10,7 @@ use dobot_api::problem_kinds::{
     STILL_MOVING,
 };
 use dobot_api::{FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
-use dobot_rules::Refusal;
+use dobot_supervisor::Refusal;
 use dobot_wire::Command;
 use schemars::JsonSchema;
 use serde::Deserialize;

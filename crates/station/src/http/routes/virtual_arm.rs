@@ -6,7 +6,7 @@ use axum::Json;
 use axum::extract::{Query as Queries, State};
 use dobot_api::problem_kinds::{BAD_FAULT, BAD_SCENE, MALFORMED, NOT_VIRTUAL};
 use dobot_api::{Problem, Role};
-use dobot_rules::OwnVirtualArm;
+use dobot_host::OwnVirtualArm;
 use dobot_sim::Fault;
 use dobot_sim::world::{Scene, World, WorldState};
 use schemars::{JsonSchema, SchemaGenerator};

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use axum::extract::ws::{CloseFrame, Message, close_code};
 use dobot_api::{ClientId, Notice, Problem, Reply, ToClient};
-use dobot_rules::{Client, Refusal};
+use dobot_host::Client;
+use dobot_supervisor::Refusal;
 use futures_util::{Sink, SinkExt, Stream, StreamExt};
 use tokio::sync::{broadcast, mpsc, oneshot};
 use tokio::time::timeout;

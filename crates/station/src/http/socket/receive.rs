@@ -7,7 +7,7 @@ use axum::body::Bytes;
 use axum::extract::ws::Message;
 use dobot_api::FromClient;
 use dobot_api::problem_kinds::INVALID;
-use dobot_rules::Client;
+use dobot_host::Client;
 use futures_util::{Stream, StreamExt};
 use tokio::sync::mpsc;
 use tokio::time::timeout;

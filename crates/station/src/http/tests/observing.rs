@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use axum::body::Body;
 use dobot_api::{News, Role};
-use dobot_rules::PassedPacket;
+use dobot_host::PassedPacket;
 use dobot_wire::{Command, Dialect, Status};
 use futures_util::StreamExt;
 use serde_json::Value;

@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::task::{Context, Poll};
 
 use dobot_api::{News, Role, StationAddress};
-use dobot_rules::Handle;
+use dobot_host::Handle;
 use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;

@@ -1,0 +1,552 @@
+//! A client of the rules, wherever they are kept: in a station that runs, in this process, or in
+//! virtual time.
+
+mod local;
+mod virtual_time;
+
+use std::fmt;
+use std::time::Duration;
+
+use dobot_api::{
+    ClientId, ConnectError, JobPhase, JobView, LinkPhase, NewJob, News, Notice, Problem, Remote,
+    RemoteError, Reply, Request, Role, State, StationAddress, StationEvent, fetch,
+};
+use dobot_controller::{Controller, PowerUp};
+use dobot_safety::Policy;
+use dobot_session::Address;
+use dobot_sim::{SerialLine, VirtualArm};
+use dobot_supervisor::Refusal;
+use tokio::time::{Instant, timeout};
+
+use crate::{PlannedFor, Rules};
+
+use self::local::Local;
+use self::virtual_time::InVirtualTime;
+
+pub use self::local::{LocalArm, OpenArmError};
+
+/// How long an arm that still moves is asked again.
+const PATIENCE: Duration = Duration::from_secs(5);
+/// How long it is left alone in between.
+const PAUSE: Duration = Duration::from_millis(80);
+/// A stock arm is deaf for up to two seconds after its port was opened, and is given five to say something.
+const FIRST_STATUS: Duration = Duration::from_secs(6);
+
+/// A client of the rules that every command to an arm passes.
+///
+/// The rules are the same wherever they are kept, and so are the requests:
+///
+/// | constructor | the rules are kept | the arm |
+/// |---|---|---|
+/// | [`connect`](Self::connect) | by a station that runs | is the station's |
+/// | [`open`](Self::open) | in this process, in a thread of their own | is at an address |
+/// | [`with_virtual_arm`](Self::with_virtual_arm) | in this process, in virtual time | is in this process too |
+///
+/// What a client holds (control of the arm, a jog button) ends when it is dropped. [`end`](Self::end)
+/// waits until the arm rests.
+///
+/// ```
+/// use dobot_controller::{Personality, PowerUp};
+/// use dobot_safety::Policy;
+/// use dobot_api::{Reply, Request};
+/// use dobot_host::StationClient;
+/// use dobot_wire::{Command, MoveTo, MovingMode};
+///
+/// # #[tokio::main(flavor = "current_thread")]
+/// # async fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let power_up = PowerUp::new(Personality::Firmware11);
+/// let mut station = StationClient::with_virtual_arm(power_up, Policy::default(), "example");
+/// station.state().await?;
+/// station.request(Request::TakeLease).await?;
+/// let command = Command::from(MoveTo::to(220.0, 0.0, 30.0));
+/// let Reply::Accepted { command, .. } = station.request(Request::Command { command }).await? else {
+///     panic!("a motion is accepted");
+/// };
+/// station.finished(command).await?;
+/// # Ok(())
+/// # }
+/// ```
+pub struct StationClient {
+    way: ClientRoute,
+    began: Instant,
+}
+
+/// Where the rules are kept.
+enum ClientRoute {
+    Running(Box<Remote>, StationAddress),
+    Local(Box<Local>),
+    Virtual(Box<InVirtualTime>),
+}
+
+impl StationClient {
+    /// Connects with a station that runs, under a name that the others see.
+    ///
+    /// # Errors
+    ///
+    /// [`ConnectError`], with what to do about it.
+    pub async fn connect(address: &StationAddress, name: &str) -> Result<Self, ConnectError> {
+        let remote = Remote::connect(address, name).await?;
+        Ok(Self::new(ClientRoute::Running(
+            Box::new(remote),
+            address.clone(),
+        )))
+    }
+
+    /// Opens the port of an arm and keeps the rules in this process, in a thread of their own: with
+    /// journal and recording, without a page and a raw port. The laser is switched off first. The
+    /// pose is not trusted until [`Request::ConfirmPose`]: opening its port resets a stock arm.
+    ///
+    /// # Errors
+    ///
+    /// [`OpenArmError`]; nothing is left running then.
+    ///
+    /// # Panics
+    ///
+    /// Outside of a tokio runtime.
+    pub async fn open(arm: LocalArm, name: &str) -> Result<Self, OpenArmError> {
+        let local = Local::open(arm, name).await?;
+        Ok(Self::new(ClientRoute::Local(Box::new(local))))
+    }
+
+    /// Keeps the rules of an arm in this process, in virtual time, which passes only while somebody
+    /// waits. Its pose is trusted and its laser needs no arming: it can harm nobody.
+    ///
+    /// # Panics
+    ///
+    /// Never: a journal in memory can always be made.
+    #[must_use]
+    pub fn with_virtual_arm(power_up: PowerUp, policy: Policy, name: &str) -> Self {
+        let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+        Self::with_this_virtual_arm(arm, power_up, policy, name)
+    }
+
+    /// The same with an arm of one's own: with faults, or in a world. `power_up` is how its controller was switched on.
+    ///
+    /// # Panics
+    ///
+    /// Never: a journal in memory can always be made.
+    #[must_use]
+    pub fn with_this_virtual_arm(
+        arm: VirtualArm,
+        power_up: PowerUp,
+        policy: Policy,
+        name: &str,
+    ) -> Self {
+        let station = InVirtualTime::new(arm, power_up, policy, name);
+        Self::new(ClientRoute::Virtual(Box::new(station)))
+    }
+
+    fn new(way: ClientRoute) -> Self {
+        Self {
+            way,
+            began: Instant::now(),
+        }
+    }
+
+    /// Asks for something. What is told in the meantime is kept for [`next`](Self::next).
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError::Refused`] where it is refused, and others where there is no answer.
+    pub async fn request(&mut self, request: Request) -> Result<Reply, RemoteError> {
+        match &mut self.way {
+            ClientRoute::Running(remote, _) => remote.request(request).await,
+            ClientRoute::Local(local) => local.request(request).await.map_err(|it| refused(&it)),
+            ClientRoute::Virtual(station) => station.request(request).map_err(|it| refused(&it)),
+        }
+    }
+
+    /// Asks for something that takes an arm at rest, as soon as it is: it is asked again for
+    /// five seconds by the arm's clock.
+    ///
+    /// # Errors
+    ///
+    /// As of [`request`](Self::request).
+    pub async fn request_at_rest(&mut self, request: Request) -> Result<Reply, RemoteError> {
+        let until = self.now() + PATIENCE;
+        loop {
+            match self.request(request.clone()).await {
+                Err(error) if error.kind() == Some("still-moving") && self.now() < until => {
+                    self.wait(PAUSE).await;
+                }
+                answer => return answer,
+            }
+        }
+    }
+
+    /// What is told next: a state or what happened. Nothing is lost when it is cancelled.
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError`] where the connection is lost, or the rules are not kept any more.
+    pub async fn next(&mut self) -> Result<StationEvent, RemoteError> {
+        match &mut self.way {
+            ClientRoute::Running(remote, _) => remote.next().await,
+            ClientRoute::Local(local) => local.next().await,
+            ClientRoute::Virtual(station) => {
+                // A runtime that has other work (a signal that asks to stop) gets its turn.
+                tokio::task::consume_budget().await;
+                Ok(station.next())
+            }
+        }
+    }
+
+    /// The next state.
+    ///
+    /// # Errors
+    ///
+    /// As of [`next`](Self::next).
+    pub async fn state(&mut self) -> Result<State, RemoteError> {
+        loop {
+            if let StationEvent::State(state) = self.next().await? {
+                return Ok(*state);
+            }
+        }
+    }
+
+    /// What was told already, of rules in virtual time; no time passes.
+    pub fn told(&mut self) -> Option<StationEvent> {
+        match &mut self.way {
+            ClientRoute::Virtual(station) => station.told(),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => None,
+        }
+    }
+
+    /// Waits until nothing is under way any more, or no arm is there to do anything: three states in a row say so, for
+    /// between two commands it looks like that, too.
+    ///
+    /// # Errors
+    ///
+    /// As of [`next`](Self::next); [`RemoteError::Silent`] where no state comes for five seconds.
+    pub async fn idle(&mut self) -> Result<(), RemoteError> {
+        let mut idle = 0;
+        while idle < 3 {
+            let state = timeout(PATIENCE, self.state()).await;
+            let state = state.map_err(|_| RemoteError::Silent)??;
+            if state.link.phase != LinkPhase::Up {
+                return Ok(());
+            }
+            let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+            let busy = moving || state.queue.waiting + state.queue.under_way > 0;
+            idle = if busy { 0 } else { idle + 1 };
+        }
+        Ok(())
+    }
+
+    /// The first state with an arm that tells where it is. A station that has just been started is waited
+    /// for until its arm tells something, for six seconds.
+    ///
+    /// # Errors
+    ///
+    /// [`NoArm`] where there is none to be heard.
+    pub async fn heard(&mut self) -> Result<State, NoArm> {
+        let mut missing = NoArm::Silent(RemoteError::Silent);
+        let until = self.now() + FIRST_STATUS;
+        while self.now() < until {
+            let Ok(state) = timeout(FIRST_STATUS, self.state()).await else {
+                break;
+            };
+            let state = state?;
+            match &state.arm {
+                Some(_) if state.link.phase == LinkPhase::Up => return Ok(state),
+                // What was said of the link while there was one tells more than that there is none now.
+                _ if state.link.phase == LinkPhase::Lost => return Err(NoArm::of(&state)),
+                _ => missing = NoArm::of(&state),
+            }
+        }
+        Err(missing)
+    }
+
+    /// Queues a job, and gives its number.
+    ///
+    /// # Errors
+    ///
+    /// As of [`request`](Self::request).
+    pub async fn submit(&mut self, job: NewJob) -> Result<u64, RemoteError> {
+        match self.request(Request::SubmitJob { job, key: None }).await? {
+            Reply::Job { job } => Ok(job.job),
+            other => Err(RemoteError::Garbled(format!(
+                "the answer to a new job is {other:?}"
+            ))),
+        }
+    }
+
+    /// Cancels a job that was refused before it began: the next try makes one of its own. Why it was
+    /// refused is what counts, so that nothing is told of this.
+    pub async fn forget_unbegun(&mut self, job: u64) {
+        let Ok(jobs) = self.jobs().await else {
+            return;
+        };
+        let is_unbegun = |it: &JobView| it.job == job && it.phase == JobPhase::Queued;
+        if jobs.iter().any(is_unbegun) {
+            let _ = self.request(Request::CancelJob { job }).await;
+        }
+    }
+
+    /// Waits until a command that was [accepted](Reply::Accepted) is over.
+    ///
+    /// # Errors
+    ///
+    /// [`RemoteError::Failed`] where the arm is not where it leads or the link to the arm is lost, and
+    /// others as of [`next`](Self::next).
+    pub async fn finished(&mut self, command: u64) -> Result<(), RemoteError> {
+        self.finished_watched(command, |_| {}).await
+    }
+
+    /// The same; `see` is shown every state meanwhile.
+    ///
+    /// # Errors
+    ///
+    /// As of [`finished`](Self::finished).
+    pub async fn finished_watched(
+        &mut self,
+        command: u64,
+        mut see: impl FnMut(&State),
+    ) -> Result<(), RemoteError> {
+        loop {
+            let notice = match self.next().await? {
+                StationEvent::Notice(notice) => notice,
+                StationEvent::State(state) => {
+                    see(&state);
+                    continue;
+                }
+            };
+            match notice.news {
+                News::CommandDone { command: done } if done == command => return Ok(()),
+                News::CommandFailed { command: failed } if failed == command => {
+                    return Err(RemoteError::Failed(notice.text));
+                }
+                News::LinkLost => return Err(RemoteError::Failed(notice.text)),
+                _ => {}
+            }
+        }
+    }
+
+    /// All jobs, the oldest first.
+    ///
+    /// # Errors
+    ///
+    /// [`JobsError`] where they cannot be had.
+    pub async fn jobs(&mut self) -> Result<Vec<JobView>, JobsError> {
+        match &mut self.way {
+            ClientRoute::Running(_, address) => Ok(fetch(address, "/api/v1/jobs").await?),
+            ClientRoute::Local(local) => Ok(local.jobs().await.map_err(|it| refused(&it))?),
+            ClientRoute::Virtual(station) => Ok(station.jobs().map_err(|it| refused(&it))?),
+        }
+    }
+
+    /// For which arm to plan: as it is in this state, by these rules, and calibrated as the rules' keeper knows it.
+    ///
+    /// # Errors
+    ///
+    /// [`JobsError`] where it does not tell.
+    pub async fn planned_for(
+        &mut self,
+        mut rules: Rules,
+        state: &State,
+    ) -> Result<PlannedFor, JobsError> {
+        rules.calibrations = match &mut self.way {
+            ClientRoute::Running(_, address) => fetch(address, "/api/v1/calibration").await?,
+            ClientRoute::Local(local) => local.calibrations(),
+            ClientRoute::Virtual(station) => station.calibrations().clone(),
+        };
+        Ok(PlannedFor::of(rules.into(), state))
+    }
+
+    /// Its number among the clients of the rules.
+    #[must_use]
+    pub const fn id(&self) -> ClientId {
+        match &self.way {
+            ClientRoute::Running(remote, _) => remote.hello().client,
+            ClientRoute::Local(local) => local.id(),
+            ClientRoute::Virtual(station) => station.id(),
+        }
+    }
+
+    /// What it may do.
+    #[must_use]
+    pub const fn role(&self) -> Role {
+        match &self.way {
+            ClientRoute::Running(remote, _) => remote.hello().role,
+            ClientRoute::Local(_) | ClientRoute::Virtual(_) => Role::Admin,
+        }
+    }
+
+    /// How long a jog button stays pressed without being said again.
+    #[must_use]
+    pub fn dead_man(&self) -> Duration {
+        let seconds = match &self.way {
+            ClientRoute::Running(remote, _) => remote.hello().dead_man_s,
+            ClientRoute::Local(local) => local.dead_man_s(),
+            ClientRoute::Virtual(station) => station.dead_man_s(),
+        };
+        // What a station says that cannot be is a button that nobody can hold.
+        Duration::try_from_secs_f64(seconds).unwrap_or_default()
+    }
+
+    /// Lets time pass by the arm's clock.
+    pub async fn wait(&mut self, time: Duration) {
+        match &mut self.way {
+            ClientRoute::Virtual(station) => station.wait(time),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => tokio::time::sleep(time).await,
+        }
+    }
+
+    /// The time since this client came, by the arm's clock.
+    #[must_use]
+    pub fn now(&self) -> Duration {
+        match &self.way {
+            ClientRoute::Virtual(station) => station.now(),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => self.began.elapsed(),
+        }
+    }
+
+    /// The address of the arm, where this process has opened it.
+    #[must_use]
+    pub fn arm_address(&self) -> Option<&Address> {
+        match &self.way {
+            ClientRoute::Running(..) => None,
+            ClientRoute::Local(local) => Some(local.address()),
+            ClientRoute::Virtual(_) => Some(&Address::Virtual),
+        }
+    }
+
+    /// The virtual arm, where it is in this process.
+    #[must_use]
+    pub const fn virtual_arm(&self) -> Option<&VirtualArm> {
+        match &self.way {
+            ClientRoute::Virtual(station) => Some(station.arm()),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => None,
+        }
+    }
+
+    /// The virtual arm, to do something to it.
+    pub const fn virtual_arm_mut(&mut self) -> Option<&mut VirtualArm> {
+        match &mut self.way {
+            ClientRoute::Virtual(station) => Some(station.arm_mut()),
+            ClientRoute::Running(..) | ClientRoute::Local(_) => None,
+        }
+    }
+
+    /// Leaves: what it holds ends. Where the rules are kept in this process, the laser goes off, what
+    /// is under way gets a moment to come to its end, and the port is closed.
+    pub async fn end(self) {
+        if let ClientRoute::Local(local) = self.way {
+            local.end().await;
+        }
+    }
+}
+
+impl fmt::Debug for StationClient {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let way: &dyn fmt::Debug = match &self.way {
+            ClientRoute::Running(remote, _) => remote,
+            ClientRoute::Local(local) => local,
+            ClientRoute::Virtual(station) => station,
+        };
+        f.debug_tuple("StationClient").field(way).finish()
+    }
+}
+
+/// Tells from what a station tells when a job does not run any more.
+#[derive(Clone, Copy, Debug)]
+pub struct JobWatch {
+    job: u64,
+    has_run: bool,
+}
+
+impl JobWatch {
+    /// Watches a job that is to be started.
+    #[must_use]
+    pub const fn new(job: u64) -> Self {
+        Self {
+            job,
+            has_run: false,
+        }
+    }
+
+    /// How it ended, or that it is paused, and the words for it: from when it has run.
+    pub fn handle_notice(&mut self, notice: &Notice) -> Option<(JobPhase, String)> {
+        let News::Job { job, phase } = notice.news else {
+            return None;
+        };
+        if job != self.job {
+            return None;
+        }
+        // One that had to come to rest first is told as paused once more.
+        self.has_run |= phase == JobPhase::Running;
+        let rests = !matches!(phase, JobPhase::Queued | JobPhase::Running);
+        (self.has_run && rests).then(|| (phase, notice.text.clone()))
+    }
+}
+
+/// Why no arm is heard.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoArm {
+    /// The station has none that can be used, and says why.
+    #[error("no arm can be used: {0}")]
+    Unusable(String),
+    /// The station says nothing.
+    #[error(transparent)]
+    Silent(#[from] RemoteError),
+}
+
+impl NoArm {
+    fn of(state: &State) -> Self {
+        let why = match (&state.link.problem, state.link.phase) {
+            (Some(problem), _) => problem.clone(),
+            (None, LinkPhase::Searching) => "no arm has been found yet".into(),
+            (None, _) => "the arm says nothing".into(),
+        };
+        Self::Unusable(why)
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::Unusable(_) => Some("is it switched on, and is this its port and line speed? `dobot ports` lists the ports; `dobot watch` shows what a station waits for".into()),
+            Self::Silent(error) => error.hint(),
+        }
+    }
+}
+
+/// Why the jobs cannot be had.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum JobsError {
+    /// The station does not give them.
+    #[error(transparent)]
+    Connect(#[from] ConnectError),
+    /// The rules' supervisor does not give them.
+    #[error(transparent)]
+    Request(#[from] RemoteError),
+}
+
+fn refused(refusal: &Refusal) -> RemoteError {
+    RemoteError::Refused(Box::new(Problem::from(refusal)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_job_is_over_or_paused_from_when_it_has_run_and_not_before() {
+        let mut watch = JobWatch::new(7);
+        let mut told = |job, phase| {
+            let notice = Notice {
+                number: 1,
+                at_s: 0.0,
+                news: News::Job { job, phase },
+                text: "so".to_owned(),
+            };
+            watch.handle_notice(&notice).map(|(phase, _)| phase)
+        };
+        assert_eq!(told(7, JobPhase::Paused), None);
+        assert_eq!(told(7, JobPhase::Running), None);
+        assert_eq!(told(8, JobPhase::Done), None);
+        assert_eq!(told(7, JobPhase::Paused), Some(JobPhase::Paused));
+    }
+}

@@ -1,0 +1,112 @@
+//! A client of rules that are kept in virtual time, beside the virtual arm.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use dobot_api::{Calibrations, ClientId, JobView, Reply, Request, StationEvent};
+use dobot_controller::PowerUp;
+use dobot_safety::Policy;
+use dobot_sim::VirtualArm;
+use dobot_supervisor::Refusal;
+
+use crate::VirtualStation;
+
+/// A client of rules that are kept in virtual time: time passes while it waits.
+#[derive(Debug)]
+pub(super) struct InVirtualTime {
+    station: VirtualStation,
+    client: ClientId,
+    /// What was told and not asked for yet; of states only the last one, unless it asks for each.
+    heard: VecDeque<StationEvent>,
+    /// How many notices were told.
+    told: usize,
+    dead_man_s: f64,
+}
+
+impl InVirtualTime {
+    pub(super) fn new(arm: VirtualArm, power_up: PowerUp, policy: Policy, name: &str) -> Self {
+        let dead_man_s = policy.jog.dead_man_s;
+        let mut station = VirtualStation::with_arm(arm, power_up, policy);
+        station.free_laser();
+        let client = station.client(name);
+        Self {
+            station,
+            client,
+            heard: VecDeque::new(),
+            told: 0,
+            dead_man_s,
+        }
+    }
+
+    pub(super) fn request(&mut self, request: Request) -> Result<Reply, Refusal> {
+        self.station.ask(self.client, request)
+    }
+
+    /// What was told and not asked for yet.
+    pub(super) fn told(&mut self) -> Option<StationEvent> {
+        self.listen();
+        self.heard.pop_front()
+    }
+
+    /// Lets time pass until something is told.
+    pub(super) fn next(&mut self) -> StationEvent {
+        loop {
+            if let Some(heard) = self.told() {
+                return heard;
+            }
+            self.station.step(Duration::MAX);
+        }
+    }
+
+    pub(super) fn wait(&mut self, time: Duration) {
+        let until = self.station.now() + time;
+        while self.station.now() < until {
+            self.station.step(until);
+            self.listen();
+        }
+    }
+
+    pub(super) const fn dead_man_s(&self) -> f64 {
+        self.dead_man_s
+    }
+
+    pub(super) const fn now(&self) -> Duration {
+        self.station.now()
+    }
+
+    pub(super) const fn id(&self) -> ClientId {
+        self.client
+    }
+
+    pub(super) fn jobs(&mut self) -> Result<Vec<JobView>, Refusal> {
+        self.station.jobs()
+    }
+
+    pub(super) const fn calibrations(&self) -> &Calibrations {
+        self.station.calibrations()
+    }
+
+    pub(super) const fn arm(&self) -> &VirtualArm {
+        self.station.arm()
+    }
+
+    pub(super) const fn arm_mut(&mut self) -> &mut VirtualArm {
+        self.station.arm_mut()
+    }
+
+    fn listen(&mut self) {
+        let notices = self.station.notices();
+        let news = notices[self.told..]
+            .iter()
+            .cloned()
+            .map(StationEvent::Notice);
+        self.heard.extend(news);
+        self.told = notices.len();
+        if self.station.poll_status() {
+            self.heard
+                .retain(|it| !matches!(it, StationEvent::State(_)));
+            let state = Box::new(self.station.supervisor().state());
+            self.heard.push_back(StationEvent::State(state));
+        }
+    }
+}

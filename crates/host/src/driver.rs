@@ -1,0 +1,784 @@
+//! The task that owns the arm's port: the supervisor, its clock, its link, its journal, its recording.
+
+mod log;
+
+use std::collections::HashMap;
+use std::io;
+use std::time::Duration;
+
+use dobot_api::{CalibrationFile, Calibrations, ClientId, LinkPhase, News, Notice, Reply, Request};
+use dobot_motion::Model;
+use dobot_safety::Policy;
+use dobot_session::Link;
+use dobot_supervisor::{Effect, Refusal, Supervisor};
+use dobot_wire::{Dialect, Packet};
+use tokio::runtime::Handle;
+use tokio::sync::{mpsc, oneshot};
+use tokio::time::Instant;
+
+use self::log::log;
+use crate::Found;
+use crate::connect::{Connecting, Source};
+use crate::disk::Disk;
+use crate::guardian::HeartbeatSender;
+use crate::handle::{Ends, Message, PassedPacket};
+use crate::host::in_time_of_arm;
+use crate::jobs::{JobStart, Jobs, Written, recovery_model};
+use crate::kept_slots::KeptSlots;
+use crate::kept_stop::{Content, KeptStop};
+use crate::known_arms::{KnownArms, NewText};
+use crate::recording::Recording;
+
+/// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
+#[derive(Debug)]
+pub(crate) struct Driver {
+    supervisor: Supervisor,
+    started: Instant,
+    ends: Ends,
+    source: Source,
+    arms: KnownArms,
+    slots: KeptSlots,
+    stop: Option<KeptStop>,
+    disk: Disk,
+    link: Option<Link>,
+    /// Where the arm is, or was last.
+    address: Option<String>,
+    /// What the connecting task tells, while there is no link.
+    connecting: Option<mpsc::Receiver<Connecting>>,
+    incoming: Vec<u8>,
+    jobs: Jobs,
+    /// What the journal has written.
+    written: mpsc::UnboundedReceiver<Written>,
+    to_journal: mpsc::UnboundedSender<Written>,
+    recording: Recording,
+    /// Answers that take their time.
+    waiting: HashMap<ClientId, oneshot::Sender<Result<Reply, Refusal>>>,
+    /// A job that is started while it still comes to rest.
+    held_start: Option<HeldStart>,
+    /// For tasks that tell the driver something.
+    own: mpsc::Sender<Message>,
+    heartbeats: HeartbeatSender,
+    ending: Option<Instant>,
+    /// What failed that the arm depends on.
+    failure: Option<String>,
+}
+
+/// The parts that a driver is made of.
+#[derive(Debug)]
+pub(crate) struct DriverParts {
+    pub(crate) supervisor: Supervisor,
+    pub(crate) ends: Ends,
+    pub(crate) source: Source,
+    pub(crate) arms: KnownArms,
+    pub(crate) slots: KeptSlots,
+    pub(crate) stop: Option<KeptStop>,
+    pub(crate) disk: Disk,
+    pub(crate) jobs: Jobs,
+    pub(crate) recording: Recording,
+    /// For tasks that tell the driver something.
+    pub(crate) own: mpsc::Sender<Message>,
+    pub(crate) heartbeats: HeartbeatSender,
+}
+
+/// A start that waits until its job has come to rest.
+#[derive(Debug)]
+struct HeldStart {
+    start: JobStart,
+    until: Duration,
+}
+
+/// What the driver waits for.
+enum DriverEvent {
+    Message(Option<Message>),
+    Link(Result<bool, dobot_session::LinkError>),
+    Connecting(Option<Connecting>),
+    Written(Option<Written>),
+    Time,
+}
+
+impl Driver {
+    pub(crate) fn new(parts: DriverParts) -> Self {
+        let (to_journal, written) = mpsc::unbounded_channel();
+        Self {
+            supervisor: parts.supervisor,
+            started: Instant::now(),
+            ends: parts.ends,
+            source: parts.source,
+            arms: parts.arms,
+            slots: parts.slots,
+            stop: parts.stop,
+            disk: parts.disk,
+            link: None,
+            address: None,
+            connecting: None,
+            incoming: Vec::new(),
+            jobs: parts.jobs,
+            written,
+            to_journal,
+            recording: parts.recording,
+            waiting: HashMap::new(),
+            held_start: None,
+            own: parts.own,
+            heartbeats: parts.heartbeats,
+            ending: None,
+            failure: None,
+        }
+    }
+
+    /// Takes up a job that was at work when the station before this one was killed.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line.
+    pub(crate) fn recover(&mut self) -> Result<(), String> {
+        if let Some(text) = self.jobs.missing() {
+            let now = self.now();
+            self.supervisor.handle_jobs_missing(now, text);
+        }
+        let interrupted = self.jobs.interrupted().map_err(|error| error.to_string())?;
+        let Some(job) = interrupted else {
+            return Ok(());
+        };
+        match self.jobs.begun(&job, recovery_model(&job)) {
+            Ok(begun) => {
+                let now = self.now();
+                self.supervisor.handle_recovered(now, begun, job.window);
+                Ok(())
+            }
+            Err(refusal) => {
+                self.jobs.give_up(&job, &refusal.to_string());
+                Err(format!("job {} cannot be gone on with: {refusal}", job.id))
+            }
+        }
+    }
+
+    /// Takes up the time slots that the station before this one had.
+    ///
+    /// # Errors
+    ///
+    /// Why not, in one line: there are none then.
+    pub(crate) fn recover_slots(&mut self) -> Result<(), String> {
+        let slots = self.slots.read(now_ms());
+        let now = self.now();
+        let taken = slots.and_then(|slots| {
+            let taken = self.supervisor.handle_kept_slots(now, &slots);
+            taken.map_err(|refusal| refusal.to_string())
+        });
+        taken.map_err(|why| format!("the time slots of before do not hold any more: {why}"))
+    }
+
+    /// Takes up the stops that held when the station before this one ended.
+    pub(crate) fn recover_stop(&mut self) {
+        if let Some(Content { stop, fleet }) = self.stop.as_ref().map(KeptStop::read) {
+            let now = self.now();
+            self.supervisor.handle_kept_stops(now, stop, fleet);
+        }
+    }
+
+    /// Keeps the stops for a station that comes after this one, or that none holds any more.
+    fn keep_stops(&mut self) {
+        let kept = self.supervisor.poll_kept_stops();
+        if let (Some(file), Some((stop, fleet))) = (&self.stop, kept) {
+            let new = file.keep(&Content { stop, fleet });
+            self.write_file(new.map(Some), "the stop cannot be kept");
+        }
+    }
+
+    /// Keeps the time slots for a station that comes after this one.
+    fn keep_slots(&mut self) {
+        let slots = self.slots.keep(&self.supervisor.slots(), now_ms());
+        self.write_file(slots.map(Some), "the time slots cannot be kept");
+    }
+
+    /// Has a file written, if there is something new. `problem` says what is lost if that fails.
+    fn write_file(&mut self, new: io::Result<Option<NewText>>, problem: &'static str) {
+        let written = match new {
+            Ok(None) => Ok(()),
+            Ok(Some(new)) => self.disk.write(new, problem),
+            Err(error) => Err(format!("{problem}: {error}")),
+        };
+        if let Err(trouble) = written {
+            let now = self.now();
+            self.supervisor.handle_trouble(now, trouble);
+        }
+    }
+
+    /// Runs until the station is told to end: then the laser goes off, and what is under way gets a
+    /// moment to come to its end. It begins with what is known of the arm already.
+    ///
+    /// # Errors
+    ///
+    /// What failed that the arm depends on, in one line.
+    pub(crate) async fn run(mut self, first: Option<Connecting>) -> Result<(), String> {
+        self.recording
+            .tools(Duration::ZERO, self.supervisor.policy());
+        self.follow(first);
+        if self.link.is_none() && self.connecting.is_none() {
+            self.connect();
+        }
+        loop {
+            self.carry_out();
+            if self.is_over() {
+                break;
+            }
+            let event = self.next_event().await;
+            // What came meanwhile may be old: the arm comes first.
+            self.send_heartbeat();
+            match event {
+                DriverEvent::Message(Some(message)) => self.handle(message),
+                DriverEvent::Message(None) => self.end(),
+                DriverEvent::Link(outcome) => self.handle_received(outcome),
+                DriverEvent::Connecting(None) => {
+                    self.fail("the task that looks for the arm panicked".into());
+                }
+                DriverEvent::Connecting(news) => self.follow(news),
+                DriverEvent::Written(Some(written)) => self.note(written),
+                DriverEvent::Written(None) | DriverEvent::Time => {}
+            }
+            let now = self.now();
+            self.supervisor.handle_time(now);
+            self.try_held_start();
+            if let Some(trouble) = self.recording.poll_trouble() {
+                self.supervisor.handle_trouble(now, trouble);
+            }
+        }
+        Box::pin(self.part()).await
+    }
+
+    /// Lets the guardian know that this loop goes round. One that stood still for longer than the
+    /// guardian has patience acts as after a fault.
+    fn send_heartbeat(&mut self) {
+        if let Some(silent) = self.heartbeats.send_due() {
+            let now = self.now();
+            self.supervisor.handle_stall(now, silent);
+            self.disk.take_note(self.heartbeats.note());
+        }
+        let (now, gone) = (self.now(), self.heartbeats.gone().cloned());
+        self.supervisor.handle_guardian(now, gone);
+        if let Some(trouble) = self.heartbeats.poll_trouble() {
+            self.supervisor.handle_trouble(now, trouble);
+        }
+    }
+
+    /// What time it is for the supervisor: an own virtual arm may live faster than everybody else.
+    fn now(&self) -> Duration {
+        match &self.link {
+            Some(link) if self.source.is_virtual() => link.now(),
+            _ => self.started.elapsed(),
+        }
+    }
+
+    /// Until when to listen, by the arm's time, and then by everybody's.
+    fn wakeups(&self) -> (Duration, Instant) {
+        let within = self.heartbeats.due_in().unwrap_or(LOOK_AT_LEAST);
+        let latest = Instant::now() + within.min(LOOK_AT_LEAST);
+        let wanted = self.supervisor.poll_wakeup();
+        if self.source.is_virtual() {
+            return (wanted, latest);
+        }
+        let wanted = self.started.checked_add(wanted);
+        (Duration::MAX, wanted.map_or(latest, |it| it.min(latest)))
+    }
+
+    async fn next_event(&mut self) -> DriverEvent {
+        let (until, wakeup) = self.wakeups();
+        let link = self.link.as_mut();
+        tokio::select! {
+            // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
+            // before it says more, or is slowed down where it need not.
+            biased;
+            message = self.ends.messages.recv() => DriverEvent::Message(message),
+            written = self.written.recv() => DriverEvent::Written(written),
+            heard = receive(link, until, &mut self.incoming) => DriverEvent::Link(heard),
+            news = listen(self.connecting.as_mut()) => DriverEvent::Connecting(news),
+            () = tokio::time::sleep_until(wakeup) => DriverEvent::Time,
+        }
+    }
+
+    /// Does what the supervisor wants: packets first.
+    fn carry_out(&mut self) {
+        self.send();
+        self.relay();
+        self.write_effects();
+        while let Some((client, answer)) = self.supervisor.poll_answer() {
+            if let Some(reply) = self.waiting.remove(&client) {
+                // Whoever asked may have left.
+                let _ = reply.send(answer);
+            }
+        }
+        while let Some(notice) = self.supervisor.poll_notice() {
+            log(&notice);
+            self.recording.notice(self.now(), &notice);
+            self.remember(&notice);
+            self.ends.announce(notice);
+        }
+        self.keep_stops();
+        if self.supervisor.poll_changed() {
+            self.publish();
+        }
+    }
+
+    /// Hands all that is to be kept to the journal.
+    fn write_effects(&mut self) {
+        while let Some(effect) = self.supervisor.poll_effect() {
+            self.write(effect);
+        }
+    }
+
+    /// Packets leave before anything else is done, answers and recording included.
+    fn send(&mut self) {
+        self.send_heartbeat();
+        while let Some(packet) = self.supervisor.poll_bytes() {
+            let bytes = packet.to_bytes();
+            let dialect = self.supervisor.dialect().unwrap_or(Dialect::SPECIFICATION);
+            self.heartbeats.note_packet(&packet, &dialect);
+            if let Some(link) = &mut self.link {
+                link.send(&bytes);
+                link.push();
+                let pen_below_mm = self.supervisor.pen_draws_below_mm();
+                self.recording.sent(self.now(), &bytes, pen_below_mm);
+                self.tell_passed(true, bytes);
+            }
+        }
+    }
+
+    /// Passes the statuses on to raw programs, as permits, and to those who look at all packets.
+    fn relay(&mut self) {
+        while let Some(status) = self.supervisor.poll_status() {
+            let bytes = Packet::from(status.emit()).to_bytes();
+            if self.supervisor.permits_raw() {
+                self.ends.pass_on(bytes);
+            }
+            self.tell_passed(false, bytes);
+        }
+    }
+
+    fn tell_passed(&self, to_arm: bool, bytes: [u8; 42]) {
+        self.ends.tell_passed(PassedPacket {
+            at: self.now(),
+            to_arm,
+            bytes,
+            pen_below_mm: self.supervisor.pen_draws_below_mm(),
+        });
+    }
+
+    fn publish(&mut self) {
+        let state = self.supervisor.state();
+        self.recording.state(self.now(), &state);
+        self.ends.tell(state);
+    }
+
+    fn handle(&mut self, message: Message) {
+        let now = self.now();
+        match message {
+            Message::Came {
+                name,
+                person,
+                role,
+                reply,
+            } => {
+                let client = self.supervisor.handle_client(now, &name, role, &person);
+                tracing::debug!(client = client.0, name, ?role, "a client came");
+                if reply.send(client).is_err() {
+                    self.supervisor.handle_left(now, client);
+                }
+            }
+            Message::Left(client) => {
+                tracing::debug!(client = client.0, "a client left");
+                self.waiting.remove(&client);
+                self.supervisor.handle_left(now, client);
+            }
+            Message::Asked {
+                client,
+                request,
+                reply,
+            } => self.ask(client, request, reply),
+            Message::Raw {
+                client,
+                packet,
+                reply,
+            } => {
+                let taken = self.supervisor.handle_raw(now, client, &packet);
+                self.send();
+                // The program may have left.
+                let _ = reply.send(taken);
+            }
+            Message::Planned {
+                client,
+                begun,
+                reply,
+            } => {
+                let started = self.supervisor.handle_start(now, client, *begun);
+                let _ = reply.send(started);
+            }
+            Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
+            Message::Policy {
+                client,
+                policy,
+                reply,
+            } => {
+                let changed = self.set_policy(now, client, &policy);
+                // Whoever asked may have left.
+                let _ = reply.send(changed);
+            }
+            Message::JobPath { job, reply } => self.jobs.clone().path(job, reply),
+            Message::Offer { key, ask, reply } => {
+                let model = self.supervisor.planning_model();
+                let jobs = self.jobs.clone();
+                jobs.answer_offer(key, ask, model, now_ms(), reply);
+            }
+            Message::FleetStop { origin, by, reply } => {
+                self.drop_held_start();
+                // A clock of before 1970 counts from the last stop on.
+                let now_ms = u64::try_from(now_ms()).unwrap_or_default();
+                let stopped = self.supervisor.handle_fleet_stop(now, &origin, by, now_ms);
+                self.send();
+                let _ = reply.send(stopped);
+            }
+            Message::FleetStops { stops, reply } => {
+                let stopped = self.supervisor.handle_fleet_stops(now, &stops);
+                self.send();
+                if stopped.is_some() {
+                    self.drop_held_start();
+                }
+                let _ = reply.send((self.supervisor.state().fleet_stops, stopped));
+            }
+            Message::FleetReset { by, reply } => {
+                let _ = reply.send(self.supervisor.handle_fleet_reset(now, &by));
+            }
+            Message::Trouble(text) => self.supervisor.handle_trouble(now, text),
+            Message::Failed(text) => self.fail(text),
+            Message::End => self.end(),
+        }
+    }
+
+    fn set_policy(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        policy: &Policy,
+    ) -> Result<(), Refusal> {
+        let of_arm = in_time_of_arm(policy, self.source.speed());
+        self.supervisor.handle_policy(now, client, of_arm)?;
+        self.jobs.set_policy(policy);
+        self.recording.tools(now, policy);
+        self.ends.change_rules(|it| {
+            it.policy = policy.clone();
+            it.dead_man_s = policy.jog.dead_man_s;
+        });
+        Ok(())
+    }
+
+    /// Takes how the arm differs from the drawing of it, and keeps that for this arm.
+    fn calibrate(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        calibration: Option<CalibrationFile>,
+    ) -> Result<Calibrations, Refusal> {
+        if let Some(Err(error)) = calibration.as_ref().map(CalibrationFile::check) {
+            return Err(Refusal::OutOfRange {
+                name: error.key,
+                found: error.found,
+                allowed: format!("{} to {}", error.least, error.most),
+            });
+        }
+        let Some(address) = self.address.clone() else {
+            return Err(Refusal::NoLink(
+                "a calibration is kept for an arm, and none has been there yet".into(),
+            ));
+        };
+        let calibrations = self.arms.calibrations(&address).replaced_by(calibration);
+        self.supervisor
+            .handle_calibration(now, client, &calibrations)?;
+        let new = self.arms.calibrate(&address, calibrations.clone());
+        self.write_file(new, "the calibration of the arm cannot be kept");
+        self.ends
+            .change_rules(|it| it.calibrations = calibrations.clone());
+        Ok(calibrations)
+    }
+
+    /// Something that the arm depends on is no more: the station ends.
+    fn fail(&mut self, text: String) {
+        tracing::error!("the station ends: {text}");
+        self.connecting = None;
+        self.failure = Some(text);
+        self.end();
+    }
+
+    fn ask(
+        &mut self,
+        client: ClientId,
+        request: Request,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        let now = self.now();
+        self.withdraw_start(&request);
+        if let Request::Calibrate { calibration } = request {
+            let changed = self.calibrate(now, client, calibration.map(|it| *it));
+            let changed = changed.map(|it| Reply::Calibrated {
+                calibrations: Box::new(it),
+            });
+            return drop(reply.send(changed));
+        }
+        if let Some((job, reply)) = self.ask_jobs(client, request, reply) {
+            let sets_slots = matches!(job, Request::SetSlots { .. });
+            let answer = self.supervisor.handle_request(now, client, job);
+            self.send();
+            if sets_slots && matches!(answer, Some(Ok(_))) {
+                self.keep_slots();
+            }
+            match answer {
+                // Whoever asked may have left.
+                Some(answer) => drop(reply.send(answer)),
+                None => drop(self.waiting.insert(client, reply)),
+            }
+        }
+    }
+
+    /// Passes on what is about jobs that the arm is not at; gives back all else.
+    fn ask_jobs(
+        &mut self,
+        client: ClientId,
+        request: Request,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) -> Option<(Request, oneshot::Sender<Result<Reply, Refusal>>)> {
+        if self.supervisor.check_request(client, &request).is_err() {
+            return Some((request, reply));
+        }
+        let jobs = self.jobs.clone();
+        match request {
+            Request::SubmitJob { job, key } => match self.supervisor.planning_model() {
+                Ok(model) => jobs.submit(job, key, model, now_ms(), reply),
+                Err(refusal) => drop(reply.send(Err(refusal))),
+            },
+            Request::QueueAgain { job, key } => match self.supervisor.planning_model() {
+                Ok(model) => jobs.queue_again(job, key, model, now_ms(), reply),
+                Err(refusal) => drop(reply.send(Err(refusal))),
+            },
+            Request::MoveJob { job, before } => jobs.move_before(job, before, reply),
+            Request::ForgetJob { job } if !self.is_at(job) => jobs.forget(job, reply),
+            Request::StartJob { job } | Request::StepJob { job } => {
+                let until = self.now() + HOLD_START;
+                let start = JobStart {
+                    client,
+                    job,
+                    single_step: matches!(request, Request::StepJob { .. }),
+                    reply,
+                };
+                self.start_job(HeldStart { start, until });
+            }
+            Request::CancelJob { job } if !self.is_at(job) => {
+                jobs.cancel(job, self.supervisor.client_name(client), reply);
+            }
+            request => return Some((request, reply)),
+        }
+        None
+    }
+
+    /// Whether the arm is at this job.
+    fn is_at(&self, job: u64) -> bool {
+        self.supervisor.job().is_some_and(|it| it.job == job)
+    }
+
+    /// Starts a job, or holds that while the job comes to rest.
+    fn start_job(&mut self, held: HeldStart) {
+        match self.startable(held.start.job) {
+            Err(Refusal::StillMoving { .. })
+                if self.now() < held.until && self.held_start.is_none() =>
+            {
+                self.held_start = Some(held);
+            }
+            Err(refusal) => drop(held.start.reply.send(Err(refusal))),
+            Ok(model) => {
+                let own = self.own.clone();
+                // The journal has to know that it is paused, which may have come just now.
+                self.write_effects();
+                self.jobs.clone().plan(held.start, model, own);
+            }
+        }
+    }
+
+    fn try_held_start(&mut self) {
+        // Whoever asked may have left.
+        if let Some(held) = self
+            .held_start
+            .take()
+            .filter(|it| !it.start.reply.is_closed())
+        {
+            self.start_job(held);
+        }
+    }
+
+    /// Whoever pauses, cancels or stops does not want it to go on behind that.
+    fn withdraw_start(&mut self, request: &Request) {
+        let rests = matches!(
+            request,
+            Request::PauseJob
+                | Request::CancelJob { .. }
+                | Request::Stop { .. }
+                | Request::Lock { .. }
+        );
+        if rests {
+            self.drop_held_start();
+        }
+    }
+
+    fn drop_held_start(&mut self) {
+        if let Some(held) = self.held_start.take() {
+            let why = "it was told to rest before it had come to rest".to_owned();
+            drop(held.start.reply.send(Err(Refusal::CannotResume(why))));
+        }
+    }
+
+    fn startable(&self, job: u64) -> Result<Model, Refusal> {
+        self.supervisor.check_rests(job)?;
+        self.supervisor.planning_model()
+    }
+
+    fn handle_received(&mut self, outcome: Result<bool, dobot_session::LinkError>) {
+        let now = self.now();
+        if !self.incoming.is_empty() {
+            self.recording.heard(now, &self.incoming);
+            self.supervisor.handle_bytes(now, &self.incoming);
+            self.incoming.clear();
+        }
+        let problem = match outcome {
+            Ok(true) => return,
+            Ok(false) => "the other end closed the link".to_owned(),
+            Err(error) => error.to_string(),
+        };
+        self.link = None;
+        self.heartbeats.stop();
+        let problem = format!("{problem}; the station looks for the arm again");
+        self.supervisor
+            .handle_link_down(now, LinkPhase::Lost, Some(problem));
+        self.connect();
+    }
+
+    fn take_up(&mut self, found: Found) {
+        let now = self.now();
+        self.recording
+            .link(now, &found.address, self.supervisor.dialect());
+        let address = found.address.to_string();
+        tracing::info!(address, "the link to the arm is open");
+        self.connecting = None;
+        self.heartbeats.start(&found.link);
+        self.link = Some(found.link);
+        if let Some(dialect) = self.arms.dialect(&address) {
+            self.supervisor.handle_known_dialect(dialect);
+        }
+        let calibrations = self.arms.calibrations(&address);
+        self.supervisor
+            .handle_known_calibration(&address, &calibrations);
+        self.ends.change_rules(|it| it.calibrations = calibrations);
+        self.supervisor.handle_link_up(now, &address);
+        self.recording.heard(now, &found.bytes);
+        self.supervisor.handle_bytes(now, &found.bytes);
+        self.address = Some(address);
+    }
+
+    /// Keeps which dialect the arm speaks, once that is known.
+    fn remember(&mut self, notice: &Notice) {
+        let (News::DialectKnown { dialect }, Some(address)) = (&notice.news, &self.address) else {
+            return;
+        };
+        if self.source.is_virtual() {
+            return;
+        }
+        let finding = self.supervisor.finding();
+        let new = self.arms.keep(address, *dialect, finding);
+        self.write_file(new, "the dialect of the arm cannot be kept");
+    }
+
+    /// Looks for the arm, in a task of its own.
+    fn connect(&mut self) {
+        if self.ending.is_none() {
+            self.connecting = Some(self.source.connect(&Handle::current()));
+        }
+    }
+
+    fn follow(&mut self, news: Option<Connecting>) {
+        let now = self.now();
+        match news {
+            Some(Connecting::Up(found)) => self.take_up(found),
+            Some(Connecting::Waiting(problem)) => {
+                self.supervisor
+                    .handle_link_down(now, LinkPhase::Searching, Some(problem));
+            }
+            Some(Connecting::Begun(news)) => self.connecting = Some(news),
+            None => {}
+        }
+    }
+
+    fn write(&mut self, effect: Effect) {
+        self.jobs.write(effect, self.to_journal.clone());
+    }
+
+    fn note(&mut self, written: Written) {
+        let now = self.now();
+        let Written { effect, outcome } = written;
+        self.supervisor.handle_written(now, &effect, outcome);
+    }
+
+    /// The station ends: no more of the job, laser off; what is under way gets a moment.
+    fn end(&mut self) {
+        if self.ending.is_none() {
+            self.ending = Some(Instant::now() + PATIENCE);
+            let now = self.now();
+            self.supervisor.handle_end(now);
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.ending.is_some_and(|it| {
+            let still = self.supervisor.is_at_rest() && !self.supervisor.is_urgent();
+            self.link.is_none() || still || it <= Instant::now()
+        })
+    }
+
+    async fn part(mut self) -> Result<(), String> {
+        self.carry_out();
+        if let Some(link) = &mut self.link {
+            // A link that is broken takes nothing any more.
+            let _ = link.flush().await;
+        }
+        self.heartbeats.stop();
+        let at_rest = self.supervisor.is_at_rest() || self.link.is_none();
+        self.jobs.end(at_rest).await;
+        self.recording.end();
+        self.disk.finish();
+        self.failure.map_or(Ok(()), Err)
+    }
+}
+
+async fn receive(
+    link: Option<&mut Link>,
+    until: Duration,
+    incoming: &mut Vec<u8>,
+) -> Result<bool, dobot_session::LinkError> {
+    match link {
+        Some(link) => link.receive(until, incoming).await,
+        None => std::future::pending().await,
+    }
+}
+
+async fn listen(connecting: Option<&mut mpsc::Receiver<Connecting>>) -> Option<Connecting> {
+    match connecting {
+        Some(connecting) => connecting.recv().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// Milliseconds since 1970-01-01T00:00:00Z.
+fn now_ms() -> i64 {
+    jiff::Timestamp::now().as_millisecond()
+}
+
+/// Without anything to do the supervisor is still looked at so often.
+const LOOK_AT_LEAST: Duration = Duration::from_secs(1);
+/// So long the arm may take to come to rest when the station ends.
+const PATIENCE: Duration = Duration::from_secs(3);
+/// So long a job that is started may come to rest before: longer than it takes to see how far the
+/// job of a killed station got.
+const HOLD_START: Duration = Duration::from_secs(30);

@@ -1,0 +1,148 @@
+//! Which ports may have an arm, and in which order they are tried.
+
+use dobot_session::{Address, DEFAULT_BAUD, Port, Usb};
+
+use super::{Search, WhereFound};
+
+/// A port that is tried.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Candidate {
+    pub(super) address: Address,
+    /// What is plugged in there.
+    pub(super) device: Option<String>,
+    /// Which chip it is.
+    pub(super) usb: Option<Usb>,
+    /// It is known to be the arm's: a person named it, or the arm was found there.
+    pub(super) sure: bool,
+}
+
+/// What is tried and what is not.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Choice {
+    /// In this order.
+    pub(super) candidates: Vec<Candidate>,
+    /// Ports that are tried only when a person names them.
+    pub(super) passed_over: Vec<String>,
+}
+
+/// How likely it is that a port is the arm's; the likeliest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Rank {
+    TheSame,
+    PerhapsTheSame,
+    LikelyChip,
+    OtherChip,
+    NoUsb,
+}
+
+impl Candidate {
+    /// Where an arm was found, if this is a serial port.
+    pub(super) fn place(&self) -> Option<WhereFound> {
+        match &self.address {
+            Address::Serial { path, baud } => Some(WhereFound {
+                path: path.clone(),
+                baud: *baud,
+                usb: self.usb.clone(),
+            }),
+            _ => None,
+        }
+    }
+}
+
+/// Which of the ports are tried; the policy is told at [`Finder`](super::Finder).
+pub(super) fn choose(search: &Search, ports: &[Port]) -> Choice {
+    let (first, passed_over) = if search.named.is_empty() {
+        automatic(search, ports)
+    } else {
+        (named(search, ports), Vec::new())
+    };
+    let mut candidates = first.clone();
+    for &baud in &search.other_bauds {
+        let others = first.iter().filter_map(|it| it.at(baud));
+        candidates.extend(others.filter(|it| !first.contains(it)));
+    }
+    Choice {
+        candidates,
+        passed_over,
+    }
+}
+
+fn named(search: &Search, ports: &[Port]) -> Vec<Candidate> {
+    let candidate = |address: &Address| {
+        let port = match address {
+            Address::Serial { path, .. } => ports.iter().find(|it| it.path == *path),
+            _ => None,
+        };
+        Candidate {
+            address: address.clone(),
+            device: port.and_then(|it| it.device.clone()),
+            usb: port.and_then(|it| it.usb.clone()),
+            sure: true,
+        }
+    };
+    search.named.iter().map(candidate).collect()
+}
+
+fn automatic(search: &Search, ports: &[Port]) -> (Vec<Candidate>, Vec<String>) {
+    let last = search.last.as_ref();
+    let mut ranked: Vec<_> = ports.iter().map(|it| (rank(it, last), it)).collect();
+    // A stable sort: among equals the order is that of the names.
+    ranked.sort_by_key(|(rank, _)| *rank);
+    let (tried, passed_over): (Vec<_>, Vec<_>) = ranked
+        .into_iter()
+        .partition(|(rank, _)| *rank != Rank::NoUsb);
+    let candidate = |(rank, port): (Rank, &Port)| {
+        let baud = last.filter(|_| rank <= Rank::PerhapsTheSame);
+        Candidate {
+            address: Address::Serial {
+                path: port.path.clone(),
+                baud: baud.map_or(DEFAULT_BAUD, |it| it.baud),
+            },
+            device: port.device.clone(),
+            usb: port.usb.clone(),
+            sure: rank == Rank::TheSame,
+        }
+    };
+    let passed_over = passed_over.into_iter().map(|(_, it)| it.path.clone());
+    (
+        tried.into_iter().map(candidate).collect(),
+        passed_over.collect(),
+    )
+}
+
+fn rank(port: &Port, last: Option<&WhereFound>) -> Rank {
+    match &port.usb {
+        _ if last.is_some_and(|it| it.is(port)) => Rank::TheSame,
+        _ if last.is_some_and(|it| it.may_be(port)) => Rank::PerhapsTheSame,
+        Some(usb) if LIKELY.contains(&(usb.vendor, usb.product)) => Rank::LikelyChip,
+        Some(_) => Rank::OtherChip,
+        None => Rank::NoUsb,
+    }
+}
+
+impl Candidate {
+    /// The same port at another speed.
+    fn at(&self, baud: u32) -> Option<Self> {
+        let Address::Serial { path, .. } = &self.address else {
+            return None;
+        };
+        let path = path.clone();
+        Some(Self {
+            address: Address::Serial { path, baud },
+            ..self.clone()
+        })
+    }
+}
+
+/// Vendor and product of the USB chips that arms were built with: two kinds of Arduino Mega, CH340,
+/// FTDI FT232R, CP2102.
+const LIKELY: [(u16, u16); 5] = [
+    (0x2341, 0x0010),
+    (0x2341, 0x0042),
+    (0x1a86, 0x7523),
+    (0x0403, 0x6001),
+    (0x10c4, 0xea60),
+];
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,122 @@
+//! Ports that were tried without success, and are left alone for a while.
+
+use std::time::Duration;
+
+use dobot_session::Address;
+
+use super::Missed;
+use super::candidate::Candidate;
+
+/// Ports that were tried without success. To open one disturbs what is behind it, so that it is left alone for
+/// a minute, or until it is plugged in again: behind it may be an arm that is switched on by then.
+#[derive(Debug, Default)]
+pub(super) struct FailedAttempts(Vec<Attempt>);
+
+#[derive(Debug)]
+struct Attempt {
+    address: Address,
+    at: Duration,
+    why: String,
+}
+
+impl FailedAttempts {
+    /// Takes the outcome of an attempt. Where the port could not even be opened nothing is disturbed.
+    pub(super) fn note(&mut self, candidate: &Candidate, missed: &Missed, now: Duration) {
+        self.0.retain(|it| it.address != candidate.address);
+        if !candidate.sure && missed.was_open() {
+            self.0.push(Attempt {
+                address: candidate.address.clone(),
+                at: now,
+                why: missed.to_string(),
+            });
+        }
+    }
+
+    /// Why a candidate should not be opened now, if it failed lately.
+    pub(super) fn reason_to_wait(&self, candidate: &Candidate, now: Duration) -> Option<&str> {
+        let is_recent = |it: &&Attempt| now < it.at.saturating_add(LEFT_ALONE);
+        let mut attempts = self.0.iter().filter(|_| !candidate.sure);
+        let attempt = attempts.find(|it| it.address == candidate.address);
+        attempt.filter(is_recent).map(|it| it.why.as_str())
+    }
+
+    /// Forgets ports that are not there any more.
+    pub(super) fn keep(&mut self, candidates: &[Candidate]) {
+        let is_there = |it: &Attempt| candidates.iter().any(|there| there.address == it.address);
+        self.0.retain(is_there);
+    }
+}
+
+const LEFT_ALONE: Duration = Duration::from_secs(60);
+
+#[cfg(test)]
+mod tests {
+    use dobot_session::{OpenError, Port, Usb};
+
+    use super::super::Search;
+    use super::super::candidate::choose;
+    use super::*;
+
+    fn candidates() -> Vec<Candidate> {
+        let port = Port {
+            path: "/dev/ttyUSB0".into(),
+            device: None,
+            usb: Some(Usb {
+                vendor: 0x1a86,
+                product: 0x7523,
+                serial: None,
+            }),
+        };
+        choose(&Search::default(), &[port]).candidates
+    }
+
+    const fn s(s: u64) -> Duration {
+        Duration::from_secs(s)
+    }
+
+    #[test]
+    fn a_silent_port_is_left_alone_for_a_minute_and_the_reason_is_kept() {
+        let mut failed_attempts = FailedAttempts::default();
+        let candidate = &candidates()[0];
+        failed_attempts.note(candidate, &Missed::Silent, s(10));
+        let why = failed_attempts.reason_to_wait(candidate, s(69));
+        assert_eq!(why, Some(Missed::Silent.to_string().as_str()));
+        assert_eq!(failed_attempts.reason_to_wait(candidate, s(70)), None);
+    }
+
+    #[test]
+    fn a_port_that_was_plugged_in_again_is_tried_again() {
+        let mut failed_attempts = FailedAttempts::default();
+        let candidates = candidates();
+        failed_attempts.note(&candidates[0], &Missed::Silent, s(10));
+        failed_attempts.keep(&candidates);
+        assert!(
+            failed_attempts
+                .reason_to_wait(&candidates[0], s(11))
+                .is_some()
+        );
+        failed_attempts.keep(&[]);
+        assert_eq!(failed_attempts.reason_to_wait(&candidates[0], s(12)), None);
+    }
+
+    #[test]
+    fn a_port_that_could_not_be_opened_is_tried_each_time() {
+        let mut failed_attempts = FailedAttempts::default();
+        let candidate = &candidates()[0];
+        let path = "/dev/ttyUSB0".into();
+        let missed = Missed::Open(OpenError::InUse { path });
+        failed_attempts.note(candidate, &missed, s(10));
+        assert_eq!(failed_attempts.reason_to_wait(candidate, s(10)), None);
+    }
+
+    #[test]
+    fn the_port_of_the_arm_is_tried_each_time() {
+        let mut failed_attempts = FailedAttempts::default();
+        let candidate = Candidate {
+            sure: true,
+            ..candidates()[0].clone()
+        };
+        failed_attempts.note(&candidate, &Missed::Silent, s(10));
+        assert_eq!(failed_attempts.reason_to_wait(&candidate, s(10)), None);
+    }
+}

@@ -1,0 +1,115 @@
+//! Listening to a port.
+
+use std::time::Duration;
+
+use dobot_session::plausible;
+use dobot_wire::{Decoder, Status, Statuses};
+
+use super::Missed;
+
+/// Listens to a port, until a valid status comes or time is up.
+#[derive(Debug)]
+pub(super) struct Listening {
+    decoder: Decoder<Statuses>,
+    /// What came last.
+    kept: Vec<u8>,
+    received: u64,
+}
+
+impl Listening {
+    /// By when an arm has told something, since its port was opened: one that starts anew then is
+    /// silent for two seconds.
+    pub(super) const UNTIL: Duration = Duration::from_secs(5);
+
+    pub(super) const fn new() -> Self {
+        Self {
+            decoder: Decoder::statuses(plausible),
+            kept: Vec::new(),
+            received: 0,
+        }
+    }
+
+    /// Takes bytes, and tells whether an arm has been heard.
+    pub(super) fn handle_bytes(&mut self, bytes: &[u8]) -> bool {
+        self.received += bytes.len() as u64;
+        self.kept.extend_from_slice(bytes);
+        self.kept.drain(..self.kept.len().saturating_sub(KEPT));
+        let is_status = |frame| Status::parse(&frame).is_ok();
+        // All of them: the decoder loses what it has not reached.
+        self.decoder.feed(bytes).filter(|it| is_status(*it)).count() > 0
+    }
+
+    /// Why no arm was heard when time is up.
+    pub(super) const fn missed(&self) -> Missed {
+        match self.received {
+            0 => Missed::Silent,
+            bytes => Missed::Noise { bytes },
+        }
+    }
+
+    /// What was received, without what is too long ago.
+    pub(super) fn into_bytes(self) -> Vec<u8> {
+        self.kept
+    }
+}
+
+/// What the kernel of a computer keeps for a serial port.
+const KEPT: usize = 4096;
+
+#[cfg(test)]
+mod tests {
+    use dobot_arm::{Joints, Tool};
+    use dobot_motion::ArmPlace;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A status of an arm at power-up.
+    fn status() -> [u8; 42] {
+        let joints = Joints::new(0.0, 45.0, 45.0, 0.0);
+        let place = ArmPlace::at_joints(joints, Tool::SuctionCup);
+        place.status().emit().to_bytes()
+    }
+
+    #[test]
+    fn one_status_in_any_pieces_is_an_arm() {
+        let mut listening = Listening::new();
+        let heard: Vec<bool> = status().map(|it| listening.handle_bytes(&[it])).into();
+        assert!(heard[41]);
+        assert_eq!(heard.iter().filter(|it| **it).count(), 1);
+        assert_eq!(listening.into_bytes(), status());
+    }
+
+    #[test]
+    fn nothing_is_silence_and_anything_else_is_noise() {
+        let mut listening = Listening::new();
+        assert!(!listening.handle_bytes(&[]));
+        assert!(matches!(listening.missed(), Missed::Silent));
+        assert!(!listening.handle_bytes(b"Start\r\n"));
+        assert!(matches!(listening.missed(), Missed::Noise { bytes: 7 }));
+    }
+
+    #[test]
+    fn a_packet_whose_position_does_not_agree_with_its_angles_is_no_arm() {
+        let mut packet = status();
+        packet[1..5].copy_from_slice(&200.0_f32.to_le_bytes());
+        let mut listening = Listening::new();
+        assert!(!listening.handle_bytes(&packet.repeat(20)));
+    }
+
+    proptest! {
+        #[test]
+        fn a_status_behind_any_noise_is_heard_and_what_is_kept_is_bounded(
+            noise in proptest::collection::vec(any::<u8>(), 0..10_000),
+            cut in 1_usize..500,
+        ) {
+            let mut listening = Listening::new();
+            let mut all = noise;
+            // A false header at the end of the noise hides the first status at the most.
+            all.extend(status().repeat(2));
+            let heard = all.chunks(cut).filter(|it| listening.handle_bytes(it)).count();
+            prop_assert!(heard > 0);
+            prop_assert!(listening.into_bytes().len() <= 4096);
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! What the station tells its guardian: that it lives, and what must not outlive it.
+
+use dobot_motion::LASER_OFF;
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
+
+/// What the station tells its guardian, a byte each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Heartbeat {
+    /// The station lives.
+    Alive(Hazards),
+    /// The station ends as it should: nothing is left to be said.
+    Goodbye,
+}
+
+/// What the arm was told that must not outlive the station.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Hazards {
+    /// The kind of the button that was pressed last. It stays when the button is let go: the release
+    /// may get lost, and to say it again does nothing to an arm that stands.
+    pub jog: Option<JogKind>,
+    /// The laser was switched on last, not off.
+    pub burns: bool,
+}
+
+/// The two kinds of jog (states 2 and 7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JogKind {
+    /// Of one joint (state 2).
+    Joint,
+    /// Along an axis of the base frame (state 7).
+    Linear,
+}
+
+impl Heartbeat {
+    /// As a byte.
+    #[must_use]
+    pub const fn to_byte(self) -> u8 {
+        let hazards = match self {
+            Self::Goodbye => return b'q',
+            Self::Alive(hazards) => hazards,
+        };
+        match (hazards.jog, hazards.burns) {
+            (None, false) => b'n',
+            (None, true) => b'N',
+            (Some(JogKind::Joint), false) => b'j',
+            (Some(JogKind::Joint), true) => b'J',
+            (Some(JogKind::Linear), false) => b'l',
+            (Some(JogKind::Linear), true) => b'L',
+        }
+    }
+
+    /// From a byte; `None` for one that no station says.
+    #[must_use]
+    pub const fn from_byte(byte: u8) -> Option<Self> {
+        let jog = match byte {
+            b'q' => return Some(Self::Goodbye),
+            b'n' | b'N' => None,
+            b'j' | b'J' => Some(JogKind::Joint),
+            b'l' | b'L' => Some(JogKind::Linear),
+            _ => return None,
+        };
+        let burns = byte.is_ascii_uppercase();
+        Some(Self::Alive(Hazards { jog, burns }))
+    }
+}
+
+impl Hazards {
+    /// The same after a packet that goes to the arm now.
+    #[must_use]
+    pub fn after(self, packet: &Packet, dialect: &Dialect) -> Self {
+        let Ok(command) = Command::parse(packet, dialect) else {
+            return self;
+        };
+        let jog = match command {
+            Command::JointJog(it) if it.axis.moves() => Some(JogKind::Joint),
+            Command::LinearJog(it) if it.axis.moves() => Some(JogKind::Linear),
+            _ => self.jog,
+        };
+        let burns = match command {
+            Command::JointJog(it) if it.axis == JointJogAxis::LaserOff => false,
+            Command::LinearJog(it) if it.axis == LinearJogAxis::LaserOff => false,
+            Command::WriteVector(it) => it.laser,
+            _ => self.burns || dobot_motion::burns(&command),
+        };
+        Self { jog, burns }
+    }
+
+    /// The packets that bring the arm to rest and darken it, in the order in which they are sent.
+    #[must_use]
+    pub fn stop_packets(self) -> Vec<Packet> {
+        let commands = match (self.jog.map(JogKind::release), self.burns) {
+            (None, _) => vec![LASER_OFF],
+            (Some(release), true) => vec![LASER_OFF, release],
+            (Some(release), false) => vec![release, LASER_OFF],
+        };
+        let emit = |it: Command| it.emit(&Dialect::SPECIFICATION);
+        commands.into_iter().map(emit).collect()
+    }
+}
+
+impl JogKind {
+    /// What lets go of a button of this kind.
+    const fn release(self) -> Command {
+        match self {
+            Self::Joint => Command::JointJog(JointJog::new(JointJogAxis::Released, 0.0)),
+            Self::Linear => Command::LinearJog(LinearJog::new(LinearJogAxis::Released, 0.0)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_heartbeat_is_a_byte_of_its_own_and_is_read_back() {
+        let kinds = [None, Some(JogKind::Joint), Some(JogKind::Linear)];
+        let alive = kinds
+            .into_iter()
+            .flat_map(|jog| [false, true].map(|burns| Heartbeat::Alive(Hazards { jog, burns })));
+        for heartbeat in alive.chain([Heartbeat::Goodbye]) {
+            assert_eq!(Heartbeat::from_byte(heartbeat.to_byte()), Some(heartbeat));
+        }
+        let known = (0..=u8::MAX).filter_map(Heartbeat::from_byte).count();
+        assert_eq!(known, 7);
+    }
+}

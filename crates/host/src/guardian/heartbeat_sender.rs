@@ -1,0 +1,217 @@
+//! Sends heartbeats to the guardian, and notices when the loop that sends them stood still.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_session::Link;
+use dobot_wire::{Dialect, Packet};
+
+#[cfg(unix)]
+use super::child::Child;
+use super::clock::Clock;
+use super::{Guardian, Hazards, Heartbeat, PanicStop};
+use crate::{Notification, ServiceManager};
+
+/// Sends heartbeats for as long as the loop of the thread that has the arm goes round.
+#[derive(Debug)]
+pub(crate) struct HeartbeatSender {
+    /// The program that is a guardian when it is told so; none without one.
+    program: Option<PathBuf>,
+    note: PathBuf,
+    clock: Clock,
+    /// When the last heartbeat was sent, while there is an arm.
+    last: Option<Duration>,
+    hazards: Hazards,
+    panic_stop: Arc<PanicStop>,
+    #[cfg(unix)]
+    guardian: Option<Child>,
+    /// When the last one was started.
+    #[cfg(unix)]
+    guardian_started: Duration,
+    /// Why there is no guardian, while there should be one.
+    gone: Option<String>,
+    trouble: Option<String>,
+    /// The system that keeps the station running.
+    service_manager: ServiceManager,
+    /// When that was told last that this loop goes round.
+    reported: Duration,
+}
+
+impl HeartbeatSender {
+    /// Sends heartbeats to a guardian, if there is a program that is one.
+    pub(crate) fn new(program: Option<PathBuf>, note: PathBuf, panic_stop: Arc<PanicStop>) -> Self {
+        Self {
+            program,
+            note,
+            clock: Clock::new(),
+            last: None,
+            hazards: Hazards::default(),
+            panic_stop,
+            #[cfg(unix)]
+            guardian: None,
+            #[cfg(unix)]
+            guardian_started: Duration::ZERO,
+            gone: None,
+            trouble: None,
+            service_manager: ServiceManager::default(),
+            reported: Duration::ZERO,
+        }
+    }
+
+    /// The same, which also tells the system that keeps the station running.
+    pub(crate) fn supervised(mut self, service_manager: ServiceManager) -> Self {
+        self.service_manager = service_manager;
+        self
+    }
+
+    /// Takes the link to an arm: from now on there is something to guard.
+    pub(crate) fn start(&mut self, link: &Link) {
+        self.stop();
+        if let Err(error) = self.guard(link) {
+            self.set_gone(&error);
+        }
+    }
+
+    /// The link is gone, or the station ends as it should.
+    pub(crate) fn stop(&mut self) {
+        self.last = None;
+        self.gone = None;
+        #[cfg(unix)]
+        {
+            self.panic_stop.set_port(None);
+            if let Some(mut guardian) = self.guardian.take() {
+                // One that is gone needs no goodbye.
+                let _ = guardian.send(Heartbeat::Goodbye);
+            }
+        }
+    }
+
+    /// Sends a heartbeat if one is due; returns how long the loop stood still, if it did.
+    pub(crate) fn send_due(&mut self) -> Option<Duration> {
+        let now = self.clock.now();
+        if let Some(period) = self.service_manager.period()
+            && now >= self.reported + period
+        {
+            self.reported = now;
+            self.service_manager.tell(Notification::Alive);
+        }
+        let silent = now.saturating_sub(self.last?);
+        if silent >= PERIOD {
+            self.send();
+        }
+        (silent >= Guardian::PATIENCE).then_some(silent)
+    }
+
+    /// Takes what the arm is told next: the guardian knows it before the arm does.
+    pub(crate) fn note_packet(&mut self, packet: &Packet, dialect: &Dialect) {
+        let hazards = self.hazards.after(packet, dialect);
+        if hazards != self.hazards {
+            self.hazards = hazards;
+            self.panic_stop.note(hazards);
+            if self.last.is_some() {
+                self.send();
+            }
+        }
+    }
+
+    /// How soon the next heartbeat is due, if one is.
+    pub(crate) fn due_in(&self) -> Option<Duration> {
+        let guardian = self.last.map(|it| it + PERIOD);
+        let service_manager = self.service_manager.period().map(|it| self.reported + it);
+        let next = guardian.into_iter().chain(service_manager).min()?;
+        Some(next.saturating_sub(self.clock.now()))
+    }
+
+    /// Where the guardian leaves what it did.
+    pub(crate) fn note(&self) -> &Path {
+        &self.note
+    }
+
+    /// Why no guardian watches over the arm, while one should.
+    pub(crate) const fn gone(&self) -> Option<&String> {
+        self.gone.as_ref()
+    }
+
+    /// What people should know of it.
+    pub(crate) const fn poll_trouble(&mut self) -> Option<String> {
+        self.trouble.take()
+    }
+
+    #[cfg(unix)]
+    fn guard(&mut self, link: &Link) -> std::io::Result<()> {
+        let Some(port) = link.port() else {
+            // An arm in this process ends with it.
+            return Ok(());
+        };
+        self.panic_stop.set_port(Some(port.try_clone_to_owned()?));
+        self.last = Some(self.clock.now());
+        self.start_guardian()
+    }
+
+    /// Starts the guardian of the port, if there is a program that is one.
+    #[cfg(unix)]
+    fn start_guardian(&mut self) -> std::io::Result<()> {
+        if let (Some(program), Some(port)) = (&self.program, self.panic_stop.port()?) {
+            self.guardian_started = self.clock.now();
+            self.guardian = Some(Child::start(program, &self.note, port)?);
+            self.send();
+        }
+        Ok(())
+    }
+
+    /// Starts another guardian in place of one that is gone, unless that one had just been started: then a little later,
+    /// and so on until one stays.
+    #[cfg(unix)]
+    fn replace(&mut self) {
+        if self.clock.now().saturating_sub(self.guardian_started) < BETWEEN_STARTS {
+            return;
+        }
+        match self.start_guardian() {
+            Ok(()) if self.guardian.is_some() => {
+                self.gone = None;
+                self.trouble =
+                    Some("the guardian was gone; another one takes its place".to_owned());
+            }
+            Ok(()) => {}
+            Err(error) => self.set_gone(&error),
+        }
+    }
+
+    #[cfg(unix)]
+    fn set_gone(&mut self, error: &std::io::Error) {
+        self.guardian = None;
+        if self.gone.is_none() {
+            self.trouble = Some(format!(
+                "the guardian is gone: {error}; nothing is jogged and nothing burns until another one is there"
+            ));
+        }
+        self.gone = Some(error.to_string());
+    }
+
+    #[cfg(not(unix))]
+    fn guard(&mut self, _link: &Link) -> std::io::Result<()> {
+        Ok(())
+    }
+
+    fn send(&mut self) {
+        self.last = Some(self.clock.now());
+        #[cfg(unix)]
+        match &mut self.guardian {
+            Some(guardian) => {
+                if let Err(error) = guardian.send(Heartbeat::Alive(self.hazards)) {
+                    self.set_gone(&error);
+                    self.replace();
+                }
+            }
+            None if self.gone.is_some() => self.replace(),
+            None => {}
+        }
+    }
+}
+
+/// From one heartbeat to the next, at most.
+pub(crate) const PERIOD: Duration = Duration::from_millis(80);
+/// How long to wait before yet another guardian is started.
+#[cfg(unix)]
+const BETWEEN_STARTS: Duration = Duration::from_secs(3);

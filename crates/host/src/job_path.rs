@@ -1,0 +1,61 @@
+//! The way of a job, for those who look at it.
+
+use dobot_api::JobPath;
+use dobot_journal::{Job, Journal};
+use dobot_motion::Model;
+use dobot_supervisor::{Refusal, draws_below_mm};
+use dobot_wire::Command;
+
+use crate::jobs::{find, journal_refusal, recovery_model};
+
+/// The way of a job, once through its commands, as it was planned, in true places.
+pub(crate) fn path_of(journal: &Journal, job: u64) -> Result<JobPath, Refusal> {
+    let job = find(journal, job)?;
+    let commands = journal
+        .commands(job.id)
+        .map_err(|error| journal_refusal(&error))?;
+    walk(recovery_model(&job), &job, &commands)
+}
+
+fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Refusal> {
+    let mut path = JobPath::default();
+    let mut begun_s = 0.0;
+    for (index, command) in commands.iter().enumerate() {
+        let trajectory = model.trajectory(command).map_err(|error| Refusal::BadJob {
+            index,
+            why: error.to_string(),
+            rule: None,
+        })?;
+        for (place, after_s) in trajectory.corners() {
+            let position = model.true_place(&place).pose.position;
+            path.path_mm
+                .push([position.x.0, position.y.0, position.z.0].map(rounded));
+            path.commands.push(index);
+            path.marks.push(trajectory.laser());
+            path.until_s.push(rounded(begun_s + after_s));
+        }
+        begun_s += trajectory.duration_s().unwrap_or_default();
+        model = model.after(command, &trajectory);
+    }
+    if let Some(lift_mm) = job.lift_mm {
+        mark_lowered(&mut path, lift_mm.into());
+    }
+    Ok(path)
+}
+
+/// A pen draws where a vector leaves it nearer to the lowest place than to where it is lifted.
+fn mark_lowered(path: &mut JobPath, lift_mm: f64) {
+    let heights = path.path_mm.iter().map(|it| it[2]);
+    let below_mm = draws_below_mm(heights.fold(f64::MAX, f64::min), lift_mm);
+    let is_low = |at: &[f64; 3]| at[2] < below_mm;
+    let mut was_low = false;
+    for (at, marks) in path.path_mm.iter().zip(&mut path.marks) {
+        *marks |= was_low && is_low(at);
+        was_low = is_low(at);
+    }
+}
+
+/// To a thousandth: nobody sees more, and it makes a long way shorter to send.
+fn rounded(number: f64) -> f64 {
+    (number * 1000.0).round() / 1000.0
+}

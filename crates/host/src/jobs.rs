@@ -1,0 +1,584 @@
+//! The jobs on the disk: what was submitted, how far each is, what is to be gone on with.
+
+mod check;
+mod list;
+mod offers;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+use dobot_api::{ClientId, JobPath, JobPhase, JobState, JobView, NewJob, Reply};
+use dobot_arm::{Joints, Tool};
+use dobot_journal::{Job, JobId, Journal, JournalError, PlannedJob, Window};
+use dobot_motion::{ArmPlace, Model};
+use dobot_safety::Policy;
+use dobot_supervisor::{Begun, Effect, JobPlan, Refusal, plain};
+use tokio::sync::{mpsc, oneshot};
+
+use self::check::check_new;
+pub(crate) use self::list::{again, forget, list, move_before};
+pub use self::offers::WITHDRAWN;
+pub(crate) use self::offers::answer;
+use crate::handle::{Message, OfferAnswer, OfferAsk};
+use crate::job_path::path_of;
+
+/// The jobs on the disk. Planning and writing take their time, so both happen outside of the task
+/// that owns the arm.
+#[derive(Clone, Debug)]
+pub(crate) struct Jobs {
+    journal: Arc<Journal>,
+    policy: Arc<Policy>,
+    orders: mpsc::UnboundedSender<Order>,
+}
+
+/// A client wants a job to be started, or gone on with.
+#[derive(Debug)]
+pub(crate) struct JobStart {
+    pub(crate) client: ClientId,
+    pub(crate) job: u64,
+    /// It comes to rest behind the next step.
+    pub(crate) single_step: bool,
+    pub(crate) reply: oneshot::Sender<Result<Reply, Refusal>>,
+}
+
+/// What came back from the disk.
+#[derive(Debug)]
+pub(crate) struct Written {
+    pub(crate) effect: Effect,
+    /// Why it was not, in one line.
+    pub(crate) outcome: Result<(), String>,
+}
+
+/// What is written in its turn.
+#[derive(Debug)]
+enum Order {
+    Write(Effect, mpsc::UnboundedSender<Written>),
+    /// All that was ordered before is written.
+    Reached(oneshot::Sender<()>),
+    /// The last one: the station ends, and the arm is at rest or not.
+    End {
+        at_rest: bool,
+        done: oneshot::Sender<()>,
+    },
+}
+
+impl Jobs {
+    /// The jobs of a journal. The driver of the arm is told when they cannot be written any more.
+    pub(crate) fn new(
+        journal: Journal,
+        policy: Arc<Policy>,
+        driver: mpsc::Sender<Message>,
+    ) -> Self {
+        let journal = Arc::new(journal);
+        let (orders, waiting) = mpsc::unbounded_channel();
+        let writer = journal.clone();
+        std::thread::spawn(move || watch(&driver, || write_all(&writer, waiting)));
+        Self {
+            journal,
+            policy,
+            orders,
+        }
+    }
+
+    /// Plans by another policy from now on.
+    pub(crate) fn set_policy(&mut self, policy: &Policy) {
+        self.policy = Arc::new(policy.clone());
+    }
+
+    /// What is missing of the jobs because the journal was damaged, and what to do, in one line.
+    pub(crate) fn missing(&self) -> Option<String> {
+        let missing = self.journal.missing_writes();
+        (missing > 0).then(|| {
+            let writes = if missing == 1 { "write" } else { "writes" };
+            format!(
+                "the journal was damaged, and is {missing} {writes} behind: the last queued jobs may be missing; look through `dobot jobs`, and submit again what is not there"
+            )
+        })
+    }
+
+    /// The job that was at work when the station ended without saying so.
+    pub(crate) fn interrupted(&self) -> Result<Option<Job>, JournalError> {
+        let jobs = self.journal.jobs()?;
+        Ok(jobs.into_iter().find(|it| it.state == JobState::Running))
+    }
+
+    /// Looks at a job again, and gives what the supervisor needs of it.
+    pub(crate) fn begun(&self, job: &Job, model: Model) -> Result<Begun, Refusal> {
+        look_again(&self.journal, &self.policy, job, model)
+    }
+
+    /// Gives up a job that cannot even be looked at again.
+    pub(crate) fn give_up(&self, job: &Job, why: &str) {
+        let reason = why.to_owned();
+        // If the journal cannot be written either, the next start tries again.
+        let _ = self.journal.set_state(job.id, &JobState::Failed { reason });
+    }
+
+    /// Plans and keeps a new job.
+    pub(crate) fn submit(
+        self,
+        job: NewJob,
+        key: Option<String>,
+        model: Model,
+        now_ms: i64,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| jobs.keep(job, key, model, now_ms));
+    }
+
+    /// Plans and keeps what a job does, as a new one.
+    pub(crate) fn queue_again(
+        self,
+        job: u64,
+        key: Option<String>,
+        model: Model,
+        now_ms: i64,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.keep(again(&jobs.journal, job, &model)?, key, model, now_ms)
+        });
+    }
+
+    /// Answers another station that offers a job, or asks what has become of its offer.
+    pub(crate) fn answer_offer(
+        self,
+        key: String,
+        ask: OfferAsk,
+        model: Result<Model, Refusal>,
+        now_ms: i64,
+        reply: oneshot::Sender<Result<OfferAnswer, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            let answered = answer(&jobs.journal, &jobs.policy, &key, ask, model, now_ms);
+            // The history may be longer than wanted until the next time.
+            let _ = jobs.journal.keep_last(HISTORY);
+            answered
+        });
+    }
+
+    /// Puts a queued job before another one, or behind all others.
+    pub(crate) fn move_before(
+        self,
+        job: u64,
+        before: Option<u64>,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            move_before(&jobs.journal, job, before)?;
+            jobs.kept(job)
+        });
+    }
+
+    /// Forgets a job that the arm is not at.
+    pub(crate) fn forget(self, job: u64, reply: oneshot::Sender<Result<Reply, Refusal>>) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            forget(&jobs.journal, job).map(|()| Reply::Done)
+        });
+    }
+
+    /// Plans a job that is to be started, and hands it to the driver of the arm.
+    pub(crate) fn plan(self, start: JobStart, model: Model, driver: mpsc::Sender<Message>) {
+        let JobStart {
+            client,
+            job,
+            single_step,
+            reply,
+        } = start;
+        tokio::task::spawn_blocking(move || match self.startable(job, model) {
+            Err(refusal) => {
+                // Whoever asked may have left.
+                let _ = reply.send(Err(refusal));
+            }
+            Ok(begun) => {
+                let begun = Box::new(Begun {
+                    single_step,
+                    ..begun
+                });
+                // A driver that ends drops the message, and with it the reply.
+                let _ = driver.blocking_send(Message::Planned {
+                    client,
+                    begun,
+                    reply,
+                });
+            }
+        });
+    }
+
+    /// Ends a job that the arm is not at.
+    pub(crate) fn cancel(
+        self,
+        job: u64,
+        by: String,
+        reply: oneshot::Sender<Result<Reply, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            end_waiting(&jobs.journal, job, &by)?;
+            jobs.kept(job)
+        });
+    }
+
+    /// All jobs in their order; that of the supervisor as it is now, and of all others what was told
+    /// of them last.
+    pub(crate) fn list(
+        self,
+        current: Option<JobView>,
+        reply: oneshot::Sender<Result<Vec<JobView>, Refusal>>,
+    ) {
+        self.answer(reply, move |jobs| {
+            jobs.catch_up();
+            list(&jobs.journal, current.as_ref())
+        });
+    }
+
+    /// The way of a job.
+    pub(crate) fn path(self, job: u64, reply: oneshot::Sender<Result<JobPath, Refusal>>) {
+        self.answer(reply, move |jobs| path_of(&jobs.journal, job));
+    }
+
+    /// Writes what the supervisor wants to be kept, in order.
+    pub(crate) fn write(&self, effect: Effect, written: mpsc::UnboundedSender<Written>) {
+        // The writer ends only after this sender.
+        let _ = self.orders.send(Order::Write(effect, written));
+    }
+
+    /// Waits until all is written; a station that ends with its arm at rest ends well.
+    pub(crate) async fn end(&self, at_rest: bool) {
+        let (done, waiting) = oneshot::channel();
+        if self.orders.send(Order::End { at_rest, done }).is_ok() {
+            // The writer is there until it has answered.
+            let _ = waiting.await;
+        }
+    }
+
+    /// Does what may take long beside everything else, and answers with what comes of it.
+    fn answer<T: Send + 'static>(
+        self,
+        reply: oneshot::Sender<Result<T, Refusal>>,
+        work: impl FnOnce(&Self) -> Result<T, Refusal> + Send + 'static,
+    ) {
+        tokio::task::spawn_blocking(move || {
+            // Whoever asked may have left.
+            let _ = reply.send(work(&self));
+        });
+    }
+
+    fn keep(
+        &self,
+        job: NewJob,
+        key: Option<String>,
+        model: Model,
+        now_ms: i64,
+    ) -> Result<Reply, Refusal> {
+        let id = submit(&self.journal, &self.policy, job, key, model, now_ms)?;
+        // The history may be longer than wanted until the next time.
+        let _ = self.journal.keep_last(HISTORY);
+        self.kept(id.0)
+    }
+
+    /// The job as the journal has it.
+    fn kept(&self, job: u64) -> Result<Reply, Refusal> {
+        let job = find(&self.journal, job)?;
+        Ok(Reply::Job { job: view(&job) })
+    }
+
+    fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
+        self.catch_up();
+        startable(&self.journal, &self.policy, job, model)
+    }
+
+    /// Waits until the journal knows what the supervisor has told: that a job is paused, say.
+    fn catch_up(&self) {
+        let (done, reached) = oneshot::channel();
+        if self.orders.send(Order::Reached(done)).is_ok() {
+            // A writer that has ended has written all.
+            let _ = reached.blocking_recv();
+        }
+    }
+}
+
+/// Ends a job that the arm is not at.
+pub(crate) fn end_waiting(journal: &Journal, job: u64, by: &str) -> Result<(), Refusal> {
+    let job = find(journal, job)?;
+    if job.state.is_over() {
+        return Err(Refusal::JobPhase {
+            job: job.id.0,
+            found: job.state.phase(),
+            allowed: "queued, running or paused",
+        });
+    }
+    let reason = format!("ended by {by}");
+    journal
+        .set_state(job.id, &JobState::Stopped { reason })
+        .map_err(|error| journal_refusal(&error))
+}
+
+/// Whether a job came to rest last where a person has to do something.
+fn waits_for_person(job: &Job) -> bool {
+    let last = job.behind.pauses.checked_sub(1);
+    let pause = last.and_then(|it| job.pauses.get(it));
+    job.state.phase() == JobPhase::Paused
+        && pause.is_some_and(|it| it.before == job.window.completed)
+}
+
+/// A job as the journal has it.
+pub(crate) fn view(job: &Job) -> JobView {
+    JobView {
+        job: job.id.0,
+        title: job.title.clone(),
+        kind: job.kind,
+        created_ms: job.created_ms,
+        phase: job.state.phase(),
+        reason: job.state.reason().map(str::to_owned),
+        waits_for_person: waits_for_person(job),
+        commands: job.commands,
+        completed: job.program.at(job.window.completed, job.commands).1,
+        planned_s: job.planned_s,
+        left_s: job.planned_s.filter(|_| job.window.completed == 0),
+        took_s: job.behind.ran_s.filter(|_| job.state == JobState::Done),
+        speed_percent: job.adjustment.speed_percent,
+        height_mm: job.adjustment.heights.last().map_or(0.0, |it| it.offset_mm),
+        program: job.program.view(job.commands, job.window.completed),
+    }
+}
+
+/// Plans a new job from its first command to its last, and keeps it; gives its number, or that of the one that was asked
+/// for with the same key.
+pub(crate) fn submit(
+    journal: &Journal,
+    policy: &Policy,
+    job: NewJob,
+    key: Option<String>,
+    model: Model,
+    now_ms: i64,
+) -> Result<JobId, Refusal> {
+    let planned = planned(policy, job, key, model, now_ms)?;
+    journal
+        .submit(&planned)
+        .map_err(|error| journal_refusal(&error))
+}
+
+/// Plans a new job from its first command to its last.
+fn planned(
+    policy: &Policy,
+    mut job: NewJob,
+    key: Option<String>,
+    model: Model,
+    now_ms: i64,
+) -> Result<PlannedJob, Refusal> {
+    key.as_deref().map_or(Ok(()), check_key)?;
+    job.title = plain(&job.title, usize::MAX);
+    check_new(&job)?;
+    let dialect = model.dialect;
+    let plan = JobPlan::new(
+        policy,
+        model,
+        job.commands.clone(),
+        &[],
+        job.lift_mm,
+        0,
+        &job.program,
+    )?;
+    Ok(PlannedJob {
+        title: job.title,
+        kind: job.kind,
+        dialect,
+        calibration: model.calibration,
+        lift_mm: Some(job.lift_mm).filter(|it| *it > 0.0),
+        created_ms: now_ms,
+        planned_s: plan.planned_s(),
+        commands: job.commands,
+        pauses: job.pauses,
+        program: job.program,
+        key,
+    })
+}
+
+/// Looks at a job that is to be started or gone on with.
+pub(crate) fn startable(
+    journal: &Journal,
+    policy: &Policy,
+    job: u64,
+    model: Model,
+) -> Result<Begun, Refusal> {
+    let job = find(journal, job)?;
+    if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
+        return Err(Refusal::JobPhase {
+            job: job.id.0,
+            found: job.state.phase(),
+            allowed: "queued or paused",
+        });
+    }
+    check_made_for(&job, &model)?;
+    look_again(journal, policy, &job, model)
+}
+
+/// Whether the commands of a job are meant for the arm as it is now.
+fn check_made_for(job: &Job, model: &Model) -> Result<(), Refusal> {
+    if job.dialect != model.dialect {
+        return Err(Refusal::CannotResume(format!(
+            "it was made for an arm that speaks {}, and this one speaks {}",
+            job.dialect, model.dialect
+        )));
+    }
+    if !job.calibration.is_same(&model.calibration) {
+        return Err(Refusal::CannotResume(
+            "it was made for the arm as it was calibrated then, and another calibration holds now, or the arm was told its angles since: make it anew".into(),
+        ));
+    }
+    Ok(())
+}
+
+pub(crate) fn find(journal: &Journal, job: u64) -> Result<Job, Refusal> {
+    match journal.job(JobId(job)) {
+        Err(JournalError::NoSuchJob(_)) => Err(Refusal::NoSuchJob(job)),
+        found => found.map_err(|error| journal_refusal(&error)),
+    }
+}
+
+/// Looks at a job again: what the supervisor needs of it.
+pub(crate) fn look_again(
+    journal: &Journal,
+    policy: &Policy,
+    job: &Job,
+    model: Model,
+) -> Result<Begun, Refusal> {
+    let commands = journal
+        .commands(job.id)
+        .map_err(|error| journal_refusal(&error))?;
+    let lift_mm = job.lift_mm.unwrap_or(0.0);
+    let plan = JobPlan::new(
+        policy,
+        model,
+        commands,
+        &job.adjustment.heights,
+        lift_mm,
+        job.window.upto,
+        &job.program,
+    )?;
+    Ok(Begun::new(job, plan))
+}
+
+/// The model from which an interrupted job is looked at again: its first target says where it
+/// begins, so any place does.
+pub(crate) fn recovery_model(job: &Job) -> Model {
+    let somewhere = Joints::new(0.0, 45.0, 45.0, 0.0);
+    let place = ArmPlace::at_joints(somewhere, Tool::SuctionCup);
+    Model::standing(job.dialect, place).calibrated(job.calibration)
+}
+
+/// Writes the journal; a panic there is the end of the station.
+fn watch(driver: &mpsc::Sender<Message>, writing: impl FnOnce()) {
+    if catch_unwind(AssertUnwindSafe(writing)).is_err() {
+        let text = "the thread that writes the journal panicked".to_owned();
+        // A driver that has ended needs no journal.
+        let _ = driver.blocking_send(Message::Failed(text));
+    }
+}
+
+/// Writes in a thread of its own: the disk takes its time.
+fn write_all(journal: &Journal, mut orders: mpsc::UnboundedReceiver<Order>) {
+    while let Some(order) = orders.blocking_recv() {
+        match order {
+            Order::Write(effect, written) => {
+                let outcome = write(journal, &effect).map_err(|error| error.to_string());
+                // A driver that has ended wants to know nothing more.
+                let _ = written.send(Written { effect, outcome });
+            }
+            Order::Reached(done) => {
+                // Whoever asked may have left.
+                let _ = done.send(());
+            }
+            Order::End { at_rest, done } => {
+                if at_rest {
+                    // A journal that cannot be written says so at the next start.
+                    let _ = journal.note_clean_shutdown();
+                }
+                let _ = done.send(());
+                return;
+            }
+        }
+    }
+}
+
+/// Writes what the supervisor wants to be kept.
+pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalError> {
+    match effect {
+        Effect::Give {
+            job,
+            completed,
+            upto,
+            start,
+        } => journal.give(
+            JobId(*job),
+            &Window {
+                completed: *completed,
+                upto: *upto,
+                start: *start,
+            },
+        ),
+        Effect::Phase {
+            job,
+            phase,
+            reason,
+            window,
+            behind,
+        } => {
+            // One that does not run was given nothing: how far it is has not changed.
+            if let Some(window) = window
+                && journal.job(JobId(*job))?.state == JobState::Running
+            {
+                journal.give(JobId(*job), window)?;
+            }
+            let state = JobState::new(*phase, reason.clone());
+            journal.set_state_behind(JobId(*job), &state, *behind)
+        }
+        Effect::Adjust { job, adjustment } => journal.adjust(JobId(*job), adjustment),
+    }
+}
+
+pub(crate) fn journal_refusal(error: &JournalError) -> Refusal {
+    match error {
+        JournalError::KeyReused { key, job } => Refusal::KeyReused {
+            key: key.clone(),
+            job: job.0,
+        },
+        error => Refusal::Journal(error.to_string()),
+    }
+}
+
+/// Whether a sender can call a request so.
+fn check_key(key: &str) -> Result<(), Refusal> {
+    let characters = key.chars().count();
+    if (1..=LONGEST_KEY).contains(&characters) && key.chars().all(dobot_supervisor::is_plain) {
+        return Ok(());
+    }
+    Err(Refusal::Malformed(format!(
+        "a key has 1 to {LONGEST_KEY} visible characters, and this one {characters}"
+    )))
+}
+
+/// How many characters a key may have.
+const LONGEST_KEY: usize = 64;
+
+/// So many jobs that are over are kept.
+const HISTORY: usize = 100;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn a_panic_where_the_journal_is_written_ends_the_station() {
+        let (driver, mut told) = mpsc::channel(1);
+        std::thread::spawn(move || watch(&driver, || panic!("the disk is made of cheese")));
+        let Some(Message::Failed(text)) = told.recv().await else {
+            panic!("it is told as a failure");
+        };
+        assert_eq!(text, "the thread that writes the journal panicked");
+    }
+}

@@ -1,0 +1,98 @@
+//! The list of jobs: its order, what is done again, what is forgotten.
+
+use dobot_api::{JobState, JobView, NewJob};
+use dobot_journal::{Job, JobId, Journal};
+use dobot_motion::Model;
+use dobot_supervisor::{FORGETTABLE, Refusal};
+
+use super::{check_made_for, find, journal_refusal, view};
+
+/// All jobs in their order: the oldest first, unless queued ones were moved; one of them as it is now.
+pub(crate) fn list(journal: &Journal, current: Option<&JobView>) -> Result<Vec<JobView>, Refusal> {
+    let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
+    let view = |job: &Job| match current {
+        Some(current) if current.job == job.id.0 => current.clone(),
+        _ => view(job),
+    };
+    Ok(jobs.iter().map(view).collect())
+}
+
+/// What a job does, as a new one.
+pub(crate) fn again(journal: &Journal, job: u64, model: &Model) -> Result<NewJob, Refusal> {
+    let job = find(journal, job)?;
+    check_made_for(&job, model)?;
+    let commands = journal.commands(job.id);
+    Ok(NewJob {
+        title: job.title,
+        kind: job.kind,
+        commands: commands.map_err(|error| journal_refusal(&error))?,
+        lift_mm: job.lift_mm.unwrap_or(0.0),
+        pauses: job.pauses,
+        program: job.program,
+    })
+}
+
+/// Puts a queued job before another queued one, or behind all of them.
+pub(crate) fn move_before(journal: &Journal, job: u64, before: Option<u64>) -> Result<(), Refusal> {
+    for job in before.into_iter().chain([job]) {
+        check_queued(&find(journal, job)?)?;
+    }
+    let jobs = journal.jobs().map_err(|error| journal_refusal(&error))?;
+    let queued = jobs.iter().filter(|it| it.state == JobState::Queued);
+    let order = moved(queued.map(|it| it.id).collect(), JobId(job), before);
+    let arranged = journal.arrange(&order);
+    arranged.map_err(|error| journal_refusal(&error))
+}
+
+/// Forgets a job that is over, or that has not begun.
+pub(crate) fn forget(journal: &Journal, job: u64) -> Result<(), Refusal> {
+    let job = find(journal, job)?;
+    if job.state.is_under_way() {
+        return Err(Refusal::JobPhase {
+            job: job.id.0,
+            found: job.state.phase(),
+            allowed: FORGETTABLE,
+        });
+    }
+    let removed = journal.remove(job.id);
+    removed.map_err(|error| journal_refusal(&error))
+}
+
+fn check_queued(job: &Job) -> Result<(), Refusal> {
+    if job.state == JobState::Queued {
+        return Ok(());
+    }
+    Err(Refusal::JobPhase {
+        job: job.id.0,
+        found: job.state.phase(),
+        allowed: "queued",
+    })
+}
+
+/// Jobs in their order with one of them before another, or behind all.
+fn moved(mut order: Vec<JobId>, job: JobId, before: Option<u64>) -> Vec<JobId> {
+    if before == Some(job.0) {
+        return order;
+    }
+    order.retain(|it| *it != job);
+    let at = order.iter().position(|it| Some(it.0) == before);
+    order.insert(at.unwrap_or(order.len()), job);
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_job_is_put_before_another_one_or_behind_all_others() {
+        let order = |job, before| {
+            let moved = moved(vec![JobId(3), JobId(5), JobId(8)], JobId(job), before);
+            moved.iter().map(|it| it.0).collect::<Vec<_>>()
+        };
+        assert_eq!(order(8, Some(3)), [8, 3, 5]);
+        assert_eq!(order(3, Some(8)), [5, 3, 8]);
+        assert_eq!(order(3, None), [5, 8, 3]);
+        assert_eq!(order(5, Some(5)), [3, 5, 8]);
+    }
+}

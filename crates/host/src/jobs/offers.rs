@@ -1,0 +1,101 @@
+//! Jobs that other stations offer.
+
+use dobot_api::{JobKind, JobState, JobView};
+use dobot_journal::{Journal, JournalError, Offered, PlannedJob};
+use dobot_motion::Model;
+use dobot_safety::Policy;
+use dobot_supervisor::{Refusal, plain};
+
+use super::{check_key, find, journal_refusal, planned, view};
+use crate::handle::{OfferAnswer, OfferAsk};
+
+/// Answers another station. Whatever else than its own journal keeps the station from taking a job, it has refused it for
+/// good then.
+pub(crate) fn answer(
+    journal: &Journal,
+    policy: &Policy,
+    key: &str,
+    ask: OfferAsk,
+    model: Result<Model, Refusal>,
+    now_ms: i64,
+) -> Result<OfferAnswer, Refusal> {
+    check_key(key)?;
+    let known = journal
+        .offered(key)
+        .map_err(|error| journal_refusal(&error))?;
+    let answered = match (ask, known) {
+        (OfferAsk::Withdraw { by }, _) => {
+            let by = plain(&by, LONGEST_NAME);
+            journal.withdraw(key, &format!("{WITHDRAWN}{by}")).map(Some)
+        }
+        (_, Some(known)) => Ok(Some(known)),
+        (OfferAsk::Look, None) => Ok(None),
+        (OfferAsk::Refuse { reason, busy }, None) => journal.refuse(key, &reason, busy).map(Some),
+        (OfferAsk::Take { job, made_for }, None) => match model {
+            // It may speak later.
+            Err(refusal) => journal.refuse(key, &refusal.to_string(), true).map(Some),
+            Ok(model) if made_for.is_some_and(|it| !it.is_same(&model.calibration)) => {
+                journal.refuse(key, OTHER_ARM, false).map(Some)
+            }
+            Ok(model) => {
+                let job = planned(policy, *job, Some(key.into()), model, now_ms);
+                take(journal, key, job).map(Some)
+            }
+        },
+    };
+    match answered.map_err(|error| journal_refusal(&error))? {
+        None => Ok(OfferAnswer::Unknown),
+        Some(Offered::Refused { reason, busy }) => Ok(OfferAnswer::Refused { reason, busy }),
+        Some(Offered::Taken { job, left: None }) => {
+            Ok(OfferAnswer::Taken(Box::new(view(&find(journal, job)?))))
+        }
+        Some(Offered::Taken {
+            job,
+            left: Some(state),
+        }) => Ok(OfferAnswer::Taken(Box::new(forgotten(job, &state)))),
+    }
+}
+
+fn take(
+    journal: &Journal,
+    key: &str,
+    job: Result<PlannedJob, Refusal>,
+) -> Result<Offered, JournalError> {
+    let refused = match job {
+        Ok(job) => match journal.take(key, &job) {
+            Ok(answered) => return Ok(answered),
+            Err(error) => error.to_string(),
+        },
+        Err(refusal) => refusal.to_string(),
+    };
+    // A job that makes no sense is refused for good; where the journal cannot be written, nothing is answered.
+    journal.refuse(key, &refused, false)
+}
+
+/// A job of which only the end is known any more.
+fn forgotten(job: u64, state: &JobState) -> JobView {
+    JobView {
+        job,
+        title: String::new(),
+        kind: JobKind::Drawing,
+        created_ms: 0,
+        phase: state.phase(),
+        reason: state.reason().map(str::to_owned),
+        waits_for_person: false,
+        commands: 0,
+        completed: 0,
+        planned_s: None,
+        left_s: None,
+        took_s: None,
+        speed_percent: 100.0,
+        height_mm: 0.0,
+        program: None,
+    }
+}
+
+/// How the reason of a job begins that was withdrawn before its arm had begun it; behind it follows by whom.
+pub const WITHDRAWN: &str = "withdrawn by ";
+/// Why a job for an arm that differs from its drawing in another way is not taken.
+const OTHER_ARM: &str = "its commands were made for an arm with another calibration: submit the drawing itself, which is planned where it is drawn";
+/// How many characters of a station's name are told.
+const LONGEST_NAME: usize = 40;

@@ -1,0 +1,97 @@
+//! The stop that holds the arm, and those of the fleet, through restarts of the station.
+
+use std::io;
+use std::path::PathBuf;
+
+use dobot_supervisor::{KeptFleetStop, StoppedBy};
+use serde::{Deserialize, Serialize};
+
+use crate::known_arms::{NewText, read_file};
+
+/// The file with the stop and those of the fleet; it is empty where there are none.
+#[derive(Debug)]
+pub(crate) struct KeptStop(PathBuf);
+
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Content {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) stop: Option<StoppedBy>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) fleet: Vec<KeptFleetStop>,
+}
+
+impl KeptStop {
+    pub(crate) const fn at(file: PathBuf) -> Self {
+        Self(file)
+    }
+
+    /// What held when the station ended. A file that cannot be read counts as a stop: somebody has to look.
+    pub(crate) fn read(&self) -> Content {
+        let text = read_file(&self.0).map_err(|error| error.to_string());
+        let content = text.and_then(|text| {
+            let text = text.unwrap_or_default();
+            toml::from_str(&text).map_err(|error| error.message().to_owned())
+        });
+        let unreadable = |why| Content {
+            stop: Some(StoppedBy {
+                by: "the station".to_owned(),
+                reason: Some(format!(
+                    "whether a stop held before cannot be read: {}: {why}",
+                    self.0.display()
+                )),
+            }),
+            fleet: Vec::new(),
+        };
+        content.unwrap_or_else(unreadable)
+    }
+
+    /// The file for what holds now.
+    pub(crate) fn keep(&self, content: &Content) -> io::Result<NewText> {
+        NewText::of(&self.0, content)
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_api::FleetWideStop;
+
+    use super::*;
+
+    #[test]
+    fn a_stop_is_kept_until_it_is_reset() {
+        let folder = tempfile::tempdir().unwrap();
+        let kept = KeptStop::at(folder.path().join("stop.toml"));
+        assert_eq!(kept.read(), Content::default());
+        let content = Content {
+            stop: Some(StoppedBy {
+                by: "Anna".into(),
+                reason: Some("finger caught".into()),
+            }),
+            fleet: vec![KeptFleetStop {
+                stop: FleetWideStop {
+                    origin: "0123".into(),
+                    count: 1_800_000_000_000,
+                    by: "Ms Weber".into(),
+                    reason: None,
+                    reset_by: Some("Ms Weber".into()),
+                },
+                is_reset_here: true,
+            }],
+        };
+        kept.keep(&content).unwrap().write().unwrap();
+        assert_eq!(kept.read(), content);
+        kept.keep(&Content::default()).unwrap().write().unwrap();
+        assert_eq!(kept.read(), Content::default());
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_read_counts_as_a_stop() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("stop.toml");
+        std::fs::write(&file, "[stop").unwrap();
+        let read = KeptStop::at(file).read().stop.unwrap();
+        assert!(read.reason.unwrap().contains("stop.toml"));
+    }
+}

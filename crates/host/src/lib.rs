@@ -1,0 +1,79 @@
+//! Drives the supervisor of an arm: port, finder, guardian (watchdog process), journal thread, recordings and clients.
+//!
+//! A [`StationClient`] sends requests to a supervisor, wherever it runs: in a station, in this process for an arm at an
+//! address, or in virtual time. A [`Handle`] is the same for a station's own tasks: it leads to the one task that owns the
+//! port. A [`VirtualStation`] runs a supervisor in virtual time, with a virtual arm:
+//!
+//! ```
+//! use std::time::Duration;
+//! use dobot_api::Request;
+//! use dobot_controller::{Personality, PowerUp};
+//! use dobot_host::VirtualStation;
+//! use dobot_safety::Policy;
+//! use dobot_wire::{MoveTo, MovingMode};
+//!
+//! let mut station = VirtualStation::new(PowerUp::new(Personality::Firmware11), Policy::default());
+//! station.run_for(Duration::from_secs(1));
+//! let anna = station.client("Anna");
+//!
+//! let command = MoveTo {
+//!     x_mm: 220.0, y_mm: 0.0, z_mm: -90.0, rotation_deg: 0.0, suction: false,
+//!     mode: MovingMode::Jump, gripper_deg: 0.0, pause_s: 0.0,
+//! };
+//! let into_the_table = Request::Command { command: command.into() };
+//! assert_eq!(station.ask(anna, into_the_table.clone()).unwrap_err().kind(), "no-lease");
+//!
+//! station.ask(anna, Request::TakeLease)?;
+//! let refused = station.ask(anna, into_the_table).unwrap_err();
+//! assert!(refused.to_string().starts_with("z would be -90 mm; table allows -63 mm and more"));
+//! # Ok::<(), dobot_supervisor::Refusal>(())
+//! ```
+
+mod approach;
+mod arm_thread;
+mod background;
+mod client;
+mod connect;
+mod disk;
+mod drawing_job;
+mod driver;
+mod finder;
+mod guardian;
+mod handle;
+mod host;
+mod job_path;
+mod jobs;
+mod kept_slots;
+mod kept_stop;
+mod known_arms;
+mod long_work;
+mod planned_for;
+mod predict;
+mod priority;
+mod recording;
+mod service_manager;
+mod target;
+mod virtual_station;
+
+pub use approach::{Approach, WantedArm};
+pub use background::Background;
+pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClient};
+pub use connect::OwnVirtualArm;
+pub use drawing_job::drawing_job;
+pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
+#[cfg(unix)]
+pub use guardian::guard;
+pub use guardian::{Guardian, Hazards, Heartbeat, JogKind, Silence};
+pub use handle::{
+    Client, Ends, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+};
+pub use host::{Host, HostError, Setup};
+pub use jobs::WITHDRAWN;
+pub use known_arms::KnownArmsError;
+pub use long_work::{LongWorkError, run_long};
+pub use planned_for::PlannedFor;
+pub use predict::{Prediction, predict};
+pub use recording::{notice_topic, state_topic, tools_of};
+pub use service_manager::{Notification, ServiceManager};
+pub use target::{PathName, Target, TargetPlace, UnknownPath};
+pub use virtual_station::VirtualStation;

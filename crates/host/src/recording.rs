@@ -1,0 +1,362 @@
+//! What the station records: everything on the wire, states and notices.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use dobot_api::{Folders, Notice, State, make_private};
+use dobot_arm::Millimeters;
+use dobot_model::{MountedTool, ToolKind};
+use dobot_record::{About, Limits, Record, Recorder, Topic};
+use dobot_safety::Policy;
+use dobot_session::Address;
+use dobot_wire::{Dialect, Status};
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::Serialize;
+
+/// What the station records; without a recorder nothing.
+#[derive(Debug)]
+pub(crate) struct Recording {
+    recorder: Option<Recorder>,
+    about: About,
+    states: Arc<Topic>,
+    notices: Arc<Topic>,
+    /// Below which height a pen draws, as it was recorded last.
+    pen_below_mm: Option<f64>,
+    /// The state that was recorded last, and when.
+    told: Option<(Duration, State)>,
+    /// What was wrong with the recorder when it was asked last.
+    problem: Option<String>,
+}
+
+impl Recording {
+    pub(crate) fn new(recorder: Option<Recorder>, personality: Option<String>) -> Self {
+        Self {
+            recorder,
+            about: About {
+                personality,
+                ..about()
+            },
+            states: state_topic(),
+            notices: notice_topic(),
+            pen_below_mm: None,
+            told: None,
+            problem: None,
+        }
+    }
+
+    /// Records a packet to the arm, and below which height of the tool a pen draws meanwhile.
+    pub(crate) fn sent(&mut self, at: Duration, bytes: &[u8], pen_below_mm: Option<f64>) {
+        if pen_below_mm != self.pen_below_mm {
+            self.pen_below_mm = pen_below_mm;
+            self.record(at, || Record::Pen {
+                below_mm: pen_below_mm,
+            });
+        }
+        self.record(at, || Record::ToArm(bytes.to_vec()));
+    }
+
+    pub(crate) fn heard(&self, at: Duration, bytes: &[u8]) {
+        self.record(at, || Record::FromArm(bytes.to_vec()));
+    }
+
+    /// Records a state that says something new; one in which only the arm's status, clocks and figures
+    /// of the link changed, every ten seconds.
+    pub(crate) fn state(&mut self, at: Duration, state: &State) {
+        if state.dialect != self.about.dialect {
+            // It was found, or a person told it, after the link came up.
+            self.about.dialect = state.dialect;
+            let about = Box::new(self.about.clone());
+            self.record(at, || Record::About(about));
+        }
+        if self.recorder.is_some() && self.is_worth_telling(at, state) {
+            self.told = Some((at, state.clone()));
+            self.json(at, &self.states, state);
+        }
+    }
+
+    fn is_worth_telling(&self, at: Duration, state: &State) -> bool {
+        let Some((told_at, told)) = &self.told else {
+            return true;
+        };
+        let is_due = at.saturating_sub(*told_at) >= STATE_PERIOD;
+        if is_due {
+            told != state
+        } else {
+            essence(told) != essence(state)
+        }
+    }
+
+    /// Records how long the tools are by the policy that holds from now on.
+    pub(crate) fn tools(&self, at: Duration, policy: &Policy) {
+        self.record(at, || Record::Tools(tools_of(policy)));
+    }
+
+    pub(crate) fn notice(&self, at: Duration, notice: &Notice) {
+        self.json(at, &self.notices, notice);
+    }
+
+    /// Takes which arm it is from now on, and what it speaks, if that is known.
+    pub(crate) fn link(&mut self, at: Duration, address: &Address, dialect: Option<Dialect>) {
+        self.about.address = address.to_string();
+        self.about.dialect = dialect;
+        let about = Box::new(self.about.clone());
+        self.record(at, || Record::About(about));
+    }
+
+    /// What went wrong with recording, or went right again, since this was asked last.
+    pub(crate) fn poll_trouble(&mut self) -> Option<String> {
+        let problem = self.recorder.as_ref()?.health().trouble;
+        if problem == self.problem {
+            return None;
+        }
+        self.problem.clone_from(&problem);
+        Some(match problem {
+            Some(problem) => format!("recording: {problem}"),
+            None => "recording goes on".into(),
+        })
+    }
+
+    /// Writes what is left.
+    pub(crate) fn end(self) {
+        if let Some(recorder) = self.recorder {
+            // Nobody is left who could be told how it went.
+            let _ = recorder.finish();
+        }
+    }
+
+    fn json(&self, at: Duration, topic: &Arc<Topic>, value: &impl Serialize) {
+        self.record(at, || Record::Json {
+            topic: topic.clone(),
+            value: serde_json::to_value(value).unwrap_or_default(),
+        });
+    }
+
+    fn record(&self, at: Duration, record: impl FnOnce() -> Record) {
+        if let Some(recorder) = &self.recorder {
+            recorder.record(at, record());
+        }
+    }
+}
+
+/// What a state says beside the arm's status, which is recorded as it came, clocks and figures of the
+/// link.
+fn essence(state: &State) -> State {
+    let mut state = state.clone();
+    state.at_s = 0.0;
+    state.link.statuses_per_s = 0.0;
+    state.link.lost_statuses = 0;
+    state.link.damaged_bytes = 0;
+    state.link.latency_ms = None;
+    state.queue.ahead_s = 0.0;
+    state.laser.armed_for_s = if state.laser.armed_for_s > 0.0 {
+        1.0
+    } else {
+        0.0
+    };
+    if let Some(arm) = &mut state.arm {
+        arm.status = REST;
+    }
+    if let Some(job) = &mut state.job {
+        job.left_s = None;
+    }
+    state
+}
+
+/// Starts a recording, or says why there is none.
+pub(crate) fn start(folders: &Folders) -> (Option<Recorder>, Option<String>) {
+    // What hinders it hinders the recorder too, which says so.
+    let _ = make_private(&folders.recordings());
+    let recorder = Recorder::start(
+        folders.recordings(),
+        Limits::default(),
+        about(),
+        jiff::Timestamp::now(),
+    );
+    match recorder {
+        Ok(recorder) => (Some(recorder), None),
+        Err(error) => (None, Some(format!("nothing is recorded: {error}"))),
+    }
+}
+
+/// What is known of every recording.
+fn about() -> About {
+    About {
+        program: concat!("dobot ", env!("CARGO_PKG_VERSION")).into(),
+        ..About::default()
+    }
+}
+
+/// The tools that may hang at an arm, as long as a policy says; none that no model could have.
+#[must_use]
+pub fn tools_of(policy: &Policy) -> Vec<MountedTool> {
+    let kinds = [ToolKind::SuctionCup, ToolKind::Gripper, ToolKind::Laser];
+    let tool = |kind: ToolKind| {
+        let length = Millimeters(policy.tool_length.of(kind.tool()));
+        MountedTool::new(kind, length).ok()
+    };
+    kinds.into_iter().filter_map(tool).collect()
+}
+
+/// Where the states of a station are recorded, and told live.
+#[must_use]
+pub fn state_topic() -> Arc<Topic> {
+    topic::<State>("/station/state", "dobot.State")
+}
+
+/// Where the notices of a station are recorded, and told live.
+#[must_use]
+pub fn notice_topic() -> Arc<Topic> {
+    topic::<Notice>("/station/notices", "dobot.Notice")
+}
+
+/// The topic of one of our types. Programs that show recordings do not follow references.
+fn topic<T: JsonSchema>(name: &str, schema_name: &str) -> Arc<Topic> {
+    let mut settings = SchemaSettings::draft2020_12();
+    settings.inline_subschemas = true;
+    let schema = settings.into_generator().into_root_schema_for::<T>();
+    let topic = Topic::new(name, schema_name, schema.as_value());
+    Arc::new(topic.expect("our types are objects, and our topics begin with a slash"))
+}
+
+/// Any status.
+const REST: Status = Status {
+    x_mm: 0.0,
+    y_mm: 0.0,
+    z_mm: 0.0,
+    rotation_deg: 0.0,
+    base_deg: 0.0,
+    rear_deg: 0.0,
+    fore_deg: 0.0,
+    servo_deg: 0.0,
+    suction: false,
+    gripper_deg: 0.0,
+};
+
+/// How often a state is recorded that says nothing new.
+const STATE_PERIOD: Duration = Duration::from_secs(10);
+
+#[cfg(test)]
+mod tests {
+    use dobot_api::{ArmView, LaserView, LinkPhase, LinkView, QueueView, TrustView};
+
+    use super::*;
+
+    /// A state of an arm at rest: clock and figures run on.
+    fn state(at_s: f64) -> State {
+        State {
+            calibrated: None,
+            at_s,
+            link: LinkView {
+                address: Some("virtual:".into()),
+                phase: LinkPhase::Up,
+                problem: None,
+                bluetooth: false,
+                statuses_per_s: 12.5 + at_s / 1e6,
+                lost_statuses: 0,
+                damaged_bytes: 0,
+                latency_ms: None,
+            },
+            arm: Some(ArmView {
+                told: None,
+                status: Status {
+                    x_mm: 200.0,
+                    ..REST
+                },
+                moving: false,
+            }),
+            dialect: None,
+            trust: TrustView {
+                trusted: true,
+                reason: None,
+            },
+            queue: QueueView {
+                waiting: 0,
+                under_way: 0,
+                ahead_s: 0.0,
+            },
+            lease: None,
+            lock: None,
+            slots: None,
+            stop: None,
+            fleet_stops: Vec::new(),
+            laser: LaserView {
+                armed_for_s: 0.0,
+                on: false,
+            },
+            job: None,
+            jobs_missing: None,
+            clients: 1,
+        }
+    }
+
+    /// How many states of those are recorded, one each 80 ms.
+    fn recorded(states: impl IntoIterator<Item = State>) -> usize {
+        let folder = tempfile::tempdir().expect("there is room");
+        let start = jiff::Timestamp::UNIX_EPOCH;
+        let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
+        let mut recording = Recording::new(Some(recorder.expect("it starts")), None);
+        for state in states {
+            recording.state(Duration::from_secs_f64(state.at_s), &state);
+        }
+        recording.end();
+        let files = dobot_record::recordings(folder.path()).expect("it is readable");
+        let moments = dobot_record::Recording::open(&files[0].path).expect("it is one");
+        moments.count()
+    }
+
+    #[test]
+    fn a_dialect_that_is_found_behind_the_first_state_is_what_the_recording_is_of() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let start = jiff::Timestamp::UNIX_EPOCH;
+        let recorder = Recorder::start(folder.path(), Limits::DEFAULT, About::default(), start);
+        let mut recording = Recording::new(Some(recorder.expect("it starts")), None);
+        recording.state(Duration::ZERO, &state(0.0));
+        let known = State {
+            dialect: Some(Dialect::FIRMWARE_1_1),
+            ..state(1.0)
+        };
+        recording.state(Duration::from_secs(1), &known);
+        recording.end();
+        let files = dobot_record::recordings(folder.path()).expect("it is readable");
+        let mut read = dobot_record::Recording::open(&files[0].path).expect("it is one");
+        assert_eq!(read.by_ref().count(), 2);
+        let about = read.about().expect("every file tells it");
+        assert_eq!(about.dialect, Some(Dialect::FIRMWARE_1_1));
+    }
+
+    fn hour() -> impl Iterator<Item = State> {
+        (0..45_000).map(|n| state(0.08 * f64::from(n)))
+    }
+
+    #[test]
+    fn at_rest_a_state_is_recorded_every_ten_seconds() {
+        let count = recorded(hour());
+        // 125 states of 80 ms are ten seconds.
+        assert!((350..=361).contains(&count), "{count} an hour");
+    }
+
+    #[test]
+    fn a_state_that_says_something_new_is_recorded_at_once() {
+        let mut states: Vec<_> = hour().take(100).collect();
+        for state in &mut states[50..] {
+            state.clients = 2;
+        }
+        if let Some(arm) = &mut states[70].arm {
+            arm.moving = true;
+        }
+        // The first, the second client, the movement and its end.
+        assert_eq!(recorded(states), 4);
+    }
+
+    #[test]
+    fn the_status_alone_is_on_the_wire_anyway() {
+        let mut states: Vec<_> = hour().take(100).collect();
+        for (n, state) in (0_u8..).zip(&mut states) {
+            if let Some(arm) = &mut state.arm {
+                arm.status.x_mm = n.into();
+            }
+        }
+        assert_eq!(recorded(states), 1);
+    }
+}

@@ -1,0 +1,175 @@
+//! One long line, in the middle of which the arm is stopped, its job is paused, or its station is gone.
+
+use std::fmt;
+use std::time::Duration;
+
+use dobot_api::{JobKind, JobProgram, NewJob, Request};
+use dobot_controller::Personality;
+use dobot_draw::{Material, Materials};
+use dobot_geometry::{Point, Stroke};
+use dobot_host::VirtualStation;
+use dobot_plan::{DrawingTool, Machine, Paper, Pass, Plan};
+
+use super::chance::Chance;
+use super::guardians::{Fate, left_alone};
+use super::jobs::DOWN_MM;
+use super::scene::{Scene, Wrong, burns, each_seed};
+use super::spread::Spread;
+
+/// What ends the line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LineEnd {
+    /// Somebody stops the arm.
+    Stopped,
+    /// Somebody pauses the job.
+    Paused,
+    /// The station is killed, and its guardian is there.
+    Killed,
+    /// The station stands still, and its guardian is there.
+    Frozen,
+}
+
+impl LineEnd {
+    /// All of them.
+    pub(crate) const ALL: [Self; 4] = [Self::Stopped, Self::Paused, Self::Killed, Self::Frozen];
+}
+
+impl fmt::Display for LineEnd {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Stopped => "stop",
+            Self::Paused => "pause",
+            Self::Killed => "station killed",
+            Self::Frozen => "station stands still",
+        })
+    }
+}
+
+/// What became of the lines in one material.
+#[derive(Debug)]
+pub(crate) struct LongLines {
+    /// The material, or the pen.
+    pub material: String,
+    /// Whether a laser burns it.
+    pub burns: bool,
+    /// For each end, the time from then to the end of the light, or of a pen's motion along the line, in seconds.
+    pub ends: [(LineEnd, Spread); 4],
+    /// How many of these were longer than they may be.
+    pub late: usize,
+    /// What should not be.
+    pub wrong: Vec<String>,
+}
+
+/// A line in each material, ended so often in each way.
+pub(crate) fn run(times: u64) -> Vec<LongLines> {
+    let materials = Materials::built_in();
+    materials
+        .iter()
+        .map(|(name, it)| of(name, it, times))
+        .collect()
+}
+
+fn of(name: &str, material: &Material, times: u64) -> LongLines {
+    let burns = material.tool.burns();
+    let mut wrong = Vec::new();
+    let ends = LineEnd::ALL.map(|end| {
+        let mut took_s = Spread::default();
+        let case = format_args!("{name}, {end}");
+        wrong.extend(each_seed(times, case, |personality, seed| {
+            took_s.add(one(material.tool, end, personality, seed)?);
+            Ok(())
+        }));
+        (end, took_s)
+    });
+    LongLines {
+        material: name.to_owned(),
+        burns,
+        late: ends
+            .iter()
+            .map(|(end, took_s)| took_s.above(most_s(*end, material.tool)))
+            .sum(),
+        ends,
+        wrong,
+    }
+}
+
+/// How long the light, or a pen's motion along the line, goes on, in seconds.
+fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> Result<f64, Wrong> {
+    let mut chance = Chance::new(seed);
+    let mut scene = Scene::new(personality)?;
+    scene.begin(&line(tool, personality)?)?;
+    let latest = scene.it.now() + Duration::from_secs(60);
+    let draws = |it: &VirtualStation| {
+        let last = it.arm().samples().last().map(|it| it.position);
+        last.is_some_and(|it| it.z.0 < f64::from(DOWN_MM) + 0.1 && it.y.0 > BEGIN_MM + 1.0)
+    };
+    let begun = |it: &VirtualStation| if tool.burns() { burns(it) } else { draws(it) };
+    if !scene.it.run_until(latest, begun) {
+        return Err(Wrong("the line does not begin".into()));
+    }
+    scene.it.run_for(chance.time(Duration::from_millis(1500)));
+    let at = scene.it.now();
+    let request = match end {
+        LineEnd::Stopped => Request::Stop { reason: None },
+        LineEnd::Paused => Request::PauseJob,
+        LineEnd::Killed | LineEnd::Frozen => {
+            let fate = if end == LineEnd::Killed {
+                Fate::Killed
+            } else {
+                Fate::Frozen
+            };
+            let (after, ..) = left_alone(scene, fate, &mut chance);
+            let over = if tool.burns() { after.lit } else { after.rests };
+            return Ok(over.saturating_sub(at).as_secs_f64());
+        }
+    };
+    scene.it.ask(scene.anna, request)?;
+    let (mut over, mut last_mm) = (at, y_mm(&scene.it));
+    let note = |it: &VirtualStation| {
+        let goes_on = if tool.burns() {
+            burns(it)
+        } else {
+            (y_mm(it) - last_mm).abs() > 1e-3
+        };
+        if goes_on {
+            (over, last_mm) = (it.now(), y_mm(it));
+        }
+        false
+    };
+    scene.it.run_until(at + Duration::from_secs(40), note);
+    Ok(over.saturating_sub(at).as_secs_f64())
+}
+
+/// Along Y, 96 mm.
+fn line(tool: DrawingTool, personality: Personality) -> Result<NewJob, Wrong> {
+    let ends = [BEGIN_MM, BEGIN_MM + 96.0].map(|y| Point::new(220.0, y));
+    let pass = Pass::new(tool, vec![Stroke::open(ends.to_vec())]);
+    let machine = Machine::of(personality.dialect());
+    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM.into()), &machine);
+    let plan = plan.map_err(|error| Wrong(error.to_string()))?;
+    Ok(NewJob {
+        title: "one long line".into(),
+        kind: JobKind::Drawing,
+        commands: plan.commands().collect(),
+        lift_mm: if tool.burns() { 0.0 } else { 5.0 },
+        pauses: Vec::new(),
+        program: JobProgram::default(),
+    })
+}
+
+fn y_mm(it: &VirtualStation) -> f64 {
+    let last = it.arm().samples().last();
+    last.map_or(0.0, |it| it.position.y.0)
+}
+
+const BEGIN_MM: f64 = -48.0;
+/// A laser is off by then, and a pen goes no farther along its line, in seconds; in a pause a pen slows down on its line besides.
+/// What speeds up or brakes is not cut into pieces: a fast pen does so for longer.
+fn most_s(end: LineEnd, tool: DrawingTool) -> f64 {
+    let fast_s = (tool.speed_mm_s() - 40.0).max(0.0) / 200.0;
+    match end {
+        _ if tool.burns() => 0.5,
+        LineEnd::Paused => 1.5 + 2.0 * fast_s,
+        _ => 0.7 + fast_s,
+    }
+}

@@ -1,0 +1,297 @@
+//! An arm, its station and a person.
+
+use std::fmt;
+use std::time::Duration;
+
+use dobot_api::JobState;
+use dobot_api::{ClientId, JobPhase, NewJob, Request};
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_host::VirtualStation;
+use dobot_journal::{Journal, JournalError};
+use dobot_safety::Policy;
+use dobot_sim::{Fault, RECORDING_PERIOD, SerialLine, VirtualArm};
+use dobot_supervisor::Refusal;
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LINE_TIME, Packet};
+
+use super::jobs::{Sort, counts};
+use super::paper::Paper;
+
+/// An arm, its station and a person who has control.
+#[derive(Debug)]
+pub(crate) struct Scene {
+    /// What happens.
+    pub it: VirtualStation,
+    /// The person.
+    pub anna: ClientId,
+    personality: Personality,
+    /// Packets that were on the wire before what is looked at.
+    since: usize,
+}
+
+/// What should not be, in one line.
+#[derive(Debug)]
+pub(crate) struct Wrong(pub String);
+
+impl fmt::Display for Wrong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl From<Refusal> for Wrong {
+    fn from(refusal: Refusal) -> Self {
+        Self(format!("refused: {refusal}"))
+    }
+}
+
+impl From<JournalError> for Wrong {
+    fn from(error: JournalError) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// How often the commands of a job were given to the arm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct GivenCounts {
+    /// Never.
+    pub lost: usize,
+    /// More often than once.
+    pub repeated: usize,
+}
+
+impl Scene {
+    /// An arm that was just switched on.
+    pub(crate) fn new(personality: Personality) -> Result<Self, Wrong> {
+        Self::faulty(personality, &[], 0)
+    }
+
+    /// The same with faults.
+    pub(crate) fn faulty(
+        personality: Personality,
+        faults: &[&str],
+        seed: u64,
+    ) -> Result<Self, Wrong> {
+        let journal = Journal::in_memory()?;
+        Self::with_journal(personality, faults, seed, journal)
+    }
+
+    /// The same with a journal of one's own.
+    pub(crate) fn with_journal(
+        personality: Personality,
+        faults: &[&str],
+        seed: u64,
+        journal: Journal,
+    ) -> Result<Self, Wrong> {
+        let power_up = PowerUp::new(personality);
+        let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+        if !faults.is_empty() {
+            let parsed: Result<Vec<Fault>, _> = faults.iter().map(|it| it.parse()).collect();
+            let parsed = parsed.map_err(|error| Wrong(error.to_string()))?;
+            arm = arm.with_faults(power_up, &parsed, seed);
+        }
+        arm.record(RECORDING_PERIOD);
+        let mut it = VirtualStation::with_journal(arm, power_up, Policy::default(), journal);
+        it.run_for(Duration::from_secs(1));
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease)?;
+        Ok(Self {
+            it,
+            anna,
+            personality,
+            since: 0,
+        })
+    }
+
+    /// Keeps a job and starts it.
+    pub(crate) fn begin(&mut self, job: &NewJob) -> Result<u64, Wrong> {
+        self.since = self.it.packets().len();
+        let number = self.it.submit(job)?;
+        self.start(number)?;
+        Ok(number)
+    }
+
+    /// Starts a job or goes on with it, as a person does who has looked: the laser is armed.
+    pub(crate) fn start(&mut self, job: u64) -> Result<(), Wrong> {
+        self.it.ask(self.anna, Request::ConfirmPose)?;
+        self.it.ask(self.anna, Request::ArmLaser { for_s: 600.0 })?;
+        self.it.start(self.anna, job)?;
+        Ok(())
+    }
+
+    /// A person comes to a station that was started again.
+    pub(crate) fn come_back(&mut self) -> Result<(), Wrong> {
+        self.anna = self.it.client("Anna");
+        self.it.ask(self.anna, Request::TakeLease)?;
+        Ok(())
+    }
+
+    /// How long a job takes.
+    pub(crate) fn planned(&self) -> Duration {
+        let planned_s = self.it.supervisor().job().and_then(|it| it.planned_s);
+        Duration::try_from_secs_f64(planned_s.unwrap_or(0.0)).unwrap_or_default()
+    }
+
+    /// Waits until a job can be started or is over, and the arm rests.
+    pub(crate) fn settle(&mut self, job: u64) -> Result<JobState, Wrong> {
+        let latest = self.it.now() + PATIENCE;
+        let works = |it: &VirtualStation| {
+            it.supervisor()
+                .job()
+                .is_some_and(|it| it.phase == JobPhase::Running)
+        };
+        let settled = |it: &VirtualStation| {
+            let kept = match state(it, job) {
+                None | Some(JobState::Running) => false,
+                Some(JobState::Queued) => it.supervisor().job().is_none(),
+                Some(_) => true,
+            };
+            it.supervisor().is_at_rest() && kept && !works(it)
+        };
+        if self.it.run_until(latest, settled) {
+            return state(&self.it, job).ok_or_else(|| Wrong("the job is gone".into()));
+        }
+        Err(Wrong(format!(
+            "job and arm did not come to rest within {} s: {:?}",
+            PATIENCE.as_secs(),
+            self.it.supervisor().job()
+        )))
+    }
+
+    /// Goes on with a job until it is over, however often that takes.
+    pub(crate) fn finish(&mut self, job: u64) -> Result<(), Wrong> {
+        for _ in 0..8 {
+            match self.settle(job)? {
+                JobState::Done => return Ok(()),
+                JobState::Queued | JobState::Paused { .. } => self.start(job)?,
+                other => return Err(Wrong(format!("the job is {other}"))),
+            }
+        }
+        Err(Wrong("the job is paused again and again".into()))
+    }
+
+    /// What the arm was given of a job.
+    pub(crate) fn given(&self, job: &NewJob) -> GivenCounts {
+        let wanted: Vec<Command> = job.commands.iter().copied().filter(counts).collect();
+        let mut given: Vec<_> = self.sent(self.since).into_iter().filter(counts).collect();
+        if given.len() > wanted.len() {
+            given = self.given_once();
+        }
+        let same = wanted
+            .iter()
+            .zip(&given)
+            .take_while(|(a, b)| a == b)
+            .count();
+        if same == wanted.len() && same == given.len() {
+            return GivenCounts::default();
+        }
+        // Behind the first difference it does not matter any more which it was.
+        GivenCounts {
+            lost: wanted
+                .len()
+                .saturating_sub(given.len())
+                .max(usize::from(given.len() == wanted.len())),
+            repeated: given.len().saturating_sub(wanted.len()),
+        }
+    }
+
+    /// The commands that count, in the order in which they were sent. One that a stop cut short on the line never reached
+    /// the arm: the stop does not wait for the line. Where it was sent again it counts once.
+    fn given_once(&self) -> Vec<Command> {
+        let times = self.it.packets()[self.since..].iter().map(|(at, _)| *at);
+        let sent: Vec<_> = times.zip(self.sent(self.since)).collect();
+        let cut_short = sent.windows(2).map(|it| it[1].0 < it[0].0 + LINE_TIME);
+        let cut_short = cut_short.chain([false]);
+        let counted = sent.iter().zip(cut_short).filter(|((_, it), _)| counts(it));
+        let counted: Vec<_> = counted.collect();
+        let resent = |at: usize| {
+            counted
+                .get(at + 1)
+                .is_some_and(|next| next.0.1 == counted[at].0.1)
+        };
+        let kept = counted.iter().enumerate();
+        kept.filter(|(at, (_, cut_short))| !(*cut_short && resent(*at)))
+            .map(|(_, ((_, command), _))| *command)
+            .collect()
+    }
+
+    /// Whether all of a job was given once, and is on the paper.
+    pub(crate) fn check(&self, job: &NewJob) -> Result<(), Wrong> {
+        let (given, paper) = (self.given(job), Paper::of(self.it.arm().samples(), job));
+        if given == GivenCounts::default() && paper.is_right() {
+            return Ok(());
+        }
+        Err(Wrong(format!("{given:?}, {paper:?}")))
+    }
+
+    /// The commands that were put on the wire since then.
+    pub(crate) fn sent(&self, since: usize) -> Vec<Command> {
+        let packets = self.it.packets()[since..].iter();
+        let dialect: Dialect = self.personality.dialect();
+        packets
+            .filter_map(|(_, bytes)| Packet::from_bytes(bytes))
+            .filter_map(|packet| Command::parse(&packet, &dialect).ok())
+            .collect()
+    }
+
+    /// Whether the laser burns.
+    pub(crate) fn burns(&self) -> bool {
+        burns(&self.it)
+    }
+
+    /// When the arm came to rest last, as the machine has it, in seconds.
+    pub(crate) fn rested_s(&self) -> f64 {
+        let samples = self.it.arm().samples();
+        let Some(last) = samples.last() else {
+            return 0.0;
+        };
+        let moving = samples
+            .iter()
+            .rev()
+            .position(|it| it.position != last.position);
+        let first_at_rest = samples.len() - moving.unwrap_or(samples.len());
+        samples
+            .get(first_at_rest)
+            .map_or(0.0, |it| it.at.as_secs_f64())
+    }
+
+    /// The personality of the arm.
+    pub(crate) const fn personality(&self) -> Personality {
+        self.personality
+    }
+}
+
+/// Whether the laser burns.
+pub(crate) fn burns(it: &VirtualStation) -> bool {
+    it.arm().controller().outputs().laser
+}
+
+fn state(it: &VirtualStation, job: u64) -> Option<JobState> {
+    it.job(job).ok().map(|it| it.state)
+}
+
+/// A figure for both personalities and all sorts of jobs.
+pub(crate) fn cases(count: u64) -> impl Iterator<Item = (Personality, Sort, u64)> {
+    (0..count).map(|seed| {
+        let at = usize::try_from(seed).unwrap_or_default();
+        let personality = Personality::ALL[at % 2];
+        (personality, Sort::ALL[at / 2 % 3], seed)
+    })
+}
+
+/// Tries a case with each seed, on both personalities in turn; gives back what should not be, in words.
+pub(crate) fn each_seed(
+    count: u64,
+    case: impl fmt::Display,
+    mut run: impl FnMut(Personality, u64) -> Result<(), Wrong>,
+) -> Vec<String> {
+    let wrong = (0..count).filter_map(|seed| {
+        let personality = Personality::ALL[usize::from(seed % 2 == 1)];
+        let Wrong(wrong) = run(personality, seed).err()?;
+        Some(format!("{personality}, {case}, seed {seed}: {wrong}"))
+    });
+    wrong.collect()
+}
+
+/// What switches the laser off.
+pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
+const PATIENCE: Duration = Duration::from_secs(120);

@@ -1,0 +1,87 @@
+//! What clients are told of commands that end in a pause.
+
+use std::time::Duration;
+
+use dobot_api::{News, Reply, Request};
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use dobot_wire::{Command, Configuration, MoveTo};
+
+use super::drawing::virtual_station;
+use crate::cases::commands::target;
+
+/// What the vendor's client says first: a default pause of 100 s (note N10).
+const VENDORS: Command = Command::Configuration(Configuration::Playback {
+    joint_speed_deg_s: 200.0,
+    joint_acceleration_deg_s2: 200.0,
+    servo_speed_deg_s: 200.0,
+    servo_acceleration_deg_s2: 200.0,
+    linear_speed_mm_s: 200.0,
+    linear_acceleration_mm_s2: 200.0,
+    default_pause_s: 100.0,
+    jump_height_mm: 20.0,
+});
+
+/// When a notice came, and what it said.
+fn told(it: &VirtualStation, which: impl Fn(&News) -> bool) -> Option<(f64, String)> {
+    let notice = it.notices().iter().find(|it| which(&it.news))?;
+    Some((notice.at_s, notice.text.clone()))
+}
+
+/// Sends a target behind the vendor's first words, lets two minutes pass, and returns its number.
+fn sent(it: &mut VirtualStation, target: MoveTo) -> u64 {
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    for command in [VENDORS, target.into()] {
+        let asked = Request::Command { command };
+        let Reply::Accepted { command, .. } = it.ask(anna, asked).unwrap() else {
+            panic!("it is accepted");
+        };
+        if command > 0 {
+            it.run_for(Duration::from_secs(120));
+            return command;
+        }
+    }
+    panic!("two commands have two numbers");
+}
+
+#[test]
+fn a_default_pause_of_100_s_is_told_when_it_begins_and_the_command_is_done_when_it_is_over() {
+    let mut it = virtual_station(Personality::Specification);
+    let number = sent(&mut it, target([220.0, 40.0, 20.0]));
+    let pauses = |it: &News| matches!(it, News::Pausing { lasts_s: 100.0, .. });
+    let (began_s, text) = told(&it, pauses).expect("it is told");
+    assert_eq!(
+        text,
+        "the arm waits 100 s here: its default pause (state 9, mode 1)"
+    );
+    let done = |it: &News| *it == News::CommandDone { command: number };
+    let (done_s, _) = told(&it, done).expect("it is told");
+    assert!(began_s < 7.0, "{began_s}");
+    assert!((99.0..101.0).contains(&(done_s - began_s)), "{done_s}");
+}
+
+#[test]
+fn an_arm_that_ignores_the_default_pause_is_not_said_to_pause() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let number = sent(&mut it, target([220.0, 40.0, 20.0]));
+    assert_eq!(told(&it, |it| matches!(it, News::Pausing { .. })), None);
+    let done = |it: &News| *it == News::CommandDone { command: number };
+    let (done_s, _) = told(&it, done).expect("it is told");
+    assert!(done_s < 6.0, "{done_s}");
+}
+
+#[test]
+fn a_pause_of_its_own_is_told_as_the_commands() {
+    for personality in [Personality::Specification, Personality::Firmware11] {
+        let mut it = virtual_station(personality);
+        let pausing = MoveTo {
+            pause_s: 7.5,
+            ..target([220.0, 40.0, 20.0])
+        };
+        let number = sent(&mut it, pausing);
+        let (_, text) = told(&it, |it| matches!(it, News::Pausing { .. })).expect("it is told");
+        let expected = format!("the arm waits 7.5 s here: the pause of command {number}");
+        assert_eq!(text, expected, "{personality}");
+    }
+}

@@ -1,0 +1,243 @@
+//! The Bluetooth port of a stock arm is a link like the others (note N38).
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, News, Reply, Request};
+use dobot_controller::{Controller, Personality, Port, PowerUp};
+use dobot_host::VirtualStation;
+use dobot_safety::Policy;
+use dobot_sim::{SerialLine, VirtualArm};
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, VOICE_HEADER, Voice};
+
+use super::releases::{buttons, check_moved, frame, hold, joint, places, released};
+use crate::cases::commands::{target, vector};
+
+/// A station with a stock arm whose Bluetooth port is served, heard from its first status on.
+fn virtual_station() -> (VirtualStation, ClientId) {
+    let power_up = PowerUp {
+        port: Port::Bluetooth,
+        ..PowerUp::new(Personality::Firmware11)
+    };
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
+    it.run_for(Duration::from_secs(1));
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    (it, anna)
+}
+
+/// Gives a command and waits until it is over; how long that took.
+fn done(it: &mut VirtualStation, client: ClientId, command: Command) -> Duration {
+    let Reply::Accepted { command, .. } = it.ask(client, Request::Command { command }).unwrap()
+    else {
+        panic!("it was not taken");
+    };
+    let begun = it.now();
+    let is_done = |it: &VirtualStation| {
+        let mut news = it.notices().iter().map(|it| &it.news);
+        assert!(!news.any(|it| matches!(it, News::CommandFailed { .. })));
+        let mut news = it.notices().iter().map(|it| &it.news);
+        news.any(|it| *it == News::CommandDone { command })
+    };
+    assert!(it.run_until(begun + Duration::from_secs(20), is_done));
+    it.now().saturating_sub(begun)
+}
+
+#[test]
+fn the_port_is_recognised_and_its_line_is_clean() {
+    let (mut it, anna) = virtual_station();
+    done(&mut it, anna, target([220.0, 60.0, 10.0]).into());
+    it.run_for(Duration::from_secs(3));
+    let state = it.supervisor().state();
+    assert!(state.link.bluetooth);
+    assert_eq!((state.link.lost_statuses, state.link.damaged_bytes), (0, 0));
+    // Three in 160 ms.
+    let per_s = state.link.statuses_per_s;
+    assert!((18.0..19.6).contains(&per_s), "{per_s}");
+    let status = state.arm.unwrap().status;
+    let at = [status.x_mm, status.y_mm, status.z_mm];
+    for (found, wanted) in at.iter().zip([220.0, 60.0, 10.0]) {
+        assert!((found - wanted).abs() < 0.05, "{at:?}");
+    }
+}
+
+#[test]
+fn lost_statuses_are_counted_by_the_scheme_of_the_port() {
+    let power_up = PowerUp {
+        port: Port::Bluetooth,
+        ..PowerUp::new(Personality::Firmware11)
+    };
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+    let arm = arm.with_faults(power_up, &["drop=0.1%:from".parse().unwrap()], 9);
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
+    it.run_for(Duration::from_mins(1));
+    let counters = it.arm().controller().counters();
+    let (link, whole) = (it.supervisor().state().link, counters.statuses);
+    // 4.1 % of all packets miss a byte.
+    let (least, most) = (whole * 25 / 1000, whole * 60 / 1000);
+    let lost = link.lost_statuses;
+    assert!((least..most).contains(&lost), "{lost} of {whole}");
+}
+
+#[test]
+fn every_button_moves_its_own_joint() {
+    for jog in buttons() {
+        let (mut it, anna) = virtual_station();
+        let before = places(&mut it);
+        hold(&mut it, anna, jog, 600);
+        it.ask(anna, Request::Release).unwrap();
+        check_moved(&format!("{jog:?}"), &mut it, jog, before);
+    }
+}
+
+#[test]
+fn a_button_that_is_pressed_with_the_first_status_moves_its_own_joint() {
+    for after_ms in (0..400).step_by(20) {
+        let power_up = PowerUp {
+            port: Port::Bluetooth,
+            ..PowerUp::new(Personality::Firmware11)
+        };
+        let mut arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+        // The station comes when the arm has told for a while: any of its statuses may be the first.
+        arm.handle_time(Duration::from_millis(2000 + after_ms));
+        let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let jog = joint(JointJogAxis::BasePlus);
+        let by = it.now() + Duration::from_secs(5);
+        assert!(it.run_until(by, |it| it.supervisor().session().status().is_some()));
+        // The supervisor's own laser-off has the first permit.
+        while it.ask(anna, Request::Jog { jog }).is_err() {
+            it.run_for(Duration::from_millis(20));
+        }
+        hold(&mut it, anna, jog, 600);
+        it.ask(anna, Request::Release).unwrap();
+        it.run_for(Duration::from_secs(3));
+        let joints = it.arm().mechanics().joints_at(it.now());
+        assert!(joints.base.0 > 0.5, "{after_ms} ms: {joints:?}");
+        assert!(
+            (joints.rear.0 - 45.0).abs() < 0.02,
+            "{after_ms} ms: {joints:?}"
+        );
+    }
+}
+
+#[test]
+fn the_policy_sees_the_joint_that_moves() {
+    let (mut it, anna) = virtual_station();
+    // 7.5 degrees a second for 8 s would bring the rear arm from 45 to 105 degrees.
+    hold(&mut it, anna, joint(JointJogAxis::RearPlus), 8000);
+    it.run_for(Duration::from_secs(3));
+    let joints = it.arm().mechanics().joints_at(it.now());
+    assert!(joints.base.0.abs() < 0.02, "{joints:?}");
+    assert!((60.0..=80.0).contains(&joints.rear.0), "{joints:?}");
+    let refused = |news: &News| matches!(news, News::Refused { kind, .. } if kind == "policy");
+    assert!(it.notices().iter().any(|it| refused(&it.news)));
+}
+
+#[test]
+fn a_packet_of_a_raw_program_does_what_it_does_on_that_port() {
+    let (mut it, _) = virtual_station();
+    it.run_for(Duration::from_secs(1));
+    let raw = it.client("an old program");
+    let anna = it.supervisor().state().lease.unwrap().client;
+    it.ask(anna, Request::ReleaseLease).unwrap();
+    let before = places(&mut it);
+    // Axis 1, which is the rear arm there.
+    let button = JointJog::new(JointJogAxis::BasePlus, 50.0);
+    let packet = Command::from(button).emit(&Dialect::FIRMWARE_1_1);
+    let from = it.packets().len();
+    for _ in 0..12 {
+        it.send_raw(raw, &packet).unwrap();
+        it.run_for(Duration::from_millis(50));
+    }
+    assert!(
+        it.packets()[from..]
+            .iter()
+            .any(|(_, sent)| *sent == packet.to_bytes())
+    );
+    let release = Command::from(JointJog::new(JointJogAxis::Released, 0.0));
+    it.send_raw(raw, &release.emit(&Dialect::FIRMWARE_1_1))
+        .unwrap();
+    check_moved("raw", &mut it, joint(JointJogAxis::RearPlus), before);
+    assert!(!released(&it, from).is_empty());
+}
+
+#[test]
+fn one_command_leaves_for_each_permit_and_none_for_a_message() {
+    let (mut it, anna) = virtual_station();
+    let from = it.packets().len();
+    for n in 0..8_u8 {
+        let by = if n % 2 == 0 { 1.0 } else { -1.0 };
+        let command = vector([0.0, by, 0.0], false);
+        it.ask(anna, Request::Command { command }).unwrap();
+    }
+    it.run_for(Duration::from_secs(6));
+    let vectors: Vec<_> = it.packets()[from..]
+        .iter()
+        .filter(|(_, bytes)| frame(bytes).float(1) == 4.0)
+        .map(|it| it.0)
+        .collect();
+    assert_eq!(vectors.len(), 8);
+    // The first one used a permit that had come before, the line was busy with another packet, and a
+    // stock arm wants a gap between two.
+    for pair in vectors[2..].windows(2) {
+        let apart = pair[1].saturating_sub(pair[0]);
+        assert!(apart >= Duration::from_millis(155), "{apart:?}");
+    }
+    let refused = std::iter::from_fn(|| it.arm_mut().poll_refused()).count();
+    assert_eq!(refused, 0);
+}
+
+#[test]
+fn what_is_said_becomes_the_motion_that_the_words_mean() {
+    let (mut it, anna) = virtual_station();
+    let aside = target([220.0, 40.0, 0.0]);
+    it.ask(
+        anna,
+        Request::Command {
+            command: aside.into(),
+        },
+    )
+    .unwrap();
+    let from = it.packets().len();
+    // A stock arm hears 22 for sixteen, and 101 for one hundred two; while it moves it hangs on any text.
+    for (text, to) in [
+        ("back sixteen", [204.0, 40.0, 0.0]),
+        ("Up Ten", [204.0, 40.0, 10.0]),
+        ("right one hundred two", [204.0, -62.0, 10.0]),
+    ] {
+        let said = Voice::new(text).unwrap();
+        done(&mut it, anna, Command::Voice(said));
+        it.run_for(Duration::from_secs(3));
+        let at = it.arm().controller().pose_at(it.now()).position;
+        for (found, wanted) in [at.x.0, at.y.0, at.z.0].into_iter().zip(to) {
+            assert!((found - wanted).abs() < 0.1, "{text}: {at:?}");
+        }
+    }
+    for text in ["hello", "up", ""] {
+        let command = Voice::new(text).unwrap().into();
+        let refused = it.ask(anna, Request::Command { command });
+        assert!(refused.is_err(), "{text}");
+    }
+    let voice = |(_, bytes): &&(Duration, [u8; 42])| bytes[0] == VOICE_HEADER;
+    assert_eq!(it.packets()[from..].iter().filter(voice).count(), 0);
+    // And it obeys packets again.
+    done(&mut it, anna, target([220.0, -40.0, 0.0]).into());
+    let at = it.arm().controller().pose_at(it.now()).position;
+    assert!((at.y.0 + 40.0).abs() < 0.1, "{at:?}");
+}
+
+#[test]
+fn a_joint_jog_says_which_joint_and_not_which_axis() {
+    let (mut it, anna) = virtual_station();
+    let from = it.packets().len();
+    hold(&mut it, anna, joint(JointJogAxis::ForePlus), 300);
+    it.ask(anna, Request::Release).unwrap();
+    let sent = it.packets()[from..].iter().map(|(_, bytes)| frame(bytes));
+    let axes: Vec<f32> = sent
+        .filter(|it| it.float(1) == 2.0)
+        .map(|it| it.float(2))
+        .collect();
+    assert!(axes.contains(&6.0) && !axes.contains(&5.0), "{axes:?}");
+}

@@ -1,0 +1,76 @@
+//! The station is killed in the middle of a job.
+
+use std::time::Duration;
+
+use dobot_api::JobState;
+use dobot_api::Request;
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use proptest::prelude::*;
+
+use super::drawing::{drawn_mm, spiral, virtual_station, wanted_mm};
+
+/// Whether the arm rests, and the job can be started or gone on with: one that was killed in its
+/// first moments has not begun.
+fn rests(it: &VirtualStation, job: u64) -> bool {
+    let state = it.job(job).unwrap().state;
+    it.supervisor().is_at_rest() && matches!(state, JobState::Queued | JobState::Paused { .. })
+}
+
+/// Draws a spiral and kills the station so many milliseconds after the start, and again after each
+/// going on.
+fn draw_with_crashes(personality: Personality, kills_ms: &[u64], away_ms: u64) {
+    let mut it = virtual_station(personality);
+    let drawing = spiral(12);
+    let job = it.submit(&drawing).unwrap();
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.start(anna, job).unwrap();
+    for &kill_ms in kills_ms {
+        it.run_for(Duration::from_millis(kill_ms));
+        if it.job(job).unwrap().state.is_over() {
+            break;
+        }
+        it.crash(Duration::from_millis(away_ms)).unwrap();
+        let was_running = it.supervisor().job().is_some();
+        let minute = it.now() + Duration::from_secs(60);
+        assert!(
+            it.run_until(minute, |it| rests(it, job)),
+            "it is paused, not lost"
+        );
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        if was_running {
+            // The person looks at the arm first.
+            let refused = it.start(anna, job).unwrap_err();
+            assert!(
+                refused.hint().is_some_and(|it| it.contains("confirm")),
+                "{refused}"
+            );
+        }
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        it.start(anna, job).unwrap();
+    }
+    let minutes = it.now() + Duration::from_secs(180);
+    assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+    assert!(
+        (found_mm - wanted_mm).abs() < 0.3,
+        "{found_mm} mm were drawn, wanted are {wanted_mm} mm: a vector was lost or repeated"
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn no_vector_is_lost_or_repeated_whenever_the_station_is_killed(
+        kills_ms in prop::collection::vec(0_u64..20_000, 1..3),
+        away_ms in 1_u64..5_000,
+        twin in any::<bool>(),
+    ) {
+        let personality = Personality::ALL[usize::from(twin)];
+        draw_with_crashes(personality, &kills_ms, away_ms);
+    }
+}

@@ -1,0 +1,220 @@
+//! A program that is done again and again: a cube is carried there and back.
+
+use std::time::Duration;
+
+use dobot_api::{JobPause, JobPhase, NewJob, Request};
+use dobot_controller::Personality;
+use dobot_host::{VirtualStation, predict};
+use dobot_safety::Policy;
+
+use crate::cases::carries::{HERE, THERE, attend, cube_is_at, shuttle, station};
+
+const BOTH: [Personality; 2] = [Personality::Specification, Personality::Firmware11];
+
+/// Neither the supervisor nor the journal has it at work: the arm rests.
+fn rests(it: &VirtualStation, job: u64) -> bool {
+    let works = |it| matches!(it, JobPhase::Queued | JobPhase::Running);
+    let current = it.supervisor().job().filter(|it| it.job == job);
+    !works(it.job(job).unwrap().state.phase()) && !current.is_some_and(|it| works(it.phase))
+}
+
+fn run_until_rest(it: &mut VirtualStation, job: u64, hours: u64) {
+    let latest = it.now() + Duration::from_secs(hours * 3600);
+    assert!(
+        it.run_until(latest, |it| rests(it, job)),
+        "{:?}",
+        it.supervisor().job()
+    );
+}
+
+#[test]
+fn a_cycle_is_done_as_often_as_it_was_told() {
+    for personality in BOTH {
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(Some(7))).unwrap();
+        it.start(anna, job).unwrap();
+        run_until_rest(&mut it, job, 1);
+        let job = it.job(job).unwrap();
+        assert_eq!(job.state.to_string(), "done");
+        assert_eq!(job.window.completed, 1 + 7 * 8);
+        assert!(cube_is_at(&it, HERE));
+        let carried = it
+            .notices()
+            .iter()
+            .filter(|it| it.text.contains("sent again"));
+        assert_eq!(carried.count(), 0);
+    }
+}
+
+#[test]
+fn cycles_are_counted_and_timed_while_they_run() {
+    for personality in BOTH {
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(None)).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_secs(300));
+        let view = it.supervisor().job().unwrap();
+        let program = view.program.unwrap();
+        assert_eq!(
+            (view.phase, program.cycles, view.left_s),
+            (JobPhase::Running, None, None)
+        );
+        assert!(program.cycles_done > 10, "{program:?}");
+        let (planned_s, mean_s) = (
+            program.planned_cycle_s.unwrap(),
+            program.mean_cycle_s.unwrap(),
+        );
+        // Each of the four grips waits for the motion before it to be seen to end, and is itself seen.
+        assert!(
+            (planned_s..planned_s + 4.0).contains(&mean_s),
+            "{planned_s} {mean_s}"
+        );
+        it.ask(anna, Request::PauseJob).unwrap();
+        it.run_for(Duration::from_secs(20));
+        let paused = it.supervisor().job().unwrap();
+        assert_eq!(paused.phase, JobPhase::Paused);
+        let done = paused.program.unwrap().cycles_done;
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_secs(120));
+        let running = it.supervisor().job().unwrap().program.unwrap();
+        assert!(running.cycles_done > done + 3, "{running:?}");
+        it.ask(anna, Request::CancelJob { job }).unwrap();
+        run_until_rest(&mut it, job, 1);
+        assert_eq!(it.job(job).unwrap().state.phase(), JobPhase::Stopped);
+    }
+}
+
+#[test]
+fn a_program_goes_on_step_by_step_where_that_is_asked_for() {
+    let (mut it, anna) = station(Personality::Firmware11, &[], 0);
+    let job = it.submit(&shuttle(Some(2))).unwrap();
+    let mut seen = Vec::new();
+    for _ in 0..40 {
+        if it.ask(anna, Request::StepJob { job }).is_err() {
+            break;
+        }
+        run_until_rest(&mut it, job, 1);
+        seen.push(it.job(job).unwrap().window.completed);
+    }
+    assert_eq!(seen, [1, 3, 5, 7, 9, 11, 13, 15, 17]);
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    assert!(cube_is_at(&it, HERE));
+}
+
+#[test]
+fn a_person_is_waited_for_in_every_cycle() {
+    let (mut it, anna) = station(Personality::Specification, &[], 0);
+    let pauses = vec![JobPause {
+        before: 5,
+        message: "turn the cube".into(),
+    }];
+    let job = NewJob {
+        pauses,
+        ..shuttle(Some(5))
+    };
+    let job = it.submit(&job).unwrap();
+    for cycle in 0..5 {
+        it.start(anna, job).unwrap();
+        run_until_rest(&mut it, job, 1);
+        let kept = it.job(job).unwrap();
+        assert_eq!(kept.state.to_string(), "paused (turn the cube)");
+        assert_eq!(kept.window.completed, 5 + cycle * 8);
+        assert!(cube_is_at(&it, THERE));
+    }
+    it.start(anna, job).unwrap();
+    run_until_rest(&mut it, job, 1);
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+}
+
+#[test]
+fn no_object_is_lost_or_misplaced_by_damaged_packets() {
+    for personality in BOTH {
+        let faults = ["flip=0.05%", "drop=0.02%"];
+        let (mut it, anna) = station(personality, &faults, 7);
+        let job = it.submit(&shuttle(Some(60))).unwrap();
+        it.start(anna, job).unwrap();
+        run_until_rest(&mut it, job, 10);
+        let state = it.job(job).unwrap().state;
+        assert_eq!(state.to_string(), "done");
+        let again = it
+            .notices()
+            .iter()
+            .filter(|it| it.text.contains("sent again"))
+            .count();
+        assert!(again > 0, "nothing was lost: the faults are too few");
+        assert!(cube_is_at(&it, HERE));
+    }
+}
+
+#[test]
+fn no_carry_is_lost_or_done_twice_whenever_the_station_is_killed() {
+    for personality in BOTH {
+        for seed in 0..6 {
+            let (mut it, anna) = station(personality, &[], seed);
+            let job = it.submit(&shuttle(Some(12))).unwrap();
+            it.start(anna, job).unwrap();
+            for kill in 0..12 {
+                it.run_for(Duration::from_millis(5000 + 1370 * kill + 217 * seed));
+                if it.job(job).unwrap().state.is_over() {
+                    break;
+                }
+                it.crash(Duration::from_millis(300 * kill)).unwrap();
+                attend(&mut it, job);
+            }
+            run_until_rest(&mut it, job, 10);
+            let kept = it.job(job).unwrap();
+            assert_eq!(
+                kept.state.to_string(),
+                "done",
+                "seed {seed} on {personality:?}"
+            );
+            assert!(cube_is_at(&it, HERE));
+        }
+    }
+}
+
+#[test]
+fn a_program_is_done_faster_and_slower_while_it_runs() {
+    for personality in BOTH {
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(None)).unwrap();
+        it.start(anna, job).unwrap();
+        let mut mean_s = [100.0, 25.0, 200.0].map(|percent| {
+            it.ask(anna, Request::SetJobSpeed { percent }).unwrap();
+            it.run_for(Duration::from_secs(100));
+            let before = it.supervisor().job().unwrap().program.unwrap().cycles_done;
+            it.run_for(Duration::from_secs(400));
+            let after = it.supervisor().job().unwrap().program.unwrap().cycles_done;
+            400.0 / f64::from(u32::try_from(after - before).unwrap())
+        });
+        mean_s.rotate_right(1);
+        assert!(mean_s.is_sorted(), "{mean_s:?}");
+        // An arm is at 50 % unless it was told otherwise, so twice as fast is all that it can.
+        let refused = it
+            .ask(anna, Request::SetJobSpeed { percent: 201.0 })
+            .unwrap_err();
+        assert!(refused.to_string().contains("10 to 200 %"), "{refused}");
+    }
+}
+
+#[test]
+fn a_cycle_takes_as_long_as_was_predicted_to_the_tick() {
+    for personality in BOTH {
+        let predicted = predict(&shuttle(None), &Policy::default(), personality, None).unwrap();
+        let (mut it, anna) = station(personality, &[], 0);
+        let job = it.submit(&shuttle(Some(20))).unwrap();
+        it.start(anna, job).unwrap();
+        let latest = it.now() + Duration::from_secs(3600);
+        let nineteen = |it: &VirtualStation| {
+            let program = it.supervisor().job().unwrap().program.unwrap();
+            program.cycles_done == 19
+        };
+        assert!(it.run_until(latest, nineteen));
+        let program = it.supervisor().job().unwrap().program.unwrap();
+        let (found_s, predicted_s) = (program.mean_cycle_s.unwrap(), predicted.cycle_s.unwrap());
+        assert!(
+            (found_s - predicted_s).abs() < 1e-6,
+            "{found_s} s, predicted were {predicted_s} s"
+        );
+    }
+}

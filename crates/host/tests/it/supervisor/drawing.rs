@@ -1,0 +1,91 @@
+//! Drawings, and what became of them on the paper.
+
+use std::time::Duration;
+
+use dobot_api::{JobKind, NewJob};
+use dobot_arm::{Millimeters, Position};
+use dobot_controller::{Personality, PowerUp};
+use dobot_host::VirtualStation;
+use dobot_safety::Policy;
+use dobot_sim::RECORDING_PERIOD;
+use dobot_wire::Command;
+
+use crate::cases::commands::{settings, target, vector};
+
+/// Where the pen draws.
+pub(crate) const DOWN_MM: f32 = -30.0;
+const UP_MM: f32 = -20.0;
+
+pub(crate) fn virtual_station(personality: Personality) -> VirtualStation {
+    let mut virtual_station = VirtualStation::new(PowerUp::new(personality), Policy::default());
+    virtual_station.arm_mut().record(RECORDING_PERIOD);
+    virtual_station.run_for(Duration::from_secs(1));
+    virtual_station
+}
+
+/// A spiral of straight lines: no two of its points are near each other.
+pub(crate) fn spiral(lines: u16) -> NewJob {
+    job("a spiral", &spiral_vectors(lines), false)
+}
+
+/// The same, burnt.
+pub(crate) fn burnt_spiral(lines: u16) -> NewJob {
+    job("a burnt spiral", &spiral_vectors(lines), true)
+}
+
+fn spiral_vectors(lines: u16) -> Vec<[f32; 2]> {
+    let side = |line: u16| 4.0 + f32::from(line / 2) * 2.0;
+    (0..lines)
+        .map(|line| match line % 4 {
+            0 => [side(line), 0.0],
+            1 => [0.0, side(line)],
+            2 => [-side(line), 0.0],
+            _ => [0.0, -side(line)],
+        })
+        .collect()
+}
+
+fn job(title: &str, vectors: &[[f32; 2]], burns: bool) -> NewJob {
+    let mut commands = settings(burns).to_vec();
+    commands.push(target([220.0, 0.0, UP_MM]).into());
+    commands.push(vector([0.0, 0.0, DOWN_MM - UP_MM], false));
+    commands.extend(vectors.iter().map(|&[x, y]| vector([x, y, 0.0], burns)));
+    commands.push(vector([0.0, 0.0, UP_MM - DOWN_MM], false));
+    NewJob {
+        title: title.into(),
+        kind: JobKind::Drawing,
+        commands,
+        lift_mm: if burns { 0.0 } else { 5.0 },
+        pauses: Vec::new(),
+        program: dobot_api::JobProgram::default(),
+    }
+}
+
+/// How long a line was drawn on the paper, every stroke over another one counted again.
+pub(crate) fn drawn_mm(virtual_station: &VirtualStation) -> f64 {
+    let samples = virtual_station.arm().samples();
+    let down = |at: Position| (at.z.0 - f64::from(DOWN_MM)).abs() < 0.2;
+    let flat = |at: Position| Position {
+        z: Millimeters(0.0),
+        ..at
+    };
+    samples
+        .windows(2)
+        .filter(|pair| down(pair[0].position) && down(pair[1].position))
+        .map(|pair| flat(pair[0].position).distance(flat(pair[1].position)).0)
+        .sum()
+}
+
+/// How long a line a job is to draw.
+pub(crate) fn wanted_mm(job: &NewJob) -> f64 {
+    let flat = |it: &Command| match it {
+        Command::WriteVector(it) if it.z_mm == 0.0 => f64::from(it.x_mm.hypot(it.y_mm)),
+        _ => 0.0,
+    };
+    job.commands.iter().map(flat).sum()
+}
+
+/// Whether nothing more will come of a job.
+pub(crate) fn is_over(it: &VirtualStation, job: u64) -> bool {
+    it.job(job).unwrap().state.is_over()
+}

@@ -1,0 +1,277 @@
+//! Jobs that are drawn higher or lower than planned.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, JobKind, NewJob, Request};
+use dobot_controller::Personality;
+use dobot_geometry::Stroke;
+use dobot_host::VirtualStation;
+use dobot_wire::{Command, Packet};
+use proptest::prelude::*;
+
+use super::drawing;
+use super::strokes::{
+    DOWN_MM, PERSONALITIES, assert_drawn_once, finish, is_paused, pen_job, pen_job_at, run_to,
+    spiral, started, view, wait_until_paused,
+};
+
+/// How far above the plan the pen is on the paper, at the highest and lowest of the last moments.
+fn heights_mm(it: &VirtualStation, from: Duration) -> (f64, f64) {
+    let samples = it.arm().samples().iter().filter(|it| it.at >= from);
+    let heights = samples.map(|it| it.position.z.0 - DOWN_MM);
+    let drawing = heights.filter(|it| *it < 2.0);
+    drawing.fold((f64::MAX, f64::MIN), |(low, high), it| {
+        (low.min(it), high.max(it))
+    })
+}
+
+fn set(it: &mut VirtualStation, anna: ClientId, offset_mm: f64) {
+    it.ask(anna, Request::SetJobHeight { offset_mm }).unwrap();
+}
+
+#[test]
+fn another_height_comes_gently_and_stays() {
+    for personality in PERSONALITIES {
+        let planned = pen_job(personality, &[(spiral(), None)]);
+        let (mut it, anna, job) = started(personality, &planned);
+        run_to(&mut it, 30);
+        set(&mut it, anna, 0.4);
+        assert_eq!(view(&it).height_mm, 0.4);
+        run_to(&mut it, 70);
+        let since = it.now();
+        run_to(&mut it, 100);
+        let (low, high) = heights_mm(&it, since);
+        assert!(
+            (low - 0.4).abs() < 0.05 && (high - 0.4).abs() < 0.05,
+            "{low} {high}"
+        );
+        finish(&mut it, job);
+        let steepest = it
+            .arm()
+            .samples()
+            .windows(2)
+            .map(|it| [it[0].position, it[1].position])
+            .filter(|it| it.iter().all(|at| (at.z.0 - DOWN_MM).abs() < 0.39))
+            .map(|[a, b]| [(b.x.0 - a.x.0).hypot(b.y.0 - a.y.0), (b.z.0 - a.z.0).abs()])
+            .filter(|[aside, _]| *aside > 0.1)
+            .map(|[aside, up]| up / aside)
+            .fold(0.0, f64::max);
+        assert!(steepest < 0.08, "{personality}: {steepest}");
+    }
+}
+
+#[test]
+fn another_height_in_a_pause_holds_from_there_on() {
+    for personality in PERSONALITIES {
+        for offset_mm in [0.2, -0.3, 1.5] {
+            let planned = pen_job(personality, &[(spiral(), None)]);
+            let (mut it, anna, job) = started(personality, &planned);
+            run_to(&mut it, 50);
+            it.ask(anna, Request::PauseJob).unwrap();
+            wait_until_paused(&mut it, job);
+            set(&mut it, anna, offset_mm);
+            it.run_for(Duration::from_secs(1));
+            it.start(anna, job).unwrap();
+            run_to(&mut it, 70);
+            let since = it.now();
+            run_to(&mut it, 100);
+            let (low, high) = heights_mm(&it, since);
+            assert!(
+                (low - offset_mm).abs() < 0.05 && (high - offset_mm).abs() < 0.05,
+                "{personality}: {low} to {high} mm, wanted {offset_mm} mm"
+            );
+            finish(&mut it, job);
+        }
+    }
+}
+
+#[test]
+fn what_is_out_of_range_is_refused_with_what_is_allowed() {
+    let personality = Personality::Firmware11;
+    let (mut it, anna, _) = started(personality, &pen_job(personality, &[(spiral(), None)]));
+    run_to(&mut it, 20);
+    for percent in [9.9, 200.1, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = it.ask(anna, Request::SetJobSpeed { percent }).unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            format!("percent is {percent}; allowed is 10 to 200 %")
+        );
+    }
+    for offset_mm in [5.1, -5.1, f64::NAN] {
+        let refused = it.ask(anna, Request::SetJobHeight { offset_mm });
+        assert_eq!(
+            refused.unwrap_err().to_string(),
+            format!("offset_mm is {offset_mm}; allowed is -5 to 5 mm")
+        );
+    }
+    let bert = it.client("Bert");
+    let refused = it.ask(bert, Request::SetJobSpeed { percent: 50.0 });
+    assert_eq!(refused.unwrap_err().kind(), "no-lease");
+}
+
+#[test]
+fn a_job_of_targets_keeps_its_speed_and_height() {
+    let mut it = drawing::virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let refused = it.ask(anna, Request::SetJobSpeed { percent: 50.0 });
+    assert_eq!(refused.unwrap_err().kind(), "no-job-runs");
+    let target = drawing::spiral(1).commands[2];
+    let program = NewJob {
+        kind: JobKind::Program,
+        commands: vec![target],
+        lift_mm: 0.0,
+        ..drawing::spiral(1)
+    };
+    let job = it.submit(&program).unwrap();
+    it.start(anna, job).unwrap();
+    let refused = it.ask(anna, Request::SetJobHeight { offset_mm: 1.0 });
+    assert_eq!(refused.unwrap_err().kind(), "no-vectors");
+}
+
+#[test]
+fn a_height_below_the_table_is_refused_when_it_is_asked_for_and_the_job_goes_on() {
+    let personality = Personality::Firmware11;
+    let mut planned = pen_job(personality, &[(spiral(), None)]);
+    for command in &mut planned.commands {
+        if let Command::MoveTo(it) = command {
+            it.z_mm -= 31.0;
+        }
+    }
+    let (mut it, anna, job) = started(personality, &planned);
+    run_to(&mut it, 30);
+    let low = Request::SetJobHeight { offset_mm: -4.0 };
+    let refused = it.ask(anna, low.clone()).unwrap_err();
+    assert_eq!(refused.kind(), "policy", "{refused}");
+    assert!(refused.to_string().contains("table allows"), "{refused}");
+    assert_eq!(view(&it).height_mm, 0.0);
+    set(&mut it, anna, -1.0);
+    run_to(&mut it, 50);
+    it.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut it, job);
+    assert_eq!(it.ask(anna, low).unwrap_err().kind(), "policy");
+    it.run_for(Duration::from_secs(1));
+    it.start(anna, job).unwrap();
+    finish(&mut it, job);
+    assert_eq!(
+        it.job(job)
+            .unwrap()
+            .adjustment
+            .heights
+            .last()
+            .unwrap()
+            .offset_mm,
+        -1.0
+    );
+}
+
+/// Draws with whatever a person does, and is killed in between.
+fn draw_and_kill(personality: Personality, steps: &[(u64, f64, f64, bool)]) {
+    let planned = pen_job(personality, &[(spiral(), None)]);
+    let (mut it, mut anna, job) = started(personality, &planned);
+    for &(ms, percent, offset_mm, pauses) in steps {
+        it.run_for(Duration::from_millis(ms));
+        // Where it is done or comes to rest already that is refused.
+        let _ = it.ask(anna, Request::SetJobSpeed { percent });
+        let _ = it.ask(anna, Request::SetJobHeight { offset_mm });
+        it.run_for(Duration::from_millis(ms / 3));
+        if pauses {
+            let _ = it.ask(anna, Request::PauseJob);
+            it.run_for(Duration::from_millis(ms / 3));
+        }
+        if it.job(job).unwrap().state.is_over() {
+            break;
+        }
+        it.crash(Duration::from_millis(400)).unwrap();
+        let minute = it.now() + Duration::from_secs(120);
+        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
+        assert!(it.run_until(minute, rests), "{:?}", it.job(job));
+        anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        it.start(anna, job).unwrap();
+    }
+    finish(&mut it, job);
+    assert_sent_once(&it, personality, &planned);
+}
+
+#[test]
+fn a_height_counts_until_the_journal_is_past_it() {
+    // The second crash comes before the journal has heard how far the job got after the first: the
+    // place is looked for from before the first change of height, and the arm rests below the plan.
+    draw_and_kill(
+        Personality::Firmware11,
+        &[
+            (306, 104.63, -0.8435, false),
+            (1500, 59.794, 0.0, false),
+            (300, 10.0, 0.0, false),
+        ],
+    );
+}
+
+#[test]
+fn the_slowest_drawing_is_gone_on_with_after_a_crash() {
+    // 6 mm/s at 10 %: less than a stock arm gains in a tick.
+    for personality in PERSONALITIES {
+        let stroke = Stroke::open(spiral().points[..24].to_vec());
+        let planned = pen_job_at(6.0, personality, &[(stroke.clone(), None)]);
+        let (mut it, anna, job) = started(personality, &planned);
+        it.ask(anna, Request::SetJobSpeed { percent: 10.0 })
+            .unwrap();
+        run_to(&mut it, 8);
+        it.crash(Duration::from_millis(400)).unwrap();
+        let minute = it.now() + Duration::from_secs(60);
+        let rests = |it: &VirtualStation| it.supervisor().is_at_rest() && is_paused(it, job);
+        assert!(it.run_until(minute, rests), "{:?}", it.job(job));
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        it.start(anna, job).unwrap();
+        finish(&mut it, job);
+        assert_drawn_once(&it, &[stroke], 0.05, &personality.to_string());
+    }
+}
+
+/// Whatever the height, each vector that draws was sent once, in its turn.
+fn assert_sent_once(it: &VirtualStation, personality: Personality, planned: &NewJob) {
+    let drawing = |it: Command| match it {
+        // What rounding leaves of a lift draws nothing.
+        Command::WriteVector(it) if it.x_mm.hypot(it.y_mm) > 0.001 => Some([it.x_mm, it.y_mm]),
+        _ => None,
+    };
+    let read = |bytes: &[u8; 42]| {
+        let packet = Packet::from_bytes(bytes).unwrap();
+        Command::parse(&packet, &personality.dialect()).unwrap()
+    };
+    let sent = it.packets().iter().map(|(_, bytes)| read(bytes));
+    let sent: Vec<_> = sent.filter_map(drawing).collect();
+    let wanted: Vec<_> = planned
+        .commands
+        .iter()
+        .copied()
+        .filter_map(drawing)
+        .collect();
+    assert_eq!(sent, wanted);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn a_killed_station_finds_its_place_at_any_speed_and_height(
+        steps in prop::collection::vec(
+            (300_u64..6_000, 10.0..200.0_f64, -0.9..0.9_f64, any::<bool>()),
+            1..4,
+        ),
+        twin in any::<bool>(),
+    ) {
+        draw_and_kill(PERSONALITIES[usize::from(twin)], &steps);
+    }
+}
+
+#[test]
+fn a_drawing_that_is_slowed_down_and_paused_while_it_does_that_comes_to_rest_soon() {
+    // The last vector before the rest would have begun at 0.004 mm/s, and gone on so for 400 s.
+    let slower = (2486, 15.419_662_467_478_036, 0.0, true);
+    draw_and_kill(Personality::Firmware11, &[slower]);
+}

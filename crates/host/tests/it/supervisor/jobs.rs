@@ -1,0 +1,202 @@
+//! Jobs: every vector once.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, JobPhase, Reply, Request};
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+
+use super::drawing::{drawn_mm, is_over, spiral, virtual_station, wanted_mm};
+
+const PERSONALITIES: [Personality; 2] = Personality::ALL;
+
+fn close(found_mm: f64, wanted_mm: f64, what: &str) {
+    let allowed_mm = 0.3;
+    assert!(
+        (found_mm - wanted_mm).abs() < allowed_mm,
+        "{what}: {found_mm} mm were drawn, wanted are {wanted_mm} mm, {allowed_mm} mm off are allowed"
+    );
+}
+
+#[test]
+fn a_job_is_drawn_once_and_done() {
+    for personality in PERSONALITIES {
+        let mut it = virtual_station(personality);
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let drawing = spiral(12);
+        let job = it.submit(&drawing).unwrap();
+        it.start(anna, job).unwrap();
+        let planned_s = it.supervisor().job().unwrap().planned_s.unwrap();
+        let began = it.now();
+        assert!(it.run_until(began + Duration::from_mins(2), |it| is_over(it, job)));
+        let took_s = it.now().saturating_sub(began).as_secs_f64();
+        assert!(
+            (took_s / planned_s - 1.0).abs() < 0.25,
+            "{took_s} s, planned {planned_s} s"
+        );
+        assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+        close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
+    }
+}
+
+#[test]
+fn a_paused_job_lifts_its_pen_and_goes_on_where_it_was() {
+    for personality in PERSONALITIES {
+        let mut it = virtual_station(personality);
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let drawing = spiral(12);
+        let job = it.submit(&drawing).unwrap();
+        it.start(anna, job).unwrap();
+        for _ in 0..3 {
+            it.run_for(Duration::from_millis(2_500));
+            it.ask(anna, Request::PauseJob).unwrap();
+            let minute = it.now() + Duration::from_mins(1);
+            let rests =
+                |it: &VirtualStation| it.job(job).unwrap().state.to_string().starts_with("paused");
+            assert!(it.run_until(minute, rests), "{personality}");
+            it.run_for(Duration::from_secs(2));
+            let z_mm = it.supervisor().state().arm.unwrap().status.z_mm;
+            assert!(z_mm > -26.0, "{personality}: the pen is at {z_mm} mm");
+            assert_eq!(it.supervisor().job().unwrap().phase, JobPhase::Paused);
+            it.start(anna, job).unwrap();
+        }
+        let minutes = it.now() + Duration::from_mins(3);
+        assert!(
+            it.run_until(minutes, |it| is_over(it, job)),
+            "{personality}"
+        );
+        close(drawn_mm(&it), wanted_mm(&drawing), &personality.to_string());
+    }
+}
+
+#[test]
+fn a_job_that_leaves_the_policy_is_refused_with_the_command_that_does() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let refused = it.submit(&spiral(300)).unwrap_err();
+    assert_eq!(refused.kind(), "bad-job");
+    let text = refused.to_string();
+    assert!(text.starts_with("command "), "{text}");
+}
+
+#[test]
+fn a_job_that_does_not_say_where_it_begins_is_refused() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let mut drawing = spiral(4);
+    drawing.commands.remove(2);
+    let refused = it.submit(&drawing).unwrap_err().to_string();
+    assert!(
+        refused.contains("command 2 of the job: the first motion has to be a target"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn nobody_else_moves_the_arm_while_a_job_runs() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&spiral(12)).unwrap();
+    it.start(anna, job).unwrap();
+    it.run_for(Duration::from_secs(1));
+    let command = spiral(1).commands[2];
+    let refused = it.ask(anna, Request::Command { command }).unwrap_err();
+    assert_eq!(refused.to_string(), format!("job {job} has the arm"));
+}
+
+/// The number of the job that a request answers with.
+fn number(it: &mut VirtualStation, who: ClientId, request: Request) -> u64 {
+    match it.ask(who, request) {
+        Ok(Reply::Job { job }) => job.job,
+        other => panic!("it answers with a job, and not with {other:?}"),
+    }
+}
+
+fn listed(it: &mut VirtualStation) -> Vec<(u64, JobPhase)> {
+    let jobs = it.jobs().unwrap();
+    jobs.iter().map(|it| (it.job, it.phase)).collect()
+}
+
+#[test]
+fn what_a_job_did_is_queued_and_drawn_again() {
+    let mut it = virtual_station(Personality::Specification);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let drawing = spiral(12);
+    let first = it.submit(&drawing).unwrap();
+    it.start(anna, first).unwrap();
+    let minute = Duration::from_mins(1);
+    assert!(it.run_until(it.now() + minute, |it| is_over(it, first)));
+    let once_mm = drawn_mm(&it);
+    let again = number(
+        &mut it,
+        anna,
+        Request::QueueAgain {
+            job: first,
+            key: None,
+        },
+    );
+    assert_ne!(again, first);
+    it.start(anna, again).unwrap();
+    assert!(it.run_until(it.now() + minute, |it| is_over(it, again)));
+    close(drawn_mm(&it), 2.0 * once_mm, "twice");
+    assert_eq!(it.jobs().unwrap()[1].title, drawing.title);
+}
+
+#[test]
+fn queued_jobs_are_moved_and_others_are_not() {
+    let mut it = virtual_station(Personality::Specification);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let [one, two, three] = [(); 3].map(|()| it.submit(&spiral(2)).unwrap());
+    let moved = Request::MoveJob {
+        job: three,
+        before: Some(one),
+    };
+    assert_eq!(number(&mut it, anna, moved), three);
+    let queued = |job| (job, JobPhase::Queued);
+    assert_eq!(listed(&mut it), [three, one, two].map(queued));
+    let last = Request::MoveJob {
+        job: one,
+        before: None,
+    };
+    number(&mut it, anna, last);
+    assert_eq!(listed(&mut it), [three, two, one].map(queued));
+    it.ask(anna, Request::CancelJob { job: two }).unwrap();
+    let refused = it.ask(
+        anna,
+        Request::MoveJob {
+            job: one,
+            before: Some(two),
+        },
+    );
+    assert_eq!(
+        refused.unwrap_err().to_string(),
+        format!("job {two} is stopped; this takes one that is queued")
+    );
+}
+
+#[test]
+fn a_job_that_is_over_or_has_not_begun_is_forgotten_and_one_under_way_is_not() {
+    let mut it = virtual_station(Personality::Specification);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let [job, other] = [(); 2].map(|()| it.submit(&spiral(12)).unwrap());
+    it.start(anna, job).unwrap();
+    it.run_for(Duration::from_secs(1));
+    let refused = it.ask(anna, Request::ForgetJob { job }).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        format!("job {job} is running; this takes one that is queued, stopped, done or failed")
+    );
+    it.ask(anna, Request::ForgetJob { job: other }).unwrap();
+    assert_eq!(listed(&mut it), [(job, JobPhase::Running)]);
+    assert!(it.run_until(it.now() + Duration::from_mins(1), |it| is_over(it, job)));
+    it.ask(anna, Request::ForgetJob { job }).unwrap();
+    assert_eq!(listed(&mut it), []);
+    let gone = it
+        .ask(anna, Request::QueueAgain { job, key: None })
+        .unwrap_err();
+    assert_eq!(gone.to_string(), format!("there is no job {job}"));
+}

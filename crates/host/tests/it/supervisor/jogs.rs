@@ -1,0 +1,122 @@
+//! Jogging is hold-to-run.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, Jog, News, Request};
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis};
+
+use super::drawing::virtual_station;
+
+const PERSONALITIES: [Personality; 2] = Personality::ALL;
+
+fn linear(axis: LinearJogAxis) -> Request {
+    Request::Jog {
+        jog: Jog::Linear(LinearJog::new(axis, 50.0)),
+    }
+}
+
+fn jogging(personality: Personality, axis: LinearJogAxis) -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(anna, linear(axis)).unwrap();
+    (it, anna)
+}
+
+fn hold(it: &mut VirtualStation, client: ClientId, axis: LinearJogAxis, times: u32) {
+    for _ in 0..times {
+        it.run_for(Duration::from_millis(50));
+        it.ask(client, linear(axis)).unwrap();
+    }
+}
+
+fn y_mm(it: &VirtualStation) -> f32 {
+    it.supervisor()
+        .state()
+        .arm
+        .expect("the arm tells")
+        .status
+        .y_mm
+}
+
+/// Whether the arm stands where it stood a while before.
+fn rests(it: &mut VirtualStation) -> bool {
+    it.run_for(Duration::from_secs(3));
+    let before = y_mm(it);
+    it.run_for(Duration::from_secs(1));
+    (y_mm(it) - before).abs() < 0.001
+}
+
+#[test]
+fn a_button_that_is_held_moves_the_arm_for_as_long_as_it_is_held() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = jogging(personality, LinearJogAxis::YPlus);
+        hold(&mut it, anna, LinearJogAxis::YPlus, 40);
+        // 30 mm/s for two seconds, less the run-up of half a second and the line.
+        let moved = y_mm(&it);
+        assert!((40.0..60.0).contains(&moved), "{personality}: {moved} mm");
+        it.ask(anna, Request::Release).unwrap();
+        assert!(rests(&mut it), "{personality}");
+    }
+}
+
+#[test]
+fn a_client_that_falls_silent_lets_go_of_its_button_after_150_ms() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = jogging(personality, LinearJogAxis::YPlus);
+        hold(&mut it, anna, LinearJogAxis::YPlus, 20);
+        let (silent, packets) = (it.now(), it.packets().len());
+        it.run_for(Duration::from_millis(200));
+        let (at, _) = it.packets()[packets];
+        let after = at.saturating_sub(silent);
+        assert!(
+            after <= Duration::from_millis(151),
+            "{personality}: {after:?}"
+        );
+        assert!(it.notices().iter().any(|it| it.news == News::DeadMan));
+        assert!(rests(&mut it), "{personality}");
+    }
+}
+
+#[test]
+fn a_client_that_vanishes_while_jogging_stops_the_arm_at_once() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = jogging(personality, LinearJogAxis::YPlus);
+        hold(&mut it, anna, LinearJogAxis::YPlus, 20);
+        let (gone, packets) = (it.now(), it.packets().len());
+        it.leave(anna);
+        assert_eq!(it.packets()[packets].0, gone, "{personality}");
+        assert!(rests(&mut it), "{personality}");
+    }
+}
+
+#[test]
+fn a_jog_ends_before_the_policy_ends_and_says_which_rule_it_was() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = jogging(personality, LinearJogAxis::ZMinus);
+        let table = -103.0 + 40.0;
+        let mut held = true;
+        for _ in 0..400 {
+            it.run_for(Duration::from_millis(50));
+            held = held && it.ask(anna, linear(LinearJogAxis::ZMinus)).is_ok();
+            let z_mm = it.supervisor().state().arm.unwrap().status.z_mm;
+            assert!(z_mm >= table, "{personality}: {z_mm} mm");
+        }
+        assert!(!held, "{personality}: it was refused in the end");
+        let refused = |news: &News| matches!(news, News::Refused { kind, .. } if kind == "policy");
+        assert!(it.notices().iter().any(|it| refused(&it.news)));
+    }
+}
+
+#[test]
+fn switches_need_not_be_held() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let jog = Jog::Joint(JointJog::new(JointJogAxis::SuctionOn, 0.0));
+    it.ask(anna, Request::Jog { jog }).unwrap();
+    it.run_for(Duration::from_secs(2));
+    assert!(it.supervisor().state().arm.unwrap().status.suction);
+}

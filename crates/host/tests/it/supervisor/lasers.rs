@@ -1,0 +1,189 @@
+//! The laser is off, unless a person has armed it, for a while.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, Reply, Request};
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use dobot_supervisor::Refusal;
+use dobot_wire::{Command, Configuration, EndEffector, MoveTo, WriteMode, WriteVector};
+
+use super::drawing::{burnt_spiral, virtual_station};
+
+const PERSONALITIES: [Personality; 2] = Personality::ALL;
+
+/// An arm that burns.
+fn burning(personality: Personality) -> (VirtualStation, ClientId, u64) {
+    let mut it = virtual_station(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&burnt_spiral(20)).unwrap();
+    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
+    it.start(anna, job).unwrap();
+    let minute = it.now() + Duration::from_secs(60);
+    assert!(
+        it.run_until(minute, burns),
+        "{personality}: it begins to burn"
+    );
+    it.run_for(Duration::from_secs(1));
+    (it, anna, job)
+}
+
+pub(crate) fn burns(it: &VirtualStation) -> bool {
+    it.arm().controller().outputs().laser
+}
+
+/// Half a second ahead, the vector that runs, and the line.
+pub(crate) const SOON: Duration = Duration::from_millis(2_500);
+
+#[test]
+fn a_job_that_burns_is_refused_while_the_laser_is_disarmed() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&burnt_spiral(4)).unwrap();
+    assert_eq!(it.start(anna, job), Err(Refusal::LaserDisarmed));
+    it.run_for(Duration::from_secs(10));
+    assert!(!burns(&it));
+}
+
+#[test]
+fn the_laser_is_off_soon_after_a_stop() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, _) = burning(personality);
+        it.ask(anna, Request::Stop { reason: None }).unwrap();
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+        assert!(it.supervisor().state().laser.armed_for_s == 0.0);
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_the_one_who_armed_it_is_gone() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, job) = burning(personality);
+        it.leave(anna);
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+        let left = it.now() + Duration::from_secs(30);
+        let paused =
+            |it: &VirtualStation| it.job(job).unwrap().state.to_string().starts_with("paused");
+        assert!(it.run_until(left, paused), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_its_time_is_over() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, _) = burning(personality);
+        it.ask(anna, Request::ArmLaser { for_s: 1.0 }).unwrap();
+        it.run_for(Duration::from_secs(1) + SOON);
+        assert!(!burns(&it), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_a_pause() {
+    for personality in PERSONALITIES {
+        let (mut it, anna, _) = burning(personality);
+        it.ask(anna, Request::PauseJob).unwrap();
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_off_soon_after_the_station_was_killed_and_started_again() {
+    for personality in PERSONALITIES {
+        let (mut it, _, _) = burning(personality);
+        it.crash(Duration::from_millis(700)).unwrap();
+        it.run_for(SOON);
+        assert!(!burns(&it), "{personality}");
+    }
+}
+
+#[test]
+fn the_laser_is_armed_for_no_longer_than_the_policy_allows() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    for for_s in [0.0, -1.0, 601.0, f64::NAN, f64::INFINITY] {
+        let refused = it.ask(anna, Request::ArmLaser { for_s }).unwrap_err();
+        assert_eq!(refused.kind(), "out-of-range", "{for_s}");
+    }
+}
+
+/// A detection that a person ends early, `after` its beginning, by giving control back and taking it again.
+fn detection_ended(personality: Personality, after: Duration) -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(anna, Request::Detect).unwrap();
+    it.run_for(after);
+    for request in [Request::ReleaseLease, Request::TakeLease] {
+        it.ask(anna, request).unwrap();
+    }
+    (it, anna)
+}
+
+/// Stops, and runs until the time is over that was promised, and the line.
+fn stop_as_promised(it: &mut VirtualStation, anna: ClientId) {
+    let stopping = it.ask(anna, Request::Stop { reason: None });
+    let Ok(Reply::Stopping { rests_within_s, .. }) = stopping else {
+        panic!("anyone may stop: {stopping:?}");
+    };
+    it.run_for(Duration::from_secs_f64(rests_within_s) + Duration::from_millis(500));
+}
+
+#[test]
+fn a_stop_keeps_its_time_on_an_arm_that_a_detection_left_slow() {
+    // Each of them ends the detection behind another of its packets.
+    for (personality, tenths) in PERSONALITIES.into_iter().zip([1, 3]) {
+        let after = Duration::from_millis(100 * tenths);
+        let (mut it, anna) = detection_ended(personality, after);
+        it.run_for(Duration::from_secs(6));
+        let vector = WriteVector {
+            mode: WriteMode::Laser,
+            laser: true,
+            start_speed_mm_s: 20.0,
+            end_speed_mm_s: 20.0,
+            ..WriteVector::by(9.0, 9.0, 0.0, 20.0)
+        };
+        let commands: [Command; 3] = [
+            Configuration::EndEffector {
+                tool: EndEffector::Laser,
+            }
+            .into(),
+            vector.into(),
+            MoveTo::to(220.0, 30.0, 30.0).into(),
+        ];
+        it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
+        for command in commands {
+            it.ask(anna, Request::Command { command }).unwrap();
+        }
+        let minute = it.now() + Duration::from_secs(60);
+        let has_all = |it: &VirtualStation| it.supervisor().session().waiting() == 0;
+        assert!(it.run_until(minute, has_all), "{personality}");
+        assert!(it.run_until(minute, burns), "{personality}");
+        stop_as_promised(&mut it, anna);
+        assert!(!burns(&it), "{personality}");
+    }
+}
+
+#[test]
+fn a_stop_keeps_its_time_in_a_motion_of_a_detection_that_ended() {
+    for personality in PERSONALITIES {
+        for tenths in 8..40 {
+            let after = Duration::from_millis(100 * tenths);
+            let (mut it, anna) = detection_ended(personality, after);
+            stop_as_promised(&mut it, anna);
+            let place = it.arm().controller().steps();
+            it.run_for(Duration::from_secs(10));
+            assert_eq!(
+                it.arm().controller().steps(),
+                place,
+                "{personality}: it rests, {after:?} behind"
+            );
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! The cable is pulled, the arm is reset, bytes are lost.
+
+use std::iter;
+use std::time::Duration;
+
+use dobot_api::{
+    CalibrationFile, Calibrations, ClientId, JobPhase, LinkPhase, News, Request, Role,
+};
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_host::VirtualStation;
+use dobot_safety::Policy;
+use dobot_sim::{Fault, RECORDING_PERIOD, SerialLine, VirtualArm};
+use dobot_supervisor::{Refusal, Supervisor};
+use proptest::prelude::*;
+
+use super::drawing::{burnt_spiral, drawn_mm, spiral, virtual_station, wanted_mm};
+
+fn paused(it: &VirtualStation, job: u64) -> bool {
+    it.job(job).unwrap().state.to_string().starts_with("paused")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn a_cable_that_was_pulled_and_put_back_costs_no_vector(
+        after_ms in 0_u64..25_000,
+        away_ms in 1_u64..10_000,
+        twin in any::<bool>(),
+    ) {
+        let mut it = virtual_station(Personality::ALL[usize::from(twin)]);
+        let drawing = spiral(12);
+        let job = it.submit(&drawing).unwrap();
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(after_ms));
+        it.unplug();
+        it.run_for(Duration::from_millis(away_ms));
+        it.plug();
+        let is_over = |it: &VirtualStation| it.job(job).unwrap().state.is_over();
+        for _ in 0..3 {
+            let minutes = it.now() + Duration::from_mins(3);
+            prop_assert!(it.run_until(minutes, |it| paused(it, job) || is_over(it)));
+            if is_over(&it) {
+                break;
+            }
+            // An arm that comes back with its base at 0 may have been reset meanwhile: somebody looks.
+            it.ask(anna, Request::ConfirmPose).unwrap();
+            it.start(anna, job).unwrap();
+            // The journal writes that down.
+            it.run_for(Duration::from_millis(100));
+        }
+        prop_assert!(is_over(&it));
+        let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+        prop_assert!((found_mm - wanted_mm).abs() < 0.3, "{found_mm} mm, wanted {wanted_mm} mm");
+    }
+}
+
+/// An arm on which something goes wrong.
+fn faulty(fault: &str) -> VirtualStation {
+    let power_up = PowerUp::new(Personality::Firmware11);
+    let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+    let faults: Vec<Fault> = fault.split(' ').map(|it| it.parse().unwrap()).collect();
+    let mut arm = arm.with_faults(power_up, &faults, 7);
+    arm.record(RECORDING_PERIOD);
+    let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
+    it.run_for(Duration::from_secs(1));
+    it
+}
+
+#[test]
+fn after_a_reset_nobody_moves_the_arm_until_its_pose_is_confirmed() {
+    let mut it = faulty("reset@10s");
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&spiral(12)).unwrap();
+    it.start(anna, job).unwrap();
+    it.run_for(Duration::from_secs(20));
+    let state = it.supervisor().state();
+    assert!(!state.trust.trusted, "{:?}", state.trust);
+    assert!(paused(&it, job));
+    let refused = it.start(anna, job).unwrap_err();
+    assert!(
+        refused.hint().is_some_and(|it| it.contains("confirm")),
+        "{refused}"
+    );
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    assert!(it.supervisor().state().trust.trusted);
+}
+
+#[test]
+fn an_arm_that_falls_silent_is_told_as_lost_and_found_again() {
+    let mut it = faulty("withhold@5s..12s");
+    it.run_for(Duration::from_secs(7));
+    let link = it.supervisor().state().link;
+    assert_eq!(link.phase, LinkPhase::Lost);
+    assert!(link.problem.is_some_and(|it| it.contains("cable")));
+    it.run_for(Duration::from_secs(10));
+    assert_eq!(it.supervisor().state().link.phase, LinkPhase::Up);
+}
+
+#[test]
+fn damaged_statuses_are_counted_and_the_drawing_is_still_right() {
+    let mut it = faulty("flip=0.3%:from");
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let drawing = spiral(12);
+    let job = it.submit(&drawing).unwrap();
+    it.start(anna, job).unwrap();
+    let minutes = it.now() + Duration::from_mins(5);
+    assert!(it.run_until(minutes, |it| it.job(job).unwrap().state.is_over()));
+    let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+    assert!(
+        (found_mm - wanted_mm).abs() < 0.3,
+        "{found_mm} mm, wanted {wanted_mm} mm"
+    );
+    assert!(it.supervisor().state().link.damaged_bytes > 0);
+}
+
+/// A job that burns when something happens to the arm, and what became of it.
+fn burning_until(fault: &str) -> (VirtualStation, ClientId, u64) {
+    let mut it = faulty(fault);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let job = it.submit(&burnt_spiral(20)).unwrap();
+    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
+    it.start(anna, job).unwrap();
+    (it, anna, job)
+}
+
+fn assert_armed_anew(it: &mut VirtualStation, anna: ClientId, job: u64, what: &str) {
+    assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0, "{what}");
+    let disarmed = |it: &&dobot_api::Notice| it.news == News::LaserDisarmed;
+    assert_eq!(it.notices().iter().filter(disarmed).count(), 1, "{what}");
+    let latest = it.now() + Duration::from_secs(20);
+    let up = |it: &VirtualStation| {
+        it.supervisor().state().link.phase == LinkPhase::Up && paused(it, job)
+    };
+    assert!(it.run_until(latest, up), "{what}");
+    it.run_for(Duration::from_secs(3));
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    assert_eq!(it.start(anna, job), Err(Refusal::LaserDisarmed), "{what}");
+    it.ask(anna, Request::ArmLaser { for_s: 600.0 }).unwrap();
+    it.start(anna, job).unwrap();
+}
+
+#[test]
+fn a_reset_and_a_power_cut_and_silence_disarm_the_laser_until_a_person_arms_it_again() {
+    for fault in [
+        "reset@8s",
+        "power@8s..11s",
+        "withhold@8s..11s",
+        "close@8s..10s",
+    ] {
+        let (mut it, anna, job) = burning_until(fault);
+        let disarmed = |it: &VirtualStation| it.supervisor().state().laser.armed_for_s == 0.0;
+        let latest = it.now() + Duration::from_secs(14);
+        assert!(it.run_until(latest, disarmed), "{fault}");
+        assert!(
+            !it.supervisor()
+                .job()
+                .is_some_and(|it| it.phase == JobPhase::Running)
+        );
+        assert_armed_anew(&mut it, anna, job, fault);
+    }
+}
+
+#[test]
+fn a_cable_that_is_pulled_disarms_the_laser() {
+    let (mut it, anna, job) = burning_until("backlash=base:0");
+    it.run_for(Duration::from_secs(7));
+    it.unplug();
+    assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0);
+    it.run_for(Duration::from_millis(300));
+    it.plug();
+    assert_armed_anew(&mut it, anna, job, "cable");
+}
+/// What an arm tells.
+fn status() -> [u8; 42] {
+    let power_up = PowerUp::new(Personality::Firmware11);
+    let mut controller = Controller::power_up(power_up);
+    controller.handle_time(Duration::from_millis(100));
+    controller.poll_bytes().expect("it tells").bytes
+}
+
+#[test]
+fn each_opening_of_a_real_port_costs_the_trust_and_that_of_a_virtual_arm_does_not() {
+    for (address, trusted) in [
+        ("serial:/dev/ttyUSB0@9600", false),
+        ("tcp:192.168.1.7:5555", false),
+        ("virtual:", true),
+    ] {
+        let mut supervisor =
+            Supervisor::new(Policy::default(), Some(Personality::Firmware11.dialect()));
+        let anna = supervisor.handle_client(Duration::ZERO, "Anna", Role::Admin, "Anna");
+        supervisor.handle_request(Duration::ZERO, anna, Request::TakeLease);
+        for opened in 1..4 {
+            let now = Duration::from_secs(opened * 10);
+            supervisor.handle_link_up(now, address);
+            supervisor.handle_bytes(now + Duration::from_millis(80), &status());
+            let trust = supervisor.state().trust;
+            assert_eq!(trust.trusted, trusted, "{address}: {trust:?}");
+            let confirmed = supervisor.handle_request(now, anna, Request::ConfirmPose);
+            assert!(matches!(confirmed, Some(Ok(_))), "{address}: {confirmed:?}");
+            assert!(supervisor.state().trust.trusted, "{address}");
+            supervisor.handle_link_down(now + Duration::from_secs(1), LinkPhase::Lost, None);
+        }
+    }
+}
+
+#[test]
+fn an_arm_that_is_not_found_again_is_told_with_why_it_was_lost() {
+    let now = Duration::from_secs(1);
+    let mut supervisor = Supervisor::new(Policy::default(), None);
+    let anna = supervisor.handle_client(now, "Anna", Role::Control, "Anna");
+    supervisor.handle_link_up(now, "tcp:127.0.0.1:5555");
+    let closed = Some("the other end closed the link".to_owned());
+    supervisor.handle_link_down(now, LinkPhase::Lost, closed);
+    for _ in 0..2 {
+        let refused = Some("no arm was found; connection refused".to_owned());
+        supervisor.handle_link_down(now, LinkPhase::Searching, refused);
+    }
+    let _ = supervisor.handle_request(now, anna, Request::TakeLease);
+    let answer = supervisor.handle_request(now, anna, Request::ConfirmPose);
+    let told = answer.unwrap().unwrap_err().to_string();
+    assert_eq!(
+        told,
+        "there is no link to an arm: the other end closed the link; since then: no arm was found; connection refused"
+    );
+}
+
+#[test]
+fn which_arm_a_port_is_taken_to_have_is_told() {
+    let mut supervisor = Supervisor::new(Policy::default(), None);
+    let file = CalibrationFile {
+        name: Some("desk 3".to_owned()),
+        ..CalibrationFile::default()
+    };
+    let known = Calibrations::default().replaced_by(Some(file));
+    supervisor.handle_known_calibration("serial:/dev/ttyUSB0@9600", &known);
+    let told = iter::from_fn(|| supervisor.poll_notice()).any(|it| {
+        it.text
+            .contains("the arm at serial:/dev/ttyUSB0@9600 is taken to be desk 3")
+    });
+    assert!(told);
+}

@@ -1,0 +1,284 @@
+//! Jobs that are paused, ended and interrupted in the moments between.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, JobPhase, Jog, NewJob, Request};
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use dobot_wire::{Command, MoveTo, MovingMode, Packet, WriteVector};
+
+use super::drawing::{drawn_mm, is_over, spiral, virtual_station, wanted_mm};
+
+/// A drawing that is at work.
+fn drawing() -> (VirtualStation, ClientId, u64, NewJob) {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let drawing = spiral(12);
+    let job = it.submit(&drawing).unwrap();
+    it.start(anna, job).unwrap();
+    it.run_for(Duration::from_secs(3));
+    (it, anna, job, drawing)
+}
+
+fn paused(it: &VirtualStation, job: u64) -> bool {
+    it.job(job).unwrap().state.to_string().starts_with("paused")
+}
+
+fn wait_until_paused(it: &mut VirtualStation, job: u64) {
+    let minute = it.now() + Duration::from_secs(60);
+    assert!(it.run_until(minute, |it| paused(it, job)));
+}
+
+fn finish(it: &mut VirtualStation, anna: ClientId, job: u64, drawing: &NewJob) {
+    it.start(anna, job).unwrap();
+    let minutes = it.now() + Duration::from_secs(180);
+    assert!(it.run_until(minutes, |it| is_over(it, job)));
+    assert_eq!(it.job(job).unwrap().state.to_string(), "done");
+    let (found_mm, wanted_mm) = (drawn_mm(it), wanted_mm(drawing));
+    assert!(
+        (found_mm - wanted_mm).abs() < 0.3,
+        "{found_mm} mm were drawn, wanted are {wanted_mm} mm, 0.3 mm off are allowed"
+    );
+}
+
+/// How often the tool was lifted by the station, which does that slowly.
+fn lifts(it: &VirtualStation) -> usize {
+    let dialect = Personality::Firmware11.dialect();
+    let command = |bytes: &[u8; 42]| Command::parse(&Packet::from_bytes(bytes).unwrap(), &dialect);
+    let lifts = |it: &Command| match it {
+        Command::WriteVector(WriteVector {
+            z_mm,
+            max_speed_mm_s,
+            ..
+        }) => *z_mm > 0.0 && *max_speed_mm_s == 20.0,
+        _ => false,
+    };
+    let commands = it
+        .packets()
+        .iter()
+        .map(|(_, bytes)| command(bytes).unwrap());
+    commands.filter(lifts).count()
+}
+
+#[test]
+fn a_job_that_is_paused_twice_is_lifted_once() {
+    let (mut it, anna, job, drawing) = drawing();
+    for _ in 0..12 {
+        if it.ask(anna, Request::PauseJob).is_err() {
+            break;
+        }
+        it.run_for(Duration::from_millis(300));
+    }
+    wait_until_paused(&mut it, job);
+    assert_eq!(lifts(&it), 1);
+    finish(&mut it, anna, job, &drawing);
+}
+
+#[test]
+fn a_job_that_goes_on_from_elsewhere_turns_the_tool_back_to_how_it_was() {
+    let rotation_deg = |moves_away: bool| {
+        let (mut it, anna, job, drawing) = drawing();
+        it.ask(anna, Request::PauseJob).unwrap();
+        wait_until_paused(&mut it, job);
+        if moves_away {
+            // The tool is turned by 50 degrees, on the other side of the arm.
+            let command = Command::from(MoveTo {
+                rotation_deg: 20.0,
+                ..MoveTo::to(200.0, -120.0, 20.0)
+            });
+            it.ask(anna, Request::Command { command }).unwrap();
+            it.run_for(Duration::from_secs(8));
+        }
+        finish(&mut it, anna, job, &drawing);
+        it.supervisor().state().arm.unwrap().status.rotation_deg
+    };
+    let (stays, went) = (rotation_deg(false), rotation_deg(true));
+    assert!((stays - went).abs() < 0.1, "{stays} and {went} degrees");
+}
+
+#[test]
+fn a_cable_that_is_out_while_a_paused_job_comes_to_rest_repeats_nothing() {
+    for pull_ms in [0, 60, 120, 180, 240, 300, 600] {
+        let (mut it, anna, job, drawing) = drawing();
+        it.ask(anna, Request::PauseJob).unwrap();
+        it.run_for(Duration::from_millis(pull_ms));
+        it.unplug();
+        it.run_for(Duration::from_secs(6));
+        it.plug();
+        wait_until_paused(&mut it, job);
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        finish(&mut it, anna, job, &drawing);
+    }
+}
+
+#[test]
+fn a_job_that_was_ended_is_not_paused_afterwards() {
+    let (mut it, anna, job, _) = drawing();
+    it.ask(anna, Request::CancelJob { job }).unwrap();
+    it.ask(anna, Request::PauseJob).unwrap();
+    let minute = it.now() + Duration::from_secs(60);
+    assert!(it.run_until(minute, |it| is_over(it, job)));
+    assert!(it.supervisor().job().is_none());
+}
+
+#[test]
+fn a_paused_job_that_is_ended_moves_nothing() {
+    let (mut it, anna, job, _) = drawing();
+    it.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut it, job);
+    let before = lifts(&it);
+    it.ask(anna, Request::CancelJob { job }).unwrap();
+    it.run_for(Duration::from_secs(5));
+    assert!(is_over(&it, job));
+    assert_eq!(lifts(&it), before);
+}
+
+#[test]
+fn a_pause_while_the_station_finds_out_where_the_arm_rests_repeats_nothing() {
+    for pause_ms in [0, 50, 150, 400, 900, 1_500] {
+        let (mut it, _, job, drawing) = drawing();
+        it.crash(Duration::from_millis(200)).unwrap();
+        it.run_for(Duration::from_millis(pause_ms));
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        // Where it is found out already, nothing is at work any more.
+        let _ = it.ask(anna, Request::PauseJob);
+        wait_until_paused(&mut it, job);
+        it.ask(anna, Request::ConfirmPose).unwrap();
+        finish(&mut it, anna, job, &drawing);
+    }
+}
+
+#[test]
+fn a_paused_job_blocks_nothing_and_another_one_may_be_done_first() {
+    let (mut it, anna, job, drawing) = drawing();
+    it.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut it, job);
+    let between = NewJob {
+        commands: vec![spiral(1).commands[2]],
+        ..spiral(1)
+    };
+    let other = it.submit(&between).unwrap();
+    it.start(anna, other).unwrap();
+    let minute = it.now() + Duration::from_secs(60);
+    assert!(it.run_until(minute, |it| is_over(it, other)));
+    assert!(paused(&it, job));
+    finish(&mut it, anna, job, &drawing);
+}
+
+#[test]
+fn a_laser_whose_time_is_over_does_not_disturb_a_pen() {
+    let (mut it, anna, job, drawing) = drawing();
+    it.ask(anna, Request::ArmLaser { for_s: 2.0 }).unwrap();
+    let minutes = it.now() + Duration::from_secs(180);
+    assert!(it.run_until(minutes, |it| is_over(it, job)));
+    let (found_mm, wanted_mm) = (drawn_mm(&it), wanted_mm(&drawing));
+    assert!(
+        (found_mm - wanted_mm).abs() < 0.3,
+        "{found_mm} mm, wanted {wanted_mm} mm"
+    );
+}
+
+#[test]
+fn the_time_that_is_left_gets_less_to_the_end() {
+    let (mut it, _, job, _) = drawing();
+    let mut before_s = f64::INFINITY;
+    while !is_over(&it, job) {
+        if let Some(view) = it
+            .supervisor()
+            .job()
+            .filter(|it| it.phase == JobPhase::Running)
+        {
+            let left_s = view.left_s.unwrap();
+            assert!(
+                left_s <= before_s && left_s >= 0.0,
+                "{left_s} s after {before_s} s"
+            );
+            before_s = left_s;
+        }
+        it.run_for(Duration::from_millis(100));
+    }
+    assert!(before_s < 0.001, "{before_s} s");
+}
+
+#[test]
+fn a_job_that_was_moved_away_by_hand_while_its_place_is_unclear_is_not_gone_on_with() {
+    let (mut it, _, job, _) = drawing();
+    it.crash(Duration::from_millis(200)).unwrap();
+    // Somebody pushes the arm: it rests where no command ends.
+    let away = spiral(1).commands[2];
+    let moved = Command::MoveTo(dobot_wire::MoveTo {
+        x_mm: 200.0,
+        y_mm: 40.0,
+        ..match away {
+            Command::MoveTo(it) => it,
+            _ => unreachable!("it is a target"),
+        }
+    });
+    let packet = moved.emit(&Personality::Firmware11.dialect()).to_bytes();
+    let now = it.now();
+    it.arm_mut().handle_bytes(now, &packet);
+    wait_until_paused(&mut it, job);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    it.run_for(Duration::from_secs(5));
+    for _ in 0..2 {
+        let refused = it.start(anna, job).unwrap_err();
+        assert_eq!(refused.kind(), "cannot-resume", "{refused}");
+    }
+    it.ask(anna, Request::CancelJob { job }).unwrap();
+    it.run_for(Duration::from_secs(1));
+    assert!(is_over(&it, job));
+}
+
+#[test]
+fn a_stop_promises_enough_time_while_the_dialect_is_found_out() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let up = Jog::Linear(dobot_wire::LinearJog::new(
+        dobot_wire::LinearJogAxis::Released,
+        0.0,
+    ));
+    it.ask(anna, Request::Jog { jog: up }).unwrap();
+    it.run_for(Duration::from_secs(1));
+    it.ask(anna, Request::Detect).unwrap();
+    it.run_for(Duration::from_millis(5_300));
+    it.ask(anna, Request::Stop { reason: None }).unwrap();
+    let stop = it.supervisor().state().stop.unwrap();
+    it.run_until(Duration::from_secs_f64(stop.rests_by_s), |_| false);
+    let there = it.arm().mechanics().joints_at(it.now());
+    it.run_for(Duration::from_secs(10));
+    assert_eq!(there, it.arm().mechanics().joints_at(it.now()));
+}
+
+#[test]
+fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let target = |y_mm| {
+        Command::from(MoveTo {
+            mode: MovingMode::MovL,
+            pause_s: 0.5,
+            ..MoveTo::to(220.0, y_mm, 20.0)
+        })
+    };
+    let program = NewJob {
+        commands: vec![target(0.0), target(40.0)],
+        lift_mm: 0.0,
+        ..spiral(1)
+    };
+    let job = it.submit(&program).unwrap();
+    it.start(anna, job).unwrap();
+    let second = it.now() + Duration::from_secs(1);
+    assert!(it.run_until(second, |it| it.supervisor().session().under_way() == 1));
+    it.ask(anna, Request::PauseJob).unwrap();
+    wait_until_paused(&mut it, job);
+    assert_eq!(it.supervisor().job().unwrap().completed, 1);
+    it.start(anna, job).unwrap();
+    let minute = it.now() + Duration::from_secs(60);
+    assert!(it.run_until(minute, |it| is_over(it, job)));
+}

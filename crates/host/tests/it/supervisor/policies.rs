@@ -1,0 +1,153 @@
+//! A policy that is changed while the station runs.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, Jog, News, Request, Role};
+use dobot_host::VirtualStation;
+use dobot_safety::Policy;
+use dobot_supervisor::Refusal;
+use dobot_wire::{Command, LinearJog, LinearJogAxis, MoveTo, MovingMode, PlaybackAdjustment};
+
+use super::releases::over;
+use super::strokes::PERSONALITIES;
+
+fn low() -> Policy {
+    Policy::from_toml("[workspace]\nz_mm = [20, 100]\n").unwrap()
+}
+
+fn down() -> Request {
+    let command = Command::from(MoveTo::to(200.0, 0.0, 0.0));
+    Request::Command { command }
+}
+
+#[test]
+fn a_command_is_judged_by_the_policy_that_holds_when_it_is_given() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        it.set_policy(anna, low()).unwrap();
+        assert!(it.notices().iter().any(|it| it.news == News::PolicyChanged));
+        let place = |it: &VirtualStation| it.supervisor().state().arm.unwrap().status.z_mm;
+        let z_mm = place(&it);
+        let refused = it.ask(anna, down()).unwrap_err();
+        assert!(refused.to_string().contains("workspace"), "{refused}");
+        it.run_for(Duration::from_secs(5));
+        assert_eq!(place(&it), z_mm);
+        it.set_policy(anna, Policy::default()).unwrap();
+        it.ask(anna, down()).unwrap();
+    }
+}
+
+#[test]
+fn what_is_under_way_was_judged_by_the_old_policy_and_has_to_be_over_first() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        it.ask(anna, down()).unwrap();
+        it.run_for(Duration::from_millis(200));
+        let refused = it.set_policy(anna, low());
+        assert!(
+            matches!(refused, Err(Refusal::StillMoving { .. })),
+            "{refused:?}"
+        );
+        it.run_for(Duration::from_secs(20));
+        let jog = Jog::Linear(LinearJog::new(LinearJogAxis::YPlus, 50.0));
+        it.ask(anna, Request::Jog { jog }).unwrap();
+        it.run_for(Duration::from_millis(100));
+        let refused = it.set_policy(anna, low());
+        assert!(
+            matches!(refused, Err(Refusal::StillMoving { .. })),
+            "{refused:?}"
+        );
+        it.ask(anna, Request::Release).unwrap();
+        it.run_for(Duration::from_secs(2));
+        it.set_policy(anna, low()).unwrap();
+    }
+}
+
+#[test]
+fn only_an_administrator_changes_the_policy_and_an_armed_laser_does_not_outlive_it() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        let pupil = it.client_as("pupil", Role::Watch);
+        let refused = it.set_policy(pupil, low());
+        assert!(matches!(refused, Err(Refusal::Role { .. })), "{refused:?}");
+        it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
+        it.set_policy(anna, low()).unwrap();
+        assert_eq!(it.supervisor().state().laser.armed_for_s, 0.0);
+    }
+}
+
+/// A slow line of 180 mm, and what was sent for it.
+fn slow_line(it: &mut VirtualStation, anna: ClientId) -> usize {
+    let slow = PlaybackAdjustment {
+        speed_percent: 20.0,
+        acceleration_percent: 100.0,
+        teach_speed_percent: 20.0,
+    };
+    for command in [slow.into(), MoveTo::to(200.0, -90.0, 20.0).into()] {
+        it.ask(anna, Request::Command { command }).unwrap();
+    }
+    it.run_for(Duration::from_secs(20));
+    let before = it.packets().len();
+    let command = MoveTo::to(200.0, 90.0, 20.0)
+        .with_mode(MovingMode::MovL)
+        .into();
+    it.ask(anna, Request::Command { command }).unwrap();
+    before
+}
+
+#[test]
+fn a_slow_straight_line_is_sent_in_pieces_where_the_policy_wants_that_and_a_stop_waits_for_one_only()
+ {
+    for personality in PERSONALITIES {
+        let rested_s = ["", "[queue]\nline_s = 1\n"].map(|policy| {
+            let (mut it, anna) = over(personality, 0);
+            it.set_policy(anna, Policy::from_toml(policy).unwrap())
+                .unwrap();
+            slow_line(&mut it, anna);
+            it.run_for(Duration::from_secs(3));
+            let at = it.now();
+            it.ask(anna, Request::Stop { reason: None }).unwrap();
+            it.run_for(Duration::from_secs(30));
+            let stop = it.supervisor().state().stop.unwrap();
+            assert!(stop.at_rest, "{personality}");
+            let rested = it
+                .notices()
+                .iter()
+                .find(|it| it.news == News::AtRest)
+                .unwrap();
+            assert!(
+                rested.at_s <= stop.rests_by_s + 0.3,
+                "{personality}: {rested:?}"
+            );
+            rested.at_s - at.as_secs_f64()
+        });
+        let [whole_s, cut_s] = rested_s;
+        assert!(
+            cut_s < 2.2 && whole_s > 2.0 * cut_s,
+            "{personality}: {rested_s:?}"
+        );
+    }
+}
+
+#[test]
+fn a_line_in_pieces_ends_where_the_whole_one_does_and_is_done_once() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        let policy = Policy::from_toml("[queue]\nline_s = 1\n").unwrap();
+        it.set_policy(anna, policy).unwrap();
+        let before = slow_line(&mut it, anna);
+        let first_notice = it.notices().len();
+        it.run_for(Duration::from_secs(40));
+        let sent = it.packets()[before..].len();
+        assert!((4..=12).contains(&sent), "{personality}: {sent}");
+        let done = it.notices()[first_notice..].iter();
+        let done = done.filter(|it| matches!(it.news, News::CommandDone { .. }));
+        assert_eq!(done.count(), 1, "{personality}");
+        let status = it.supervisor().state().arm.unwrap().status;
+        let off = [status.x_mm - 200.0, status.y_mm - 90.0, status.z_mm - 20.0];
+        assert!(
+            off.iter().all(|it| it.abs() < 0.1),
+            "{personality}: {off:?}"
+        );
+    }
+}

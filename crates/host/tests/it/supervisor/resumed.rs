@@ -1,0 +1,197 @@
+//! A program that was interrupted goes on where the arm is, and says truly how far it got.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, JobKind, JobProgram, JobState, NewJob, Request};
+use dobot_controller::{Controller, Personality, PowerUp};
+use dobot_host::VirtualStation;
+use dobot_safety::Policy;
+use dobot_sim::{SerialLine, VirtualArm};
+use dobot_wire::{Command, MoveTo, MovingMode, Packet};
+
+use super::drawing::virtual_station;
+
+fn target([x_mm, y_mm, z_mm]: [f32; 3], mode: MovingMode, suction: bool) -> MoveTo {
+    MoveTo {
+        mode,
+        suction,
+        pause_s: 0.3,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
+    }
+}
+
+fn program(targets: &[MoveTo]) -> NewJob {
+    NewJob {
+        title: "a program".into(),
+        kind: JobKind::Program,
+        commands: targets.iter().map(|it| Command::from(*it)).collect(),
+        lift_mm: 0.0,
+        pauses: Vec::new(),
+        program: JobProgram::default(),
+    }
+}
+
+fn begin(it: &mut VirtualStation, job: &NewJob) -> (ClientId, u64) {
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    let number = it.submit(job).unwrap();
+    it.start(anna, number).unwrap();
+    (anna, number)
+}
+
+/// Waits until the job is paused in the journal.
+fn paused(it: &mut VirtualStation, job: u64) {
+    let latest = it.now() + Duration::from_secs(60);
+    let is_paused = |it: &VirtualStation| {
+        let state = it.job(job).unwrap().state;
+        matches!(state, JobState::Paused { .. }) && it.supervisor().is_at_rest()
+    };
+    assert!(
+        it.run_until(latest, is_paused),
+        "{:?}",
+        it.job(job).unwrap().state
+    );
+}
+
+/// Goes on to the end; each target that pauses was sent so often.
+fn finish(it: &mut VirtualStation, job: u64, wanted: &NewJob) -> Vec<usize> {
+    let anna = it.client("Anna");
+    it.ask(anna, Request::SeizeLease).unwrap();
+    it.ask(anna, Request::ConfirmPose).unwrap();
+    it.start(anna, job).unwrap();
+    let latest = it.now() + Duration::from_secs(60);
+    let is_done = |it: &VirtualStation| it.job(job).unwrap().state == JobState::Done;
+    assert!(
+        it.run_until(latest, is_done),
+        "{:?}",
+        it.job(job).unwrap().state
+    );
+    let dialect = it.job(job).unwrap().dialect;
+    let sent: Vec<Command> = it
+        .packets()
+        .iter()
+        .map(|(_, bytes)| Packet::from_bytes(bytes).unwrap())
+        .filter_map(|it| Command::parse(&it, &dialect).ok())
+        .collect();
+    let times = |command: &Command| sent.iter().filter(|it| *it == command).count();
+    wanted.commands.iter().map(times).collect()
+}
+
+#[test]
+fn a_straight_first_way_that_the_arm_has_gone_already_does_not_keep_the_rest_from_going_on() {
+    for personality in Personality::ALL {
+        let mut it = virtual_station(personality);
+        let wanted = program(&[
+            target([200.0, -60.0, 25.0], MovingMode::MovL, false),
+            target([230.0, 0.0, 25.0], MovingMode::MovJ, false),
+        ]);
+        let (_, job) = begin(&mut it, &wanted);
+        it.run_for(Duration::from_millis(400));
+        it.crash(Duration::from_secs(4)).unwrap();
+        paused(&mut it, job);
+        assert_eq!(finish(&mut it, job, &wanted), [1, 1], "{personality}");
+    }
+}
+
+#[test]
+fn a_grip_that_is_seen_only_when_the_link_is_back_counts_as_done() {
+    for personality in Personality::ALL {
+        for away_ms in (900..2_000).step_by(50) {
+            let mut it = virtual_station(personality);
+            let wanted = program(&[
+                target([200.0, -60.0, 25.0], MovingMode::MovL, true),
+                target([230.0, 0.0, 25.0], MovingMode::MovL, true),
+            ]);
+            let (_, job) = begin(&mut it, &wanted);
+            it.run_for(Duration::from_millis(400));
+            it.unplug();
+            it.run_for(Duration::from_millis(away_ms));
+            it.plug();
+            paused(&mut it, job);
+            let times = finish(&mut it, job, &wanted);
+            assert_eq!(times, [1, 1], "{personality}, {away_ms} ms");
+        }
+    }
+}
+
+#[test]
+fn a_station_that_stood_still_while_the_arm_went_on_sends_nothing_twice() {
+    for personality in Personality::ALL {
+        for stalled_ms in [300, 700, 1_100, 1_900] {
+            let mut it = virtual_station(personality);
+            let wanted = program(&[
+                target([230.0, 0.0, 10.0], MovingMode::Jump, false),
+                target([240.0, 30.0, 10.0], MovingMode::MovJ, false),
+            ]);
+            let (_, job) = begin(&mut it, &wanted);
+            it.run_for(Duration::from_millis(300));
+            it.stall(Duration::from_millis(stalled_ms));
+            it.run_for(Duration::from_millis(100));
+            let trust = it.supervisor().state().trust;
+            assert!(trust.trusted, "{personality}, {stalled_ms} ms: {trust:?}");
+            let over = it.now() + Duration::from_secs(20);
+            let rests = |it: &VirtualStation| {
+                it.supervisor().is_at_rest() && it.job(job).unwrap().state != JobState::Running
+            };
+            assert!(it.run_until(over, rests), "{personality}, {stalled_ms} ms");
+            let times = if it.job(job).unwrap().state == JobState::Done {
+                continue;
+            } else {
+                finish(&mut it, job, &wanted)
+            };
+            assert_eq!(times, [1, 1], "{personality}, {stalled_ms} ms");
+        }
+    }
+}
+
+#[test]
+fn a_program_whose_arm_was_reset_is_paused_and_sends_nothing_before_a_person_has_looked() {
+    for personality in Personality::ALL {
+        let power_up = PowerUp::new(personality);
+        let arm = VirtualArm::new(Controller::power_up(power_up), SerialLine::STOCK);
+        let arm = arm.with_faults(power_up, &["reset@2s".parse().unwrap()], 1);
+        let mut it = VirtualStation::with_arm(arm, power_up, Policy::default());
+        it.run_for(Duration::from_secs(1));
+        let wanted = program(&[
+            target([200.0, -60.0, 10.0], MovingMode::MovJ, false),
+            target([230.0, 0.0, 25.0], MovingMode::MovJ, false),
+        ]);
+        let (_, job) = begin(&mut it, &wanted);
+        // It stands still while the arm is reset, so that the link is not lost.
+        it.run_for(Duration::from_millis(500));
+        it.stall(Duration::from_secs(3));
+        let before = it.packets().len();
+        paused(&mut it, job);
+        let told = it.notices().iter().map(|it| &*it.text);
+        let lies: Vec<_> = told.filter(|it| it.contains("sent again")).collect();
+        assert!(lies.is_empty(), "{personality}: {lies:?}");
+        let moves = it.packets()[before..]
+            .iter()
+            .filter(|(_, bytes)| bytes[4] == 3);
+        assert_eq!(moves.count(), 0, "{personality}");
+    }
+}
+
+#[test]
+fn behind_a_straight_line_that_was_perhaps_cut_short_the_arm_is_sent_a_movj_before_the_next() {
+    // The cable is pulled while the line waits until laser off has passed.
+    for unplugged_ms in [5, 20, 40, 47, 60, 100] {
+        let mut it = virtual_station(Personality::Firmware11);
+        let wanted = program(&[
+            target([200.0, -60.0, 25.0], MovingMode::MovJ, false),
+            target([230.0, 0.0, 25.0], MovingMode::MovL, false),
+        ]);
+        let (anna, job) = begin(&mut it, &wanted);
+        it.run_for(Duration::from_millis(500));
+        it.ask(anna, Request::PauseJob).unwrap();
+        paused(&mut it, job);
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(unplugged_ms));
+        it.unplug();
+        it.run_for(Duration::from_secs(5));
+        it.plug();
+        paused(&mut it, job);
+        assert_eq!(finish(&mut it, job, &wanted), [1, 1], "{unplugged_ms} ms");
+    }
+}

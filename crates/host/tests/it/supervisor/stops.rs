@@ -1,0 +1,383 @@
+//! Anyone may stop the arm, and it stays stopped.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, Jog, News, Notice, Reply, Request};
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use dobot_supervisor::StoppedBy;
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, MoveTo, Packet};
+
+use super::drawing::{spiral, virtual_station};
+
+const STOP: Request = Request::Stop { reason: None };
+
+fn target(y_mm: f32) -> Request {
+    Request::Command {
+        command: MoveTo::to(220.0, y_mm, 30.0).into(),
+    }
+}
+
+/// What was put on the wire since then.
+fn sent_since(it: &VirtualStation, since: usize) -> Vec<Command> {
+    let packets = it.packets()[since..].iter();
+    let frame = |bytes: &[u8; 42]| Packet::from_bytes(bytes).expect("the station sends packets");
+    packets
+        .map(|(_, bytes)| Command::parse(&frame(bytes), &Dialect::FIRMWARE_1_1).unwrap())
+        .collect()
+}
+
+const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
+
+#[test]
+fn the_first_packet_after_a_stop_is_laser_off_and_it_leaves_in_the_same_moment() {
+    for stop_ms in (3_300..3_500).step_by(10) {
+        let mut it = virtual_station(Personality::Firmware11);
+        let (anna, ben) = (it.client("Anna"), it.client("Ben"));
+        it.ask(anna, Request::TakeLease).unwrap();
+        let job = it.submit(&spiral(12)).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(stop_ms));
+        let (before, at) = (it.packets().len(), it.now());
+        it.ask(ben, STOP).unwrap();
+        assert_eq!(sent_since(&it, before)[0], LASER_OFF);
+        assert_eq!(it.packets()[before].0, at, "after {stop_ms} ms");
+        // A packet that left just before may have spoilt it: it is said again.
+        it.run_for(Duration::from_secs(10));
+        let said = sent_since(&it, before);
+        assert!(said.iter().filter(|it| **it == LASER_OFF).count() >= 2);
+    }
+}
+
+#[test]
+fn a_stop_right_behind_the_release_of_a_button_switches_the_laser_off_too() {
+    for personality in Personality::ALL {
+        for (presses, later_ms) in [(1, 5), (2, 0), (2, 5), (2, 30), (2, 60), (8, 5), (8, 200)] {
+            let mut it = virtual_station(personality);
+            let anna = it.client("Anna");
+            it.ask(anna, Request::TakeLease).unwrap();
+            let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 30.0));
+            for _ in 0..presses {
+                it.ask(anna, Request::Jog { jog }).unwrap();
+                it.run_for(Duration::from_millis(60));
+            }
+            it.ask(anna, Request::Release).unwrap();
+            it.run_for(Duration::from_millis(later_ms));
+            let before = it.packets().len();
+            it.ask(anna, Request::Stop { reason: None }).unwrap();
+            let sent = sent_since(&it, before);
+            assert!(
+                matches!(
+                    sent[..],
+                    [Command::JointJog(JointJog {
+                        axis: JointJogAxis::LaserOff,
+                        ..
+                    })]
+                ),
+                "{personality}, {presses} presses, {later_ms} ms: {sent:?}"
+            );
+            // The release, which the laser's packet may have damaged on the line, is repeated.
+            it.run_for(Duration::from_secs(2));
+            let again = |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
+            assert!(
+                sent_since(&it, before).iter().any(again),
+                "{personality}, {later_ms} ms"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_stopped_arm_refuses_everything_until_a_person_lets_it_go_on() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let reason = Some("a hand".to_owned());
+    it.ask(anna, Request::Stop { reason }).unwrap();
+    let refused = it.ask(anna, target(20.0)).unwrap_err();
+    assert_eq!(refused.to_string(), "the arm was stopped by Anna: a hand");
+    it.run_for(Duration::from_mins(1));
+    assert_eq!(it.ask(anna, target(20.0)).unwrap_err().kind(), "stopped");
+    it.ask(anna, Request::ResetStop).unwrap();
+    it.ask(anna, target(20.0)).unwrap();
+}
+
+#[test]
+fn a_stop_cannot_be_reset_while_the_arm_still_moves() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    it.ask(anna, target(100.0)).unwrap();
+    it.run_for(Duration::from_millis(800));
+    it.ask(anna, STOP).unwrap();
+    assert_eq!(
+        it.ask(anna, Request::ResetStop).unwrap_err().kind(),
+        "still-moving"
+    );
+    let minute = it.now() + Duration::from_mins(1);
+    let at_rest = |it: &VirtualStation| {
+        it.supervisor()
+            .state()
+            .stop
+            .is_some_and(|stop| stop.at_rest)
+    };
+    assert!(it.run_until(minute, at_rest));
+    it.ask(anna, Request::ResetStop).unwrap();
+}
+
+#[test]
+fn what_waits_is_never_sent_after_a_stop() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    for y_mm in [100.0, -100.0, 100.0, -100.0, 100.0] {
+        it.ask(anna, target(y_mm)).unwrap();
+    }
+    it.run_for(Duration::from_millis(500));
+    let before = it.packets().len();
+    it.ask(anna, STOP).unwrap();
+    it.run_for(Duration::from_mins(1));
+    let moved = sent_since(&it, before)
+        .into_iter()
+        .filter(|it| matches!(it, Command::MoveTo(_)))
+        .count();
+    assert_eq!(moved, 0);
+    let failed = |it: &&dobot_api::Notice| matches!(it.news, News::CommandFailed { .. });
+    assert!(it.notices().iter().filter(failed).count() >= 3);
+}
+
+#[test]
+fn the_arm_rests_as_soon_as_was_promised_whenever_it_is_stopped() {
+    for eighth in 1..40 {
+        let mut it = virtual_station(Personality::Firmware11);
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let job = it.submit(&spiral(12)).unwrap();
+        it.start(anna, job).unwrap();
+        it.run_for(Duration::from_millis(125 * eighth));
+        it.ask(anna, STOP).unwrap();
+        let stop = it.supervisor().state().stop.unwrap();
+        let promised = Duration::from_secs_f64(stop.rests_by_s);
+        it.run_until(promised, |_| false);
+        let there = it.arm().mechanics().joints_at(it.now());
+        it.run_for(Duration::from_secs(30));
+        let later = it.arm().mechanics().joints_at(it.now());
+        assert_eq!(there, later, "stopped after {eighth} eighths of a second");
+    }
+}
+
+/// A station whose cable is pulled while somebody holds a button.
+fn unplugged_in_a_jog(personality: Personality) -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let jog = Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 30.0));
+    for _ in 0..10 {
+        it.ask(anna, Request::Jog { jog }).unwrap();
+        it.run_for(Duration::from_millis(50));
+    }
+    it.unplug();
+    it.run_for(Duration::from_millis(600));
+    (it, anna)
+}
+
+fn notices_with(it: &VirtualStation, text: &str) -> usize {
+    let has = |it: &&Notice| it.text.contains(text);
+    it.notices().iter().filter(has).count()
+}
+
+#[test]
+fn a_stop_without_a_link_says_that_it_was_not_delivered_until_it_is() {
+    for personality in Personality::ALL {
+        let (mut it, anna) = unplugged_in_a_jog(personality);
+        let ben = it.client("Ben");
+        let reply = it.ask(ben, STOP).unwrap();
+        assert!(
+            matches!(
+                reply,
+                Reply::Stopping {
+                    delivered: false,
+                    ..
+                }
+            ),
+            "{reply:?}"
+        );
+        assert!(!it.supervisor().state().stop.unwrap().delivered);
+        it.run_for(Duration::from_secs(5));
+        assert!(notices_with(&it, "NOT DELIVERED") >= 5, "{personality}");
+        // Nobody knows whether the arm rests.
+        let refused = it.ask(anna, Request::ResetStop).unwrap_err();
+        assert_eq!(refused.kind(), "no-link");
+        let before = it.packets().len();
+        it.plug();
+        it.run_for(Duration::from_secs(1));
+        assert_eq!(sent_since(&it, before)[0], LASER_OFF, "{personality}");
+        assert!(it.supervisor().state().stop.unwrap().delivered);
+        assert_eq!(notices_with(&it, "the stop is delivered now"), 1);
+        it.run_for(Duration::from_secs(5));
+        it.ask(anna, Request::ResetStop).unwrap();
+    }
+}
+
+#[test]
+fn a_release_and_laser_off_without_a_link_are_refused_as_not_delivered() {
+    for personality in Personality::ALL {
+        let (mut it, anna) = unplugged_in_a_jog(personality);
+        for asked in [Request::Release, Request::DisarmLaser] {
+            assert_eq!(it.ask(anna, asked).unwrap_err().kind(), "not-delivered");
+        }
+    }
+}
+
+#[test]
+fn a_stop_with_a_link_is_delivered() {
+    let mut it = virtual_station(Personality::Firmware11);
+    let anna = it.client("Anna");
+    let reply = it.ask(anna, STOP).unwrap();
+    assert!(
+        matches!(
+            reply,
+            Reply::Stopping {
+                delivered: true,
+                ..
+            }
+        ),
+        "{reply:?}"
+    );
+    assert!(it.supervisor().state().stop.unwrap().delivered);
+}
+
+fn fire_drill() -> StoppedBy {
+    StoppedBy {
+        by: "Ms Weber".into(),
+        reason: Some("fire drill".into()),
+    }
+}
+
+/// Two stations of a fleet, and who controls the second one.
+fn two_stations() -> (VirtualStation, VirtualStation, ClientId) {
+    let one = virtual_station(Personality::Firmware11);
+    let mut other = virtual_station(Personality::Firmware11);
+    let ben = other.client("Ben");
+    other.ask(ben, Request::TakeLease).unwrap();
+    (one, other, ben)
+}
+
+/// No motion was put on the wire since then.
+fn moved_since(it: &VirtualStation, since: usize) -> bool {
+    let sent = sent_since(it, since);
+    sent.iter().any(
+        |it| !matches!(it, Command::JointJog(jog) if jog.speed_percent == 0.0 || *it == LASER_OFF),
+    )
+}
+
+#[test]
+fn a_stop_of_the_fleet_that_a_station_learns_of_switches_its_laser_off_first_and_nothing_more_is_sent()
+ {
+    let (mut one, mut other, ben) = two_stations();
+    let job = other.submit(&spiral(12)).unwrap();
+    other.start(ben, job).unwrap();
+    other.run_for(Duration::from_secs(3));
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    let before = other.packets().len();
+    other.adopt_fleet_stops(std::slice::from_ref(&stop));
+    assert_eq!(sent_since(&other, before)[0], LASER_OFF);
+    other.run_for(Duration::from_mins(1));
+    assert!(!moved_since(&other, before));
+    let refused = other.ask(ben, target(20.0)).unwrap_err();
+    assert_eq!(refused.kind(), "stopped");
+    let text = "stopped: fleet, by Ms Weber: fire drill";
+    assert_eq!(refused.to_string(), text);
+    assert_eq!(other.supervisor().state().stop.unwrap().text(), text);
+    assert!(other.start(ben, job).is_err());
+    assert!(!moved_since(&other, before));
+}
+
+#[test]
+fn a_stop_of_the_fleet_holds_through_a_restart_of_every_station() {
+    let (mut one, mut other, _) = two_stations();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    for it in [&mut one, &mut other] {
+        it.run_for(Duration::from_secs(10));
+        it.crash(Duration::from_secs(2)).unwrap();
+        it.run_for(Duration::from_secs(1));
+        let anna = it.client("Anna");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let before = it.packets().len();
+        assert_eq!(it.ask(anna, target(20.0)).unwrap_err().kind(), "stopped");
+        it.run_for(Duration::from_secs(10));
+        assert!(!moved_since(it, before));
+    }
+}
+
+#[test]
+fn a_station_that_was_away_when_the_fleet_was_reset_moves_again_when_it_learns_of_that() {
+    let (mut one, mut other, ben) = two_stations();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    one.run_for(Duration::from_secs(10));
+    let reset = one.reset_fleet("Ms Weber");
+    assert_eq!(one.supervisor().state().stop, None);
+    other.run_for(Duration::from_secs(10));
+    assert_eq!(other.ask(ben, target(20.0)).unwrap_err().kind(), "stopped");
+    other.adopt_fleet_stops(&reset);
+    other.ask(ben, target(20.0)).unwrap();
+}
+
+#[test]
+fn an_arm_that_still_moves_is_let_go_by_a_reset_of_the_fleet_when_it_rests() {
+    let (mut one, mut other, ben) = two_stations();
+    other.ask(ben, target(100.0)).unwrap();
+    other.run_for(Duration::from_millis(800));
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    other.adopt_fleet_stops(&one.reset_fleet("Ms Weber"));
+    assert_eq!(other.ask(ben, target(0.0)).unwrap_err().kind(), "stopped");
+    let minute = other.now() + Duration::from_mins(1);
+    assert!(other.run_until(minute, |it| it.supervisor().state().stop.is_none()));
+    assert!(other.supervisor().is_at_rest());
+}
+
+#[test]
+fn a_stop_of_one_arm_holds_when_that_of_the_fleet_is_reset() {
+    let (mut one, mut other, ben) = two_stations();
+    let reason = Some("finger caught".to_owned());
+    other.ask(ben, Request::Stop { reason }).unwrap();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(&[stop]);
+    assert!(other.supervisor().state().stop.unwrap().of_fleet);
+    other.run_for(Duration::from_secs(10));
+    other.adopt_fleet_stops(&one.reset_fleet("Ms Weber"));
+    let stop = other.supervisor().state().stop.unwrap();
+    assert_eq!(stop.text(), "stopped by Ben: finger caught");
+    assert_eq!(other.ask(ben, target(20.0)).unwrap_err().kind(), "stopped");
+    // It is known after a restart which one is left.
+    other.crash(Duration::from_secs(2)).unwrap();
+    let stop = other.supervisor().state().stop.unwrap();
+    assert_eq!(stop.text(), "stopped by Ben: finger caught");
+}
+
+#[test]
+fn an_arm_that_a_person_lets_go_moves_while_the_others_stay_stopped_and_the_same_stop_does_not_come_back()
+ {
+    let (mut one, mut other, ben) = two_stations();
+    let stop = one.stop_fleet("desk-1", fire_drill());
+    other.adopt_fleet_stops(std::slice::from_ref(&stop));
+    other.run_for(Duration::from_secs(10));
+    other.ask(ben, Request::ResetStop).unwrap();
+    other.ask(ben, target(20.0)).unwrap();
+    // The others tell it again, also after a restart.
+    other.run_for(Duration::from_secs(10));
+    other.crash(Duration::from_secs(2)).unwrap();
+    other.run_for(Duration::from_secs(1));
+    let known = other.adopt_fleet_stops(std::slice::from_ref(&stop));
+    assert_eq!(known, [stop]);
+    let ben = other.client("Ben");
+    other.ask(ben, Request::TakeLease).unwrap();
+    other.ask(ben, target(0.0)).unwrap();
+    assert!(one.supervisor().is_stopped());
+    // A new one stops it.
+    other.adopt_fleet_stops(&[one.stop_fleet("desk-1", fire_drill())]);
+    assert_eq!(other.ask(ben, target(20.0)).unwrap_err().kind(), "stopped");
+}

@@ -1,0 +1,111 @@
+//! What is said to an arm that does not hear it is carried out all the same (note N50).
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, News, Request};
+use dobot_controller::Personality;
+use dobot_host::VirtualStation;
+use dobot_supervisor::Refusal;
+use dobot_wire::{Command, MoveTo, MovingMode, Packet, Voice};
+
+use super::drawing::virtual_station;
+use crate::cases::commands::target;
+
+const PERSONALITIES: [Personality; 2] = Personality::ALL;
+
+fn lab(personality: Personality) -> (VirtualStation, ClientId) {
+    let mut it = virtual_station(personality);
+    let anna = it.client("Anna");
+    it.ask(anna, Request::TakeLease).unwrap();
+    let start = MoveTo {
+        mode: MovingMode::MovJ,
+        ..target([210.0, 10.0, 0.0])
+    };
+    it.ask(
+        anna,
+        Request::Command {
+            command: start.into(),
+        },
+    )
+    .unwrap();
+    it.run_for(Duration::from_secs(5));
+    (it, anna)
+}
+
+fn voice(text: &str) -> Command {
+    Voice::new(text).unwrap().into()
+}
+
+fn say(it: &mut VirtualStation, client: ClientId, raw: bool, text: &str) -> Result<(), Refusal> {
+    let command = voice(text);
+    if raw {
+        let packet = command.emit(&it.supervisor().dialect().unwrap());
+        return it.send_raw(client, &packet);
+    }
+    it.ask(client, Request::Command { command }).map(drop)
+}
+
+fn place(it: &VirtualStation) -> [f32; 3] {
+    let status = it.supervisor().state().arm.unwrap().status;
+    [status.x_mm, status.y_mm, status.z_mm]
+}
+
+#[test]
+fn an_arm_does_what_the_words_mean_whether_it_hears_them_or_not() {
+    for personality in PERSONALITIES {
+        for raw in [false, true] {
+            let (mut it, anna) = lab(personality);
+            for (text, to) in [
+                ("left twenty five", [210.0, 35.0, 0.0]),
+                ("up ten", [210.0, 35.0, 10.0]),
+                ("Back sixty", [150.0, 35.0, 10.0]),
+            ] {
+                say(&mut it, anna, raw, text).unwrap();
+                it.run_for(Duration::from_secs(5));
+                let found = place(&it);
+                let off: f32 = found.iter().zip(to).map(|(a, b)| (a - b).abs()).sum();
+                assert!(off < 0.01, "{personality}, {text}: {found:?}, not {to:?}");
+            }
+            for (text, on) in [("catch it", true), ("release", false)] {
+                say(&mut it, anna, raw, text).unwrap();
+                it.run_for(Duration::from_secs(1));
+                assert_eq!(it.arm().controller().suction(), on, "{personality}, {text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_stock_arm_gets_no_voice_packet_over_usb_and_the_pump_stays_on_the_way() {
+    let (mut it, anna) = lab(Personality::Firmware11);
+    say(&mut it, anna, false, "catch").unwrap();
+    say(&mut it, anna, false, "ahead five").unwrap();
+    it.run_for(Duration::from_secs(3));
+    assert!(it.arm().controller().suction());
+    let is_voice = |bytes: &[u8; 42]| matches!(Packet::from_bytes(bytes), Some(Packet::Voice(_)));
+    assert!(!it.packets().iter().any(|(_, bytes)| is_voice(bytes)));
+    let done = |it: &&dobot_api::Notice| matches!(it.news, News::CommandDone { .. });
+    assert_eq!(it.notices().iter().filter(done).count(), 3);
+}
+
+#[test]
+fn what_the_words_mean_is_judged_as_the_motion_that_it_is() {
+    let (mut it, anna) = lab(Personality::Firmware11);
+    for (text, why) in [
+        ("down seventy", "table allows"),
+        ("hello", "none of ahead, back"),
+        ("up", "none of ahead, back"),
+    ] {
+        let refusal = say(&mut it, anna, true, text).unwrap_err().to_string();
+        assert!(refusal.contains(why), "{text}: {refusal}");
+    }
+}
+
+#[test]
+fn nobody_speaks_to_an_arm_that_moves_and_hears_it() {
+    let (mut it, anna) = lab(Personality::Specification);
+    say(&mut it, anna, false, "left twenty").unwrap();
+    it.run_for(Duration::from_millis(300));
+    let refusal = say(&mut it, anna, false, "right twenty").unwrap_err();
+    assert!(matches!(refusal, Refusal::StillMoving { .. }), "{refusal}");
+}

@@ -1,0 +1,144 @@
+//! Where a command would lead, for those who ask before they send it.
+
+use std::time::Duration;
+
+use dobot_api::{ClientId, Reply, Request, WayView};
+use dobot_controller::Personality;
+use dobot_geometry::{Point, Stroke};
+use dobot_host::VirtualStation;
+use dobot_supervisor::Refusal;
+use dobot_wire::{Command, MoveTo, MovingMode};
+
+use super::releases::over;
+use super::strokes::{PERSONALITIES, pen_job, started, view};
+
+fn asked(it: &mut VirtualStation, client: ClientId, command: Command) -> Result<WayView, Refusal> {
+    match it.ask(client, Request::CheckCommand { command })? {
+        Reply::Way { way } => Ok(way),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn line(x_mm: f32, y_mm: f32, z_mm: f32) -> Command {
+    MoveTo {
+        mode: MovingMode::MovL,
+        ..MoveTo::to(x_mm, y_mm, z_mm)
+    }
+    .into()
+}
+
+fn station(personality: Personality) -> (VirtualStation, ClientId) {
+    let (mut it, anna) = over(personality, 0);
+    it.ask(anna, Request::ReleaseLease).unwrap();
+    (it, anna)
+}
+
+#[test]
+fn the_way_that_is_told_is_the_way_that_the_arm_goes() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = station(personality);
+        let there = line(210.0, -40.0, 60.0);
+        let way = asked(&mut it, anna, there).unwrap();
+        it.ask(anna, Request::TakeLease).unwrap();
+        it.ask(anna, Request::Command { command: there }).unwrap();
+        let until = it.now() + Duration::from_secs(20);
+        while it.now() < until {
+            it.run_for(Duration::from_millis(80));
+            let at = place(&it);
+            let distance_mm = way
+                .path_mm
+                .windows(2)
+                .map(|part| off_mm(at, part[0], part[1]));
+            let distance_mm = distance_mm.fold(f64::MAX, f64::min);
+            assert!(
+                distance_mm < 0.1,
+                "{personality}: {at:?} is {distance_mm} mm off the way"
+            );
+        }
+        let end = it.supervisor().state().arm.unwrap().status;
+        let reported = [end.base_deg, end.rear_deg, end.fore_deg, end.servo_deg].map(f64::from);
+        for (told, reported) in way.joints_deg.iter().zip(reported) {
+            assert!(
+                (told - reported).abs() < 0.01,
+                "{personality}: {way:?}, {end:?}"
+            );
+        }
+    }
+}
+
+fn place(it: &VirtualStation) -> [f64; 3] {
+    let status = it.supervisor().state().arm.unwrap().status;
+    [status.x_mm, status.y_mm, status.z_mm].map(f64::from)
+}
+
+/// How far a place is from the straight line between two others.
+fn off_mm(at: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
+    let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|it| a[it] - b[it]);
+    let times = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let (way, here) = (minus(to, from), minus(at, from));
+    let share = (times(here, way) / times(way, way)).clamp(0.0, 1.0);
+    let off = minus(here, way.map(|it| it * share));
+    times(off, off).sqrt()
+}
+
+#[test]
+fn whoever_asks_sends_nothing_needs_no_control_and_tells_nobody() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = station(personality);
+        let (packets, notices) = (it.packets().len(), it.notices().len());
+        asked(&mut it, anna, line(210.0, 0.0, 60.0)).unwrap();
+        asked(&mut it, anna, line(400.0, 0.0, 60.0)).unwrap_err();
+        it.run_for(Duration::from_secs(1));
+        assert_eq!((it.packets().len(), it.notices().len()), (packets, notices));
+    }
+}
+
+#[test]
+fn a_place_beyond_reach_is_refused_with_the_last_one_that_is_allowed() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = station(personality);
+        let Err(Refusal::Policy(violation)) = asked(&mut it, anna, line(500.0, 0.0, 60.0)) else {
+            panic!("it is beyond reach");
+        };
+        let nearest = violation
+            .nearest
+            .expect("the way begins where the arm may be");
+        let reach_mm = nearest[0].hypot(nearest[1]).hypot(nearest[2]);
+        assert!(reach_mm > 250.0, "{nearest:?}");
+        let [x, y, z] = nearest.map(|it| it.to_string().parse().unwrap());
+        asked(&mut it, anna, line(x, y, z)).unwrap();
+    }
+}
+
+#[test]
+fn the_marked_way_of_a_job_is_what_its_pen_draws() {
+    for personality in PERSONALITIES {
+        let strokes = [
+            [(200.0, -30.0), (240.0, -30.0)],
+            [(230.0, 20.0), (200.0, 20.0)],
+        ]
+        .map(|ends| Stroke::open(ends.map(|(x, y)| Point::new(x, y)).to_vec()));
+        let planned = pen_job(personality, &strokes.clone().map(|it| (it, None)));
+        let (it, _, job) = started(personality, &planned);
+        let path = it.job_path(job).unwrap();
+        let marked: f64 = (1..path.path_mm.len())
+            .filter(|index| path.marks[*index])
+            .map(|index| {
+                let [from, to] = [path.path_mm[index - 1], path.path_mm[index]];
+                assert!(strokes.iter().any(|stroke| {
+                    let ends = [stroke.points[0], stroke.points[1]].map(|it| [it.x, it.y, to[2]]);
+                    off_mm(from, ends[0], ends[1]) < 0.05 && off_mm(to, ends[0], ends[1]) < 0.05
+                }));
+                (from[0] - to[0]).hypot(from[1] - to[1])
+            })
+            .sum();
+        assert!((marked - 70.0).abs() < 0.1, "{personality}: {marked} mm");
+        assert_eq!(path.commands.last(), Some(&(planned.commands.len() - 1)));
+        let planned_s = view(&it).planned_s.unwrap();
+        let until_s = *path.until_s.last().unwrap();
+        assert!(
+            (until_s - planned_s).abs() < 0.01 * planned_s,
+            "{until_s} s, {planned_s} s"
+        );
+    }
+}

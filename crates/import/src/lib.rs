@@ -1,0 +1,56 @@
+//! Files, pictures and texts as lines and areas to draw.
+//!
+//! Each reader gives the same: layers of strokes and areas in millimetres of a page. A file that cannot
+//! be read is an error, which says where it goes wrong, what was found and what is allowed. A thing that
+//! a pen cannot show is a warning.
+//!
+//! ```
+//! use dobot_import::{ReadOptions, Source};
+//!
+//! let file = b"x,y\n0,0\n30,0\n30,40\n".to_vec();
+//! let (artwork, warnings) = Source::of_file("lines.csv", file)?.read(&ReadOptions::default())?;
+//! assert_eq!(artwork.layers[0].strokes[0].length_mm(), 70.0);
+//! assert!(warnings.is_empty());
+//! # Ok::<(), dobot_import::SourceError>(())
+//! ```
+
+mod arc;
+mod artwork;
+mod clip;
+mod dash;
+mod dxf;
+mod encoding;
+mod error;
+mod fonts;
+mod frame;
+mod gcode;
+mod hidden;
+mod hpgl;
+mod kind;
+mod lightburn;
+mod limits;
+mod number;
+mod options;
+mod packed;
+mod picture;
+mod place;
+mod points;
+mod polygon;
+mod sketch;
+mod source;
+mod stack;
+mod svg;
+mod text;
+mod warning;
+mod xml;
+
+pub use artwork::{Artwork, Layer};
+pub use error::{ImageError, SourceError, SvgError, TextError};
+pub use fonts::system_fonts;
+pub use options::{LayersBy, ReadOptions};
+pub use picture::{Shading, ShadingStyle};
+pub use place::Place;
+pub use source::Source;
+pub use text::{Align, Font, StrokeFont, Text};
+pub use usvg::fontdb;
+pub use warning::Warning;

@@ -1,0 +1,304 @@
+//! Lines that run along the edges of what is seen, the denser the darker it is.
+
+use dobot_geometry::{CubicBez, ParamCurve, Point, Random, Stroke, Vec2};
+
+use super::shading::Shading;
+use super::tone::{Tone, as_ink, cell, count};
+
+/// Draws a page with lines along its edges: across the way in which the tone changes most. Where it is
+/// black they lie `spacing_mm` (on the page) apart, elsewhere farther in proportion; white stays empty.
+///
+/// Each line begins at a place that has room, and goes on to both sides until it comes too near to
+/// another one or to itself (evenly spaced streamlines). One that comes back to its begin is closed.
+pub(super) fn flowing(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+    let mut flow = Flow {
+        ways: Ways::new(tone, shading.angle_deg, spacing_mm),
+        tone,
+        spacing_mm,
+        drawn: Drawn::new(tone.page(), spacing_mm),
+        lines: 0,
+    };
+    let starts = starts(tone.page(), spacing_mm, shading.seed);
+    let strokes = starts.into_iter().filter_map(|start| flow.stroke(start));
+    strokes.collect()
+}
+
+struct Flow<'a> {
+    ways: Ways,
+    tone: &'a Tone,
+    spacing_mm: f64,
+    drawn: Drawn,
+    /// How many lines have begun.
+    lines: usize,
+}
+
+impl Flow<'_> {
+    /// The line through a place; none where it has no room, or becomes too short.
+    fn stroke(&mut self, start: Point) -> Option<Stroke> {
+        let begin = Mark {
+            at: start,
+            line: self.lines,
+            along_mm: 0.0,
+        };
+        if !self.has_room(&begin, 1.0) {
+            return None;
+        }
+        self.lines += 1;
+        self.drawn.put(begin);
+        let way = self.ways.at(start);
+        let (mut points, closed) = self.half(begin, way, 1.0);
+        points.insert(0, start);
+        if !closed {
+            let (mut behind, _) = self.half(begin, -way, -1.0);
+            behind.reverse();
+            behind.append(&mut points);
+            points = behind;
+        }
+        let stroke = Stroke { points, closed };
+        if stroke.length_mm() >= SHORTEST * self.spacing_mm {
+            return Some(stroke);
+        }
+        self.drawn.take_back(&stroke.points, begin.line);
+        None
+    }
+
+    /// The corners of a line from its begin on, and whether the last is the begin again. `side` is 1 for
+    /// the line's way and -1 against it.
+    fn half(&mut self, begin: Mark, begin_way: Vec2, side: f64) -> (Vec<Point>, bool) {
+        let step_mm = STEP * self.spacing_mm;
+        let (mut here, mut way, mut line) = (begin, begin_way, Vec::new());
+        for _ in 0..MOST_STEPS {
+            if let Some(home) = self.home(here.at, way, begin.at, begin_way) {
+                for &at in &home {
+                    self.drawn.put(Mark { at, ..here });
+                }
+                line.extend(home);
+                return (line, true);
+            }
+            // Half a step, to see which way it goes there.
+            let middle = along(self.ways.at(here.at + way * (0.5 * step_mm)), way);
+            here.at += middle * step_mm;
+            here.along_mm += side * step_mm;
+            if !self.has_room(&here, GO_ON) {
+                break;
+            }
+            way = along(self.ways.at(here.at), middle);
+            self.drawn.put(here);
+            line.push(here.at);
+        }
+        (line, false)
+    }
+
+    /// The rest of a line that comes back to its begin: none where that is far, or not ahead, or an arc
+    /// to it would not arrive along the line.
+    fn home(&self, here: Point, way: Vec2, begin: Point, begin_way: Vec2) -> Option<Vec<Point>> {
+        let step_mm = STEP * self.spacing_mm;
+        let gap = begin - here;
+        let length_mm = gap.length();
+        if length_mm > GO_ON * self.apart_mm(here) + step_mm || length_mm < 1e-9 {
+            return None;
+        }
+        let ahead = gap / length_mm;
+        let arriving = ahead * (2.0 * way.dot(ahead)) - way;
+        if way.dot(ahead) < AHEAD || arriving.dot(begin_way) < AHEAD {
+            return None;
+        }
+        let third_mm = length_mm / 3.0;
+        let curve = CubicBez::new(
+            here,
+            here + way * third_mm,
+            begin - begin_way * third_mm,
+            begin,
+        );
+        let pieces = cell((length_mm / step_mm).ceil(), MOST_STEPS).max(1);
+        let corner = |i| curve.eval(count(i) / count(pieces));
+        let mut line: Vec<Point> = (1..pieces).map(corner).collect();
+        line.push(begin);
+        line.iter().all(|&p| self.is_inked(p)).then_some(line)
+    }
+
+    /// Whether a line may lie there: it is not white, and neither another nor a farther part of its own
+    /// is nearer than a share of what its tone asks for.
+    fn has_room(&self, mark: &Mark, share: f64) -> bool {
+        let within_mm = share * self.apart_mm(mark.at);
+        self.is_inked(mark.at) && !self.drawn.is_near(mark, within_mm)
+    }
+
+    /// Whether it is on the page and not white.
+    fn is_inked(&self, p: Point) -> bool {
+        let page = self.tone.page();
+        let is_on_page = p.x >= 0.0 && p.y >= 0.0 && p.x <= page.x && p.y <= page.y;
+        is_on_page && self.tone.at(p) >= WHITE
+    }
+
+    /// How far apart the tone of a place wants lines.
+    fn apart_mm(&self, p: Point) -> f64 {
+        self.spacing_mm * (1.0 / self.tone.at(p).max(1e-9)).min(WIDEST)
+    }
+}
+
+/// The way that is less of a turn.
+fn along(way: Vec2, before: Vec2) -> Vec2 {
+    if way.dot(before) < 0.0 { -way } else { way }
+}
+
+/// Which way lines run, as the doubled angle's cosine and sine: one way and its opposite are the same.
+struct Ways {
+    cos: Tone,
+    sin: Tone,
+    /// Where nothing tells a way.
+    otherwise: Vec2,
+}
+
+impl Ways {
+    fn new(tone: &Tone, angle_deg: f64, spacing_mm: f64) -> Self {
+        let soft = tone.blurred(spacing_mm);
+        let (mut cos, mut sin) = (soft.clone(), soft.clone());
+        for y in 0..tone.height {
+            for x in 0..tone.width {
+                let slope = slope(&soft, x, y);
+                // Twice the angle of the slope, and a quarter turn from there.
+                cos.ink[y * tone.width + x] = as_ink(slope.y * slope.y - slope.x * slope.x);
+                sin.ink[y * tone.width + x] = as_ink(-2.0 * slope.x * slope.y);
+            }
+        }
+        let (up, right) = angle_deg.to_radians().sin_cos();
+        Self {
+            cos: cos.blurred(REGION * spacing_mm),
+            sin: sin.blurred(REGION * spacing_mm),
+            otherwise: Vec2::new(right, -up),
+        }
+    }
+
+    fn at(&self, p: Point) -> Vec2 {
+        let (cos, sin) = (self.cos.at(p), self.sin.at(p));
+        if cos.hypot(sin) < FLAT {
+            return self.otherwise;
+        }
+        Vec2::from_angle(sin.atan2(cos) / 2.0)
+    }
+}
+
+/// How the tone changes at a cell, for each millimetre.
+fn slope(tone: &Tone, x: usize, y: usize) -> Vec2 {
+    let ink = |x: usize, y: usize| f64::from(tone.ink[y * tone.width + x]);
+    let (right, below) = ((x + 1).min(tone.width - 1), (y + 1).min(tone.height - 1));
+    let (left, above) = (x.saturating_sub(1), y.saturating_sub(1));
+    Vec2::new(
+        (ink(right, y) - ink(left, y)) / (count(right - left).max(1.0) * tone.cell.x),
+        (ink(x, below) - ink(x, above)) / (count(below - above).max(1.0) * tone.cell.y),
+    )
+}
+
+/// A place on a line.
+#[derive(Clone, Copy)]
+struct Mark {
+    at: Point,
+    /// The number of its line.
+    line: usize,
+    /// From where the line began, below 0 against its way.
+    along_mm: f64,
+}
+
+impl Mark {
+    /// Whether the other lies on the same line, so short a way along it that the two must be near.
+    fn is_beside(&self, other: &Self, within_mm: f64) -> bool {
+        let along_mm = (self.along_mm - other.along_mm).abs();
+        self.line == other.line && along_mm <= BESIDE * within_mm
+    }
+}
+
+/// The places of all lines so far, in squares.
+struct Drawn {
+    columns: usize,
+    rows: usize,
+    side_mm: f64,
+    squares: Vec<Vec<Mark>>,
+}
+
+impl Drawn {
+    fn new(page: Point, side_mm: f64) -> Self {
+        let squares = |mm: f64| cell((mm / side_mm).ceil(), MOST_SQUARES) + 1;
+        let (columns, rows) = (squares(page.x), squares(page.y));
+        Self {
+            columns,
+            rows,
+            side_mm,
+            squares: vec![Vec::new(); columns * rows],
+        }
+    }
+
+    fn put(&mut self, mark: Mark) {
+        let [x, y] = self.square(mark.at);
+        self.squares[y * self.columns + x].push(mark);
+    }
+
+    /// Forgets a line with these points.
+    fn take_back(&mut self, points: &[Point], line: usize) {
+        for &p in points {
+            let [x, y] = self.square(p);
+            self.squares[y * self.columns + x].retain(|it| it.line != line);
+        }
+    }
+
+    fn is_near(&self, mark: &Mark, within_mm: f64) -> bool {
+        let off = Vec2::splat(within_mm);
+        let ([x0, y0], [x1, y1]) = (self.square(mark.at - off), self.square(mark.at + off));
+        (y0..=y1).any(|y| {
+            let row = &self.squares[y * self.columns + x0..=y * self.columns + x1];
+            row.iter()
+                .flatten()
+                .any(|it| it.at.distance(mark.at) < within_mm && !it.is_beside(mark, within_mm))
+        })
+    }
+
+    fn square(&self, p: Point) -> [usize; 2] {
+        [
+            cell(p.x / self.side_mm, self.columns),
+            cell(p.y / self.side_mm, self.rows),
+        ]
+    }
+}
+
+/// Where lines may begin: one place in each square of the page, in an order like chance.
+fn starts(page: Point, spacing_mm: f64, seed: u64) -> Vec<Point> {
+    let side_mm = START * spacing_mm;
+    let squares = |mm: f64| cell((mm / side_mm).ceil(), MOST_SQUARES);
+    let mut random = Random::new(seed);
+    let mut starts: Vec<(f64, Point)> = Vec::new();
+    for y in 0..squares(page.y) {
+        for x in 0..squares(page.x) {
+            let [right, down] = [random.share(), random.share()];
+            let at = Point::new(count(x) + right, count(y) + down).to_vec2() * side_mm;
+            starts.push((random.share(), at.to_point()));
+        }
+    }
+    starts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    starts.into_iter().map(|it| it.1).collect()
+}
+
+/// From corner to corner, in spacings.
+const STEP: f64 = 0.5;
+/// A line that goes on may come so much nearer to others than one that begins.
+const GO_ON: f64 = 0.6;
+/// How long a line is at least, in spacings.
+const SHORTEST: f64 = 3.0;
+/// The farthest apart, in spacings.
+const WIDEST: f64 = 7.0;
+/// Less ink than that is white.
+const WHITE: f64 = 0.05;
+/// Parts of a line may be near to each other up to so far along it, in the distance that others keep.
+const BESIDE: f64 = 2.0;
+/// The cosine of the greatest turn to where a line began, and of the greatest bend where it arrives.
+const AHEAD: f64 = 0.7;
+const MOST_STEPS: usize = 2000;
+/// How far ways are mixed, in spacings.
+const REGION: f64 = 3.0;
+/// What changes less, squared and for each millimetre, tells no way.
+const FLAT: f64 = 1e-7;
+/// A line may begin in each square so wide, in spacings.
+const START: f64 = 0.7;
+const MOST_SQUARES: usize = 4000;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,153 @@
+//! Dots, the denser the darker it is.
+
+use dobot_geometry::{Point, Random, Stroke, Vec2};
+
+use super::shading::Shading;
+use super::tone::Tone;
+
+/// Scatters dots over a page: where it is black about `spacing_mm` (on the page) apart, elsewhere
+/// fewer in proportion, nowhere in clumps or rows.
+///
+/// Error diffusion sets as many dots as the tone asks for everywhere; then each moves to the middle
+/// of the ink that is nearest to it, a few times over (Lloyd's method). The ink counts squared
+/// there, as otherwise the dots would in time spread to a density that goes with its root.
+pub(super) fn stippled(tone: &Tone, shading: &Shading, spacing_mm: f64) -> Vec<Stroke> {
+    let mut dots = scattered(tone, shading.seed, spacing_mm);
+    if !dots.is_empty() {
+        relax(tone, &mut dots);
+    }
+    let strokes = dots.into_iter().map(|dot| Stroke::open(vec![dot]));
+    strokes.collect()
+}
+
+/// Dots in the middles of cells, as many as each tone asks for.
+fn scattered(tone: &Tone, seed: u64, spacing_mm: f64) -> Vec<Point> {
+    let per_cell = tone.cell.x * tone.cell.y / (HEXAGON * spacing_mm * spacing_mm);
+    let mut random = Random::new(seed);
+    let mut dots = Vec::new();
+    // What is still owed to the cells of this row and of the next; one more on both sides.
+    let mut here = vec![0.0; tone.width + 2];
+    for y in 0..tone.height {
+        let mut below = vec![0.0; tone.width + 2];
+        for step in 0..tone.width {
+            let forward = y.is_multiple_of(2);
+            let x = if forward { step } else { tone.width - 1 - step };
+            let ink = f64::from(tone.ink[y * tone.width + x]);
+            if ink < WHITE {
+                // What white owes is not its neighbours' business.
+                continue;
+            }
+            let owed = here[x + 1] + ink * per_cell;
+            let is_dot = owed > 0.5 + SHAKE * (random.share() - 0.5);
+            if is_dot {
+                dots.push(tone.middle(x, y));
+            }
+            let rest = if is_dot { owed - 1.0 } else { owed };
+            let (ahead, behind) = if forward { (x + 2, x) } else { (x, x + 2) };
+            here[ahead] += rest * 7.0 / 16.0;
+            below[behind] += rest * 3.0 / 16.0;
+            below[x + 1] += rest * 5.0 / 16.0;
+            below[ahead] += rest / 16.0;
+        }
+        here = below;
+    }
+    dots
+}
+
+/// Moves each dot to the middle of the ink nearest to it, again and again.
+fn relax(tone: &Tone, dots: &mut [Point]) {
+    let mut nearest = Nearest::new(tone, dots);
+    for _ in 0..ROUNDS {
+        nearest.update(dots);
+        let middles = middles(tone, &nearest, dots.len());
+        for (dot, middle) in dots.iter_mut().zip(middles) {
+            // Around a white hole the middle may lie in it.
+            if let Some(middle) = middle
+                && inked(tone, middle)
+            {
+                *dot = middle;
+            }
+        }
+    }
+}
+
+fn inked(tone: &Tone, p: Point) -> bool {
+    f64::from(tone.ink[tone.index(p)]) >= WHITE
+}
+
+/// For each dot the middle of its ink.
+fn middles(tone: &Tone, nearest: &Nearest<'_>, dots: usize) -> Vec<Option<Point>> {
+    let mut sums = vec![(Vec2::ZERO, 0.0); dots];
+    for (i, (&ink, &dot)) in tone.ink.iter().zip(&nearest.dot).enumerate() {
+        if f64::from(ink) >= WHITE {
+            let weight = f64::from(ink) * f64::from(ink);
+            let (sum, all) = &mut sums[dot as usize];
+            *sum += tone.middle(i % tone.width, i / tone.width).to_vec2() * weight;
+            *all += weight;
+        }
+    }
+    let middle = |(sum, all): (Vec2, f64)| (all > 0.0).then(|| (sum * (1.0 / all)).to_point());
+    sums.into_iter().map(middle).collect()
+}
+
+/// For each cell the dot nearest to it.
+///
+/// A cell asks its neighbours for theirs, in two sweeps over the page, down and up. Dots move little
+/// from round to round, so that the answer of the round before is a good start. Where a wrong one
+/// of two is taken now and then, both are nearly as near.
+struct Nearest<'a> {
+    tone: &'a Tone,
+    dot: Vec<u32>,
+}
+
+impl<'a> Nearest<'a> {
+    fn new(tone: &'a Tone, dots: &[Point]) -> Self {
+        let mut dot = vec![NOBODY; tone.ink.len()];
+        for (i, p) in (0..).zip(dots) {
+            dot[tone.index(*p)] = i;
+        }
+        Self { tone, dot }
+    }
+
+    fn update(&mut self, dots: &[Point]) {
+        let height = self.tone.height;
+        for y in 0..height {
+            self.sweep(dots, y, y.checked_sub(1));
+        }
+        for y in (0..height).rev() {
+            self.sweep(dots, y, (y + 1 < height).then_some(y + 1));
+        }
+    }
+
+    /// Takes over what is nearer, from the row before and within the row, to the right and back.
+    fn sweep(&mut self, dots: &[Point], y: usize, before: Option<usize>) {
+        let width = self.tone.width;
+        let mut held = NOBODY;
+        for x in (0..width).chain((0..width).rev()) {
+            let far = |dot: u32| {
+                let dot = dots.get(dot as usize);
+                dot.map_or(f64::INFINITY, |&dot| {
+                    (dot - self.tone.middle(x, y)).hypot2()
+                })
+            };
+            let own = y * width + x;
+            let mut best = far(held);
+            for other in [Some(own), before.map(|it| it * width + x)] {
+                let other = other.map_or(NOBODY, |it| self.dot[it]);
+                if other != held && far(other) < best {
+                    (best, held) = (far(other), other);
+                }
+            }
+            self.dot[own] = held;
+        }
+    }
+}
+
+const NOBODY: u32 = u32::MAX;
+/// What a dot takes of the plane in the densest packing, in square spacings.
+const HEXAGON: f64 = 0.866;
+/// Less ink than that is white.
+const WHITE: f64 = 0.02;
+const ROUNDS: usize = 30;
+/// How much chance there is in where the first dots lie; without it they make patterns.
+const SHAKE: f64 = 0.6;

@@ -1,0 +1,232 @@
+//! An arm that is not as drawn: where it truly is, and what it has to be told.
+//!
+//! A model, its trajectories and the statuses are in the arm's own words. What people and the rules
+//! speak of are true places: a [`Model`] that knows its [`Calibration`] turns one into the other.
+
+use dobot_arm::{Calibration, Degrees, Joints, Pose, Tool, Unreachable, forward};
+use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, WriteVector, single};
+
+use super::place::position;
+use crate::{ArmPlace, Model};
+
+impl ArmPlace {
+    /// The true joint angles and the true place of the tool, where an arm says this one.
+    #[must_use]
+    pub fn seen_by(&self, calibration: &Calibration, tool: Tool) -> Self {
+        if calibration.is_none() {
+            return *self;
+        }
+        Self {
+            joints: calibration.true_joints(&self.joints),
+            pose: Pose {
+                position: calibration.true_place_of(&self.joints, tool),
+                rotation: self.pose.rotation + Degrees(calibration.base_deg),
+            },
+        }
+    }
+}
+
+/// What an arm that differs so from the drawing of it has to be told for a target, in place or in joint
+/// angles, that speaks of where the tool truly is. All else means the same to every arm. Where it is known from
+/// where the arm comes, slack joints are told less where they turn back.
+///
+/// # Errors
+///
+/// [`Unreachable`] where the arm cannot bring its tool to the true place.
+pub fn told(
+    command: &Command,
+    arm: &Calibration,
+    tool: Tool,
+    from: Option<&Joints>,
+) -> Result<Command, Unreachable> {
+    if arm.is_none() {
+        return Ok(*command);
+    }
+    Ok(match command {
+        Command::MoveTo(it) => {
+            let there = position(it.x_mm, it.y_mm, it.z_mm);
+            let joints = arm.told_joints(there, tool)?;
+            let above = position(it.x_mm, it.y_mm, it.z_mm + 1.0);
+            let lowered = arm.told_joints(above, tool).ok();
+            let from = match it.mode {
+                // It comes down on to its end, with the base turned already.
+                MovingMode::Jump => from.zip(lowered).map(|(from, above)| Joints {
+                    base: from.base,
+                    ..above
+                }),
+                _ => from.copied(),
+            };
+            let told = forward(&taken_up(&joints, from.as_ref(), arm), tool).position;
+            MoveTo {
+                x_mm: single(told.x.0),
+                y_mm: single(told.y.0),
+                z_mm: single(told.z.0),
+                rotation_deg: single(f64::from(it.rotation_deg) - arm.base_deg),
+                ..*it
+            }
+            .into()
+        }
+        Command::MoveJoints(it) => {
+            let [base, rear, fore] = [it.base_deg, it.rear_deg, it.fore_deg].map(f64::from);
+            let joints = arm.told_joints_of(&Joints::new(base, rear, fore, 0.0));
+            let told = taken_up(&joints, from, arm);
+            MoveJoints {
+                base_deg: single(told.base.0),
+                rear_deg: single(told.rear.0),
+                fore_deg: single(told.fore.0),
+                ..*it
+            }
+            .into()
+        }
+        _ => *command,
+    })
+}
+
+/// Joint angles that the arm has to say, where it comes from others.
+fn taken_up(joints: &Joints, from: Option<&Joints>, arm: &Calibration) -> Joints {
+    from.map_or(*joints, |from| {
+        let turned = [
+            joints.base - from.base,
+            joints.rear - from.rear,
+            joints.fore - from.fore,
+        ];
+        arm.motors_at(joints, turned.map(|it| it.0))
+    })
+}
+
+impl Model {
+    /// Where the arm truly is when it says a place.
+    #[must_use]
+    pub fn true_place(&self, told: &ArmPlace) -> ArmPlace {
+        told.seen_by(&self.calibration, self.tool)
+    }
+
+    /// What the arm has to be told for a command that speaks of true places: targets, joint angles and
+    /// vectors, which begin where the arm is.
+    ///
+    /// The end of a line is where it should be; the line between is straight by the arm's own places,
+    /// which bends it by as much as its zeros and its tool are off.
+    ///
+    /// # Errors
+    ///
+    /// [`Unreachable`] where the arm cannot bring its tool to the true place.
+    pub fn told(&self, command: &Command) -> Result<Command, Unreachable> {
+        let arm = &self.calibration;
+        match command {
+            Command::WriteVector(it) if !it.stop && !arm.is_none() => {
+                let here = self.true_place(&self.place).pose.position;
+                let there = here + position(it.x_mm, it.y_mm, it.z_mm);
+                let joints = arm.told_joints(there, self.tool)?;
+                let joints = taken_up(&joints, Some(&self.place.joints), arm);
+                let told = forward(&joints, self.tool).position - self.place.pose.position;
+                Ok(WriteVector {
+                    x_mm: single(told.x.0),
+                    y_mm: single(told.y.0),
+                    z_mm: single(told.z.0),
+                    ..*it
+                }
+                .into())
+            }
+            _ => told(command, arm, self.tool, Some(&self.place.joints)),
+        }
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_arm::Position;
+    use dobot_wire::Dialect;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn arm() -> impl Strategy<Value = Calibration> {
+        (
+            -25.0..25.0,
+            -20.0..20.0,
+            -20.0..20.0,
+            -10.0..10.0,
+            -10.0..10.0,
+        )
+            .prop_map(
+                |(base_deg, rear_deg, fore_deg, reach_mm, left_mm)| Calibration {
+                    base_deg,
+                    rear_deg,
+                    fore_deg,
+                    reach_mm,
+                    left_mm,
+                    axis_mm: [1.0, -2.0],
+                    backlash_deg: [0.0; 3],
+                    table: None,
+                },
+            )
+    }
+
+    fn model(calibration: Calibration) -> Model {
+        let here = ArmPlace::at_joints(Joints::new(10.0, 40.0, 45.0, 0.0), Tool::SuctionCup);
+        Model::standing(Dialect::SPECIFICATION, here).calibrated(calibration)
+    }
+
+    /// Where the tool truly is when a command is over.
+    fn end(model: &Model, command: &Command) -> ArmPlace {
+        let told = model.told(command).unwrap();
+        let trajectory = model.trajectory(&told).unwrap();
+        model.true_place(&trajectory.end().unwrap())
+    }
+
+    proptest! {
+        #[test]
+        fn a_target_brings_the_tool_to_the_true_place(arm in arm(), x in 190.0_f32..230.0, y in -60.0_f32..60.0, z in -10.0_f32..30.0) {
+            let model = model(arm);
+            let target = Command::from(MoveTo::to(x, y, z));
+            prop_assume!(model.told(&target).is_ok_and(|it| model.trajectory(&it).is_ok()));
+            let found = end(&model, &target).pose.position;
+            let away = found - position(x, y, z);
+            prop_assert!(away.x.0.hypot(away.y.0).hypot(away.z.0) < 1e-3, "{found:?}");
+        }
+
+        #[test]
+        fn a_vector_moves_the_tool_by_what_it_says(arm in arm(), dx in -10.0_f32..10.0, dy in -10.0_f32..10.0) {
+            let model = model(arm);
+            let vector = Command::from(WriteVector::by(dx, dy, 0.0, 40.0));
+            prop_assume!(model.told(&vector).is_ok_and(|it| model.trajectory(&it).is_ok()));
+            let from = model.true_place(&model.place).pose.position;
+            let gone = end(&model, &vector).pose.position - from;
+            prop_assert!((gone - position(dx, dy, 0.0)).reach().0 < 1e-3, "{gone:?}");
+        }
+    }
+
+    #[test]
+    fn joint_angles_are_the_true_ones() {
+        let zeros = Calibration {
+            base_deg: 5.0,
+            rear_deg: -3.0,
+            fore_deg: 2.0,
+            ..Calibration::NONE
+        };
+        let turned = Command::from(MoveJoints::to([20.0, 30.0, 50.0, 0.0]));
+        let joints = end(&model(zeros), &turned).joints;
+        let found = [joints.base.0, joints.rear.0, joints.fore.0];
+        for (found, wanted) in found.into_iter().zip([20.0, 30.0, 50.0]) {
+            assert!((found - wanted).abs() < 1e-4, "{joints:?}");
+        }
+    }
+
+    #[test]
+    fn to_an_arm_as_drawn_a_command_means_what_it_says() {
+        let target = Command::from(MoveTo::to(200.0, 10.0, 5.0));
+        assert_eq!(model(Calibration::NONE).told(&target), Ok(target));
+    }
+
+    #[test]
+    fn what_the_arm_cannot_come_to_is_refused() {
+        let far = Command::from(MoveTo::to(500.0, 0.0, 0.0));
+        let arm = Calibration {
+            reach_mm: 5.0,
+            ..Calibration::NONE
+        };
+        model(arm).told(&far).unwrap_err();
+        assert!(model(arm).place.pose.position != Position::new(500.0, 0.0, 0.0));
+    }
+}

@@ -1,0 +1,66 @@
+//! The JUMP of stock arms: up, across and down, each with all joints together (note N45).
+
+use crate::{ArmPlace, JointMove, Speeds, TrajectoryError};
+use dobot_arm::{Joints, Limits, Millimeters, Pose, Tool};
+
+/// Lifts by a height where it stands, goes to that height above the target, and down.
+///
+/// ```text
+///          _ - - _ to + height        each way from rest to rest, all joints together:
+///  from + _       |                   none of the three is a straight line
+///  height |       * to
+///    from *
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lifts {
+    ways: [JointMove; 3],
+}
+
+impl Lifts {
+    /// Plans the three ways. A stock arm leaves out one whose end is out of reach; here that is an
+    /// error, because the tool would then go straight across.
+    pub(crate) fn new(
+        from: ArmPlace,
+        to: Pose,
+        end: Joints,
+        height: Millimeters,
+        speeds: &Speeds,
+        tool: Tool,
+    ) -> Result<Self, TrajectoryError> {
+        let above = |mut pose: Pose| {
+            pose.position.z += height;
+            Limits::STOCK.solve(&pose, tool)
+        };
+        let corners = [from.joints, above(from.pose)?, above(to)?, end];
+        let way = |index: usize| JointMove::new(corners[index], corners[index + 1], speeds);
+        Ok(Self {
+            ways: [way(0)?, way(1)?, way(2)?],
+        })
+    }
+
+    pub(crate) fn joints_at(&self, t_s: f64) -> Joints {
+        let [up, across, down] = &self.ways;
+        let across_s = t_s - up.duration_s();
+        let down_s = across_s - across.duration_s();
+        if across_s < 0.0 {
+            up.joints_at(t_s)
+        } else if down_s < 0.0 {
+            across.joints_at(across_s)
+        } else {
+            down.joints_at(down_s)
+        }
+    }
+
+    /// When each of the three ways ends, in seconds since the start of the first.
+    pub(crate) const fn ends_s(&self) -> [f64; 3] {
+        let [up, across, down] = &self.ways;
+        let above_s = up.duration_s();
+        let across_s = above_s + across.duration_s();
+        [above_s, across_s, across_s + down.duration_s()]
+    }
+
+    pub(crate) const fn duration_s(&self) -> f64 {
+        let [up, across, down] = &self.ways;
+        up.duration_s() + across.duration_s() + down.duration_s()
+    }
+}

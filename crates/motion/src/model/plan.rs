@@ -1,0 +1,289 @@
+//! From a command to its trajectory: pure, nothing has moved yet.
+
+use crate::{JointMove, Jump, LineMove};
+use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Unreachable, forward};
+use dobot_wire::{
+    Command, Configuration, Gesture, MouseMove, MoveJoints, MovingMode, Voice, VoiceOrder,
+};
+
+use super::Lines;
+use super::follow::{gestured, moused};
+use super::lifts::Lifts;
+use super::motion::Motion;
+use super::place::position;
+use super::settings::tool_named;
+use super::vector::vector;
+use crate::{ArmPlace, Button, JogTrajectory, Model, Trajectory, TrajectoryError};
+
+/// Plans a command from where the arm is.
+fn plan(model: &Model, command: &Command) -> Result<Trajectory, TrajectoryError> {
+    match command {
+        Command::MoveTo(it) => {
+            let target = Target::Pose(Pose {
+                position: position(it.x_mm, it.y_mm, it.z_mm),
+                rotation: Degrees(it.rotation_deg.into()),
+            });
+            target.trajectory(model, it.mode, command)
+        }
+        Command::MoveJoints(it) => Target::Joints(joints(it)).trajectory(model, it.mode, command),
+        Command::WriteVector(it) if it.stop => Ok(still(model)),
+        Command::WriteVector(it) => vector(it, model),
+        Command::MouseMove(it) => mouse(it, model),
+        Command::Gesture(it) => gesture(it, model),
+        Command::Voice(it) => spoken(it, model),
+        Command::JointJog(_) | Command::LinearJog(_) => pressed(command, model),
+        Command::Configuration(it) => configured(it, model),
+        Command::PlaybackAdjustment(_) => Ok(still(model)),
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Target {
+    Pose(Pose),
+    Joints(Joints),
+}
+
+impl Target {
+    /// The place of the target. One given as joint angles says more than its pose.
+    fn place(self, model: &Model) -> Result<ArmPlace, Unreachable> {
+        match self {
+            Self::Pose(pose) => Limits::STOCK
+                .solve(&pose, model.tool)
+                .map(|joints| ArmPlace { joints, pose }),
+            Self::Joints(joints) => {
+                Limits::STOCK.check(&joints, model.tool)?;
+                Ok(ArmPlace::at_joints(joints, model.tool))
+            }
+        }
+    }
+
+    fn trajectory(
+        self,
+        model: &Model,
+        mode: MovingMode,
+        command: &Command,
+    ) -> Result<Trajectory, TrajectoryError> {
+        let to = self.place(model)?;
+        let speeds = model.settings.move_speeds();
+        let height = model.settings.jump_height;
+        let from = model.place;
+        let motion = match mode {
+            MovingMode::Jump if model.dialect.jumps_by_joints => Motion::Lifts(Lifts::new(
+                from, to.pose, to.joints, height, &speeds, model.tool,
+            )?),
+            MovingMode::Jump => Motion::Jump(Jump::new(from.pose, to.pose, height, &speeds)?),
+            MovingMode::MovL => line(model, to.pose)?,
+            MovingMode::MovJ => Motion::Joints(JointMove::new(from.joints, to.joints, &speeds)?),
+        };
+        Ok(Trajectory {
+            pause_s: model.pause_s(command),
+            // It says itself where it ends, from wherever.
+            knows_end: true,
+            ..Trajectory::moving(motion, to, model)
+        })
+    }
+}
+
+/// A straight line, and how the tool turns on it.
+fn line(model: &Model, to: Pose) -> Result<Motion, TrajectoryError> {
+    let from = model.place.pose;
+    let length_mm = from.position.distance(to.position).0;
+    if model.dialect.loses_pose_on_the_spot && model.knows_place && length_mm < ON_THE_SPOT_MM {
+        return Err(TrajectoryError::OnTheSpot);
+    }
+    check_lines(model)?;
+    let held = Pose {
+        rotation: if model.dialect.turns_after_line {
+            from.rotation
+        } else {
+            to.rotation
+        },
+        ..to
+    };
+    let line = LineMove::new(from, held, &model.settings.move_speeds())?;
+    Ok(Motion::Line(line, to.rotation))
+}
+
+/// Whether a straight line begins where the arm is.
+fn check_lines(model: &Model) -> Result<(), TrajectoryError> {
+    if model.dialect.resumes_cut_lines && model.lines == Lines::Cut {
+        return Err(TrajectoryError::BehindCutLine);
+    }
+    Ok(())
+}
+
+/// By a mouse increment: that much of Y, X and Z by the document (note N9).
+fn mouse(by: &MouseMove, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    if model.dialect.mouse_swings {
+        return moused(by, model);
+    }
+    let from = model.place.pose;
+    let to = Pose {
+        position: from.position + position(by.x, by.y, by.z),
+        rotation: Degrees(by.rotation_deg.into()),
+    };
+    Trajectory::relative(
+        Motion::Line(
+            LineMove::new(from, to, &model.settings.move_speeds())?,
+            to.rotation,
+        ),
+        model,
+    )
+}
+
+/// To where the hand is, with the rotation kept (note N18).
+fn gesture(hand: &Gesture, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    if model.dialect.scales_gesture {
+        return gestured(hand, model);
+    }
+    straight(position(hand.x, hand.y, hand.z), model)
+}
+
+fn spoken(voice: &Voice, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    if !model.dialect.hears_voice && !model.is_bluetooth {
+        return Err(TrajectoryError::NotHeard);
+    }
+    match VoiceOrder::parse(voice).ok_or(TrajectoryError::NotUnderstood)? {
+        VoiceOrder::Catch | VoiceOrder::Release => Ok(still(model)),
+        VoiceOrder::Move { x_mm, y_mm, z_mm } => {
+            let from = model.place.pose.position;
+            straight(from + position(x_mm, y_mm, z_mm), model)
+        }
+    }
+}
+
+fn straight(to: Position, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    check_lines(model)?;
+    let from = model.place.pose;
+    let to = Pose {
+        position: to,
+        ..from
+    };
+    let line = LineMove::new(from, to, &model.settings.move_speeds())?;
+    Trajectory::relative(Motion::Line(line, to.rotation), model)
+}
+
+/// A button pressed; while an arm jogs it goes on from the speed that it has.
+fn pressed(command: &Command, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    let speed = |axis| match &model.jog {
+        Some(jog) if jog.axis() == axis || model.dialect.keeps_jog_speed => jog.target_speed(),
+        _ => 0.0,
+    };
+    let motion = match Button::of(command) {
+        Some(Button::Held { axis, share }) => {
+            Motion::Jog(JogTrajectory::start(model, axis, share, speed(axis))?)
+        }
+        Some(Button::Released) => match &model.jog {
+            Some(jog) => Motion::RunDown(jog.release(model, f64::MAX)?),
+            None => Motion::Still,
+        },
+        _ => Motion::Still,
+    };
+    let goes_on = matches!(motion, Motion::Jog(_) | Motion::RunDown(_));
+    let trajectory = Trajectory::moving(motion, model.place, model);
+    Ok(Trajectory {
+        knows_end: trajectory.knows_end && !goes_on,
+        burns: model.begun(command).laser && goes_on,
+        ..trajectory
+    })
+}
+
+fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    let joints = model.place.joints;
+    let to = match *configuration {
+        Configuration::InitialAngles { rear_deg, fore_deg } => {
+            let told = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
+            let place = ArmPlace::at_joints(told, model.tool);
+            place.check()?;
+            return Ok(Trajectory {
+                knows_end: true,
+                ..Trajectory::moving(Motion::Still, place, model)
+            });
+        }
+        Configuration::EndEffector { tool } => ArmPlace::at_joints(joints, tool_named(tool)),
+        _ => model.place,
+    };
+    Ok(Trajectory::moving(Motion::Still, to, model))
+}
+
+impl Model {
+    /// Where a command leads from here.
+    ///
+    /// # Errors
+    ///
+    /// [`TrajectoryError`] where a value breaks its table, its end is out of reach or beyond the limits
+    /// of a stock arm, it cannot be planned, or the arm would hang or get lost in it.
+    pub fn trajectory(&self, command: &Command) -> Result<Trajectory, TrajectoryError> {
+        Command::parse(&command.emit(&self.dialect), &self.dialect)
+            .map_err(TrajectoryError::Invalid)?;
+        let trajectory = plan(self, command)?;
+        trajectory.check_duration()?;
+        if self.dialect.counts_ticks_in_16_bits {
+            trajectory.check_counters()?;
+        }
+        if trajectory.motion_s().is_some() && trajectory.knows_end && trajectory.to.check().is_err()
+        {
+            // Its end is beyond a limit; the text tells where the way leaves it.
+            trajectory.check()?;
+        }
+        Ok(trajectory)
+    }
+
+    /// How long the arm waits behind a command, in seconds. A target without a pause of its own
+    /// takes the default one, where there is one (note N10).
+    #[must_use]
+    pub fn pause_s(&self, command: &Command) -> f64 {
+        let own_s = match command {
+            Command::MoveTo(it) => it.pause_s,
+            Command::MoveJoints(it) => it.pause_s,
+            _ => return 0.0,
+        };
+        if own_s > 0.0 || !self.dialect.uses_default_pause {
+            own_s.into()
+        } else {
+            self.settings.default_pause_s
+        }
+    }
+
+    /// The point that a command names, be it in reach or not: a target, or that far from a place that
+    /// is known. `None` where it names none, or a stock arm makes another of it (notes N9 and N18).
+    #[must_use]
+    pub fn aim(&self, command: &Command) -> Option<Position> {
+        let by = |x, y, z| {
+            let from = self.knows_place.then_some(self.place.pose.position)?;
+            Some(from + position(x, y, z))
+        };
+        match command {
+            Command::MoveTo(it) => Some(position(it.x_mm, it.y_mm, it.z_mm)),
+            Command::MoveJoints(it) => Some(forward(&joints(it), self.tool).position),
+            Command::WriteVector(it) if !it.stop => by(it.x_mm, it.y_mm, it.z_mm),
+            Command::MouseMove(it) if !self.dialect.mouse_swings => by(it.x, it.y, it.z),
+            Command::Gesture(it) if !self.dialect.scales_gesture => {
+                Some(position(it.x, it.y, it.z))
+            }
+            Command::Voice(it) => match VoiceOrder::parse(it)? {
+                VoiceOrder::Move { x_mm, y_mm, z_mm } => by(x_mm, y_mm, z_mm),
+                VoiceOrder::Catch | VoiceOrder::Release => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+fn joints(target: &MoveJoints) -> Joints {
+    let [base, rear, fore, servo] = [
+        target.base_deg,
+        target.rear_deg,
+        target.fore_deg,
+        target.servo_deg,
+    ]
+    .map(f64::from);
+    Joints::new(base, rear, fore, servo)
+}
+
+fn still(model: &Model) -> Trajectory {
+    Trajectory::moving(Motion::Still, model.place, model)
+}
+
+/// A status says where the arm is to that much.
+const ON_THE_SPOT_MM: f64 = 0.001;

@@ -1,0 +1,102 @@
+//! What configuration has told an arm.
+
+use crate::Speeds;
+use dobot_arm::{Millimeters, Tool};
+use dobot_wire::{Configuration, Dialect, EndEffector, PlaybackAdjustment};
+
+/// What configuration has told an arm so far (states 9 and 10; Table 3.9).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArmSettings {
+    /// Speeds of the point to point moves, before the percentages.
+    pub playback: Speeds,
+    /// Percentage of the speeds of point to point moves, above 0 to 100.
+    pub speed_percent: f64,
+    /// Percentage of their accelerations, above 0 to 100.
+    pub acceleration_percent: f64,
+    /// Percentage of all jogs, above 0 to 100; each jog has one of its own besides (note N15).
+    pub teach_percent: f64,
+    /// Jog speeds at 100 %.
+    pub teach: Speeds,
+    /// Acceleration of write vectors in mm/s2.
+    pub write_acceleration_mm_s2: f64,
+    /// How high a JUMP lifts.
+    pub jump_height: Millimeters,
+    /// The pause of targets that have none, in seconds, where the dialect knows one (note N10).
+    pub default_pause_s: f64,
+}
+
+impl ArmSettings {
+    /// The values of an arm at power-up.
+    #[must_use]
+    pub fn stock(dialect: &Dialect) -> Self {
+        Self {
+            playback: Speeds::STOCK,
+            speed_percent: 50.0,
+            acceleration_percent: 50.0,
+            teach_percent: 100.0,
+            teach: Speeds::new([15.0, 50.0, 30.0, 50.0, 60.0, 60.0]),
+            write_acceleration_mm_s2: 100.0,
+            jump_height: Millimeters(dialect.default_jump_height_mm.into()),
+            default_pause_s: 0.0,
+        }
+    }
+
+    /// Speeds of the point to point moves, percentages applied.
+    #[must_use]
+    pub const fn move_speeds(&self) -> Speeds {
+        self.playback
+            .scaled(self.speed_percent, self.acceleration_percent)
+    }
+
+    /// Takes a playback adjustment (state 10).
+    pub(crate) fn adjust(&mut self, adjustment: &PlaybackAdjustment, dialect: &Dialect) {
+        self.speed_percent = adjustment.speed_percent.into();
+        self.acceleration_percent = adjustment.acceleration_percent.into();
+        if dialect.scales_jogs {
+            self.teach_percent = adjustment.teach_speed_percent.into();
+        }
+    }
+
+    /// Takes what a configuration says of speeds, heights and pauses (state 9, modes 0 to 2).
+    pub(crate) fn configure(&mut self, configuration: &Configuration) {
+        let speeds = configuration.speeds().unwrap_or_default();
+        let speeds = Speeds::new(speeds.map(f64::from));
+        match *configuration {
+            Configuration::Teach { .. } => self.teach = speeds,
+            Configuration::Playback {
+                default_pause_s,
+                jump_height_mm,
+                ..
+            } => {
+                self.playback = speeds;
+                self.default_pause_s = default_pause_s.into();
+                self.jump_height = Millimeters(jump_height_mm.into());
+            }
+            Configuration::Writing { acceleration_mm_s2 } => {
+                self.write_acceleration_mm_s2 = acceleration_mm_s2.into();
+            }
+            Configuration::InitialAngles { .. } | Configuration::EndEffector { .. } => {}
+        }
+    }
+
+    /// A stock arm follows mouse and hand at speeds of its own, and forgets those that it was told
+    /// (note N43).
+    pub(crate) const fn overwrite_joints(&mut self, acceleration_deg_s2: f64) {
+        self.playback.joint_deg_s = FOLLOW_DEG_S;
+        self.playback.servo_deg_s = FOLLOW_DEG_S;
+        self.playback.joint_deg_s2 = acceleration_deg_s2;
+        self.playback.servo_deg_s2 = acceleration_deg_s2;
+    }
+}
+
+/// The tool that a configuration names.
+#[must_use]
+pub const fn tool_named(tool: EndEffector) -> Tool {
+    match tool {
+        EndEffector::SuctionCup => Tool::SuctionCup,
+        EndEffector::Gripper => Tool::Gripper,
+        EndEffector::Laser => Tool::Laser,
+    }
+}
+
+const FOLLOW_DEG_S: f64 = 200.0;

@@ -1,0 +1,314 @@
+//! The trajectory of a writing or laser vector (state 4).
+
+use crate::{Cut, Stroke, StrokeSpeeds};
+use dobot_arm::{Pose, Position, TICK_S, stock};
+use dobot_wire::{WriteMode, WriteVector};
+
+use super::error::MOST_COUNTED_S;
+use super::left_speed::{CREEPS_MM_S, LeftSpeed};
+use super::motion::Motion;
+use super::place::position;
+use super::trajectory::Ticks;
+use crate::{ArmPlace, Model, Trajectory, TrajectoryError};
+
+/// Plans a vector from where the arm is.
+#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, TrajectoryError> {
+    let from = model.place.pose;
+    let by = position(vector.x_mm, vector.y_mm, vector.z_mm);
+    if model.dialect.loses_pose_on_the_spot && by.length().0 <= NO_LENGTH_MM {
+        return Err(TrajectoryError::OnTheSpot);
+    }
+    let speeds = stroke_speeds(vector, model)?;
+    let cut = Cuts::of(vector, speeds.acceleration_mm_s2, model);
+    let by = cut.as_ref().map_or(by, |it| it.as_cut(by));
+    let stroke = Stroke::new(from.position, by, &speeds)?;
+    if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
+        let found = stroke.duration_s();
+        return Err(TrajectoryError::Uncounted { found });
+    }
+    let rapid = is_rapid(vector, model);
+    if cut.as_ref().is_some_and(|it| it.may_never_end(rapid)) {
+        return Err(TrajectoryError::NeverEnds);
+    }
+    if let Some(cut) = &cut {
+        cut.check_left(model.settings.write_acceleration_mm_s2 as f32)?;
+    }
+    let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
+    let motion = Motion::Stroke {
+        stroke,
+        rotation: from.rotation,
+        held_z: is_flat.then_some(from.position.z),
+    };
+    let trajectory = Trajectory::relative(motion, model)?;
+    let length_mm = by.length().0;
+    Ok(Trajectory {
+        knows_end: trajectory.knows_end
+            && (model.left.is_known() || cut.as_ref().is_none_or(|it| it.is_sure(length_mm))),
+        to: if model.dialect.uses_start_speed {
+            trajectory.to
+        } else {
+            stock_end(&trajectory, model)
+        },
+        burns: model.laser_during(vector),
+        left: cut.as_ref().map(Cuts::left),
+        ticks: cut.as_ref().map(Cuts::ticks),
+        ..trajectory
+    })
+}
+
+/// Where a stock arm takes itself to be when it has gone this way. At the very edge of its limits
+/// rounding could bring it out: there it is where the way leads.
+#[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+fn stock_end(trajectory: &Trajectory, model: &Model) -> ArmPlace {
+    let [from, to] = [trajectory.from, trajectory.to].map(|it| it.pose.position);
+    let way = to - from;
+    let way = [way.x, way.y, way.z].map(|it| it.0 as f32);
+    let from = [from.x, from.y, from.z].map(|it| it.0);
+    let [x, y, z] = stock::behind(from, way, model.tool.reach().0 as f32);
+    let pose = Pose {
+        position: Position::new(x, y, z),
+        ..trajectory.to.pose
+    };
+    let place = ArmPlace::at_pose(pose, model.tool).ok();
+    place
+        .filter(|it| it.check().is_ok())
+        .unwrap_or(trajectory.to)
+}
+
+/// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
+/// vector (note N48).
+struct Cuts {
+    believed: Cut,
+    /// What they may be instead.
+    perhaps: Option<[Cut; 3]>,
+}
+
+impl Cuts {
+    #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
+    fn of(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> Option<Self> {
+        let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
+        let cut = |left_mm_s| {
+            Cut::of(
+                libm::sqrtf(x * x + y * y + z * z),
+                left_mm_s,
+                vector.end_speed_mm_s,
+                vector.max_speed_mm_s,
+                acceleration_mm_s2 as f32,
+            )
+        };
+        (!model.dialect.uses_start_speed).then(|| Self {
+            believed: cut(model.left.believed_mm_s),
+            perhaps: model.left.perhaps_mm_s.map(|it| it.map(cut)),
+        })
+    }
+
+    /// The vector as it becomes where its ticks are known and do not add up to its length.
+    fn as_cut(&self, by: Position) -> Position {
+        if self.perhaps.is_some() || self.believed.is_true() {
+            return by;
+        }
+        by * (f64::from(self.believed.length_mm()) / by.length().0)
+    }
+
+    /// Whether it becomes that long with all that may be left.
+    fn is_sure(&self, length_mm: f64) -> bool {
+        let mut perhaps = self.perhaps.iter().flatten().chain([&self.believed]);
+        perhaps.all(|it| (f64::from(it.length_mm()) - length_mm).abs() <= SURE_MM)
+    }
+
+    /// Whether the arm would creep on for ever. What others may have left counts only where that is
+    /// likely: with a rapid vector, of which a tick is worth a hundred times more speed.
+    fn may_never_end(&self, rapid: bool) -> bool {
+        let perhaps = self.perhaps.iter().flatten().filter(|_| rapid);
+        perhaps.chain([&self.believed]).any(|it| it.ticks() <= 0)
+    }
+
+    /// Whether a vector of writing mode behind it goes its way: begun at less than nothing it first goes
+    /// back, until it has accelerated to something.
+    fn check_left(&self, acceleration_mm_s2: f32) -> Result<(), TrajectoryError> {
+        let left_mm_s = self.believed.end_mm_s;
+        let back_mm = left_mm_s * left_mm_s / (2.0 * acceleration_mm_s2);
+        if left_mm_s < 0.0 && back_mm > BACK_MM {
+            return Err(TrajectoryError::LeavesBackwards { left_mm_s, back_mm });
+        }
+        Ok(())
+    }
+
+    fn ticks(&self) -> Ticks {
+        let believed = self.believed.ticks();
+        let perhaps = self.perhaps.iter().flatten().map(Cut::ticks);
+        Ticks {
+            believed,
+            most: perhaps.fold(believed, i16::max),
+        }
+    }
+
+    fn left(&self) -> LeftSpeed {
+        LeftSpeed {
+            believed_mm_s: self.believed.end_mm_s,
+            perhaps_mm_s: self.perhaps.map(|it| it.map(|cut| cut.end_mm_s)),
+        }
+    }
+}
+
+/// Speeds above the largest count as the largest (note N5).
+fn stroke_speeds(vector: &WriteVector, model: &Model) -> Result<StrokeSpeeds, TrajectoryError> {
+    let max_mm_s = f64::from(vector.max_speed_mm_s);
+    let start_mm_s = if model.dialect.uses_start_speed {
+        vector.start_speed_mm_s.into()
+    } else {
+        // It may have kept a little less than nothing, where a short vector was braked.
+        f64::from(model.left.believed_mm_s).max(0.0)
+    };
+    let speeds = StrokeSpeeds {
+        start_mm_s: f64::min(start_mm_s, max_mm_s),
+        end_mm_s: f64::from(vector.end_speed_mm_s).min(max_mm_s),
+        max_mm_s,
+        acceleration_mm_s2: model.settings.write_acceleration_mm_s2,
+    };
+    if is_rapid(vector, model) {
+        rapid(&speeds, model.left.may_creep())
+    } else {
+        Ok(speeds)
+    }
+}
+
+/// Whether it is a vector of laser mode without the laser, which a stock arm accelerates a hundredfold
+/// (note N48).
+fn is_rapid(vector: &WriteVector, model: &Model) -> bool {
+    model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser && !vector.laser
+}
+
+/// Without the laser, laser mode accelerates a hundredfold (note N48).
+fn rapid(speeds: &StrokeSpeeds, may_creep: bool) -> Result<StrokeSpeeds, TrajectoryError> {
+    let acceleration_mm_s2 = speeds.acceleration_mm_s2 * RAPID_FACTOR;
+    let least_mm_s = acceleration_mm_s2 * TICK_S / 2.0;
+    if speeds.max_mm_s >= least_mm_s {
+        return Ok(StrokeSpeeds {
+            acceleration_mm_s2,
+            ..*speeds
+        });
+    }
+    // Less than half of what a tick changes the speed by: no tick is planned that changes it. As
+    // fast as it begins it goes on; at rest it stays, and perhaps where nobody knows how it begins.
+    let begin_mm_s = speeds.start_mm_s;
+    if begin_mm_s < CREEPS_MM_S || may_creep {
+        return Err(TrajectoryError::SlowRapid {
+            found: speeds.max_mm_s,
+            least: least_mm_s,
+        });
+    }
+    Ok(StrokeSpeeds {
+        end_mm_s: begin_mm_s,
+        max_mm_s: begin_mm_s,
+        acceleration_mm_s2,
+        ..*speeds
+    })
+}
+
+/// A vector of half that length or less does not move the arm (note N16); the rest is for rounding.
+const NO_LENGTH_MM: f64 = 0.0002;
+/// So far a vector may go back before it goes on: less than a tick's way at 40 mm/s.
+const BACK_MM: f32 = 0.5;
+/// An end that may be so much off is known.
+const SURE_MM: f64 = 0.05;
+/// With the laser off the laser mode of a stock arm accelerates that much faster (note N48).
+const RAPID_FACTOR: f64 = 100.0;
+
+#[cfg(test)]
+mod tests {
+    use dobot_arm::{Joints, Tool};
+    use dobot_wire::{Command, Dialect};
+
+    use super::*;
+
+    #[test]
+    fn a_vector_that_creeps_behind_what_others_may_have_left_is_refused_where_nobody_knows_that() {
+        // Laser mode without the laser: a tick is worth 200 mm/s, and half of that is more than the peak of
+        // 1.4 mm (118 mm/s) less rounding: no tick accelerates, and 1.4 mm at -0.15 mm/s take -467 ticks.
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.left = LeftSpeed::known(0.8);
+        let rapid = Command::from(WriteVector {
+            mode: WriteMode::Laser,
+            start_speed_mm_s: 34.0,
+            end_speed_mm_s: 40.0,
+            ..WriteVector::by(0.0, -1.4, 0.0, 150.0)
+        });
+        assert!(model.trajectory(&rapid).is_ok());
+        model.lose_place();
+        model.knows_place = true;
+        assert_eq!(model.trajectory(&rapid), Err(TrajectoryError::NeverEnds));
+    }
+
+    #[test]
+    fn where_nobody_knows_how_it_begins_a_slow_rapid_vector_is_refused_and_the_end_of_a_short_one_is_not_known()
+     {
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.left = LeftSpeed::known(40.0);
+        // Below 100 mm/s no tick changes the speed: it goes at the 10 mm/s that it may begin with.
+        let mut vector = WriteVector {
+            mode: WriteMode::Laser,
+            end_speed_mm_s: 10.0,
+            ..WriteVector::by(0.0, -3.1, 0.0, 10.0)
+        };
+        assert!(model.trajectory(&vector.into()).is_ok());
+        model.left = model.left.perhaps();
+        let refused = model.trajectory(&vector.into());
+        assert!(
+            matches!(refused, Err(TrajectoryError::SlowRapid { .. })),
+            "{refused:?}"
+        );
+        // At 145 mm/s2 a tick is worth 2.9 mm/s, and 1 mm/s is not half of that: no tick accelerates, and behind
+        // a little less than rest the arm goes back.
+        model.settings.write_acceleration_mm_s2 = 145.0;
+        vector.mode = WriteMode::Writing;
+        (vector.y_mm, vector.max_speed_mm_s, vector.end_speed_mm_s) = (-0.4, 1.0, 0.0);
+        let trajectory = model.trajectory(&vector.into()).expect("it may be sent");
+        assert_eq!(trajectory.end(), None);
+        model.left = LeftSpeed::known(0.5);
+        let trajectory = model.trajectory(&vector.into()).expect("it may be sent");
+        assert!(trajectory.end().is_some());
+    }
+
+    #[test]
+    fn a_vector_behind_which_the_next_one_would_go_far_back_is_refused() {
+        // Laser mode without the laser: one tick slower is 200 mm/s less. Begun at 57.5 mm/s, 26.76 mm take 25
+        // ticks and that one, which ends near -141 mm/s; from there to rest at 100 mm/s2 are 99 mm.
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.left = LeftSpeed::known(57.5);
+        let rapid = WriteVector {
+            mode: WriteMode::Laser,
+            ..WriteVector::by(0.0, 26.764, 0.0, 150.0)
+        };
+        let trajectory = model.trajectory(&rapid.into());
+        let Err(TrajectoryError::LeavesBackwards { left_mm_s, back_mm }) = trajectory else {
+            panic!("{trajectory:?}");
+        };
+        assert!((left_mm_s + 141.0).abs() < 1.0, "{left_mm_s}");
+        assert!((back_mm - 99.0).abs() < 1.5, "{back_mm}");
+        let written = WriteVector {
+            mode: WriteMode::Writing,
+            ..rapid
+        };
+        assert!(model.trajectory(&written.into()).is_ok());
+    }
+
+    #[test]
+    fn a_vector_whose_ticks_add_up_to_less_than_none_is_refused() {
+        // Begun at -0.9 mm/s no tick accelerates to 1 mm/s, for a tick is worth 4 mm/s; 0.3 mm at -0.9
+        // mm/s take -16 ticks.
+        let here = ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), Tool::SuctionCup);
+        let mut model = Model::standing(Dialect::FIRMWARE_1_1, here);
+        model.settings.write_acceleration_mm_s2 = 200.0;
+        model.left = LeftSpeed::known(-0.9);
+        let vector = Command::from(WriteVector {
+            end_speed_mm_s: 1.0,
+            ..WriteVector::by(0.3, 0.0, 0.0, 10.0)
+        });
+        assert_eq!(model.trajectory(&vector), Err(TrajectoryError::NeverEnds));
+    }
+}

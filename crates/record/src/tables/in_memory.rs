@@ -1,0 +1,87 @@
+//! Both tables of a recording in memory, column by column.
+
+use std::ops::RangeInclusive;
+use std::time::Duration;
+
+use crate::Recording;
+
+use super::cell::{Cell, Column, Kind};
+use super::columns::{of_commands, of_statuses};
+use super::rows::{Row, each_row};
+
+/// A column of a table: what it is called, and what stands in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableColumn {
+    /// Its name, as in the files.
+    pub name: String,
+    /// What stands in its rows.
+    pub values: Values,
+}
+
+/// What stands in the rows of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Nanoseconds since 1970.
+    Times(Vec<i64>),
+    /// Numbers as a packet holds them.
+    Floats(Vec<f32>),
+    /// Numbers.
+    Doubles(Vec<f64>),
+    /// Whether it is so.
+    Truths(Vec<bool>),
+    /// Texts, where there are some.
+    Texts(Vec<Option<String>>),
+}
+
+/// Both tables of a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tables {
+    /// What the arm told.
+    pub statuses: Vec<TableColumn>,
+    /// What was sent to it.
+    pub commands: Vec<TableColumn>,
+}
+
+/// Reads the statuses and the commands of a stretch of a recording, with the columns of
+/// [`export_tables`](super::export_tables). All of it is held in memory: 60 bytes for each status.
+#[must_use]
+pub fn read_tables(recording: &mut Recording, stretch: &RangeInclusive<Duration>) -> Tables {
+    let mut statuses: Vec<TableColumn> = of_statuses().into_iter().map(empty).collect();
+    let mut commands: Vec<TableColumn> = of_commands().into_iter().map(empty).collect();
+    let read = each_row(recording, stretch, |row| {
+        match row {
+            Row::Status(cells) => push(&mut statuses, cells),
+            Row::Command(cells) => push(&mut commands, cells),
+        }
+        Ok(())
+    });
+    debug_assert!(read.is_ok(), "only writing can fail");
+    Tables { statuses, commands }
+}
+
+fn empty(column: Column) -> TableColumn {
+    let values = match column.kind {
+        Kind::Time => Values::Times(Vec::new()),
+        Kind::Float => Values::Floats(Vec::new()),
+        Kind::Truth => Values::Truths(Vec::new()),
+        Kind::Text => Values::Texts(Vec::new()),
+        _ => Values::Doubles(Vec::new()),
+    };
+    TableColumn {
+        name: column.name,
+        values,
+    }
+}
+
+fn push(columns: &mut [TableColumn], cells: Vec<Cell>) {
+    for (column, cell) in columns.iter_mut().zip(cells) {
+        match (&mut column.values, cell) {
+            (Values::Times(all), Cell::Time(it)) => all.push(it),
+            (Values::Floats(all), Cell::Float(it)) => all.push(it),
+            (Values::Doubles(all), Cell::Double(it)) => all.push(it),
+            (Values::Truths(all), Cell::Truth(it)) => all.push(it),
+            (Values::Texts(all), Cell::Text(it)) => all.push(it),
+            (_, cell) => unreachable!("{cell:?} stands in the column {}", column.name),
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! A table as a Parquet file.
+
+use std::io::Write;
+use std::sync::Arc;
+
+use parquet::basic::{Compression, LogicalType, Repetition, TimeUnit, Type as Physical, ZstdLevel};
+use parquet::data_type::{
+    BoolType, ByteArray, ByteArrayType, DataType, DoubleType, FloatType, Int64Type,
+};
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::schema::types::{Type, TypePtr};
+
+use super::cell::{Cell, Column, Kind};
+use super::error::ExportError;
+
+/// A table that is written as a Parquet file, some tens of thousands of rows at once.
+pub(crate) struct ParquetTable<W: Write + Send> {
+    writer: SerializedFileWriter<W>,
+    buffers: Vec<Buffer>,
+    rows: usize,
+}
+
+/// The rows of a column that wait to be written.
+struct Buffer {
+    values: Values,
+    /// For lists: 0 where a row begins. For texts: 0 where there is none.
+    levels: Vec<i16>,
+    kind: Kind,
+}
+
+enum Values {
+    Integer(Vec<i64>),
+    Float(Vec<f32>),
+    Double(Vec<f64>),
+    Truth(Vec<bool>),
+    Text(Vec<ByteArray>),
+}
+
+impl<W: Write + Send> ParquetTable<W> {
+    /// Begins a file; `notes` stand in its footer.
+    pub(crate) fn new(
+        file: W,
+        columns: &[Column],
+        notes: &[(&str, String)],
+    ) -> Result<Self, ExportError> {
+        let fields = columns.iter().map(field).collect::<Result<_, _>>()?;
+        let schema = Type::group_type_builder("schema")
+            .with_fields(fields)
+            .build()?;
+        let notes = notes
+            .iter()
+            .map(|(key, value)| KeyValue::new((*key).to_owned(), value.clone()));
+        let properties = WriterProperties::builder()
+            .set_compression(Compression::ZSTD(ZstdLevel::default()))
+            .set_created_by(concat!("dobot ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_key_value_metadata(Some(notes.collect()))
+            .build();
+        Ok(Self {
+            writer: SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))?,
+            buffers: columns.iter().map(|it| Buffer::new(it.kind)).collect(),
+            rows: 0,
+        })
+    }
+
+    /// Writes a row: a cell for each column.
+    pub(crate) fn push(&mut self, cells: Vec<Cell>) -> Result<(), ExportError> {
+        for (buffer, cell) in self.buffers.iter_mut().zip(cells) {
+            buffer.push(cell);
+        }
+        self.rows += 1;
+        if self.rows >= MOST_ROWS {
+            self.end_group()?;
+        }
+        Ok(())
+    }
+
+    /// Writes what waits; what comes then stands in a row group of its own.
+    pub(crate) fn end_group(&mut self) -> Result<(), ExportError> {
+        if self.rows == 0 {
+            return Ok(());
+        }
+        let mut group = self.writer.next_row_group()?;
+        for buffer in &mut self.buffers {
+            buffer.write(&mut group)?;
+        }
+        group.close()?;
+        self.rows = 0;
+        Ok(())
+    }
+
+    /// Writes what is left, and ends the file.
+    pub(crate) fn finish(mut self) -> Result<(), ExportError> {
+        self.end_group()?;
+        self.writer.close()?;
+        Ok(())
+    }
+}
+
+impl Buffer {
+    const fn new(kind: Kind) -> Self {
+        let values = match kind {
+            Kind::Time | Kind::Integer | Kind::Integers => Values::Integer(Vec::new()),
+            Kind::Float | Kind::Floats => Values::Float(Vec::new()),
+            Kind::Double | Kind::Doubles => Values::Double(Vec::new()),
+            Kind::Truth => Values::Truth(Vec::new()),
+            Kind::Text | Kind::Texts => Values::Text(Vec::new()),
+        };
+        Self {
+            values,
+            levels: Vec::new(),
+            kind,
+        }
+    }
+
+    fn push(&mut self, cell: Cell) {
+        let list_len = match &cell {
+            Cell::Integers(it) => it.len(),
+            Cell::Floats(it) => it.len(),
+            Cell::Doubles(it) => it.len(),
+            Cell::Texts(it) => it.len(),
+            Cell::Text(it) => {
+                self.levels.push(it.is_some().into());
+                0
+            }
+            _ => 0,
+        };
+        self.levels.extend((0..list_len).map(|n| i16::from(n > 0)));
+        let bytes = |it: String| ByteArray::from(it.into_bytes());
+        match (&mut self.values, cell) {
+            (Values::Integer(all), Cell::Time(it) | Cell::Integer(it)) => all.push(it),
+            (Values::Integer(all), Cell::Integers(it)) => all.extend(it),
+            (Values::Float(all), Cell::Float(it)) => all.push(it),
+            (Values::Float(all), Cell::Floats(it)) => all.extend(it),
+            (Values::Double(all), Cell::Double(it)) => all.push(it),
+            (Values::Double(all), Cell::Doubles(it)) => all.extend(it),
+            (Values::Truth(all), Cell::Truth(it)) => all.push(it),
+            (Values::Text(all), Cell::Text(it)) => all.extend(it.map(bytes)),
+            (Values::Text(all), Cell::Texts(it)) => all.extend(it.into_iter().map(bytes)),
+            (_, other) => unreachable!("{other:?} stands in a column of {:?}", self.kind),
+        }
+    }
+
+    fn write<W: Write + Send>(
+        &mut self,
+        group: &mut SerializedRowGroupWriter<'_, W>,
+    ) -> Result<(), ExportError> {
+        let levels = std::mem::take(&mut self.levels);
+        match &mut self.values {
+            Values::Integer(all) => write::<Int64Type, W>(group, self.kind, all, &levels)?,
+            Values::Float(all) => write::<FloatType, W>(group, self.kind, all, &levels)?,
+            Values::Double(all) => write::<DoubleType, W>(group, self.kind, all, &levels)?,
+            Values::Truth(all) => write::<BoolType, W>(group, self.kind, all, &levels)?,
+            Values::Text(all) => write::<ByteArrayType, W>(group, self.kind, all, &levels)?,
+        }
+        Ok(())
+    }
+}
+
+/// Writes a column, and empties it.
+fn write<T: DataType, W: Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    kind: Kind,
+    values: &mut Vec<T::T>,
+    levels: &[i16],
+) -> Result<(), ExportError> {
+    let mut column = group.next_column()?.expect("there is one for each buffer");
+    // No list is empty, so each of its items is there.
+    let ones = vec![1; levels.len()];
+    let (definition, repetition) = match kind {
+        Kind::Text => (Some(levels), None),
+        Kind::Integers | Kind::Floats | Kind::Doubles | Kind::Texts => {
+            (Some(ones.as_slice()), Some(levels))
+        }
+        _ => (None, None),
+    };
+    column
+        .typed::<T>()
+        .write_batch(values, definition, repetition)?;
+    values.clear();
+    Ok(column.close()?)
+}
+
+/// The type of a column. A list is a group of three levels, as the format's specification has it.
+fn field(column: &Column) -> Result<TypePtr, ExportError> {
+    let name = column.name.as_str();
+    let utc_ns = LogicalType::timestamp(true, TimeUnit::NANOS);
+    let (physical, logical, is_list) = match column.kind {
+        Kind::Time => (Physical::INT64, Some(utc_ns), false),
+        Kind::Integer => (Physical::INT64, None, false),
+        Kind::Float => (Physical::FLOAT, None, false),
+        Kind::Double => (Physical::DOUBLE, None, false),
+        Kind::Truth => (Physical::BOOLEAN, None, false),
+        Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String), false),
+        Kind::Integers => (Physical::INT64, None, true),
+        Kind::Floats => (Physical::FLOAT, None, true),
+        Kind::Doubles => (Physical::DOUBLE, None, true),
+        Kind::Texts => (Physical::BYTE_ARRAY, Some(LogicalType::String), true),
+    };
+    let is_optional = column.kind == Kind::Text;
+    let repetition = if is_optional {
+        Repetition::OPTIONAL
+    } else {
+        Repetition::REQUIRED
+    };
+    let value = Type::primitive_type_builder(if is_list { "element" } else { name }, physical)
+        .with_logical_type(logical)
+        .with_repetition(repetition)
+        .build()?;
+    if !is_list {
+        return Ok(Arc::new(value));
+    }
+    let items = Type::group_type_builder("list")
+        .with_repetition(Repetition::REPEATED)
+        .with_fields(vec![Arc::new(value)])
+        .build()?;
+    let list = Type::group_type_builder(name)
+        .with_repetition(Repetition::REQUIRED)
+        .with_logical_type(Some(LogicalType::List))
+        .with_fields(vec![Arc::new(items)])
+        .build()?;
+    Ok(Arc::new(list))
+}
+
+/// So many rows wait at the most; a row of commands has some hundred bytes.
+const MOST_ROWS: usize = 32_768;

@@ -1,0 +1,113 @@
+//! A table that is being written.
+
+use std::fmt;
+use std::io::Write;
+
+use jiff::Timestamp;
+
+use super::cell::{Cell, Column};
+use super::columns::{of_commands, of_statuses};
+use super::error::ExportError;
+#[cfg(feature = "parquet")]
+use super::parquet_table::ParquetTable;
+
+/// A table that is being written: CSV or Parquet.
+pub struct Table<W: Write + Send>(Form<W>);
+
+enum Form<W: Write + Send> {
+    Csv(Box<csv::Writer<W>>),
+    #[cfg(feature = "parquet")]
+    Parquet(Box<ParquetTable<W>>),
+}
+
+impl<W: Write + Send> Table<W> {
+    /// A table of statuses as CSV.
+    ///
+    /// # Errors
+    ///
+    /// [`ExportError`] where the file cannot be written.
+    pub fn statuses_csv(file: W) -> Result<Self, ExportError> {
+        Self::csv(file, &of_statuses())
+    }
+
+    /// A table of commands as CSV.
+    ///
+    /// # Errors
+    ///
+    /// [`ExportError`] where the file cannot be written.
+    pub fn commands_csv(file: W) -> Result<Self, ExportError> {
+        Self::csv(file, &of_commands())
+    }
+
+    #[cfg(feature = "parquet")]
+    /// A table of statuses as Parquet.
+    ///
+    /// # Errors
+    ///
+    /// [`ExportError`] where the file cannot be written.
+    pub fn statuses_parquet(file: W) -> Result<Self, ExportError> {
+        Self::parquet(file, &of_statuses())
+    }
+
+    #[cfg(feature = "parquet")]
+    /// A table of commands as Parquet.
+    ///
+    /// # Errors
+    ///
+    /// [`ExportError`] where the file cannot be written.
+    pub fn commands_parquet(file: W) -> Result<Self, ExportError> {
+        Self::parquet(file, &of_commands())
+    }
+
+    #[cfg_attr(
+        not(feature = "parquet"),
+        expect(clippy::needless_pass_by_value, reason = "Parquet keeps the cells")
+    )]
+    pub(crate) fn push(&mut self, cells: Vec<Cell>) -> Result<(), ExportError> {
+        match &mut self.0 {
+            Form::Csv(csv) => Ok(csv.write_record(cells.iter().map(text))?),
+            #[cfg(feature = "parquet")]
+            Form::Parquet(parquet) => parquet.push(cells),
+        }
+    }
+
+    pub(crate) fn finish(self) -> Result<(), ExportError> {
+        match self.0 {
+            Form::Csv(mut csv) => Ok(csv.flush()?),
+            #[cfg(feature = "parquet")]
+            Form::Parquet(parquet) => parquet.finish(),
+        }
+    }
+
+    fn csv(file: W, columns: &[Column]) -> Result<Self, ExportError> {
+        let mut csv = csv::Writer::from_writer(file);
+        csv.write_record(columns.iter().map(|it| &it.name))?;
+        Ok(Self(Form::Csv(Box::new(csv))))
+    }
+
+    #[cfg(feature = "parquet")]
+    fn parquet(file: W, columns: &[Column]) -> Result<Self, ExportError> {
+        let parquet = ParquetTable::new(file, columns, &[])?;
+        Ok(Self(Form::Parquet(Box::new(parquet))))
+    }
+}
+
+impl<W: Write + Send> fmt::Debug for Table<W> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Table").finish_non_exhaustive()
+    }
+}
+
+/// A cell of a CSV file; lists do not stand in one.
+fn text(cell: &Cell) -> String {
+    match cell {
+        Cell::Time(ns) => Timestamp::from_nanosecond(i128::from(*ns))
+            .map_or_else(|_| ns.to_string(), |it| it.to_string()),
+        Cell::Integer(it) => it.to_string(),
+        Cell::Float(it) => it.to_string(),
+        Cell::Double(it) => it.to_string(),
+        Cell::Truth(it) => it.to_string(),
+        Cell::Text(it) => it.clone().unwrap_or_default(),
+        Cell::Integers(_) | Cell::Floats(_) | Cell::Doubles(_) | Cell::Texts(_) => String::new(),
+    }
+}

@@ -1,0 +1,315 @@
+//! Recordings as tables and datasets, read again.
+
+use std::fs::File;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use bytes::Bytes;
+use dobot_record::tables::{
+    Dataset, ExportError, Table, TableForm, Values, Written, export_files, export_lerobot,
+    export_tables, holds_packets, read_tables,
+};
+use dobot_record::{About, Limits, Record, Recorder, Recording, recordings};
+use dobot_wire::{Dialect, JointJog, JointJogAxis, MoveTo, Status};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::RowAccessor;
+use serde_json::Value;
+
+const ALL: RangeInclusive<Duration> = Duration::ZERO..=Duration::MAX;
+
+/// What is recorded, and when, in milliseconds.
+fn recorded(folder: &Path, records: impl IntoIterator<Item = (u64, Record)>) -> PathBuf {
+    let about = About {
+        dialect: Some(Dialect::SPECIFICATION),
+        ..About::default()
+    };
+    let start = "2026-11-21T12:30:00Z".parse().unwrap();
+    let recorder = Recorder::start(folder, Limits::DEFAULT, about, start).unwrap();
+    for (at_ms, record) in records {
+        recorder.record(Duration::from_millis(at_ms), record);
+    }
+    assert_eq!(recorder.finish().lost, 0);
+    recordings(folder).unwrap().remove(0).path
+}
+
+/// A status that the arm can send: the base turns the tool.
+fn turned(base_deg: f32, suction: bool) -> Record {
+    let (sin, cos) = base_deg.to_radians().sin_cos();
+    let status = Status {
+        x_mm: 215.07 * cos,
+        y_mm: 215.07 * sin,
+        rotation_deg: base_deg,
+        base_deg,
+        suction,
+        ..Status::AT_ZERO
+    };
+    Record::FromArm(status.emit().to_bytes().to_vec())
+}
+
+/// Two seconds of turning, half a second of rest, three of silence, and a turn back; with three packets, of which one is no
+/// command and one comes in two pieces.
+fn session() -> Vec<(u64, Record)> {
+    let target = MoveTo::to(200.0, 0.0, 20.0)
+        .emit(&Dialect::SPECIFICATION)
+        .to_bytes();
+    let mut bad = target;
+    // Float 8 (bytes 29 to 32), the moving mode, becomes 3, which no table allows.
+    bad[29..33].copy_from_slice(&3.0_f32.to_le_bytes());
+    let jog = JointJog {
+        axis: JointJogAxis::BasePlus,
+        speed_percent: 50.0,
+    };
+    let jog = jog.emit(&Dialect::SPECIFICATION).to_bytes();
+    let mut records = vec![
+        (0, Record::ToArm(target.to_vec())),
+        (1, Record::ToArm(bad.to_vec())),
+        (2, Record::ToArm(jog[..10].to_vec())),
+        (3, Record::ToArm(jog[10..].to_vec())),
+    ];
+    records.extend((0_u16..25).map(|n| (100 + 80 * u64::from(n), turned(f32::from(n), n > 10))));
+    records.extend((0..7).map(|n| (2100 + 80 * n, turned(24.0, true))));
+    records.extend(
+        (0_u16..10).map(|n| (5600 + 80 * u64::from(n), turned(24.0 - f32::from(n), false))),
+    );
+    // Nothing moves in a single status.
+    records.push((9000, turned(0.0, false)));
+    records
+}
+
+fn tables(file: &Path, stretch: &RangeInclusive<Duration>) -> (Written, [Vec<u8>; 4]) {
+    let open = || Recording::open(file).unwrap();
+    let [mut a, mut b, mut c, mut d] = [const { Vec::new() }; 4];
+    let csv = export_tables(
+        &mut open(),
+        stretch,
+        Table::statuses_csv(&mut a).unwrap(),
+        Table::commands_csv(&mut b).unwrap(),
+    );
+    let parquet = export_tables(
+        &mut open(),
+        stretch,
+        Table::statuses_parquet(&mut c).unwrap(),
+        Table::commands_parquet(&mut d).unwrap(),
+    );
+    assert_eq!(csv.as_ref().unwrap(), parquet.as_ref().unwrap());
+    (csv.unwrap(), [a, b, c, d])
+}
+
+fn rows(csv: &[u8]) -> Vec<Vec<String>> {
+    let mut reader = csv::Reader::from_reader(csv);
+    let records = reader.records().map(|it| it.unwrap());
+    records
+        .map(|it| it.iter().map(str::to_owned).collect())
+        .collect()
+}
+
+#[test]
+fn every_status_is_a_row_with_its_time_and_every_packet_one_with_its_meaning() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let (written, [statuses, commands, ..]) = tables(&file, &ALL);
+    assert_eq!((written.statuses, written.commands), (43, 3));
+    let statuses = rows(&statuses);
+    assert_eq!(statuses.len(), 43);
+    assert_eq!(statuses[3][..2], ["2026-11-21T12:30:00.34Z", "0.34"]);
+    assert_eq!(statuses[3][6], "3");
+    assert_eq!((&*statuses[10][10], &*statuses[11][10]), ("false", "true"));
+    let commands = rows(&commands);
+    assert_eq!(commands[0][2], "move_to");
+    let fields: Value = serde_json::from_str(&commands[0][3]).unwrap();
+    assert_eq!(fields["x_mm"], 200.0);
+    assert_eq!((&*commands[1][2], &*commands[1][3]), ("", ""));
+    assert!(commands[1][4].contains("float 8"), "{:?}", commands[1]);
+    assert_eq!(commands[1][12], "3");
+    // It was whole with its second piece.
+    assert_eq!(
+        commands[2][..3],
+        ["2026-11-21T12:30:00.003Z", "0.003", "joint_jog"]
+    );
+}
+
+#[test]
+fn parquet_holds_what_csv_holds() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let (_, [statuses, _, parquet, _]) = tables(&file, &ALL);
+    let reader = SerializedFileReader::new(Bytes::from(parquet)).unwrap();
+    let found = reader.get_row_iter(None).unwrap().map(|it| it.unwrap());
+    for (row, expected) in found.zip(rows(&statuses)) {
+        assert_eq!(row.get_double(1).unwrap().to_string(), expected[1]);
+        for (n, number) in expected.iter().enumerate().take(10).skip(2) {
+            assert_eq!(row.get_float(n).unwrap().to_string(), *number);
+        }
+        assert_eq!(row.get_bool(10).unwrap().to_string(), expected[10]);
+    }
+    assert_eq!(reader.metadata().file_metadata().num_rows(), 43);
+}
+
+#[test]
+fn a_stretch_holds_what_happened_in_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let stretch = Duration::from_millis(100)..=Duration::from_millis(260);
+    let (written, _) = tables(&file, &stretch);
+    assert_eq!((written.statuses, written.commands), (3, 0));
+    let open = || Recording::open(&file).unwrap();
+    assert!(holds_packets(&mut open(), &stretch));
+    let silence = Duration::from_secs(3)..=Duration::from_secs(5);
+    assert!(!holds_packets(&mut open(), &silence));
+}
+
+#[test]
+fn a_dataset_has_an_episode_for_each_stretch_without_silence() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let out = folder.path().join("dataset");
+    let dataset =
+        export_lerobot(&mut Recording::open(&file).unwrap(), &ALL, &out, "Turn.").unwrap();
+    // 100 to 2580 ms and 5600 to 6320 ms, each 40 ms.
+    let expected = Dataset {
+        episodes: 2,
+        frames: 63 + 19,
+        left_out: 1,
+    };
+    assert_eq!(dataset, expected);
+    let data = File::open(out.join("data/chunk-000/file-000.parquet")).unwrap();
+    let reader = SerializedFileReader::new(data).unwrap();
+    let rows: Vec<_> = reader
+        .get_row_iter(None)
+        .unwrap()
+        .map(|it| it.unwrap())
+        .collect();
+    let base = |row: usize, column: usize| {
+        let list = rows[row].get_list(column).unwrap();
+        assert_eq!(list.len(), 6);
+        match list.elements()[0] {
+            parquet::record::Field::Float(it) => it,
+            ref other => panic!("{other:?}"),
+        }
+    };
+    // 1 degree in 80 ms.
+    for row in 0..48 {
+        let expected = f32::from(u16::try_from(row).unwrap()) / 2.0;
+        assert!(
+            (base(row, 0) - expected).abs() < 1e-5,
+            "{row}: {}",
+            base(row, 0)
+        );
+        assert_eq!(
+            base(row, 2),
+            base(row + 1, 0),
+            "the action of row {row} is what comes next"
+        );
+    }
+    // The last one of an episode stays.
+    assert_eq!((base(62, 0), base(62, 2)), (24.0, 24.0));
+    assert_eq!((base(63, 0), base(81, 2)), (24.0, 15.0));
+    let integer = |row: usize, column: usize| rows[row].get_long(column).unwrap();
+    assert_eq!(
+        [integer(62, 4), integer(62, 5), integer(62, 6)],
+        [62, 0, 62]
+    );
+    assert_eq!([integer(63, 4), integer(63, 5), integer(63, 6)], [0, 1, 63]);
+}
+
+#[test]
+fn nothing_is_left_of_a_dataset_that_cannot_be_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(
+        folder.path(),
+        [(0, turned(1.0, false)), (5000, turned(2.0, false))],
+    );
+    let out = folder.path().join("dataset");
+    let export =
+        |task: &str| export_lerobot(&mut Recording::open(&file).unwrap(), &ALL, &out, task);
+    assert!(matches!(export("Turn."), Err(ExportError::NoMotion)));
+    assert!(matches!(export(" "), Err(ExportError::NoTask)));
+    assert!(!out.exists());
+    // What is there stays as it is.
+    std::fs::create_dir(&out).unwrap();
+    std::fs::write(out.join("mine"), "mine").unwrap();
+    assert!(matches!(export("Turn."), Err(ExportError::Io(_))));
+    assert_eq!(std::fs::read_to_string(out.join("mine")).unwrap(), "mine");
+}
+
+#[test]
+fn a_recording_that_breaks_off_anywhere_is_exported_up_to_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let whole = std::fs::read(&file).unwrap();
+    let mut before = 0;
+    for len in (100..whole.len()).step_by(97) {
+        std::fs::write(&file, &whole[..len]).unwrap();
+        let (written, _) = tables(&file, &ALL);
+        assert!(written.statuses >= before, "{len} bytes");
+        before = written.statuses;
+    }
+    assert_eq!(before, 43);
+}
+
+/// Writes the recording for readers that are not ours: `tests/recordings/tables.sh` runs this.
+#[test]
+#[ignore = "it writes a file for others"]
+fn samples() {
+    let folder =
+        std::env::var_os("DOBOT_RECORD_SAMPLES").expect("DOBOT_RECORD_SAMPLES names a folder");
+    recorded(Path::new(&folder), session());
+}
+
+#[test]
+fn columns_in_memory_hold_what_csv_holds() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let stretch = Duration::from_millis(300)..=Duration::from_secs(5);
+    let (_, [statuses, commands, ..]) = tables(&file, &stretch);
+    let read = read_tables(&mut Recording::open(&file).unwrap(), &stretch);
+    for (columns, csv) in [(read.statuses, statuses), (read.commands, commands)] {
+        let rows = rows(&csv);
+        assert!(!rows.is_empty() || columns[0].name == "time");
+        for (at, column) in columns.iter().enumerate() {
+            let texts: Vec<String> = rows.iter().map(|it| it[at].clone()).collect();
+            let read: Vec<String> = match &column.values {
+                Values::Floats(all) => all.iter().map(ToString::to_string).collect(),
+                Values::Doubles(all) => all.iter().map(ToString::to_string).collect(),
+                Values::Truths(all) => all.iter().map(ToString::to_string).collect(),
+                Values::Texts(all) => all
+                    .iter()
+                    .map(|it| it.clone().unwrap_or_default())
+                    .collect(),
+                // 2026-11-21T12:30:00Z
+                Values::Times(all) => {
+                    let begun_ns = 1_795_264_200_000_000_000_i64;
+                    assert!(
+                        all.iter()
+                            .all(|it| (300_000_000..=5_000_000_000).contains(&(it - begun_ns)))
+                    );
+                    continue;
+                }
+            };
+            assert_eq!(read, texts, "{}", column.name);
+        }
+    }
+}
+
+#[test]
+fn files_that_are_there_are_written_over_only_where_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = recorded(folder.path(), session());
+    let out = folder.path().join("run.csv");
+    let beside = folder.path().join("run.commands.csv");
+    let export = |overwrites| {
+        let mut recording = Recording::open(&file).unwrap();
+        export_files(&mut recording, &ALL, TableForm::Csv, &out, overwrites)
+    };
+    std::fs::write(&beside, "mine").unwrap();
+    let error = export(false).unwrap_err();
+    assert!(error.to_string().contains("run.commands.csv"), "{error}");
+    assert!(!out.exists(), "half of it is left behind");
+    assert_eq!(std::fs::read_to_string(&beside).unwrap(), "mine");
+    let (written, told) = export(true).unwrap();
+    assert_eq!((written.statuses, told), (43, beside.clone()));
+    assert_eq!(rows(&std::fs::read(&beside).unwrap()).len(), 3);
+    assert!(matches!(export(false), Err(ExportError::File { .. })));
+    assert_eq!(rows(&std::fs::read(&out).unwrap()).len(), 43);
+}

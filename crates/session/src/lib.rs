@@ -1,0 +1,70 @@
+//! A session with an original Dobot Arm over a serial port, TCP or in this process.
+//!
+//! [`Session`] is the engine: one command per status received, resynchronisation, link loss and
+//! completion read off the statuses. [`Connection`] is its thin async shell, over a [`Link`] of bytes.
+//!
+//! ```no_run
+//! use dobot_session::Connection;
+//! use dobot_wire::{Dialect, MoveTo};
+//!
+//! # async fn example() -> Result<(), Box<dyn std::error::Error>> {
+//! let address = "serial:/dev/ttyUSB0".parse()?;
+//! let mut arm = Connection::open(&address, Some(Dialect::FIRMWARE_1_1)).await?;
+//! // ... when a person has looked that the arm stands where it says:
+//! arm.session_mut().confirm_pose();
+//! let there = arm.send(MoveTo::to(220.0, 0.0, 20.0))?;
+//! arm.completed(there).await?;
+//! # Ok(())
+//! # }
+//! ```
+
+mod address;
+#[cfg(feature = "io")]
+mod arm;
+mod belief;
+#[cfg(feature = "io")]
+pub mod blocking;
+mod bystander;
+mod completion;
+#[cfg(feature = "io")]
+mod connection;
+mod detection;
+mod event;
+#[cfg(feature = "io")]
+mod link;
+#[cfg(feature = "io")]
+mod open;
+mod peer;
+mod plan;
+#[cfg(feature = "io")]
+mod ports;
+mod quality;
+mod queue;
+mod scheme;
+mod send_error;
+mod session;
+mod trust;
+mod under_way;
+
+pub use address::{Address, AddressError, DEFAULT_BAUD};
+#[cfg(feature = "io")]
+pub use arm::Arm;
+pub use bystander::{Bystander, SeenOver};
+#[cfg(feature = "io")]
+pub use connection::{Connection, LinkError};
+pub use detection::{Detection, DetectionError};
+pub use event::{Disarmed, Event, NotReached};
+#[cfg(feature = "io")]
+pub use link::Link;
+#[cfg(feature = "io")]
+pub use open::OpenError;
+pub use peer::Peer;
+pub use plan::position;
+#[cfg(feature = "io")]
+pub use ports::{Port, Usb, ports};
+pub use quality::LinkQuality;
+pub use queue::Queue;
+pub use scheme::plausible;
+pub use send_error::SendError;
+pub use session::{CommandId, Session};
+pub use trust::ResetEvidence;

@@ -1,0 +1,298 @@
+//! Opening serial ports and TCP connections, and saying what to do when that fails.
+
+use std::io;
+use std::time::Duration;
+
+use tokio::net::TcpStream;
+use tokio_serial::{ClearBuffer, SerialPort, SerialPortBuilderExt, SerialStream};
+
+/// Why a link could not be opened.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum OpenError {
+    /// No such serial port.
+    #[error("there is no serial port {path}")]
+    NoSuchPort {
+        /// The port.
+        path: String,
+    },
+    /// The operating system does not let this user open the port.
+    #[error("this user may not open {path}")]
+    NotAllowed {
+        /// The port.
+        path: String,
+        /// The group whose members may, where the port has one.
+        group: Option<String>,
+    },
+    /// Another program has the port.
+    #[error("{path} is in use by another program")]
+    InUse {
+        /// The port.
+        path: String,
+    },
+    /// The file is no serial port.
+    #[error("{path} is not a serial port")]
+    NotASerialPort {
+        /// The file.
+        path: String,
+    },
+    /// Anything else that a serial port says.
+    #[error("cannot open {path}")]
+    Serial {
+        /// The port.
+        path: String,
+        /// What the operating system says.
+        #[source]
+        source: io::Error,
+    },
+    /// The TCP connection failed.
+    #[error("cannot connect to {host}:{port}")]
+    Tcp {
+        /// The machine.
+        host: String,
+        /// The port.
+        port: u16,
+        /// What the operating system says.
+        #[source]
+        source: io::Error,
+    },
+    /// A virtual arm is not opened by this crate, which does not know it.
+    #[error("virtual: is no port to open; a virtual arm is connected in this process")]
+    Virtual,
+    /// The system gives a program without async no more resources.
+    #[error("the system gives no resources to wait with")]
+    Runtime(#[source] io::Error),
+}
+
+impl OpenError {
+    /// What to do about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            Self::NoSuchPort { .. } => {
+                Some("`dobot ports` lists the serial ports of this machine; is the arm plugged in and switched on?".into())
+            }
+            Self::NotAllowed { group: Some(group), .. } => Some(format!(
+                "`sudo usermod -aG {group} $USER`, then log out and in again"
+            )),
+            Self::NotAllowed { group: None, path } => Some(format!(
+                "a udev rule helps: put SUBSYSTEM==\"tty\", MODE=\"0660\", TAG+=\"uaccess\" into /etc/udev/rules.d/70-dobot.rules, run `sudo udevadm control --reload`, and plug {path} in again"
+            )),
+            Self::InUse { path } => Some(format!(
+                "`fuser -v {path}` tells which program has it; close that one first"
+            )),
+            Self::NotASerialPort { .. } => Some("`dobot ports` lists the serial ports of this machine".into()),
+            Self::Serial { .. } | Self::Virtual | Self::Runtime(_) => None,
+            Self::Tcp { source, port, .. } if source.kind() == io::ErrorKind::ConnectionRefused => Some(format!(
+                "nobody listens there; `dobot arm --tcp 127.0.0.1:{port}` starts a virtual arm that does"
+            )),
+            Self::Tcp { .. } => Some("check the name of the machine and the network".into()),
+        }
+    }
+}
+
+/// Opens a serial port, 8N1, for this program alone.
+///
+/// A stock arm is reset when its DTR line rises. Linux raises it with every first opening, which
+/// nobody can prevent; but the line is told to stay up when the port is closed, so that the next
+/// opening does not reset the arm again. Other systems leave DTR as it is.
+///
+/// What was received before is thrown away: it is no permit, and tells where the arm once was.
+///
+/// The port comes twice: as a stream, and as a file that another process can be given.
+#[cfg(unix)]
+pub(crate) fn serial(path: &str, baud: u32) -> Result<(SerialStream, std::fs::File), OpenError> {
+    let port = keep_dtr_up(path)?;
+    Ok((stream(path, baud)?, port))
+}
+
+/// Opens a serial port, 8N1, for this program alone. DTR is left as it is.
+///
+/// What was received before is thrown away: it is no permit, and tells where the arm once was.
+#[cfg(not(unix))]
+pub(crate) fn serial(path: &str, baud: u32) -> Result<SerialStream, OpenError> {
+    stream(path, baud)
+}
+
+fn stream(path: &str, baud: u32) -> Result<SerialStream, OpenError> {
+    let stream = tokio_serial::new(path, baud)
+        .preserve_dtr_on_open()
+        .open_native_async()
+        .map_err(|error| serial_error(path, error.into()))?;
+    stream
+        .clear(ClearBuffer::Input)
+        .map_err(|error| serial_error(path, error.into()))?;
+    Ok(stream)
+}
+
+pub(crate) async fn tcp(host: &str, port: u16) -> Result<TcpStream, OpenError> {
+    let connecting = async {
+        let stream = TcpStream::connect((host, port)).await?;
+        stream.set_nodelay(true)?;
+        Ok(stream)
+    };
+    tokio::time::timeout(CONNECT_TIMEOUT, connecting)
+        .await
+        .unwrap_or_else(|_| Err(io::ErrorKind::TimedOut.into()))
+        .map_err(|source| OpenError::Tcp {
+            host: host.to_owned(),
+            port,
+            source,
+        })
+}
+
+/// Clears "hang up on close". The file stays open until the port proper is, so that the line does
+/// not fall in between.
+#[cfg(unix)]
+fn keep_dtr_up(path: &str) -> Result<std::fs::File, OpenError> {
+    use std::os::unix::fs::OpenOptionsExt;
+
+    use rustix::fs::OFlags;
+    use rustix::termios::{ControlModes, OptionalActions, tcgetattr, tcsetattr};
+
+    let flags = OFlags::NOCTTY | OFlags::NONBLOCK;
+    let file = std::fs::OpenOptions::new()
+        .read(true)
+        .write(true)
+        .custom_flags(flags.bits().cast_signed())
+        .open(path)
+        .map_err(|error| serial_error(path, error))?;
+    let result = tcgetattr(&file).and_then(|mut settings| {
+        settings.control_modes -= ControlModes::HUPCL;
+        settings.control_modes |= ControlModes::CLOCAL;
+        tcsetattr(&file, OptionalActions::Now, &settings)
+    });
+    match result {
+        Ok(()) => Ok(file),
+        Err(error) => Err(serial_error(path, error.into())),
+    }
+}
+
+fn serial_error(path: &str, source: io::Error) -> OpenError {
+    let path = path.to_owned();
+    match source.kind() {
+        // What the serial crate says when another program holds its lock on the port: it calls
+        // that a port that is not there.
+        _ if source.to_string().contains("lock on serial port") => OpenError::InUse { path },
+        io::ErrorKind::NotFound => OpenError::NoSuchPort { path },
+        io::ErrorKind::PermissionDenied => OpenError::NotAllowed {
+            group: group(&path),
+            path,
+        },
+        io::ErrorKind::ResourceBusy => OpenError::InUse { path },
+        io::ErrorKind::IsADirectory => OpenError::NotASerialPort { path },
+        _ if is_not_a_terminal(&source) => OpenError::NotASerialPort { path },
+        _ => OpenError::Serial { path, source },
+    }
+}
+
+#[cfg(unix)]
+fn is_not_a_terminal(error: &io::Error) -> bool {
+    error.raw_os_error() == Some(rustix::io::Errno::NOTTY.raw_os_error())
+}
+
+#[cfg(not(unix))]
+fn is_not_a_terminal(_error: &io::Error) -> bool {
+    false
+}
+
+/// The name of the group that owns a port, where its members may use it.
+#[cfg(unix)]
+fn group(path: &str) -> Option<String> {
+    use std::os::unix::fs::MetadataExt;
+
+    let metadata = std::fs::metadata(path).ok()?;
+    if metadata.mode() & 0o060 != 0o060 {
+        return None;
+    }
+    let groups = std::fs::read_to_string("/etc/group").ok()?;
+    groups
+        .lines()
+        .map(|line| line.split(':').collect::<Vec<_>>())
+        .find(|fields| fields.get(2).and_then(|gid| gid.parse().ok()) == Some(metadata.gid()))
+        .and_then(|fields| fields.first().map(|&name| name.to_owned()))
+        .filter(|name| name != "root")
+}
+
+#[cfg(not(unix))]
+fn group(_path: &str) -> Option<String> {
+    None
+}
+
+/// Long enough for any machine that is there.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn not_allowed(group: Option<&str>) -> OpenError {
+        OpenError::NotAllowed {
+            path: "/dev/ttyUSB0".into(),
+            group: group.map(str::to_owned),
+        }
+    }
+
+    #[test]
+    fn a_port_that_is_not_allowed_says_which_group_helps() {
+        let error = not_allowed(Some("dialout"));
+        assert_eq!(error.to_string(), "this user may not open /dev/ttyUSB0");
+        let hint = error.hint().expect("something can be done");
+        assert!(hint.contains("usermod -aG dialout"), "{hint}");
+    }
+
+    #[test]
+    fn a_port_that_no_group_may_use_says_which_udev_rule_helps() {
+        let hint = not_allowed(None).hint().expect("something can be done");
+        assert!(hint.contains("/etc/udev/rules.d/"), "{hint}");
+    }
+
+    #[test]
+    fn what_the_system_says_becomes_what_the_person_can_act_on() {
+        use io::ErrorKind as Kind;
+        let told = |kind: Kind| serial_error("/dev/ttyUSB9", kind.into());
+        assert!(matches!(told(Kind::NotFound), OpenError::NoSuchPort { .. }));
+        assert!(matches!(
+            told(Kind::PermissionDenied),
+            OpenError::NotAllowed { .. }
+        ));
+        assert!(matches!(told(Kind::ResourceBusy), OpenError::InUse { .. }));
+        assert!(matches!(told(Kind::TimedOut), OpenError::Serial { .. }));
+    }
+
+    /// A pseudo-terminal: the end to hold, and the name of the other.
+    #[cfg(unix)]
+    fn pty() -> (std::os::fd::OwnedFd, String) {
+        use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+
+        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a port is free");
+        grantpt(&master).expect("it is ours");
+        unlockpt(&master).expect("it is ours");
+        let name = ptsname(&master, Vec::new()).expect("it has one");
+        (master, name.into_string().expect("the name is text"))
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_port_that_another_program_has_locked_is_in_use() {
+        let (_master, path) = pty();
+        let open = || tokio_serial::new(&path, 9600).open_native();
+        let _first = open().expect("it is free");
+        // The superuser gets as far as the lock, others are turned away before.
+        let error = open().expect_err("it is in use");
+        let told = serial_error(&path, error.into());
+        assert!(matches!(told, OpenError::InUse { .. }), "{told:?}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn closing_a_port_will_not_lower_its_dtr_line() {
+        use rustix::termios::{ControlModes, tcgetattr};
+
+        let (_master, path) = pty();
+        let port = keep_dtr_up(&path).expect("it opens");
+        let modes = tcgetattr(&port).expect("it is a terminal").control_modes;
+        assert!(!modes.contains(ControlModes::HUPCL));
+        assert!(modes.contains(ControlModes::CLOCAL));
+    }
+}

@@ -1,0 +1,242 @@
+//! What a session offers to those who own an arm for long: dialects learned later, ports opened
+//! again, urgent packets, and a view of what is on its way.
+
+use std::time::Duration;
+
+use dobot_session::{Event, SendError, Session};
+use dobot_wire::{
+    Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveTo, MovingMode, Packet,
+    Status, WriteVector,
+};
+
+const PERIOD: Duration = Dialect::SPECIFICATION.status_period();
+
+/// Rear arm upright, forearm level.
+const STATUS: Status = Status::AT_ZERO;
+
+fn tell(session: &mut Session, now: Duration) {
+    session.handle_bytes(now, &STATUS.emit().to_bytes());
+}
+
+fn line(x_mm: f32) -> MoveTo {
+    MoveTo::to(x_mm, 0.0, 100.0).with_mode(MovingMode::MovL)
+}
+
+fn stroke(y_mm: f32) -> WriteVector {
+    WriteVector::by(0.0, y_mm, 0.0, 50.0)
+}
+
+fn packets(session: &mut Session) -> usize {
+    std::iter::from_fn(|| session.poll_bytes()).count()
+}
+
+#[test]
+fn a_dialect_that_is_learned_later_counts_from_then_on() {
+    let mut session = Session::trusted(None);
+    tell(&mut session, PERIOD);
+    assert!(matches!(
+        session.send(line(220.0)),
+        Err(SendError::Undecided { .. })
+    ));
+    let height = |session: &Session| session.model().expect("it told").settings.jump_height.0;
+    assert_eq!(height(&session), 20.0);
+    session.set_dialect(Dialect::FIRMWARE_1_1);
+    assert_eq!(height(&session), 10.0);
+    session.send(line(220.0)).expect("it is known now");
+}
+
+#[test]
+fn a_packet_is_read_by_the_dialect_and_not_at_all_where_it_matters_and_is_unknown() {
+    let command = Command::from(line(220.0));
+    let packet = command.emit(&Dialect::FIRMWARE_1_1);
+    let stock = Session::trusted(Some(Dialect::FIRMWARE_1_1));
+    assert_eq!(stock.parse(&packet), Ok(command));
+    let unknown = Session::trusted(None);
+    assert!(matches!(
+        unknown.parse(&packet),
+        Err(SendError::Undecided { .. })
+    ));
+    let jog = Command::from(JointJog::new(JointJogAxis::BasePlus, 10.0));
+    assert_eq!(unknown.parse(&jog.emit(&Dialect::FIRMWARE_1_1)), Ok(jog));
+}
+
+#[test]
+fn a_port_that_was_opened_again_has_five_seconds_and_no_permit() {
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
+    tell(&mut session, PERIOD);
+    let again = Duration::from_mins(1);
+    session.handle_open(again);
+    session.send(stroke(5.0)).expect("it is allowed");
+    assert_eq!(packets(&mut session), 0);
+    session.handle_time(again + Duration::from_millis(4900));
+    let lost = |session: &mut Session| {
+        std::iter::from_fn(|| session.poll_event()).any(|it| matches!(it, Event::LinkLost { .. }))
+    };
+    assert!(!lost(&mut session));
+    session.handle_time(again + Duration::from_secs(5));
+    assert!(lost(&mut session));
+    tell(&mut session, again + Duration::from_secs(6));
+    assert_eq!(packets(&mut session), 1);
+}
+
+#[test]
+fn what_waits_is_forgotten_by_its_names() {
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
+    let ids: Vec<_> = [1.0, 2.0, 3.0]
+        .map(|y| session.send(stroke(y)).expect("it is allowed"))
+        .into();
+    tell(&mut session, PERIOD);
+    assert_eq!(session.forget_waiting(), ids[1..]);
+}
+
+#[test]
+fn a_full_queue_is_told_from_an_idle_link() {
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION)).with_ahead(Duration::MAX);
+    let mut now = PERIOD;
+    tell(&mut session, now);
+    session.handle_time(now + PERIOD * 3);
+    assert!(!session.queue().is_full, "nothing is under way");
+    for n in 0..4_u8 {
+        let by = if n % 2 == 0 { 40.0 } else { -40.0 };
+        session.send(stroke(by)).expect("it is allowed");
+        tell(&mut session, now + PERIOD * 3);
+        now += PERIOD;
+    }
+    session.handle_time(now + PERIOD * 6);
+    let queue = session.queue();
+    assert_eq!((queue.under_way, queue.is_full), (4, true));
+    // Four strokes of 1.3 s each.
+    let ahead_s = queue.ahead.as_secs_f64();
+    assert!((4.0..5.3).contains(&ahead_s), "{ahead_s}");
+    assert!(session.is_moving() && session.rests_within() > queue.ahead);
+}
+
+#[test]
+fn a_jog_is_released_by_its_own_kind() {
+    for (held, expected) in [
+        (LinearJogAxis::ZPlus, LinearJogAxis::Released),
+        (LinearJogAxis::YMinus, LinearJogAxis::Released),
+    ] {
+        let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
+        tell(&mut session, PERIOD);
+        let jog = LinearJog::new(held, 10.0);
+        session.send(jog).expect("it is allowed");
+        assert_eq!(
+            session.release(),
+            Some(Command::from(LinearJog::new(expected, 0.0)))
+        );
+        assert_eq!(session.rests_within(), Duration::MAX);
+    }
+}
+
+#[test]
+fn an_urgent_packet_that_left_beside_the_session_is_believed() {
+    let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
+    tell(&mut session, PERIOD);
+    let laser = Command::from(JointJog::new(JointJogAxis::LaserOn, 0.0));
+    let packet = session.emit_now(&laser).expect("it is allowed");
+    assert!(matches!(packet, Packet::Frame(_)));
+    assert_eq!(packets(&mut session), 0, "the caller sends it");
+    session.note_urgent(&laser);
+    assert!(session.model().expect("it told").laser);
+}
+
+#[test]
+fn an_urgent_packet_that_moves_nothing_is_over_soon() {
+    let mut session = Session::trusted(Some(Dialect::FIRMWARE_1_1));
+    tell(&mut session, PERIOD);
+    let laser_off = JointJog::new(JointJogAxis::LaserOff, 0.0);
+    session.send_now(laser_off).expect("it is allowed");
+    assert!(session.is_moving(), "nobody knows yet");
+    for n in 2..8 {
+        tell(&mut session, PERIOD * n);
+    }
+    assert!(!session.is_moving());
+    assert!(session.model().expect("it told").knows_place());
+}
+
+fn burn(y_mm: f32) -> WriteVector {
+    stroke(y_mm).burning()
+}
+
+fn events(session: &mut Session) -> Vec<Event> {
+    std::iter::from_fn(|| session.poll_event()).collect()
+}
+
+#[test]
+fn what_burns_is_refused_until_the_laser_is_armed_and_again_when_its_time_is_over() {
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
+    tell(&mut session, PERIOD);
+    let refused = Err(SendError::LaserDisarmed);
+    assert_eq!(session.send(burn(10.0)), refused);
+    let on = JointJog::new(JointJogAxis::LaserOn, 0.0);
+    assert_eq!(session.send(on), refused);
+    assert_eq!(packets(&mut session), 0);
+    session.send(stroke(10.0)).expect("it does not burn");
+    session.arm_laser(Duration::from_secs(1));
+    session.send(burn(10.0)).expect("it is armed");
+    session.handle_time(Duration::from_secs(1));
+    assert_eq!(session.send(burn(10.0)), refused);
+}
+
+#[test]
+fn what_waits_when_the_time_of_the_laser_is_over_is_not_sent_any_more() {
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
+    tell(&mut session, PERIOD);
+    session.arm_laser(Duration::from_secs(1));
+    let first = session.send(stroke(5.0)).expect("it is allowed");
+    let kept = session.send(stroke(5.0)).expect("it is allowed");
+    let burning = session.send(burn(5.0)).expect("it is armed");
+    let behind = session.send(stroke(5.0)).expect("it is allowed");
+    events(&mut session);
+    session.handle_time(Duration::from_secs(1));
+    let told = events(&mut session);
+    let not_sent = |command| Event::NotSent {
+        command,
+        reason: SendError::LaserDisarmed,
+    };
+    assert!(told.contains(&not_sent(burning)), "{told:?}");
+    assert!(told.contains(&not_sent(behind)), "{told:?}");
+    assert!(
+        told.contains(&Event::LaserDisarmed(dobot_session::Disarmed::TimeOver)),
+        "{told:?}"
+    );
+    assert!(first < kept && session.waiting() == 1, "{told:?}");
+}
+
+#[test]
+fn the_laser_is_disarmed_by_silence_by_another_opening_of_the_port_and_by_a_reset() {
+    let armed = || {
+        let mut session = Session::trusted(Some(Dialect::SPECIFICATION));
+        tell(&mut session, PERIOD);
+        session.arm_laser(Duration::from_mins(10));
+        session
+    };
+    let mut silent = armed();
+    silent.handle_time(Duration::from_secs(5));
+    assert_eq!(silent.laser_armed_until(), None);
+    let mut opened = armed();
+    opened.handle_open(Duration::from_secs(1));
+    assert_eq!(opened.laser_armed_until(), None);
+    let mut reset = armed();
+    let elsewhere = Status {
+        x_mm: 0.0,
+        y_mm: 160.0 + 55.07,
+        base_deg: 90.0,
+        rotation_deg: 90.0,
+        ..STATUS
+    };
+    reset.handle_bytes(PERIOD * 2, &elsewhere.emit().to_bytes());
+    assert!(!reset.is_trusted(), "it is seen");
+    assert_eq!(reset.laser_armed_until(), None);
+}
+
+#[test]
+fn a_free_laser_needs_no_arming_and_is_not_disarmed() {
+    let mut session = Session::trusted(Some(Dialect::SPECIFICATION)).with_free_laser();
+    tell(&mut session, PERIOD);
+    session.send(burn(5.0)).expect("it is free");
+    session.handle_open(Duration::from_secs(1));
+    session.disarm_laser();
+    session.send(burn(5.0)).expect("it is free");
+}

@@ -1,0 +1,193 @@
+//! Silence, noise and the reset of an arm by its port.
+
+use std::time::Duration;
+
+use dobot_motion::LASER_OFF;
+use dobot_session::{Event, Session};
+use dobot_wire::{Command, Dialect, JointJog, JointJogAxis};
+
+use crate::desk::{Desk, status, vector};
+
+#[test]
+fn a_second_of_silence_is_a_lost_link() {
+    let mut desk = Desk::new(None);
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(999));
+    assert_eq!(desk.events(), []);
+    desk.session.handle_time(desk.now + Duration::from_secs(1));
+    assert_eq!(
+        desk.events(),
+        [Event::LinkLost {
+            silent_for: Duration::from_secs(1),
+            noise: 0
+        }]
+    );
+    desk.session.handle_time(desk.now + Duration::from_secs(9));
+    assert_eq!(desk.events(), [], "it is told once");
+}
+
+#[test]
+fn an_arm_reset_by_the_opening_of_its_port_has_five_seconds() {
+    let mut session = Session::trusted(None);
+    session.handle_time(Duration::from_millis(4900));
+    assert_eq!(session.poll_event(), None);
+    session.handle_bytes(Duration::from_millis(4950), &[0x42; 30]);
+    session.handle_time(Duration::from_secs(5));
+    assert_eq!(
+        session.poll_event(),
+        Some(Event::LinkLost {
+            silent_for: Duration::from_secs(5),
+            noise: 30
+        })
+    );
+}
+
+#[test]
+fn a_full_queue_is_not_a_lost_link() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 10.0, 0.0);
+    for n in 1..=5_u8 {
+        let by = if n % 2 == 0 { -60.0 } else { 60.0 };
+        desk.session.send(vector(0.0, by)).expect("it is allowed");
+        desk.status_at(200.0, 10.0, 0.0);
+    }
+    assert_eq!(desk.session.under_way(), 5);
+    desk.session.handle_time(desk.now + Duration::from_secs(20));
+    assert_eq!(desk.events(), []);
+    desk.session
+        .handle_time(desk.now + Duration::from_secs(1000));
+    assert!(matches!(desk.events()[..], [Event::LinkLost { .. }]));
+}
+
+/// An arm whose base stands at 0, and a computer that stands still for a second and says something before it hears what was
+/// told meanwhile.
+fn stood_still_and_said(commands: &[Command]) -> Desk {
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    for _ in 0..3 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    desk.now += Duration::from_secs(1);
+    desk.session.handle_time(desk.now);
+    for command in commands {
+        desk.session.emit_now(command).expect("it is allowed");
+        desk.session.note_urgent(command);
+    }
+    desk
+}
+
+#[test]
+fn an_arm_at_rest_that_tells_the_same_after_a_silence_stands_as_before_though_its_laser_was_switched_off()
+ {
+    let mut desk = stood_still_and_said(&[LASER_OFF]);
+    for _ in 0..3 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert!(desk.session.is_trusted());
+}
+
+#[test]
+fn an_arm_that_was_told_to_move_before_a_silence_may_have_been_reset_though_it_tells_the_same() {
+    let turn = JointJog::new(JointJogAxis::BasePlus, 50.0).into();
+    let release = JointJog::new(JointJogAxis::Released, 0.0).into();
+    for commands in [&[turn][..], &[turn, LASER_OFF], &[turn, release]] {
+        let mut desk = stood_still_and_said(commands);
+        desk.now += Duration::from_secs(1);
+        desk.status_at(200.0, 0.0, 0.0);
+        assert!(!desk.session.is_trusted(), "{commands:?}");
+    }
+}
+
+/// So many statuses of a base at 0, all read at once after a silence of so many milliseconds.
+fn read_at_once(desk: &mut Desk, statuses: usize, silent_ms: u64) {
+    desk.now += Duration::from_millis(silent_ms);
+    desk.session.handle_stall(desk.now);
+    desk.session.handle_time(desk.now);
+    let bytes = status(200.0, 0.0, 0.0).emit().to_bytes().repeat(statuses);
+    desk.session.handle_bytes(desk.now, &bytes);
+}
+
+#[test]
+fn an_arm_that_went_on_sending_while_the_computer_stood_still_was_not_reset() {
+    for statuses in [7, 14, 25] {
+        let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+        desk.status_at(200.0, 0.0, 0.0);
+        desk.session.send(vector(0.0, 60.0)).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+        read_at_once(&mut desk, statuses, 80 * statuses as u64 + 70);
+        assert!(desk.session.is_trusted(), "{statuses} statuses");
+        assert!(
+            desk.events()
+                .iter()
+                .all(|it| !matches!(it, Event::LinkLost { .. }))
+        );
+    }
+}
+
+#[test]
+fn an_arm_that_was_silent_in_part_of_that_time_may_have_been_reset() {
+    // The base stands at 0 only behind the reset, and 0.7 s of statuses are missing.
+    let mut desk = Desk::new(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session.send(vector(0.0, 60.0)).expect("it is allowed");
+    desk.status_at(200.0, 0.0, 0.0);
+    read_at_once(&mut desk, 10, 1_500);
+    assert!(!desk.session.is_trusted());
+}
+
+#[test]
+fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
+    let mut desk = Desk::ahead(Some(Dialect::SPECIFICATION));
+    desk.status_at(200.0, 0.0, 0.0);
+    for n in 1..=5_u8 {
+        // Every second one ends with the base at 0, as after a reset.
+        let by = if n % 2 == 0 { -60.0 } else { 60.0 };
+        desk.session.send(vector(0.0, by)).expect("it is allowed");
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    assert_eq!((desk.session.under_way(), desk.session.waiting()), (4, 1));
+}
+
+#[test]
+fn noise_between_statuses_is_told_and_costs_none() {
+    let mut desk = Desk::new(None);
+    desk.status_at(200.0, 0.0, 0.0);
+    desk.session.handle_bytes(desk.now, &[0xA5, 1, 2, 3, 0xA5]);
+    let events = desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(events, [Event::Resynced { skipped: 5 }]);
+}
+
+#[test]
+fn statuses_that_come_late_in_a_heap_are_not_lost_and_those_that_never_come_are() {
+    let mut desk = Desk::new(None);
+    for _ in 0..10 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    let bytes = status(200.0, 0.0, 0.0).emit().to_bytes();
+    desk.now += Duration::from_millis(400);
+    for _ in 0..5 {
+        desk.session.handle_bytes(desk.now, &bytes);
+    }
+    assert_eq!(desk.session.link().lost, 0);
+    desk.now += Duration::from_millis(240);
+    desk.session.handle_bytes(desk.now, &bytes);
+    desk.status_at(200.0, 0.0, 0.0);
+    assert_eq!(desk.session.link().lost, 2);
+}
+
+#[test]
+fn a_good_link_carries_12_5_statuses_a_second_and_a_silent_one_fewer_and_fewer() {
+    let mut desk = Desk::new(None);
+    for _ in 0..40 {
+        desk.status_at(200.0, 0.0, 0.0);
+    }
+    let rate = |desk: &Desk| desk.session.link().statuses_per_s;
+    assert!((rate(&desk) - 12.5).abs() < 1e-9, "{}", rate(&desk));
+    desk.session
+        .handle_time(desk.now + Duration::from_millis(79));
+    assert!((rate(&desk) - 12.5).abs() < 1e-9, "{}", rate(&desk));
+    desk.session.handle_time(desk.now + Duration::from_secs(1));
+    assert!((rate(&desk) - 6.8).abs() < 0.8, "{}", rate(&desk));
+    desk.session.handle_time(desk.now + Duration::from_secs(3));
+    assert_eq!(rate(&desk), 0.0);
+}

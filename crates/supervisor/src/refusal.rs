@@ -1,0 +1,369 @@
+//! Why the station does not do what a client asks.
+
+use std::borrow::Cow;
+
+use dobot_api::problem_kinds::{self, ProblemKind};
+use dobot_api::{JobPhase, Problem, Role};
+use dobot_safety::Violation;
+use dobot_session::SendError;
+
+/// Why the station does not do what a client asks. Nothing has changed then.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// The client's role is not enough.
+    #[error("this takes the role {needed}; this client has {found}")]
+    Role {
+        /// What it takes.
+        needed: Role,
+        /// What the client has.
+        found: Role,
+    },
+    /// The client does not have control.
+    #[error("{}", match holder { Some(Holder { name, .. }) => format!("{name} has control of the arm"), None => "nobody has control of the arm; this client has to take it first".to_owned() })]
+    NoLease {
+        /// Who has it.
+        holder: Option<Holder>,
+    },
+    /// An administrator keeps the arm.
+    #[error("the arm was locked by {by}{}", message.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    Locked {
+        /// Who locked it.
+        by: String,
+        /// Why.
+        message: Option<String>,
+    },
+    /// It is the time of somebody else at the arm.
+    #[error("it is the time of {student}{}, for another {}; the arm is free in {}", group.as_ref().map(|it| format!(" ({it})")).unwrap_or_default(), span(*left_s), span(*free_in_s))]
+    Slot {
+        /// Whose time it is.
+        student: String,
+        /// The group of that one.
+        group: Option<String>,
+        /// How much of it is left, in seconds.
+        left_s: f64,
+        /// In how many seconds the arm is everyone's, if nobody changes the time slots.
+        free_in_s: f64,
+    },
+    /// The time slots cannot be so.
+    #[error("{0}")]
+    BadSlots(String),
+    /// Nobody of that number asked for control.
+    #[error("client {0} does not ask for control")]
+    NotAsking(u64),
+    /// The arm is stopped until a person resets that.
+    #[error("{} {by}{}", if *of_fleet { "stopped: fleet, by" } else { "the arm was stopped by" },
+        reason.as_ref().map(|it| format!(": {it}")).unwrap_or_default())]
+    Stopped {
+        /// Who stopped it.
+        by: String,
+        /// Why.
+        reason: Option<String>,
+        /// Whether the whole fleet was stopped.
+        of_fleet: bool,
+    },
+    /// The arm has not come to rest yet after a stop.
+    #[error("the arm still moves; it rests within {within_s:.1} s")]
+    StillMoving {
+        /// How long that takes at the most.
+        within_s: f64,
+    },
+    /// The station let go of a button that is still pressed.
+    #[error("the button was let go: {0}")]
+    LetGo(String),
+    /// There is no link to send it over, and the arm may be moving or burning.
+    #[error("{0} was NOT DELIVERED: there is no link to the arm")]
+    NotDelivered(&'static str),
+    /// No guardian watches over the arm.
+    #[error("no guardian watches over the arm: {0}")]
+    Unguarded(String),
+    /// There is no arm to talk to.
+    #[error("there is no link to an arm: {0}")]
+    NoLink(String),
+    /// The session does not send it.
+    #[error(transparent)]
+    Send(SendError),
+    /// The policy does not allow it.
+    #[error(transparent)]
+    Policy(Box<Violation>),
+    /// The laser is not armed.
+    #[error("the laser is disarmed")]
+    LaserDisarmed,
+    /// A number is not allowed.
+    #[error("{name} is {found}; allowed is {allowed}")]
+    OutOfRange {
+        /// Which number.
+        name: &'static str,
+        /// What was given.
+        found: f64,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// Too much waits already.
+    #[error("{waiting} commands wait already, and more than {most} may not")]
+    TooMany {
+        /// How many wait.
+        waiting: usize,
+        /// How many may.
+        most: usize,
+    },
+    /// A job has the arm.
+    #[error("job {0} has the arm")]
+    JobRunning(u64),
+    /// The arm is finding out its dialect.
+    #[error("the arm makes the motions that tell its dialect")]
+    Detecting,
+    /// The motions that tell the dialect did not tell it.
+    #[error("the dialect was not found: {0}")]
+    NotFound(String),
+    /// The job waits for a person.
+    #[error("job {job} waits for a person: {message}")]
+    NeedsPerson {
+        /// Its number.
+        job: u64,
+        /// What the person has to do.
+        message: String,
+    },
+    /// No job runs.
+    #[error("no job is running")]
+    NoJobRuns,
+    /// There is no such job.
+    #[error("there is no job {0}")]
+    NoSuchJob(u64),
+    /// A job is not in a phase that allows this.
+    #[error("job {job} is {found}; this takes one that is {allowed}", found = format!("{found:?}").to_lowercase())]
+    JobPhase {
+        /// Its number.
+        job: u64,
+        /// How far it is.
+        found: JobPhase,
+        /// How far it would have to be.
+        allowed: &'static str,
+    },
+    /// A job has no vectors whose speed or height could be changed.
+    #[error("job {0} has no write vectors: its speed and height are those of its targets")]
+    NoVectors(u64),
+    /// A job cannot be done as it is.
+    #[error("command {index} of the job: {why}")]
+    BadJob {
+        /// Which command, from 0.
+        index: usize,
+        /// What is wrong with it.
+        why: String,
+        /// The key of the rule of the policy that says so, where one does.
+        rule: Option<String>,
+    },
+    /// Another job was asked for with the same key.
+    #[error("the key {key:?} was that of a request for job {job}, which is another one")]
+    KeyReused {
+        /// The key.
+        key: String,
+        /// The other job.
+        job: u64,
+    },
+    /// A job cannot be gone on with as things are.
+    #[error("the job cannot be gone on with: {0}")]
+    CannotResume(String),
+    /// The journal cannot be written.
+    #[error("the journal of jobs cannot be written: {0}")]
+    Journal(String),
+    /// The request cannot be understood.
+    #[error("the request cannot be understood: {0}")]
+    Malformed(String),
+    /// The station ends.
+    #[error("the station is shutting down")]
+    Ending,
+}
+
+/// Who has control.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Holder {
+    /// What it calls itself.
+    pub name: String,
+    /// Whether it is a program on the raw port, which cannot be asked.
+    pub is_program: bool,
+}
+
+impl Refusal {
+    /// The kind of refusal: the last part of the problem type's address.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        self.row().0.name
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub fn hint(&self) -> Option<String> {
+        self.row().1.map(Cow::into_owned)
+    }
+
+    /// The kind of each refusal, and what to do about it where its text does not say that.
+    fn row(&self) -> (ProblemKind, Option<Cow<'static, str>>) {
+        let (kind, hint) = match self {
+            Self::Role { needed, .. } => {
+                let hint = format!("use a token with the role {needed}");
+                return (problem_kinds::ROLE, Some(hint.into()));
+            }
+            Self::NoLease { holder } => (problem_kinds::NO_LEASE, lease_hint(holder.as_ref())),
+            Self::Locked { .. } => (
+                problem_kinds::LOCKED,
+                "wait until it is unlocked; anybody may stop the arm meanwhile",
+            ),
+            Self::Slot { .. } => (
+                problem_kinds::SLOT,
+                "wait for your own time, or until the arm is free: `dobot slots` shows when; anybody may stop the arm meanwhile",
+            ),
+            Self::NotAsking(_) => (problem_kinds::NOT_ASKING, "`dobot lease` shows who asks"),
+            Self::Stopped { of_fleet: true, .. } => (
+                problem_kinds::STOPPED,
+                "look at the arm; `dobot stop --reset` lets this one move again, `dobot fleet stop --reset` all of the fleet",
+            ),
+            Self::Stopped { .. } => (
+                problem_kinds::STOPPED,
+                "look at the arm; when it may move again, `dobot stop --reset`",
+            ),
+            Self::StillMoving { .. } => (problem_kinds::STILL_MOVING, "wait until it rests"),
+            Self::LetGo(_) => (
+                problem_kinds::LET_GO,
+                "let go of the button, then press it again",
+            ),
+            Self::NotDelivered(_) => (
+                problem_kinds::NOT_DELIVERED,
+                "switch the arm off by hand; it is sent as soon as the link is back",
+            ),
+            Self::Unguarded(_) => (
+                problem_kinds::UNGUARDED,
+                "free memory or processes on this machine; the station starts another guardian as soon as it can",
+            ),
+            Self::NoLink(_) => (
+                problem_kinds::NO_LINK,
+                "`dobot watch` shows what the station waits for",
+            ),
+            Self::Send(error) => return (problem_kinds::COMMAND, send_hint(error).map(Into::into)),
+            Self::Policy(_) => (problem_kinds::POLICY, "`dobot policy` shows the rules"),
+            Self::LaserDisarmed => (
+                problem_kinds::LASER_DISARMED,
+                "put the goggles on, then arm the laser for a while, with the client that is to use it: `--arm-laser 600` of `dobot jog` and `dobot jobs start`",
+            ),
+            Self::TooMany { .. } => (
+                problem_kinds::TOO_MANY,
+                "wait until some are over, or send them as a job",
+            ),
+            Self::JobRunning(_) => (problem_kinds::JOB_RUNNING, "pause it: `dobot jobs pause`"),
+            Self::Detecting => (
+                problem_kinds::DETECTING,
+                "wait until it is done, or stop it: `dobot stop`",
+            ),
+            Self::NotFound(_) => (
+                problem_kinds::DIALECT_NOT_FOUND,
+                "see that nothing is in the arm's way and that its cable sits well, then `dobot detect` again; or say which dialect it is: `--dialect firmware-1.1` for an arm as it was sold",
+            ),
+            Self::NeedsPerson { .. } => (
+                problem_kinds::NEEDS_PERSON,
+                "a person goes on with it: on the page, or with `dobot jobs start` in a terminal",
+            ),
+            Self::NoJobRuns => (problem_kinds::NO_JOB_RUNS, "`dobot jobs` lists the jobs"),
+            Self::NoSuchJob(_) => (problem_kinds::NO_SUCH_JOB, "`dobot jobs` lists the jobs"),
+            Self::JobPhase { .. } => (problem_kinds::JOB_PHASE, "`dobot jobs` lists the jobs"),
+            Self::NoVectors(_) => (
+                problem_kinds::NO_VECTORS,
+                "`dobot set percent` changes the speed of targets",
+            ),
+            Self::BadJob { .. } => (
+                problem_kinds::BAD_JOB,
+                "change that command, and submit the job again",
+            ),
+            Self::KeyReused { .. } => (
+                problem_kinds::KEY_REUSED,
+                "give each request a key of its own, such as a random number",
+            ),
+            Self::CannotResume(_) => (
+                problem_kinds::CANNOT_RESUME,
+                "`dobot jobs` says how far it is; `dobot jobs cancel` ends it",
+            ),
+            Self::Journal(_) => (
+                problem_kinds::JOURNAL,
+                "make room on the disk, or check the folder's permissions",
+            ),
+            Self::Ending => (problem_kinds::ENDING, "`dobot up` starts it again"),
+            // Both say what is allowed.
+            Self::OutOfRange { .. } => return (problem_kinds::OUT_OF_RANGE, None),
+            Self::Malformed(_) => return (problem_kinds::MALFORMED, None),
+            Self::BadSlots(_) => return (problem_kinds::BAD_SLOTS, None),
+        };
+        (kind, Some(hint.into()))
+    }
+}
+
+fn lease_hint(holder: Option<&Holder>) -> &'static str {
+    match holder {
+        None => "take the lease",
+        Some(Holder { is_program, .. }) if *is_program => {
+            "a program on the raw port cannot be asked; on this machine, take control from it: `dobot lease take`"
+        }
+        Some(_) => "ask the holder for the lease: `dobot lease ask`",
+    }
+}
+
+/// A time as a person says it, in minutes and seconds.
+pub(crate) fn span(s: f64) -> String {
+    let s = s.ceil();
+    let (minutes, rest) = ((s / 60.0).floor(), s % 60.0);
+    match (minutes > 0.0, rest > 0.0) {
+        (false, _) => format!("{rest} s"),
+        (true, false) => format!("{minutes} min"),
+        (true, true) => format!("{minutes} min {rest} s"),
+    }
+}
+
+impl From<SendError> for Refusal {
+    fn from(error: SendError) -> Self {
+        match error {
+            SendError::LaserDisarmed => Self::LaserDisarmed,
+            error => Self::Send(error),
+        }
+    }
+}
+
+impl From<Violation> for Refusal {
+    fn from(violation: Violation) -> Self {
+        Self::Policy(Box::new(violation))
+    }
+}
+
+/// What helps against a command that the session does not send.
+const fn send_hint(error: &SendError) -> Option<&'static str> {
+    match error {
+        SendError::Undecided { .. } => Some(
+            "find out with `dobot detect`, or say which: `--dialect firmware-1.1` for an arm as it was sold",
+        ),
+        SendError::Untrusted => Some(
+            "look at the arm; where it stands as its statuses say, confirm it: `dobot confirm`",
+        ),
+        SendError::OnTheSpot => Some("a JUMP goes there without harm"),
+        _ => None,
+    }
+}
+
+impl From<&Refusal> for Problem {
+    fn from(refusal: &Refusal) -> Self {
+        let (kind, hint) = refusal.row();
+        let mut problem = kind.problem(refusal.to_string());
+        problem.hint = hint.map(Cow::into_owned);
+        if let Refusal::BadJob { rule, .. } = refusal {
+            problem.rule.clone_from(rule);
+        }
+        if let Refusal::Policy(violation) = refusal {
+            problem.rule = Some(violation.rule.clone());
+            problem.nearest_mm = violation.nearest;
+            problem.at_mm = violation.at.as_ref().map(|it| it.position_mm);
+        }
+        problem
+    }
+}
+
+impl From<Refusal> for Problem {
+    fn from(refusal: Refusal) -> Self {
+        Self::from(&refusal)
+    }
+}

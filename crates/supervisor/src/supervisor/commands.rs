@@ -1,0 +1,204 @@
+//! Single commands of clients: how an arm understands them, and which are not over.
+
+use std::collections::HashMap;
+use std::time::Duration;
+
+use dobot_api::{ClientId, Jog};
+use dobot_arm::Pose;
+use dobot_motion::{Button, Model, TrajectoryError};
+use dobot_safety::Violation;
+use dobot_session::{CommandId, SendError};
+use dobot_wire::{Command, JointJog, JointJogAxis, MoveTo, MovingMode, VoiceOrder};
+
+use super::arm::Arm;
+use super::still_moving;
+use crate::refusal::Refusal;
+
+/// Commands of clients that are not over, and who sent them.
+#[derive(Debug, Default)]
+pub(super) struct Commands {
+    pending: HashMap<CommandId, ClientId>,
+}
+
+impl Commands {
+    /// Takes a command that a client may send: it is sent if its whole way is allowed.
+    pub(super) fn handle_command(
+        &mut self,
+        arm: &mut Arm,
+        client: ClientId,
+        command: &Command,
+        rests_within: Duration,
+    ) -> Result<CommandId, Refusal> {
+        let command = understood(arm, command, rests_within)?;
+        let waiting = arm.session().waiting();
+        if waiting >= MOST_WAITING {
+            return Err(Refusal::TooMany {
+                waiting,
+                most: MOST_WAITING,
+            });
+        }
+        if leads_somewhere(&command) && !knows_place(arm) {
+            return Err(still_moving(rests_within));
+        }
+        let pieces = line_pieces(arm, &command)?;
+        let mut last = None;
+        for piece in pieces.iter().chain([&command]) {
+            last = Some(arm.send(piece)?);
+        }
+        let id = last.expect("the command itself is sent");
+        self.pending.insert(id, client);
+        Ok(id)
+    }
+
+    /// Takes that a command is over, or forgotten; says whether it was one of a client.
+    pub(super) fn handle_over(&mut self, id: CommandId) -> bool {
+        self.pending.remove(&id).is_some()
+    }
+
+    pub(super) fn any_of(&self, client: ClientId) -> bool {
+        self.pending.values().any(|it| *it == client)
+    }
+
+    /// Those that are not over.
+    pub(super) fn ids(&self) -> impl Iterator<Item = CommandId> {
+        self.pending.keys().copied()
+    }
+}
+
+/// Whether it is known where a motion would begin: not behind a jog, or a motion that ended
+/// elsewhere, until the arm was seen at rest.
+fn knows_place(arm: &Arm) -> bool {
+    arm.session().model().is_none_or(Model::knows_place)
+}
+
+/// A command as this arm understands it: what is said to a stock arm, which does not hear voice or
+/// hears other numbers, is carried out as the motion or the button that the words mean (note N50).
+pub(super) fn understood(
+    arm: &Arm,
+    command: &Command,
+    rests_within: Duration,
+) -> Result<Command, Refusal> {
+    let Command::Voice(voice) = command else {
+        return Ok(*command);
+    };
+    let Some(dialect) = arm.session().dialect() else {
+        let field = "voice";
+        return Err(Refusal::Send(SendError::Undecided { field }));
+    };
+    if dialect.hears_voice && !arm.session().is_bluetooth() {
+        // From the first byte of a text on, a motion under way would rest and lose its place.
+        let rests = arm.is_at_rest() && arm.is_idle() && !arm.session().is_moving();
+        return if rests {
+            Ok(*command)
+        } else {
+            Err(still_moving(rests_within))
+        };
+    }
+    let (Some(order), Some(model)) = (VoiceOrder::parse(voice), arm.session().model()) else {
+        let error = TrajectoryError::NotUnderstood;
+        return Err(Refusal::Policy(Box::new(Violation::of_trajectory(&error))));
+    };
+    Ok(spoken(order, model))
+}
+
+/// A button by which the arm moves has to be held, and its release is of its kind, however they are
+/// pressed.
+pub(super) fn button(command: &Command) -> Option<Jog> {
+    let switches = matches!(
+        Button::of(command),
+        Some(Button::Suction(_) | Button::Laser(_))
+    );
+    match command {
+        Command::JointJog(it) if !switches => Some(Jog::Joint(*it)),
+        Command::LinearJog(it) if !switches => Some(Jog::Linear(*it)),
+        _ => None,
+    }
+}
+
+/// The targets to send before a straight line that takes longer than `queue.line_s`, so that each piece is short enough. Pump and
+/// gripper stay as they are until the last piece. Every piece is allowed by the policy.
+fn line_pieces(arm: &Arm, command: &Command) -> Result<Vec<Command>, Refusal> {
+    let (Command::MoveTo(target), Some(begin)) = (command, arm.session().model()) else {
+        return Ok(Vec::new());
+    };
+    if target.mode != MovingMode::MovL {
+        return Ok(Vec::new());
+    }
+    let policy = arm.policy();
+    // A line that leads nowhere is refused when it is sent.
+    let takes_s = begin.trajectory(command).ok().and_then(|it| it.motion_s());
+    let is_enough =
+        |pieces: &u16| takes_s.is_none_or(|it| it <= f64::from(*pieces) * policy.queue.line_s);
+    let pieces = (1..MOST_PIECES).find(is_enough).unwrap_or(MOST_PIECES);
+    if pieces == 1 {
+        return Ok(Vec::new());
+    }
+    let status = begin.status();
+    let at = |share: f32| {
+        let between = |from: f32, to: f32| from + share * (to - from);
+        Command::from(MoveTo {
+            x_mm: between(status.x_mm, target.x_mm),
+            y_mm: between(status.y_mm, target.y_mm),
+            z_mm: between(status.z_mm, target.z_mm),
+            rotation_deg: status.rotation_deg,
+            suction: begin.suction,
+            gripper_deg: status.gripper_deg,
+            pause_s: 0.0,
+            ..*target
+        })
+    };
+    let before_last = (1..pieces).map(|it| at(f32::from(it) / f32::from(pieces)));
+    let before_last: Vec<Command> = before_last.collect();
+    let mut model = *begin;
+    for piece in before_last.iter().chain([command]) {
+        let trajectory = policy.check(&model, piece)?;
+        model = model.after(piece, &trajectory);
+    }
+    Ok(before_last)
+}
+
+/// Whether the way of a command begins where the arm is.
+const fn leads_somewhere(command: &Command) -> bool {
+    match command {
+        Command::WriteVector(it) => !it.stop,
+        Command::MoveTo(_)
+        | Command::MoveJoints(_)
+        | Command::MouseMove(_)
+        | Command::Gesture(_)
+        | Command::Voice(_) => true,
+        _ => false,
+    }
+}
+
+/// What an order means, as a command that every arm hears: a straight line at the speed that is set
+/// for lines, with pump and gripper as they are, or the pump's button.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a packet carries single precision"
+)]
+fn spoken(order: VoiceOrder, model: &Model) -> Command {
+    let button = |axis| Command::from(JointJog::new(axis, 0.0));
+    match order {
+        VoiceOrder::Catch => button(JointJogAxis::SuctionOn),
+        VoiceOrder::Release => button(JointJogAxis::SuctionOff),
+        VoiceOrder::Move { x_mm, y_mm, z_mm } => {
+            let Pose { position, rotation } = model.place.pose;
+            MoveTo {
+                x_mm: position.x.0 as f32 + x_mm,
+                y_mm: position.y.0 as f32 + y_mm,
+                z_mm: position.z.0 as f32 + z_mm,
+                rotation_deg: rotation.0 as f32,
+                suction: model.suction,
+                mode: MovingMode::MovL,
+                gripper_deg: model.gripper_deg as f32,
+                pause_s: 0.0,
+            }
+            .into()
+        }
+    }
+}
+
+/// The maximum number of pieces of a line. A very slow line has longer pieces instead.
+const MOST_PIECES: u16 = 32;
+/// A client that has so much waiting had better send a job.
+const MOST_WAITING: usize = 64;

@@ -1,0 +1,402 @@
+//! What happens to the arm, its link and its journal, and what the supervisor has its parts do about it.
+
+use std::time::Duration;
+
+use dobot_api::{FleetWideStop, LinkPhase, News, Reply};
+use dobot_motion::LASER_OFF;
+use dobot_session::{Address, CommandId, Event};
+
+use super::Supervisor;
+use super::fleet_stops::KeptFleetStop;
+use super::request::REASON_LEN;
+use super::run::{Effect, Run};
+use super::stop::Stop;
+use super::stop::StoppedBy;
+use crate::plain;
+use crate::refusal::Refusal;
+
+impl Supervisor {
+    /// Takes that the port is open: statuses may come. Each opening resets a real arm, whatever was
+    /// confirmed before (note N35).
+    pub fn handle_link_up(&mut self, now: Duration, address: &str) {
+        self.handle_time(now);
+        if !matches!(address.parse(), Ok(Address::Virtual)) {
+            self.arm.session_mut().distrust(OPENED);
+        }
+        self.link.handle_up(address);
+        self.arm.handle_open();
+        self.outbox.note_change();
+    }
+
+    /// Takes that the port is gone, or could not be opened, and why.
+    pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
+        self.handle_time(now);
+        let lost = self.link.handle_down(phase, problem);
+        self.outbox.note_change();
+        if lost {
+            self.lose_link();
+            self.disarm_laser("the link to the arm was lost");
+        }
+    }
+
+    /// Takes bytes from the arm.
+    pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
+        self.handle_time(now);
+        self.arm.handle_bytes(bytes);
+        self.follow_session();
+        // The status that shows the arm at rest has the permit for the press that waits for it.
+        self.watch_press();
+        self.pump();
+    }
+
+    /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
+    /// as after a fault. Its guardian may have said it, too.
+    pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
+        self.arm.set_time(now);
+        self.arm.session_mut().handle_stall(now);
+        let why = format!("the station stood still for {:.1} s", silent.as_secs_f64());
+        self.arm.send_at_once(LASER_OFF);
+        self.withdraw(Refusal::LetGo(why.clone()));
+        self.notify(
+            News::Trouble,
+            format!("{why}: the laser was switched off and the button let go"),
+        );
+        self.disarm_laser(&why);
+    }
+
+    /// Takes whether a guardian watches over the arm, or why none does: then nothing is jogged, and nothing burns.
+    pub fn handle_guardian(&mut self, now: Duration, gone: Option<String>) {
+        self.arm.set_time(now);
+        if let Some(why) = &gone
+            && self.unguarded.is_none()
+        {
+            let refusal = Refusal::Unguarded(why.clone());
+            let text = refusal.to_string();
+            self.withdraw(refusal);
+            self.disarm_laser(&text);
+        }
+        self.unguarded = gone;
+    }
+
+    /// Whether a guardian watches over the arm, or none is needed.
+    pub(super) fn check_guarded(&self) -> Result<(), Refusal> {
+        let gone = self.unguarded.clone().map(Refusal::Unguarded);
+        gone.map_or(Ok(()), Err)
+    }
+
+    /// Whether what was just told to the arm leaves this computer.
+    pub(super) fn check_delivered(&self, what: &'static str) -> Result<Reply, Refusal> {
+        // An arm that was never met does nothing.
+        if self.link.is_there() || self.arm.last().is_none() {
+            return Ok(Reply::Done);
+        }
+        Err(Refusal::NotDelivered(what))
+    }
+
+    /// People are told every second that a stop was not delivered.
+    pub(super) fn watch_delivery(&mut self) {
+        if self.stop.is_due(self.arm.now()) {
+            self.notify(News::Trouble, NOT_DELIVERED.to_owned());
+        }
+    }
+
+    /// Takes the stops that held when the station ended: they hold until a person resets them.
+    pub fn handle_kept_stops(
+        &mut self,
+        now: Duration,
+        own: Option<StoppedBy>,
+        fleet: Vec<KeptFleetStop>,
+    ) {
+        self.handle_time(now);
+        self.stop.handle_kept(self.arm.now(), own, fleet);
+        self.outbox.note_change();
+    }
+
+    /// Takes that somebody stops the whole fleet at this station, which goes by the number `origin`: this arm is stopped,
+    /// and the others are to be told of the stop that is returned. `now_ms` is the time in milliseconds since
+    /// 1970-01-01T00:00:00Z.
+    pub fn handle_fleet_stop(
+        &mut self,
+        now: Duration,
+        origin: &str,
+        by: StoppedBy,
+        now_ms: u64,
+    ) -> (FleetWideStop, Reply) {
+        self.handle_time(now);
+        let by = StoppedBy {
+            by: plain(&by.by, REASON_LEN),
+            reason: by.reason.map(|it| plain(&it, REASON_LEN)),
+        };
+        let stop = self.stop.make_fleet_stop(origin, by, now_ms);
+        let reply = self.bring_to_rest(&stop.text(), Stop::hold);
+        self.outbox.note_change();
+        (stop, reply)
+    }
+
+    /// Takes which stops of the fleet another station knows of: a new one stops this arm too. An arm that no stop holds any
+    /// more is let go as soon as it rests. `None` where no stop holds it then.
+    pub fn handle_fleet_stops(&mut self, now: Duration, stops: &[FleetWideStop]) -> Option<Reply> {
+        self.handle_time(now);
+        let reply = if self.stop.adopt(stops) {
+            self.bring_to_rest("the fleet was stopped", Stop::hold)
+        } else {
+            Reply::Stopping {
+                rests_within_s: self.rests_within().as_secs_f64(),
+                delivered: self.stop.view().is_none_or(|it| it.delivered),
+            }
+        };
+        self.let_go_of_fleet();
+        self.outbox.note_change();
+        self.stop.holds().then_some(reply)
+    }
+
+    /// Takes that somebody lets the whole fleet move again: this arm as soon as it rests, unless it was stopped by itself
+    /// too. The others are to be told of the stops that are returned.
+    pub fn handle_fleet_reset(&mut self, now: Duration, by: &str) -> Vec<FleetWideStop> {
+        self.handle_time(now);
+        self.stop.reset_fleet(&plain(by, REASON_LEN));
+        self.let_go_of_fleet();
+        self.outbox.note_change();
+        self.stop.fleet_stops()
+    }
+
+    /// Whether a stop holds the arm.
+    #[must_use]
+    pub const fn is_stopped(&self) -> bool {
+        self.stop.holds()
+    }
+
+    /// The stops to keep on the disk, if they have changed: the one of this arm, and those of the fleet.
+    pub fn poll_kept_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
+        self.stop.poll_kept()
+    }
+
+    /// Lets the arm go whose stop of the fleet was reset elsewhere.
+    pub(super) fn let_go_of_fleet(&mut self) {
+        if self.stop.let_go(self.arm.last().is_some()) {
+            self.halt.forget();
+            let text = "the stop of the fleet was reset: the arm may move again".to_owned();
+            self.notify(News::StopReset, text);
+        }
+    }
+
+    /// Takes that the station ends: nothing more is sent, and the laser goes off first.
+    pub fn handle_end(&mut self, now: Duration) {
+        self.handle_time(now);
+        self.halt.begin(&mut self.arm);
+        self.jogging.let_go();
+        self.drop_waiting("the station ended");
+        self.interrupt_run("the station ended");
+        self.end_detection("the station ended");
+    }
+
+    /// Takes what came of an [`Effect`]: it is on the disk, or why it is not. No more of a job is
+    /// sent then until somebody goes on with it.
+    pub fn handle_written(&mut self, now: Duration, effect: &Effect, outcome: Result<(), String>) {
+        self.handle_time(now);
+        match outcome {
+            Ok(()) => self.written(effect),
+            Err(why) => self.not_written(effect, &why),
+        }
+        self.pump();
+    }
+
+    fn written(&mut self, effect: &Effect) {
+        if self.save.handle_written(effect) {
+            let text = "the journal of jobs can be written again".to_owned();
+            self.notify(News::Trouble, text);
+        }
+        if let Some(run) = &mut self.run {
+            run.handle_written(effect);
+        }
+    }
+
+    fn not_written(&mut self, effect: &Effect, why: &str) {
+        let is_news = self.save.handle_not_written(self.arm.now(), effect, why);
+        let why = format!("the journal of jobs cannot be written: {why}");
+        if self.run.as_ref().is_some_and(Run::has_the_arm) {
+            self.arm.part_from_laser();
+            self.drop_waiting(&why);
+            self.interrupt_run(&why);
+        }
+        if is_news {
+            self.notify(News::Trouble, why);
+        }
+    }
+
+    /// Takes what happened in the session.
+    pub(super) fn follow_session(&mut self) {
+        while let Some(event) = self.arm.session_mut().poll_event() {
+            self.outbox.note_change();
+            match event {
+                Event::Status(status) => self.see(status),
+                Event::Completed(id) => self.command_over(id, None),
+                Event::NotReached { command, .. } => {
+                    self.command_over(command, Some(failure(event)));
+                }
+                Event::Pausing {
+                    command,
+                    lasts,
+                    by_default,
+                } => self.tell_pause(command, lasts, by_default),
+                Event::LinkLost { .. } => self.fall_silent(event),
+                Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
+                Event::NotSent { command, reason } => {
+                    self.command_forgotten(command, &Refusal::from(reason).to_string());
+                }
+                Event::LaserDisarmed(why) => self.laser_disarmed(&why.to_string()),
+                Event::LaserOff => self.notify(News::LaserOff, SWITCHED_OFF.into()),
+                _ => {}
+            }
+        }
+    }
+
+    /// Switches the laser off and keeps it off; a job that burns is paused.
+    pub(super) fn disarm_laser(&mut self, why: &str) {
+        let (was_armed, forgotten) = self.arm.disarm_laser();
+        for id in forgotten {
+            self.command_forgotten(id, &Refusal::LaserDisarmed.to_string());
+        }
+        if was_armed {
+            self.laser_disarmed(why);
+        }
+    }
+
+    /// The laser is disarmed: it goes off, and a job that burns is paused.
+    fn laser_disarmed(&mut self, why: &str) {
+        self.arm.part_from_laser();
+        self.interrupt_burning(why);
+        let text = if self.link.is_there() {
+            format!("the laser is off and disarmed: {why}")
+        } else {
+            format!(
+                "the laser is disarmed, but laser off was NOT DELIVERED: {why}; if it burns, switch the arm off"
+            )
+        };
+        self.notify(News::LaserDisarmed, text);
+    }
+
+    fn command_over(&mut self, id: CommandId, failed: Option<String>) {
+        self.run_command_over(id, failed.as_deref());
+        if !self.commands.handle_over(id) {
+            return;
+        }
+        let command = id.0;
+        match failed {
+            None => self.notify(
+                News::CommandDone { command },
+                format!("command {command} is done"),
+            ),
+            Some(why) => {
+                self.arm.part_from_laser();
+                self.notify(
+                    News::CommandFailed { command },
+                    format!("command {command}: {why}"),
+                );
+            }
+        }
+    }
+
+    pub(super) fn command_forgotten(&mut self, id: CommandId, why: &str) {
+        if let Some(run) = &mut self.run {
+            run.handle_forgotten(id);
+        }
+        if self.commands.handle_over(id) {
+            let command = id.0;
+            self.notify(
+                News::CommandFailed { command },
+                format!("command {command} was not sent: {why}"),
+            );
+        }
+    }
+
+    /// Forgets the commands that have not been sent; says which they were.
+    pub(super) fn drop_waiting(&mut self, why: &str) -> Vec<CommandId> {
+        let forgotten = self.arm.session_mut().forget_waiting();
+        for id in &forgotten {
+            self.command_forgotten(*id, why);
+        }
+        forgotten
+    }
+
+    /// The commands that are not over, of clients and of the job.
+    fn under_way(&self) -> Vec<CommandId> {
+        let of_clients = self.commands.ids();
+        let of_run = self.run.iter().flat_map(Run::under_way);
+        let mut ids: Vec<_> = of_clients.chain(of_run).collect();
+        ids.sort_unstable();
+        ids
+    }
+
+    /// Ends a detection that cannot go on.
+    pub(super) fn end_detection(&mut self, why: &str) {
+        if let Some(client) = self.detecting.end() {
+            let refusal = Refusal::NotFound(why.to_owned());
+            self.outbox.answer(client, Err(refusal));
+        }
+    }
+
+    /// An arm that stands still without a word looks dead.
+    fn tell_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
+        let (command, lasts_s) = (command.0, lasts.as_secs_f64());
+        let whose = if by_default {
+            "its default pause (state 9, mode 1)".to_owned()
+        } else {
+            format!("the pause of command {command}")
+        };
+        self.notify(
+            News::Pausing { command, lasts_s },
+            format!("the arm waits {lasts_s} s here: {whose}"),
+        );
+    }
+
+    fn fall_silent(&mut self, event: Event) {
+        self.link.handle_silence(&failure(event));
+        self.lose_link();
+    }
+
+    /// What was not sent is forgotten; what the arm has, it does.
+    fn lose_link(&mut self) {
+        self.arm.lose_sight();
+        self.arm.part_from_laser();
+        // Statuses may be lost on a line that still carries packets.
+        self.arm.release_urgently();
+        self.jogging
+            .bar(Refusal::LetGo("the link to the arm was lost".into()));
+        self.drop_waiting("the link to the arm was lost");
+        let text = self.link.loss();
+        self.interrupt_run(&text);
+        self.end_detection("the link to the arm was lost");
+        self.notify(News::LinkLost, text);
+    }
+
+    fn notice_reset(&mut self, evidence: &str) {
+        self.jogging.bar(Refusal::LetGo("the arm was reset".into()));
+        self.arm.part_from_laser();
+        // Nothing is sent again before a person has looked where the arm stands.
+        self.interrupt_run("the arm was reset");
+        // The session has forgotten what was under way, too.
+        for id in self.under_way() {
+            self.command_over(id, Some("the arm was reset".into()));
+        }
+        self.end_detection("the arm was reset");
+        self.notify(
+            News::Reset,
+            format!("the arm was reset ({evidence}): it believes to stand where it may not stand; confirm its pose, or set its angles anew"),
+        );
+    }
+}
+
+/// What a failed event says.
+fn failure(event: Event) -> String {
+    event
+        .or_failed()
+        .err()
+        .map_or_else(String::new, |error| error.to_string())
+}
+
+pub(super) const NOT_DELIVERED: &str =
+    "the stop was NOT DELIVERED: there is no link to the arm; switch the arm off";
+const SWITCHED_OFF: &str = "the laser was switched off: nothing that goes on came in time, and it may not burn on the spot";
+const OPENED: &str =
+    "its port was opened, which resets a stock arm: its base angle is 0 then, wherever it points";

@@ -1,0 +1,75 @@
+//! The laser's interlock: off, unless a person has armed it, for a while. The session has its state;
+//! here is for how long it may be armed, and when the laser is told off.
+
+use std::time::Duration;
+
+use dobot_api::LaserView;
+use dobot_motion::LASER_OFF;
+use dobot_session::CommandId;
+
+use super::arm::Arm;
+use super::seconds;
+use crate::refusal::Refusal;
+
+impl Arm {
+    /// Lets the laser burn for so long, if the policy allows it.
+    pub(super) fn arm_laser(&mut self, for_s: f64) -> Result<(), Refusal> {
+        let most_s = self.policy().laser.arm_for_s;
+        let allowed = if !self.policy().laser.allowed {
+            "nothing: the policy forbids the laser (laser.allowed)".into()
+        } else if !(for_s > 0.0 && for_s <= most_s) {
+            format!("more than 0 and at most {most_s} s (laser.arm_for_s of the policy)")
+        } else {
+            let until = self.now() + seconds(for_s);
+            self.session_mut().arm_laser(until);
+            return Ok(());
+        };
+        Err(Refusal::OutOfRange {
+            name: "for_s",
+            found: for_s,
+            allowed,
+        })
+    }
+
+    /// Keeps the laser off; says whether it was armed or on, and which commands are forgotten.
+    pub(super) fn disarm_laser(&mut self) -> (bool, Vec<CommandId>) {
+        let was_armed = self.session().laser_armed_until().is_some();
+        let forgotten = self.session_mut().disarm_laser();
+        (was_armed || self.session().is_laser_on(), forgotten)
+    }
+
+    /// Whether a person has armed the laser.
+    pub(super) const fn check_laser_armed(&self) -> Result<(), Refusal> {
+        match self.session().laser_armed_until() {
+            Some(_) => Ok(()),
+            None => Err(Refusal::LaserDisarmed),
+        }
+    }
+
+    /// Laser off, at once. Said again only after a while, unless something that burns was sent, and
+    /// only to an arm that has nothing else to do first: whoever asks for nonsense many times must not
+    /// fill its queue.
+    pub(super) fn part_from_laser(&mut self) {
+        let lately = |off: Duration| self.now().saturating_sub(off) < LATELY;
+        let waits = self.session().under_way() > 0;
+        let told = self.session().laser_told_off();
+        if !told.is_some_and(|off| waits || lately(off)) {
+            self.send_urgent(LASER_OFF);
+        }
+    }
+
+    pub(super) fn laser_view(&self) -> LaserView {
+        let left = |until: Duration| until.saturating_sub(self.now()).as_secs_f64();
+        LaserView {
+            armed_for_s: self
+                .session()
+                .laser_armed_until()
+                .map_or(0.0, left)
+                .min(self.policy().laser.arm_for_s),
+            on: self.session().is_laser_on(),
+        }
+    }
+}
+
+/// The time of a few statuses.
+const LATELY: Duration = Duration::from_millis(500);

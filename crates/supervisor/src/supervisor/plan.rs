@@ -1,0 +1,542 @@
+//! A job looked at from its beginning to its end, before anything moves.
+
+mod cycle;
+mod height;
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use dobot_api::JobProgram;
+use dobot_arm::{Calibration, Joints, Position, Tool};
+use dobot_journal::HeightChange;
+use dobot_motion::{ArmPlace, Model, burns};
+use dobot_safety::{Policy, Violation};
+use dobot_session::position;
+use dobot_wire::{
+    Command, Configuration, Dialect, JointJogAxis, PlaybackAdjustment, Status, WriteVector, single,
+};
+
+use self::cycle::Cycle;
+use self::height::Height;
+use crate::Refusal;
+
+/// A job whose whole way has been checked: where each command ends, and how long it takes.
+#[derive(Clone, Debug)]
+pub struct JobPlan {
+    /// As they were submitted.
+    planned: Arc<[Command]>,
+    /// As they are to be drawn: higher or lower.
+    commands: Arc<[Command]>,
+    steps: Arc<[Step]>,
+    /// From this command on they are as submitted, and only the height may be another one.
+    altered_until: usize,
+    /// What commands are done with, and from which one on.
+    settings: Vec<(usize, DrawnWith)>,
+    burns: bool,
+    lift_mm: f32,
+    /// How low it leads as it was planned, in the arm's own words.
+    lowest_mm: f64,
+    /// How the arm differs from the drawing of it.
+    arm: Calibration,
+    /// Which of them are done again.
+    cycle: Option<Cycle>,
+}
+
+/// What commands are done with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DrawnWith {
+    pub(super) acceleration_mm_s2: f64,
+    pub(super) tool: Tool,
+    /// How fast targets are gone to.
+    pub(super) playback: PlaybackAdjustment,
+}
+
+/// One command of a job.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// The arm when it is over.
+    end: Status,
+    /// How far above the plan that is, in mm.
+    raised_mm: f64,
+    /// How far above that it is by now: a person has changed the height meanwhile.
+    higher_mm: f64,
+    moves: bool,
+    /// What it changes of what is held.
+    grips: Grips,
+    /// How long it and all before it take, in seconds.
+    until_s: f64,
+}
+
+/// What a command changes of what is held. A switched pump may have been on already.
+#[derive(Clone, Copy, Debug)]
+struct Grips {
+    suction: bool,
+    gripper: bool,
+}
+
+impl Grips {
+    const fn any(self) -> bool {
+        self.suction || self.gripper
+    }
+}
+
+impl JobPlan {
+    /// Looks at every command of a job, from where the arm is, at the heights to which a person has
+    /// changed it. The way to its first target is not judged where the arm was given that already: of the commands
+    /// below `given` some may be done. A cycle is looked at until it repeats itself, and stands here as often as a window of the
+    /// journal may reach.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::BadJob`] with the first command that is not allowed, and why.
+    pub fn new(
+        policy: &Policy,
+        model: Model,
+        commands: Vec<Command>,
+        heights: &[HeightChange],
+        lift_mm: f32,
+        given: usize,
+        program: &JobProgram,
+    ) -> Result<Self, Refusal> {
+        let first = check_beginning(&commands)?;
+        let cycle = Cycle::of(program, commands.len());
+        let commands = cycle.map_or(commands.clone(), |it| it.unroll(commands));
+        let burns = commands.iter().any(burns);
+        let mut look = PlanWalk {
+            policy,
+            model,
+            height: Height::planned(burns),
+            unjudged: (given > first).then_some(first),
+            until_s: 0.0,
+        };
+        let mut plan = Self {
+            planned: Arc::default(),
+            commands: Arc::default(),
+            steps: Arc::default(),
+            altered_until: 0,
+            settings: vec![(0, look.drawn_with())],
+            burns,
+            lift_mm,
+            lowest_mm: f64::MAX,
+            arm: model.calibration,
+            cycle,
+        };
+        let mut steps: Vec<Step> = Vec::with_capacity(commands.len());
+        let mut drawn = Vec::with_capacity(commands.len());
+        let mut changes = heights.iter().peekable();
+        for (index, command) in commands.iter().enumerate() {
+            if let Some(change) = changes.next_if(|it| it.from == index) {
+                look.change(change, steps.last_mut());
+            }
+            drawn.push(look.height.apply(command));
+            steps.push(look.step(index, &drawn[index])?);
+            plan.note(index, command, &drawn[index], look.drawn_with());
+        }
+        plan.planned = commands.into();
+        plan.commands = drawn.into();
+        plan.steps = steps.into();
+        let moved = &plan.steps[plan.first_motion()..];
+        let heights = moved.iter().map(|it| f64::from(it.end.z_mm) - it.raised_mm);
+        plan.lowest_mm = heights.fold(f64::MAX, f64::min);
+        Ok(plan)
+    }
+
+    fn note(&mut self, index: usize, planned: &Command, drawn: &Command, with: DrawnWith) {
+        if drawn != planned {
+            self.altered_until = index + 1;
+        }
+        if matches!(
+            planned,
+            Command::Configuration(_) | Command::PlaybackAdjustment(_)
+        ) {
+            self.settings.push((index + 1, with));
+        }
+    }
+
+    /// Has all from a command on drawn at another height. The ways are not judged again: each is
+    /// before it is sent.
+    pub fn change_height(&mut self, change: &HeightChange) {
+        let mut height = Height::planned(self.burns);
+        (height.raised_mm, height.offset_mm) = (change.begin_mm, change.offset_mm);
+        let commands = Arc::make_mut(&mut self.commands);
+        let steps = Arc::make_mut(&mut self.steps);
+        if let Some(last) = change.from.checked_sub(1).and_then(|it| steps.get_mut(it)) {
+            last.higher_mm = change.begin_mm - last.raised_mm;
+        }
+        self.altered_until = change.from.min(self.altered_until);
+        for (index, command) in self.planned.iter().enumerate().skip(change.from) {
+            commands[index] = height.apply(command);
+            steps[index].higher_mm = height.raised_mm - steps[index].raised_mm;
+            if commands[index] != *command {
+                self.altered_until = index + 1;
+            }
+        }
+    }
+
+    /// Looks whether the arm may be as low as it gets from a command on.
+    ///
+    /// # Errors
+    ///
+    /// [`Violation`] with the rule that forbids it.
+    pub fn check_lowest(&self, policy: &Policy, from: usize) -> Result<(), Violation> {
+        let ends = self.steps[from.min(self.len())..].iter().enumerate();
+        let ends: Vec<_> = ends.map(|(n, it)| (from + n, it.now())).collect();
+        let above_table_mm = |at: &Status| {
+            let place = ArmPlace::of_status(at).pose.position;
+            self.arm.above_table_mm(place).unwrap_or_default()
+        };
+        let lowest = [
+            ends.iter()
+                .min_by(|(_, a), (_, b)| a.z_mm.total_cmp(&b.z_mm)),
+            ends.iter()
+                .min_by(|(_, a), (_, b)| above_table_mm(a).total_cmp(&above_table_mm(b))),
+        ];
+        lowest
+            .into_iter()
+            .flatten()
+            .try_for_each(|(index, status)| {
+                let tool = self.drawn_with(*index).tool;
+                policy.check_place(&ArmPlace::of_status(status), tool, &self.arm)
+            })
+    }
+
+    /// How far above the plan the arm is when all before a command is over, in millimetres.
+    #[must_use]
+    pub fn raised_mm(&self, index: usize) -> f64 {
+        let last = index.checked_sub(1).and_then(|it| self.steps.get(it));
+        last.map_or(0.0, |it| it.raised_mm + it.higher_mm)
+    }
+
+    /// Whether a command or one behind it was changed, so that its speeds may not fit any more.
+    #[must_use]
+    pub const fn is_altered(&self, index: usize) -> bool {
+        index < self.altered_until
+    }
+
+    /// Whether there is a vector.
+    #[must_use]
+    pub fn has_vectors(&self) -> bool {
+        let vector = |it: &Command| matches!(it, Command::WriteVector(_));
+        self.planned.iter().any(vector)
+    }
+
+    /// The vectors from a command on that are drawn in one go: up to the first that ends at rest.
+    pub fn chain(&self, index: usize) -> impl Iterator<Item = &WriteVector> {
+        let mut rests = false;
+        self.commands[index.min(self.len())..]
+            .iter()
+            .map_while(move |it| match it {
+                Command::WriteVector(it) if !it.stop && !rests => {
+                    rests = it.end_speed_mm_s == 0.0;
+                    Some(it)
+                }
+                _ => None,
+            })
+    }
+
+    /// What a command is done with.
+    pub(super) fn drawn_with(&self, index: usize) -> DrawnWith {
+        let later = self.settings.partition_point(|it| it.0 <= index);
+        self.settings[later.saturating_sub(1)].1
+    }
+
+    /// Which commands are done again.
+    #[must_use]
+    pub(super) const fn cycle(&self) -> Option<&Cycle> {
+        self.cycle.as_ref()
+    }
+
+    /// Whether a command changes what pump or gripper hold.
+    pub(super) fn grips(&self, index: usize) -> bool {
+        self.steps.get(index).is_some_and(|it| it.grips.any())
+    }
+
+    /// Whether it does so without a motion.
+    pub(super) fn grips_in_place(&self, index: usize) -> bool {
+        self.steps
+            .get(index)
+            .is_some_and(|it| it.grips.any() && !it.moves)
+    }
+
+    /// Whether a status shows what a command did with pump and gripper.
+    pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
+        self.steps.get(index).is_none_or(|it| {
+            let off_deg = (status.gripper_deg - it.end.gripper_deg).abs();
+            (!it.grips.suction || status.suction == it.end.suction)
+                && (!it.grips.gripper || off_deg < SAME_GRIP_DEG)
+        })
+    }
+
+    /// The fastest that targets are gone to, in percent of the configured speed.
+    pub(super) fn fastest_percent(&self) -> f64 {
+        let percents = self
+            .settings
+            .iter()
+            .map(|it| f64::from(it.1.playback.speed_percent));
+        percents.fold(0.0, f64::max)
+    }
+
+    /// How many commands there are, those of a cycle as often as they stand here.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.commands.len()
+    }
+
+    /// Whether there is nothing to do.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.commands.is_empty()
+    }
+
+    /// The commands.
+    #[must_use]
+    pub fn commands(&self) -> &[Command] {
+        &self.commands
+    }
+
+    /// Those before a command that set something.
+    pub(super) fn told_before(&self, index: usize) -> impl Iterator<Item = &Command> {
+        let told = self.settings.iter().skip(1).map(|it| it.0 - 1);
+        told.take_while(move |it| *it < index)
+            .map(|it| &self.commands[it])
+    }
+
+    /// Whether the laser burns somewhere.
+    #[must_use]
+    pub const fn burns(&self) -> bool {
+        self.burns
+    }
+
+    /// How far the tool is lifted in a pause, in millimetres.
+    #[must_use]
+    pub const fn lift_mm(&self) -> f32 {
+        self.lift_mm
+    }
+
+    /// The same, where it is lifted at all.
+    #[must_use]
+    pub fn lift(&self) -> Option<f32> {
+        Some(self.lift_mm).filter(|it| *it > 0.0)
+    }
+
+    /// Below which height of the tool a pen draws, in millimetres and the arm's own words, where it is drawn so far above
+    /// the plan; `None` where it is not lifted.
+    #[must_use]
+    pub fn draws_below_mm(&self, raised_mm: f64) -> Option<f64> {
+        let lift_mm = self.lift()?;
+        Some(draws_below_mm(self.lowest_mm + raised_mm, lift_mm.into()))
+    }
+
+    /// The arm when all before a command is over; `None` before the first motion, which begins
+    /// wherever the arm is.
+    #[must_use]
+    pub fn start(&self, index: usize) -> Option<Status> {
+        let before = index.min(self.steps.len());
+        let moved = before > self.first_motion();
+        let last = before.checked_sub(1).filter(|_| moved)?;
+        self.steps.get(last).map(Step::now)
+    }
+
+    /// Where the tool is then.
+    #[must_use]
+    pub fn start_position(&self, index: usize) -> Option<Position> {
+        self.start(index).as_ref().map(position)
+    }
+
+    fn first_motion(&self) -> usize {
+        let first = self.steps.iter().position(|it| it.moves);
+        first.unwrap_or(self.steps.len())
+    }
+
+    /// How long all of it takes, in seconds; `None` where it goes on until a person ends it.
+    #[must_use]
+    pub fn planned_s(&self) -> Option<f64> {
+        let Some(cycle) = &self.cycle else {
+            return Some(self.until_s(self.len()));
+        };
+        #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+        let more = cycle.times?.saturating_sub(1) as f64;
+        Some(self.until_s(cycle.end()) + self.cycle_s().unwrap_or(0.0) * more)
+    }
+
+    /// How long a cycle takes that follows another one, in seconds; `None` where there is none.
+    #[must_use]
+    pub fn cycle_s(&self) -> Option<f64> {
+        let cycle = self.cycle.as_ref()?;
+        let second = cycle.end() + cycle.len;
+        (second <= self.len()).then(|| self.until_s(second) - self.until_s(cycle.end()))
+    }
+
+    /// How long the commands of a range take, in seconds.
+    #[must_use]
+    pub fn takes_s(&self, commands: Range<usize>) -> f64 {
+        self.until_s(commands.end) - self.until_s(commands.start)
+    }
+
+    fn until_s(&self, index: usize) -> f64 {
+        let over = index.min(self.len()).checked_sub(1);
+        over.map_or(0.0, |it| self.steps[it].until_s)
+    }
+}
+
+impl Step {
+    /// The arm when it is over, at the height that holds by now.
+    fn now(&self) -> Status {
+        if self.higher_mm == 0.0 {
+            return self.end;
+        }
+        raised(&self.end, self.higher_mm)
+    }
+}
+
+/// Follows a job from command to command.
+struct PlanWalk<'a> {
+    policy: &'a Policy,
+    model: Model,
+    height: Height,
+    /// The command whose way is not judged.
+    unjudged: Option<usize>,
+    until_s: f64,
+}
+
+impl PlanWalk<'_> {
+    /// From here on another height is wanted; where the arm is brought for that, the last step ends.
+    fn change(&mut self, change: &HeightChange, last: Option<&mut Step>) {
+        let higher_mm = change.begin_mm - self.height.raised_mm;
+        (self.height.raised_mm, self.height.offset_mm) = (change.begin_mm, change.offset_mm);
+        if let Some(last) = last.filter(|_| higher_mm != 0.0) {
+            let status = raised(&self.model.status(), higher_mm);
+            self.model.place = ArmPlace::of_status(&status);
+            (last.end, last.raised_mm) = (status, change.begin_mm);
+        }
+    }
+
+    fn step(&mut self, index: usize, command: &Command) -> Result<Step, Refusal> {
+        let bad = |why: String| Refusal::BadJob {
+            index,
+            why,
+            rule: None,
+        };
+        let trajectory = if self.unjudged == Some(index) {
+            // To stand there already is no reason to refuse what is done.
+            self.model.place = somewhere(self.model.tool);
+            let trajectory = self.model.trajectory(command);
+            trajectory.map_err(|error| bad(error.to_string()))?
+        } else {
+            let checked = self.policy.check(&self.model, command);
+            checked.map_err(|violation| Refusal::BadJob {
+                index,
+                why: violation.to_string(),
+                rule: Some(violation.rule),
+            })?
+        };
+        let takes_s = trajectory.duration_s().ok_or_else(|| {
+            bad("a jog goes on until it is released; a job may not hold one".into())
+        })?;
+        let before = self.model;
+        self.model = self.model.after(command, &trajectory);
+        self.until_s += takes_s;
+        Ok(Step {
+            end: self.model.status(),
+            grips: Grips {
+                suction: before.suction != self.model.suction || is_pump_switch(command),
+                gripper: before.gripper_deg != self.model.gripper_deg,
+            },
+            raised_mm: self.height.raised_mm,
+            higher_mm: 0.0,
+            moves: trajectory.moves(),
+            until_s: self.until_s,
+        })
+    }
+
+    fn drawn_with(&self) -> DrawnWith {
+        DrawnWith {
+            acceleration_mm_s2: self.model.settings.write_acceleration_mm_s2,
+            tool: self.model.tool,
+            playback: PlaybackAdjustment {
+                speed_percent: single(self.model.settings.speed_percent),
+                acceleration_percent: single(self.model.settings.acceleration_percent),
+                teach_speed_percent: single(self.model.settings.teach_percent),
+            },
+        }
+    }
+}
+
+const fn is_pump_switch(command: &Command) -> bool {
+    matches!(command, Command::JointJog(it) if matches!(it.axis, JointJogAxis::SuctionOn | JointJogAxis::SuctionOff))
+}
+
+/// As near as this a gripper is where it should be, in degrees.
+const SAME_GRIP_DEG: f32 = 0.5;
+
+/// The same arm, so much higher; where it cannot be there, the way to there will be refused.
+fn raised(status: &Status, by_mm: f64) -> Status {
+    // What a status says is the same in each dialect.
+    let mut model = Model::new(Dialect::SPECIFICATION, status);
+    let mut pose = model.place.pose;
+    pose.position.z.0 += by_mm;
+    match ArmPlace::at_pose(pose, model.tool) {
+        Ok(place) => {
+            model.place = place;
+            model.status()
+        }
+        Err(_) => *status,
+    }
+}
+
+/// A place from which every target can be come to.
+fn somewhere(tool: Tool) -> ArmPlace {
+    ArmPlace::at_joints(Joints::new(0.0, 45.0, 45.0, 0.0), tool)
+}
+
+/// What is relative needs to know where it begins, wherever the arm was before: the first command
+/// that moves has to say it. Gives its index.
+fn check_beginning(commands: &[Command]) -> Result<usize, Refusal> {
+    let calm = |it: &Command| {
+        matches!(
+            it,
+            Command::Configuration(_) | Command::PlaybackAdjustment(_) | Command::JointJog(_)
+        )
+    };
+    let first = commands.iter().position(|it| !calm(it));
+    let bad = |index, why: &str| {
+        Err(Refusal::BadJob {
+            index,
+            why: why.to_owned(),
+            rule: None,
+        })
+    };
+    match first.map(|index| (index, &commands[index])) {
+        None => bad(0, "nothing in it moves the arm"),
+        Some((index, Command::MoveTo(_) | Command::MoveJoints(_))) => {
+            no_references(commands).map(|()| index)
+        }
+        Some((index, _)) => bad(
+            index,
+            "the first motion has to be a target (state 3 or 6), which says where the job begins",
+        ),
+    }
+}
+
+/// After new initial angles nobody knows where the arm is by the places before them.
+fn no_references(commands: &[Command]) -> Result<(), Refusal> {
+    let reference = |it: &Command| {
+        matches!(
+            it,
+            Command::Configuration(Configuration::InitialAngles { .. })
+        )
+    };
+    match commands.iter().position(reference) {
+        None => Ok(()),
+        Some(index) => Err(Refusal::BadJob {
+            index,
+            why: "initial angles are set by hand, not in a job".into(),
+            rule: None,
+        }),
+    }
+}
+
+/// The height below which a pen draws, in mm: half of its lift above its lowest position.
+pub const fn draws_below_mm(lowest_mm: f64, lift_mm: f64) -> f64 {
+    lowest_mm + lift_mm / 2.0
+}

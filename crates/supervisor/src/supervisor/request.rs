@@ -1,0 +1,576 @@
+//! What clients ask for, in the words of the station or in the arm's own packets.
+
+use std::time::Duration;
+
+use dobot_api::{Calibrations, ClientId, Jog, News, Reply, Request, Role, TimeSlot};
+use dobot_safety::Policy;
+use dobot_wire::{Command, Configuration, Dialect, Packet, single};
+
+use super::amend::amended;
+use super::commands::{button, understood};
+use super::events::NOT_DELIVERED;
+use super::lease::{Change, TimeOver};
+use super::slots::Turn;
+use super::stop::Stop;
+use super::stop::StoppedBy;
+use super::{Supervisor, still_moving};
+use crate::plain;
+use crate::refusal::{Refusal, span};
+
+impl Supervisor {
+    /// Takes that a client came; time slots know it by the name `person`.
+    pub fn handle_client(
+        &mut self,
+        now: Duration,
+        name: &str,
+        role: Role,
+        person: &str,
+    ) -> ClientId {
+        self.handle_time(now);
+        self.outbox.note_change();
+        self.leases.handle_client(name, role, person)
+    }
+
+    /// Takes that a client left, wanted or not: its lease ends, and what it held is let go.
+    pub fn handle_left(&mut self, now: Duration, client: ClientId) {
+        self.handle_time(now);
+        let changes = self.leases.handle_left(client);
+        self.follow_lease(changes);
+        self.outbox.note_change();
+    }
+
+    /// Takes a packet of a raw program. The first one takes the lease if nobody has it.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`]; the packet is not sent then, and all who watch are told.
+    pub fn handle_raw(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        packet: &Packet,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        let taken = self.take_raw(client, packet);
+        if let Err(refusal) = &taken {
+            self.tell_refused(client, refusal);
+        }
+        self.pump();
+        taken
+    }
+
+    /// Takes a request. `None` when the answer takes its time: [`Supervisor::poll_answer`] has it then.
+    ///
+    /// Jobs are kept and planned by the caller, since that may take long: he answers [`Request::SubmitJob`],
+    /// [`Request::QueueAgain`], [`Request::MoveJob`] and [`Request::ForgetJob`] of a job that the arm is not at, and turns
+    /// [`Request::StartJob`] and [`Request::StepJob`] into [`Supervisor::handle_start`].
+    pub fn handle_request(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        request: Request,
+    ) -> Option<Result<Reply, Refusal>> {
+        self.handle_time(now);
+        if let Request::CheckCommand { command } = request {
+            return Some(self.foresee(&command));
+        }
+        let answer = match self.check_request(client, &request) {
+            Err(refusal) => Some(Err(refusal)),
+            Ok(()) if matches!(request, Request::Detect) => self.detect(client).err().map(Err),
+            Ok(()) => Some(self.obey(client, request)),
+        };
+        if let Some(Err(refusal)) = &answer {
+            self.tell_refused(client, refusal);
+            if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
+                // What its client believes about the arm is wrong.
+                self.arm.part_from_laser();
+            }
+        }
+        self.outbox.note_change();
+        self.pump();
+        answer
+    }
+
+    /// Whether a client may ask for this at all.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Role`].
+    pub fn check_request(&self, client: ClientId, request: &Request) -> Result<(), Refusal> {
+        self.leases.check_role(client, request.role())
+    }
+
+    /// Puts another policy in place of the one that holds. What the arm was given was checked by that one, so it has to
+    /// be over; the laser is disarmed.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`], [`Refusal::StillMoving`]; the old one holds
+    /// on then.
+    pub fn handle_policy(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        policy: Policy,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        self.check_may_change(client)?;
+        self.disarm_laser("the policy was changed");
+        self.arm.set_policy(policy);
+        let text = format!("{} changed the safety policy", self.client_name(client));
+        self.notify(News::PolicyChanged, text);
+        self.outbox.note_change();
+        self.pump();
+        Ok(())
+    }
+
+    /// Whether a client may change by what the arm is judged: nothing may be under way.
+    fn check_may_change(&self, client: ClientId) -> Result<(), Refusal> {
+        self.leases.check_role(client, Role::Admin)?;
+        if let Some(job) = self.job().filter(|_| self.job_is_under_way()) {
+            return Err(Refusal::JobRunning(job.job));
+        }
+        self.detecting.check()?;
+        if !self.arm.is_idle() || self.jogging.falls_silent().is_some() {
+            return Err(still_moving(self.rests_within()));
+        }
+        Ok(())
+    }
+
+    /// Takes another calibration of the arm. What the arm was given was meant by the one before, so it has to be over.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal::Role`], [`Refusal::JobRunning`], [`Refusal::Detecting`], [`Refusal::StillMoving`]; the old one holds
+    /// on then.
+    pub fn handle_calibration(
+        &mut self,
+        now: Duration,
+        client: ClientId,
+        calibrations: &Calibrations,
+    ) -> Result<(), Refusal> {
+        self.handle_time(now);
+        self.check_may_change(client)?;
+        self.disarm_laser("the arm was calibrated");
+        let calibration = calibrations.arm();
+        self.arm.set_calibration(calibration);
+        self.outbox.note_change();
+        let name = self.client_name(client);
+        let text = if calibration.is_none() {
+            format!("{name} takes the arm to be as drawn: no calibration holds")
+        } else {
+            let arm = calibrations.name().unwrap_or("the arm");
+            format!("{name} calibrated {arm}: places are true ones from now on")
+        };
+        self.notify(News::Calibrated, text);
+        self.pump();
+        Ok(())
+    }
+
+    /// Tells a calibrated arm its true angles. Its base has to stand straight ahead, for that is what it believes
+    /// then (note N26).
+    fn tell_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        self.check_may_move(client)?;
+        let model = self.arm.session().model().copied();
+        let Some(model) = model.filter(|_| self.arm.is_at_rest() && self.arm.is_idle()) else {
+            return Err(self.still_moving());
+        };
+        let joints = model.true_place(&model.place).joints;
+        if joints.base.0.abs() > STRAIGHT_DEG {
+            return Err(Refusal::OutOfRange {
+                name: "the true base angle",
+                found: (joints.base.0 * 100.0).round() / 100.0,
+                allowed: format!(
+                    "-{STRAIGHT_DEG} to {STRAIGHT_DEG} degrees: turn the base straight ahead first"
+                ),
+            });
+        }
+        let angles = Configuration::InitialAngles {
+            rear_deg: single(joints.rear.0),
+            fore_deg: single(joints.fore.0),
+        };
+        self.command(client, &angles.into())
+    }
+
+    /// Where a command would lead if it were sent now.
+    fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
+        let command = &self.arm.told(command)?;
+        let command = understood(&self.arm, command, self.rests_within())?;
+        let way = self.arm.foresee(&command)?;
+        Ok(Reply::Way { way })
+    }
+
+    /// Begins to ask the arm for its dialect; the answer comes when the arm has made its motions.
+    fn detect(&mut self, client: ClientId) -> Result<(), Refusal> {
+        self.check_may_move(client)?;
+        self.arm.check_trust()?;
+        let rests_within = self.rests_within();
+        self.detecting.begin(client, &self.arm, rests_within)?;
+        self.halt.forget();
+        Ok(())
+    }
+
+    fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
+        match request {
+            Request::Command { command } => {
+                let told = self.arm.told(&command)?;
+                self.command(client, &told)
+            }
+            Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
+            Request::Release => {
+                self.leases.check(client)?;
+                self.let_go();
+                self.check_delivered("the release")
+            }
+            Request::Stop { reason } => Ok(self.stop_arm(client, reason)),
+            Request::ResetStop => self.reset_stop(client),
+            Request::TakeLease
+            | Request::ReleaseLease
+            | Request::AskLease
+            | Request::GrantLease { .. }
+            | Request::SeizeLease => self.change_lease(client, &request),
+            Request::Lock { message } => Ok(self.lock(client, message)),
+            Request::Unlock => {
+                if self.leases.unlock() {
+                    let text = format!("{} unlocked the arm", self.client_name(client));
+                    self.notify(News::Unlocked, text);
+                }
+                Ok(Reply::Done)
+            }
+            Request::SetSlots { slots } => self.set_slots(client, &slots),
+            Request::ShowSlots => Ok(self.slots_reply()),
+            Request::Message { text } => {
+                let text = plain(&text, REASON_LEN);
+                let text = format!("{}: {text}", self.client_name(client));
+                self.notify(News::Message { client }, text);
+                Ok(Reply::Done)
+            }
+            Request::ArmLaser { for_s } => self.arm_laser(client, for_s),
+            Request::DisarmLaser => {
+                self.disarm_laser("a client asked for it");
+                self.check_delivered("laser off")
+            }
+            Request::ConfirmPose => self.confirm_pose(client),
+            Request::TellAngles => self.tell_angles(client),
+            Request::SetDialect { dialect } => {
+                self.detecting.forget_finding();
+                self.set_dialect(dialect)
+            }
+            Request::ConfirmJob { job } => self.confirm_job(client, job),
+            Request::PauseJob => self.pause_job(client),
+            Request::SetJobSpeed { percent } => self.set_job_speed(client, percent),
+            Request::SetJobHeight { offset_mm } => self.set_job_height(client, offset_mm),
+            Request::CancelJob { job } => self.cancel_job(client, job),
+            Request::ForgetJob { job } => Err(self.not_forgotten(job)),
+            Request::CheckCommand { .. }
+            | Request::Calibrate { .. }
+            | Request::Detect
+            | Request::SubmitJob { .. }
+            | Request::QueueAgain { .. }
+            | Request::MoveJob { .. }
+            | Request::StartJob { .. }
+            | Request::StepJob { .. } => {
+                Err(Refusal::Malformed("this is not asked for this way".into()))
+            }
+        }
+    }
+
+    fn stop_arm(&mut self, client: ClientId, reason: Option<String>) -> Reply {
+        let by = self.client_name(client);
+        let why = format!("the arm was stopped by {by}");
+        let reason = reason.map(|it| plain(&it, REASON_LEN));
+        let by = StoppedBy { by, reason };
+        self.bring_to_rest(&why, |stop, now, rests_within, delivered| {
+            stop.handle_stop(now, by, rests_within, delivered)
+        })
+    }
+
+    /// Stops: laser off first, buttons let go, nothing more is sent. The arm finishes the command
+    /// that it is at, for its protocol knows no stop; a stop that is said again says it to the arm
+    /// again. `hold` takes the time, how long the arm takes to rest and whether it hears, and says what is to be told.
+    pub(super) fn bring_to_rest(
+        &mut self,
+        why: &str,
+        hold: impl FnOnce(&mut Stop, Duration, Duration, bool) -> Option<String>,
+    ) -> Reply {
+        let rests_within = self.rests_within();
+        self.halt.begin(&mut self.arm);
+        self.disarm_laser("the arm was stopped");
+        self.jogging.bar(Refusal::LetGo(why.to_owned()));
+        self.drop_waiting(why);
+        self.interrupt_run(why);
+        self.end_detection(why);
+        // Without an arm there is nothing to deliver to.
+        let delivered = self.link.is_there() || self.arm.last().is_none();
+        let told = hold(&mut self.stop, self.arm.now(), rests_within, delivered);
+        if let Some(text) = told {
+            self.notify(News::Stopped, text);
+            if !delivered {
+                self.notify(News::Trouble, NOT_DELIVERED.to_owned());
+            }
+        }
+        Reply::Stopping {
+            rests_within_s: rests_within.as_secs_f64(),
+            delivered,
+        }
+    }
+
+    fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        if self.stop.reset(self.arm.now(), self.link.is_there())? {
+            self.halt.forget();
+            let text = format!("{} lets the arm move again", self.client_name(client));
+            self.notify(News::StopReset, text);
+        }
+        Ok(Reply::Done)
+    }
+
+    /// Keeps the arm for administrators. A job that runs comes to rest; an administrator goes on with it.
+    fn lock(&mut self, client: ClientId, message: Option<String>) -> Reply {
+        let message = message.map(|it| plain(&it, REASON_LEN));
+        let by = self.client_name(client);
+        let text = match &message {
+            Some(message) => format!("{by} locked the arm: {message}"),
+            None => format!("{by} locked the arm"),
+        };
+        let ended = self.leases.lock(self.arm.now(), client, message);
+        self.follow_lease(ended);
+        // Where none runs there is nothing to pause.
+        let _ = self.pause_job(client);
+        self.notify(News::Locked, text);
+        Reply::Done
+    }
+
+    fn set_slots(&mut self, client: ClientId, slots: &[TimeSlot]) -> Result<Reply, Refusal> {
+        self.leases.set_slots(self.arm.now(), slots)?;
+        let by = self.client_name(client);
+        let text = match self.slots().last() {
+            None => format!("{by} cleared the time slots: the arm is everyone's"),
+            Some(last) => format!(
+                "{by} set {} time slots, for the next {}",
+                slots.len(),
+                span(last.ends_in_s)
+            ),
+        };
+        self.notify(News::SlotsChanged, text);
+        self.watch_slots();
+        Ok(self.slots_reply())
+    }
+
+    fn slots_reply(&self) -> Reply {
+        let slots = self.slots();
+        Reply::Slots { slots }
+    }
+
+    /// Has the arm follow its time slots: whose time is over loses it as by a lock. A job that runs comes to rest; whoever has
+    /// control next goes on with it.
+    pub(super) fn watch_slots(&mut self) {
+        let (turns, over) = self.leases.handle_time(self.arm.now());
+        if let Some(TimeOver { why, changes }) = over {
+            self.follow_lease(changes);
+            // Where none runs there is nothing to pause.
+            let _ = self.pause_for(&why);
+        }
+        for turn in turns {
+            let (news, text) = told(turn);
+            self.notify(news, text);
+        }
+    }
+
+    fn change_lease(&mut self, client: ClientId, request: &Request) -> Result<Reply, Refusal> {
+        let now = self.arm.now();
+        let changes = match *request {
+            Request::ReleaseLease => self.leases.release(client)?,
+            Request::AskLease => self.leases.ask(now, client)?,
+            Request::GrantLease { to } => self.leases.grant(now, client, to)?,
+            Request::SeizeLease => self.leases.seize(now, client),
+            _ => self.leases.take(now, client)?,
+        };
+        self.follow_lease(changes);
+        Ok(Reply::Lease {
+            lease: self.leases.view(),
+        })
+    }
+
+    /// Whether a client may move the arm by hand now.
+    pub(super) fn check_may_move(&self, client: ClientId) -> Result<(), Refusal> {
+        self.leases.check(client)?;
+        self.check_free()
+    }
+
+    fn follow_lease(&mut self, changes: impl IntoIterator<Item = Change>) {
+        for change in changes {
+            match change {
+                Change::Ended { client, why } => self.lease_over(client, &why),
+                Change::Taken(client) => {
+                    let text = format!("{} has control", self.client_name(client));
+                    self.notify(News::LeaseTaken { client }, text);
+                }
+                Change::Asked(client) => {
+                    let text = format!("{} asks for control", self.client_name(client));
+                    self.notify(News::LeaseAsked { client }, text);
+                }
+            }
+        }
+    }
+
+    /// Nobody moves the arm who has no control: buttons are let go, what waits is forgotten, and
+    /// the laser goes off. A drawing with a pen goes on; it is the station's.
+    fn lease_over(&mut self, client: ClientId, why: &str) {
+        self.arm.part_from_laser();
+        self.disarm_laser(why);
+        self.let_go();
+        self.end_detection(why);
+        if self.commands.any_of(client) {
+            self.drop_waiting(why);
+        }
+        self.notify(News::LeaseFree, format!("nobody has control: {why}"));
+    }
+
+    fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
+        self.leases.check_arms_laser(client)?;
+        self.stop.check()?;
+        self.check_guarded()?;
+        self.arm.arm_laser(for_s)?;
+        let name = self.client_name(client);
+        let text = format!("{name} armed the laser for {for_s:.0} s: goggles on");
+        self.notify(News::LaserArmed, text);
+        Ok(Reply::Done)
+    }
+
+    /// Sends one command, if its whole way is allowed.
+    pub(super) fn command(
+        &mut self,
+        client: ClientId,
+        command: &Command,
+    ) -> Result<Reply, Refusal> {
+        if let Some(jog) = button(command) {
+            return self.jog(client, jog, self.arm.policy().jog.dead_man_s);
+        }
+        self.check_may_move(client)?;
+        // Whoever sends another command does not hold his button any more.
+        self.let_go();
+        let within = self.rests_within();
+        let id = self
+            .commands
+            .handle_command(&mut self.arm, client, command, within)?;
+        self.halt.forget();
+        Ok(Reply::Accepted {
+            command: id.0,
+            takes_s: Some(self.arm.session().ahead_s()),
+        })
+    }
+
+    fn take_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
+        let taken = self.leases.handle_program(self.arm.now(), client);
+        self.follow_lease(taken);
+        self.leases.check(client)?;
+        let packet = &self.amended(client, packet);
+        let command = self.arm.session().parse(packet)?;
+        let patience_s = self.arm.policy().jog.raw_dead_man_s;
+        match command {
+            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), patience_s),
+            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), patience_s),
+            command => {
+                // Another packet than that of the button means that it is not held any more.
+                self.let_go();
+                self.command(client, &command)
+            }
+        }
+        .map(|_| ())
+    }
+
+    /// The packet with what a stock arm would take harmlessly put right; those who watch are told, once
+    /// for all that follow and are changed alike.
+    fn amended(&mut self, client: ClientId, packet: &Packet) -> Packet {
+        let model = self
+            .arm
+            .session()
+            .model()
+            .filter(|_| self.arm.session().dialect().is_some());
+        let changed = model.and_then(|model| amended(packet, model, self.arm.policy()));
+        let Some((sent, what)) = changed else {
+            return *packet;
+        };
+        let text = format!("{}: {what}", self.client_name(client));
+        if self.leases.handle_amended(client, &text) {
+            self.notify(News::Amended { client }, text);
+        }
+        sent
+    }
+
+    /// Tells all who watch that something was refused.
+    pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
+        if self.jogging.is_told(client, refusal) {
+            return;
+        }
+        // The arm's own protocol has no words for that: whoever reads this is the only one to know.
+        let is_program = self.leases.is_program(client);
+        let remedy = refusal
+            .hint()
+            .or_else(|| is_program.then(|| GOES_ON.into()));
+        let remedy = remedy.map_or_else(String::new, |it| format!("; {it}"));
+        let text = format!("refused to {}: {refusal}{remedy}", self.client_name(client));
+        let kind = refusal.kind().to_owned();
+        self.notify(News::Refused { client, kind }, text);
+    }
+
+    pub(super) fn still_moving(&self) -> Refusal {
+        super::still_moving(self.rests_within())
+    }
+
+    fn confirm_pose(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+        self.link.check()?;
+        // Nothing moves until it is confirmed, so nobody has to have control for that.
+        if !self.arm.session().is_trusted() {
+            self.arm.session_mut().confirm_pose();
+            let text = format!(
+                "{} confirmed where the arm stands",
+                self.client_name(client)
+            );
+            self.notify(News::PoseTrusted, text);
+        }
+        Ok(Reply::Done)
+    }
+
+    pub(super) fn set_dialect(&mut self, dialect: Dialect) -> Result<Reply, Refusal> {
+        if let Some(run) = self.run.as_ref().filter(|it| it.has_the_arm()) {
+            return Err(Refusal::JobRunning(run.job()));
+        }
+        if self.arm.session().dialect() != Some(&dialect) {
+            self.arm.session_mut().set_dialect(dialect);
+            self.notify(
+                News::DialectKnown { dialect },
+                format!("the arm speaks {dialect}"),
+            );
+        }
+        Ok(Reply::Done)
+    }
+}
+
+/// What is told of a time slot.
+fn told(turn: Turn) -> (News, String) {
+    match turn {
+        Turn::Began { student, lasts } => {
+            let text = format!(
+                "it is the time of {student}, for {}",
+                span(lasts.as_secs_f64())
+            );
+            (News::SlotBegan { student }, text)
+        }
+        Turn::Ending { student, left } => {
+            let left = span(left.as_secs_f64());
+            let text = format!("the time of {student} is over in {left}");
+            (News::SlotEnding { student }, text)
+        }
+        Turn::Ended { student } => {
+            let text = format!("the time of {student} is over");
+            (News::SlotEnded { student }, text)
+        }
+    }
+}
+
+/// What to do about a packet that nothing helps.
+const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
+pub(super) const REASON_LEN: usize = 200;
+/// A base that is as near as this to straight ahead is.
+const STRAIGHT_DEG: f64 = 0.1;

@@ -1,0 +1,192 @@
+//! Starting a job, or going on with it: from wherever the arm is to where the job goes on.
+
+use dobot_api::{JobPhase, News};
+use dobot_arm::Position;
+use dobot_journal::prelude;
+use dobot_motion::TrajectoryError;
+use dobot_session::{SendError, position};
+use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteVector, single};
+
+use super::watch::{THERE_MM, locate_at};
+use super::{Begun, CarriedOver, Effect, JobEffect, Phase, Run, ToolHeight};
+use crate::refusal::Refusal;
+use crate::supervisor::arm::Arm;
+
+impl Run {
+    /// Begins a job, or goes on with a paused one: with this one, if it is the same.
+    pub(in crate::supervisor) fn begin(
+        begun: Begun,
+        arm: &mut Arm,
+        paused: Option<&Self>,
+    ) -> Result<(Self, [JobEffect; 2]), Refusal> {
+        let status = arm.last();
+        let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
+        let begun = located(begun, status)?;
+        check_holds(&begun, status)?;
+        let JobApproach { mut first, lower } = approach(&begun, status);
+        first.extend(behind_cut_line(&begun, status, arm));
+        let step_end = begun.single_step.then(|| begun.step_end());
+        let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
+        run.step_end = step_end;
+        let is_planned = run.begun.adjustment.speed_percent == 100.0;
+        run.target_speed = run.begun.target_speed(run.next).filter(|_| !is_planned);
+        let left = run.left_before(paused);
+        if left.is_unknown {
+            run.speeds.rest_each(&run.begun.plan, run.begun.completed);
+        }
+        let ways = first.iter().chain(&lower);
+        run.left = ways.fold(left, |left, it| run.after(left, it));
+        for command in first.iter().chain(&lower) {
+            arm.session().check(command)?;
+        }
+        let mut last = None;
+        for command in first {
+            last = Some(arm.send(&command)?);
+        }
+        run.phase = Phase::Approaching { last };
+        run.tool = lower.map_or(ToolHeight::Down, ToolHeight::Above);
+        let wishes = run.begins();
+        Ok((run, wishes))
+    }
+
+    fn begins(&self) -> [JobEffect; 2] {
+        let (job, phase) = (self.job(), JobPhase::Running);
+        let text = format!("job {job} ({}) is under way", self.begun.title);
+        let effect = Effect::Phase {
+            job,
+            phase,
+            reason: None,
+            window: None,
+            behind: self.begun.behind,
+        };
+        [
+            JobEffect::Keep(effect),
+            JobEffect::Notify(News::Job { job, phase }, text),
+        ]
+    }
+
+    /// What the arm keeps for the next vector, before anything is sent for a job: what the pause has
+    /// left, or else what the plan says.
+    fn left_before(&self, paused: Option<&Self>) -> CarriedOver {
+        let paused = paused.filter(|it| it.job() == self.job());
+        let left = paused.map(|it| it.left).filter(|it| !it.is_unknown);
+        left.unwrap_or_else(|| self.planned_left())
+    }
+}
+
+/// A job of which nobody knows how far it got goes on only from where the arm rests.
+fn located(mut begun: Begun, status: Option<Status>) -> Result<Begun, Refusal> {
+    let (Some(window), Some(status)) = (begun.doubt.take(), status) else {
+        return Ok(begun);
+    };
+    let located = locate_at(&begun, &window, &status);
+    begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
+    Ok(begun)
+}
+
+/// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
+/// and the way there. A tool that is lifted in a pause comes down from above.
+fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
+    let mut first = prelude(begun.plan.told_before(begun.completed));
+    let (Some(planned), Some(status)) = (begun.plan.start(begun.completed), status) else {
+        return JobApproach { first, lower: None };
+    };
+    let (start, here) = (position(&planned), position(&status));
+    if start.distance(here).0 <= THERE_MM {
+        let higher_mm = start.z.0 - here.z.0;
+        if higher_mm.abs() > LEVEL_MM {
+            first.push(straight(higher_mm));
+        } else if may_jump(begun) {
+            first.extend(settle());
+        }
+        return JobApproach { first, lower: None };
+    }
+    let lift_mm = begun.plan.lift().map_or(0.0, f64::from);
+    let above = start + Position::new(0.0, 0.0, lift_mm);
+    let mut below_mm = lift_mm;
+    if above.distance(here).0 <= THERE_MM {
+        below_mm = here.z.0 - start.z.0;
+    } else {
+        first.push(hop(above, &planned));
+        if lift_mm == 0.0 && may_jump(begun) {
+            first.extend(settle());
+        }
+    }
+    let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
+    if begun.completed == begun.end() {
+        // Nothing comes behind it.
+        first.extend(lower.take());
+    }
+    JobApproach { first, lower }
+}
+
+/// The way to where a job begins or goes on.
+struct JobApproach {
+    /// What has to be over before the job.
+    first: Vec<Command>,
+    /// What lowers the tool, right before the job.
+    lower: Option<Command>,
+}
+
+/// Straight up or down, slowly, with the laser off.
+pub(super) fn straight(z_mm: f64) -> Command {
+    WriteVector::by(0.0, 0.0, single(z_mm), 20.0).into()
+}
+
+/// Up and down a bit: behind that an arm has forgotten the speed that it had.
+fn settle() -> [Command; 2] {
+    [straight(SETTLE_MM), straight(-SETTLE_MM)]
+}
+
+/// Where a straight line comes next and the one before was perhaps cut short: a MOVJ to where the arm is, without which a
+/// stock arm would begin with a jump (note N46).
+fn behind_cut_line(begun: &Begun, status: Option<Status>, arm: &Arm) -> Option<Command> {
+    let next = begun.plan.commands().get(begun.completed)?;
+    let trap = Err(SendError::Trap(TrajectoryError::BehindCutLine));
+    let here = begun.plan.start(begun.completed).or(status)?;
+    (arm.session().check(next) == trap).then(|| go(position(&here), &here, MovingMode::MovJ))
+}
+
+/// Up, across and down, with the tool turned and holding as planned.
+fn hop(to: Position, planned: &Status) -> Command {
+    go(to, planned, MovingMode::Jump)
+}
+
+fn go(to: Position, planned: &Status, mode: MovingMode) -> Command {
+    let base_deg = to.y.0.atan2(to.x.0).to_degrees();
+    MoveTo {
+        rotation_deg: single(base_deg) + planned.servo_deg,
+        suction: planned.suction,
+        gripper_deg: planned.gripper_deg,
+        mode,
+        ..MoveTo::to(single(to.x.0), single(to.y.0), single(to.z.0))
+    }
+    .into()
+}
+
+/// Whether the arm would begin the rest of a stroke with the speed at which it was interrupted,
+/// from a stand: one that does not use the start speed keeps the last end speed (note N48).
+fn may_jump(begun: &Begun) -> bool {
+    let before = begun.completed.checked_sub(1);
+    let before = before.and_then(|it| begun.plan.commands().get(it));
+    let moves = |it: &Command| matches!(it, Command::WriteVector(it) if it.end_speed_mm_s > 0.0);
+    !begun.dialect.uses_start_speed && before.is_some_and(moves)
+}
+
+/// An object that the arm held has fallen where its pump is off by now: what comes next would do without it.
+fn check_holds(begun: &Begun, status: Option<Status>) -> Result<(), Refusal> {
+    let planned = begun.plan.start(begun.completed);
+    if planned.is_some_and(|it| it.suction) && status.is_some_and(|it| !it.suction) {
+        let (_, step) = begun
+            .program
+            .at(begun.completed + begun.back, begun.commands);
+        return Err(Refusal::CannotResume(format!(
+            "the pump is off, and before command {step} the program had it on: what the arm held has fallen. Put it back, and run the program from the step that takes it"
+        )));
+    }
+    Ok(())
+}
+
+const SETTLE_MM: f64 = 1.0;
+/// Another height than that by more is seen on the paper.
+const LEVEL_MM: f64 = 0.05;

@@ -1,0 +1,252 @@
+//! At which speeds the vectors go that are not sent yet.
+
+use dobot_motion::burns;
+use dobot_plan::{Machine, RespeedStart, respeed, rest_each};
+use dobot_wire::{Command, WriteVector, single};
+
+use crate::supervisor::JobPlan;
+
+/// At which speeds the vectors go that are not sent yet: as planned, or at a share of that, or as
+/// it takes to begin or to come to rest in the middle of a stroke.
+#[derive(Clone, Debug)]
+pub(super) struct Speeds {
+    share: f64,
+    machine: Machine,
+    /// The first vector with a speed of its own.
+    first: usize,
+    vectors: Vec<WriteVector>,
+    /// Up to here each vector ends at rest.
+    rests_until: usize,
+}
+
+impl Speeds {
+    pub(super) const fn new(speed_percent: f64, machine: Machine) -> Self {
+        Self {
+            share: speed_percent / 100.0,
+            machine,
+            first: 0,
+            vectors: Vec::new(),
+            rests_until: 0,
+        }
+    }
+
+    /// Nobody knows with what speed a stock arm begins the rest of this stroke. A vector between two
+    /// rests becomes as long as it should whatever that is, so each of them is one.
+    pub(super) fn rest_each(&mut self, plan: &JobPlan, index: usize) {
+        if self.machine.has_ticks {
+            self.rests_until = index + plan.chain(index).count();
+        }
+    }
+
+    /// A command as it is to be sent when the one before it ends with so much speed, in mm/s.
+    pub(super) fn command(
+        &mut self,
+        plan: &JobPlan,
+        index: usize,
+        speed_mm_s: f32,
+    ) -> Option<Command> {
+        let planned = *plan.commands().get(index)?;
+        let begins_so = |it: &Command| begins_with(it, speed_mm_s);
+        if !self.covers(index)
+            && (index < self.rests_until
+                || self.share != 1.0
+                || plan.is_altered(index)
+                || !begins_so(&planned))
+        {
+            self.go_on(plan, index, speed_mm_s);
+        }
+        let own = self.covers(index).then(|| self.vectors[index - self.first]);
+        Some(own.map_or(planned, Command::from))
+    }
+
+    /// From here on it is another share, or another way.
+    pub(super) fn change(
+        &mut self,
+        plan: &JobPlan,
+        index: usize,
+        speed_mm_s: f32,
+        speed_percent: f64,
+    ) {
+        self.share = speed_percent / 100.0;
+        self.go_on(plan, index, speed_mm_s);
+    }
+
+    /// Takes that the places in the plan have gone back.
+    pub(super) fn go_back(&mut self, back: usize) {
+        match self.first.checked_sub(back) {
+            Some(first) => self.first = first,
+            None => self.vectors.clear(),
+        }
+        self.rests_until = self.rests_until.saturating_sub(back);
+    }
+
+    /// Comes to rest on the way that goes on, if that is soon and no laser burns there. Gives the
+    /// command before which the arm rests.
+    pub(super) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
+        let speed = f64::from(speed_mm_s);
+        let needed_mm =
+            speed * speed / (2.0 * plan.drawn_with(index).acceleration_mm_s2) * TO_SPARE;
+        self.go_on(plan, index, speed_mm_s);
+        let count = reaching(&self.vectors, needed_mm);
+        let takes_s = plan.takes_s(index..index + count) / self.share;
+        let any_burns = self.vectors[..count].iter().any(|it| burns(&(*it).into()));
+        if count == 0 || any_burns || takes_s > SOON_S {
+            return None;
+        }
+        self.vectors.truncate(count);
+        slow_down(&mut self.vectors, speed_mm_s);
+        if self.machine.has_ticks {
+            let begin = begin(plan, index, speed_mm_s);
+            self.vectors = respeed(&self.vectors, &begin, 1.0, &self.machine);
+        }
+        Some(index + count)
+    }
+
+    /// The arm as it does a vector of the job.
+    pub(super) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
+        Machine {
+            acceleration_mm_s2: plan.drawn_with(index).acceleration_mm_s2,
+            ..self.machine
+        }
+    }
+
+    pub(super) const fn rests_each(&self, index: usize) -> bool {
+        index < self.rests_until
+    }
+
+    fn covers(&self, index: usize) -> bool {
+        (self.first..self.first + self.vectors.len()).contains(&index)
+    }
+
+    fn go_on(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) {
+        let chain: Vec<WriteVector> = plan.chain(index).copied().collect();
+        self.machine = self.machine_at(plan, index);
+        self.first = index;
+        self.vectors = if self.rests_each(index) {
+            rest_each(&chain, self.share, &self.machine)
+        } else {
+            let begin = begin(plan, index, speed_mm_s);
+            respeed(&chain, &begin, self.share, &self.machine)
+        };
+    }
+}
+
+/// The arm as a vector finds it. There is a target before each.
+fn begin(plan: &JobPlan, index: usize, speed_mm_s: f32) -> RespeedStart {
+    RespeedStart {
+        speed_mm_s,
+        position: plan.start_position(index).unwrap_or_default(),
+        tool: plan.drawn_with(index).tool,
+    }
+}
+
+/// Whether a command is planned to begin with this speed. Only a vector can begin otherwise, and
+/// between two rests it becomes as long as it should all the same.
+fn begins_with(planned: &Command, speed_mm_s: f32) -> bool {
+    match planned {
+        Command::WriteVector(it) if it.end_speed_mm_s > 0.0 || it.start_speed_mm_s > MOVES_MM_S => {
+            let found_mm_s = speed_mm_s.max(0.0).min(it.max_speed_mm_s);
+            (it.start_speed_mm_s - found_mm_s).abs() < SAME_MM_S
+        }
+        _ => true,
+    }
+}
+
+/// How many of these vectors it takes until the way is so long.
+fn reaching(vectors: &[WriteVector], way_mm: f64) -> usize {
+    let mut so_far_mm = 0.0;
+    let before = vectors.iter().take_while(|it| {
+        let is_before = so_far_mm < way_mm;
+        so_far_mm += length_mm(it);
+        is_before
+    });
+    before.count()
+}
+
+/// Slows vectors down evenly, so that the last one ends at rest.
+///
+/// ```text
+///   v2 |'--.__     as planned where that is slower
+///      |      '--.__
+///      |____________'--.__ way
+/// ```
+fn slow_down(vectors: &mut [WriteVector], begin_mm_s: f32) {
+    let way_mm: f64 = vectors.iter().map(length_mm).sum();
+    let (mut left_mm, mut speed) = (way_mm, begin_mm_s);
+    let rests = vectors.len() - 1;
+    for (index, vector) in vectors.iter_mut().enumerate() {
+        left_mm -= length_mm(vector);
+        let even = f64::from(begin_mm_s) * (left_mm.max(0.0) / way_mm).sqrt();
+        let end = if index == rests { 0.0 } else { single(even) };
+        vector.start_speed_mm_s = speed;
+        vector.end_speed_mm_s = vector.end_speed_mm_s.min(end);
+        speed = vector.end_speed_mm_s;
+        let fastest = vector.start_speed_mm_s.max(speed);
+        if fastest > CREEPS_MM_S {
+            vector.max_speed_mm_s = fastest;
+        }
+    }
+}
+
+fn length_mm(vector: &WriteVector) -> f64 {
+    let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm].map(f64::from);
+    (x * x + y * y + z * z).sqrt()
+}
+
+/// So slow a vector would take minutes; it goes as fast as it may instead, from rest to rest.
+const CREEPS_MM_S: f32 = 1.0;
+/// What a stock arm keeps where it rests is less.
+const MOVES_MM_S: f32 = 4.0;
+/// Speeds that differ by less are the same.
+const SAME_MM_S: f32 = 1e-3;
+/// A stock arm cuts vectors into whole ticks, and needs a bit more way for that.
+const TO_SPARE: f64 = 1.1;
+/// A way on which it takes longer to come to rest is not gone for that.
+const SOON_S: f64 = 1.5;
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn vector(x_mm: f32, end_speed_mm_s: f32) -> WriteVector {
+        WriteVector {
+            end_speed_mm_s,
+            ..WriteVector::by(x_mm, 0.0, 0.0, 80.0)
+        }
+    }
+
+    #[test]
+    fn as_many_vectors_are_taken_as_the_way_needs() {
+        let vectors = [vector(1.0, 9.0), vector(2.0, 9.0), vector(4.0, 9.0)];
+        assert_eq!(
+            [0.0, 0.5, 1.0, 1.1, 3.0, 9.0].map(|it| reaching(&vectors, it)),
+            [0, 1, 1, 2, 2, 3]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn vectors_that_slow_down_end_at_rest_and_keep_the_acceleration(
+            lengths in prop::collection::vec(0.05..5.0_f32, 1..40),
+            begin in 0.5..80.0_f32,
+        ) {
+            let mut vectors: Vec<_> = lengths.iter().map(|it| vector(*it, 80.0)).collect();
+            let way_mm: f64 = vectors.iter().map(length_mm).sum();
+            let acceleration = f64::from(begin) * f64::from(begin) / (2.0 * way_mm);
+            slow_down(&mut vectors, begin);
+            let mut speed = begin;
+            for vector in &vectors {
+                prop_assert_eq!(vector.start_speed_mm_s, speed);
+                speed = vector.end_speed_mm_s;
+                prop_assert!(speed <= vector.start_speed_mm_s);
+                prop_assert!(vector.max_speed_mm_s > 0.0);
+                let v2 = |v: f32| f64::from(v) * f64::from(v);
+                let change = v2(vector.start_speed_mm_s) - v2(speed);
+                prop_assert!(change <= 2.0 * acceleration * length_mm(vector) * 1.001 + 1e-6);
+            }
+            prop_assert_eq!(speed, 0.0);
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! Keeping session and journal supplied with what the job needs next.
+
+use std::time::Duration;
+
+use dobot_api::{JobKind, JobPhase};
+use dobot_journal::Window;
+use dobot_session::CommandId;
+use dobot_wire::{Command, Status};
+
+use super::grip::{SEEN_WITHIN, UnseenGrip};
+use super::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
+use crate::refusal::Refusal;
+use crate::supervisor::arm::Arm;
+
+impl Run {
+    /// Takes that a command was not sent, and is forgotten.
+    pub(in crate::supervisor) fn handle_forgotten(&mut self, id: CommandId) {
+        if let Some(at) = self.given.iter().position(|it| it.id == id) {
+            let index = self.given[at].index;
+            self.given.truncate(at);
+            self.next = self.next.min(index);
+        }
+        // The tool is still above.
+        if let ToolHeight::Lowering(it, command) = self.tool
+            && it == id
+        {
+            self.tool = ToolHeight::Above(command);
+        }
+    }
+
+    /// Takes that a command is over: of the job, or on the way to it. Says whether the job is concerned
+    /// by one that failed.
+    pub(in crate::supervisor) fn handle_over(
+        &mut self,
+        id: CommandId,
+        now: Duration,
+        is_done: bool,
+        status: Option<&Status>,
+    ) -> bool {
+        let of_job = self.given.iter().position(|it| it.id == id);
+        let of_way = match &self.phase {
+            Phase::Approaching { last } => *last == Some(id),
+            _ => matches!(self.tool, ToolHeight::Lowering(it, _) if it == id),
+        };
+        if let Some(at) = of_job {
+            self.over(at, now, is_done, status);
+        }
+        if !is_done {
+            return of_job.is_some() || of_way || self.is_approaching();
+        }
+        if of_way && self.is_approaching() {
+            self.set_out(now);
+        } else if of_way {
+            self.tool = ToolHeight::Down;
+        }
+        false
+    }
+
+    /// Keeps the session and the journal supplied. The tool is lifted only where it may.
+    pub(in crate::supervisor) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
+        if matches!(self.phase, Phase::Approaching { last: None }) {
+            self.set_out(arm.now());
+        }
+        if !self.gives() {
+            return Vec::new();
+        }
+        let mut effects: Vec<_> = self.ask_journal(arm.last()).into_iter().collect();
+        while arm.session().waiting() < KEEP_WAITING
+            && let Some(command) = self.next_command()
+        {
+            let command = self.scaled(command);
+            let given = self.set_target_speed(arm).and_then(|()| self.lower(arm));
+            let given = given.and_then(|()| self.give(arm, &command));
+            if let Err(refusal) = given {
+                arm.part_from_laser();
+                effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
+                break;
+            }
+        }
+        effects.extend(self.reach_limit(arm, may_lift));
+        effects
+    }
+
+    fn next_command(&mut self) -> Option<Command> {
+        if self.next >= self.upto() || !self.permit.allows(self.next) || self.waits_for_grip() {
+            return None;
+        }
+        let speed_mm_s = self.speed_mm_s();
+        self.speeds.command(&self.begun.plan, self.next, speed_mm_s)
+    }
+
+    /// A program that is done at another speed goes to its targets at that.
+    fn scaled(&self, command: Command) -> Command {
+        match command {
+            Command::PlaybackAdjustment(it) if self.begun.kind == JobKind::Program => {
+                self.begun.at_speed(it).into()
+            }
+            command => command,
+        }
+    }
+
+    fn set_target_speed(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
+        if let Some(speed) = self.target_speed.take() {
+            arm.send(&speed.into())?;
+        }
+        Ok(())
+    }
+
+    /// The tool goes down only when the job goes on right behind that: a pen that stands on the paper
+    /// makes a blot.
+    fn lower(&mut self, arm: &mut Arm) -> Result<(), Refusal> {
+        if let ToolHeight::Above(command) = self.tool {
+            // Where that fails, nothing of the job is given behind it.
+            self.tool = ToolHeight::Down;
+            self.tool = ToolHeight::Lowering(arm.send(&command)?, command);
+        }
+        Ok(())
+    }
+
+    fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
+        let id = arm.send(command)?;
+        let (index, left) = (self.next, self.after(self.left(), command));
+        self.given.push_back(SentCommand { id, index, left });
+        self.next += 1;
+        Ok(())
+    }
+
+    /// All was given up to where the job comes to rest: for a person, or to be lifted.
+    fn reach_limit(&mut self, arm: &mut Arm, may_lift: bool) -> Option<JobEffect> {
+        if self.next < self.upto() {
+            return None;
+        }
+        match &self.phase {
+            Phase::Running { .. } => self.wait_for_person(),
+            Phase::Draining {
+                then,
+                reason,
+                rests: Rests::Lifted,
+                ..
+            } => {
+                let (then, reason) = (*then, reason.clone());
+                self.lift(arm, may_lift, then, reason);
+                None
+            }
+            _ => None,
+        }
+    }
+
+    fn wait_for_person(&mut self) -> Option<JobEffect> {
+        let here = self.begun.next_pause().filter(|it| it.0 == self.next);
+        if let Some((_, message)) = here {
+            let message = message.to_owned();
+            return Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson));
+        }
+        let is_over = self.next == self.begun.end();
+        let here = self.step_end.filter(|it| *it == self.next && !is_over);
+        here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
+    }
+
+    /// The journal is asked in time, so that the arm does not wait for the disk.
+    fn ask_journal(&mut self, status: Option<Status>) -> Option<JobEffect> {
+        if !self.permit.is_low(self.next) {
+            return None;
+        }
+        let completed = self.begun.completed;
+        let upto = self.window_end(&status?).min(self.upto());
+        let counted = self.begun.counted(Window {
+            completed,
+            upto,
+            start: self.start(),
+        });
+        let effect = Effect::Give {
+            job: self.job(),
+            completed: counted.completed,
+            upto: counted.upto,
+            start: counted.start,
+        };
+        self.permit
+            .ask(upto, completed)
+            .then_some(JobEffect::Ask(effect))
+    }
+
+    /// Where the job goes on is reached: the commands follow, up to where it waits for a person.
+    fn set_out(&mut self, now: Duration) {
+        self.phase = self.running();
+        self.ran = Some(Ran {
+            since: now,
+            last_over: now,
+        });
+    }
+
+    const fn is_approaching(&self) -> bool {
+        matches!(self.phase, Phase::Approaching { .. })
+    }
+
+    /// Whether there are commands to be given.
+    fn gives(&self) -> bool {
+        match self.phase {
+            Phase::Running { .. } => true,
+            Phase::Draining { upto, rests, .. } => rests == Rests::Lifted || self.next < upto,
+            _ => false,
+        }
+    }
+
+    /// Commands below this one may be given: there the job comes to rest.
+    const fn upto(&self) -> usize {
+        match self.phase {
+            Phase::Running { upto } | Phase::Draining { upto, .. } => upto,
+            _ => self.next,
+        }
+    }
+
+    /// The command at this place of those given is over.
+    fn over(&mut self, at: usize, now: Duration, is_done: bool, status: Option<&Status>) {
+        let given = self.given.remove(at).expect("it was found there");
+        if let Some(ran) = &mut self.ran {
+            ran.last_over = now;
+        }
+        if !is_done || self.begun.completed != given.index {
+            return;
+        }
+        if status.is_some_and(|it| self.shows_grip(given.index, it)) {
+            self.handle_done(given, now);
+        } else {
+            let until = now + SEEN_WITHIN;
+            self.unseen = Some(UnseenGrip {
+                command: given,
+                until,
+            });
+        }
+    }
+
+    pub(super) fn handle_done(&mut self, given: SentCommand, now: Duration) {
+        self.begun.completed = given.index + 1;
+        self.left = given.left;
+        self.handle_progress(now);
+    }
+}
+
+/// So many commands wait in the session, so that a permit finds one.
+const KEEP_WAITING: usize = 2;

@@ -1,0 +1,174 @@
+//! What the statuses tell of a job: how far it got, and whether it ends where it should.
+
+use std::ops::Range;
+
+use dobot_api::{JobPhase, News};
+use dobot_journal::{Unclear, Window, locate, model_at};
+use dobot_motion::Model;
+use dobot_session::position;
+use dobot_wire::{Command, Status};
+
+use super::{Begun, Effect, JobEffect, Phase, Run, word};
+use crate::supervisor::JobPlan;
+use crate::supervisor::arm::Arm;
+
+impl Run {
+    /// So many statuses in a row that tell the same: nothing of a window is under way any more, not
+    /// even a pause.
+    fn rests_after(&self, window: &Window) -> u32 {
+        let commands = self.begun.plan.commands();
+        let upto = window.upto.min(commands.len());
+        let possible = &commands[window.completed.min(upto)..upto];
+        let longest_s = possible.iter().map(pause_s).fold(0.0, f32::max);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a pause is positive, and longer ones than a day are no pauses"
+        )]
+        let statuses = (longest_s.clamp(0.0, A_DAY_S) * STATUSES_PER_S).ceil() as u32;
+        SURELY_AT_REST + statuses
+    }
+
+    /// What is wrong with the place where the arm rests when all is over. A vector leads from
+    /// wherever the arm is: where one was lost, all behind it are displaced.
+    fn misses_end(&self, status: &Status) -> Option<String> {
+        let end = self.begun.plan.start_position(self.begun.end())?;
+        let off_mm = end.distance(position(status)).0;
+        (off_mm > THERE_MM).then(|| {
+            format!(
+                "the arm rests {off_mm:.2} mm from where the job ends: a command was lost on its way, and what came behind it is displaced"
+            )
+        })
+    }
+
+    /// How long it took, and how far the plan was off, in words.
+    fn took(&self) -> String {
+        let Some(ran_s) = self.begun.behind.ran_s else {
+            return String::new();
+        };
+        let planned = self.begun.plan.planned_s();
+        let planned = planned
+            .map(|it| format!(", planned were {it:.1} s"))
+            .unwrap_or_default();
+        format!(", in {ran_s:.1} s{planned}")
+    }
+
+    /// With each status: is the job located, drained, lifted, done?
+    pub(in crate::supervisor) fn handle_status(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
+        match &self.phase {
+            Phase::Locating { window } if arm.still() >= self.rests_after(window) => {
+                let window = *window;
+                self.locate(arm, &window)
+            }
+            Phase::Draining {
+                then, reason, upto, ..
+            } if self.is_idle(arm) && self.next >= *upto => {
+                let (then, reason) = (*then, reason.clone());
+                self.rest(arm, then, reason)
+            }
+            Phase::Lifting { then, reason } if self.is_idle(arm) => {
+                let (then, reason) = (*then, reason.clone());
+                self.rest(arm, then, reason)
+            }
+            Phase::Running { .. } if self.is_complete() && arm.is_at_rest() => self.finish(arm),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Whether nothing of it is under way any more. The session may be done with commands of which it has not told yet, or
+    /// whose grip was not seen yet: how far the job is, only these say.
+    fn is_idle(&self, arm: &Arm) -> bool {
+        arm.is_idle() && self.given.is_empty() && self.unseen.is_none()
+    }
+
+    fn is_complete(&self) -> bool {
+        self.begun.completed == self.begun.end()
+    }
+
+    /// All of the job was seen to be over, and the arm rests: where the job ends?
+    fn finish(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
+        arm.part_from_laser();
+        self.note_ran();
+        let (job, title) = (self.job(), &self.begun.title);
+        let (phase, reason) = match arm.last().and_then(|status| self.misses_end(&status)) {
+            None => (JobPhase::Done, None),
+            Some(reason) => (JobPhase::Failed, Some(reason)),
+        };
+        let why = reason
+            .as_ref()
+            .map_or_else(|| self.took(), |it| format!(": {it}"));
+        let text = format!("job {job} ({title}) is {}{why}", word(phase));
+        let effect = Effect::Phase {
+            job,
+            phase,
+            reason,
+            window: Some(self.begun.counted(self.certain())),
+            behind: self.begun.behind,
+        };
+        vec![
+            JobEffect::Keep(effect),
+            JobEffect::Notify(News::Job { job, phase }, text),
+            JobEffect::Forget,
+        ]
+    }
+
+    /// The arm rests: which command was the last one that it did?
+    fn locate(&mut self, arm: &mut Arm, window: &Window) -> Vec<JobEffect> {
+        let Some(status) = arm.last() else {
+            return Vec::new();
+        };
+        let restarted = Self::RESTARTED;
+        let reason = match locate_at(&self.begun, window, &status) {
+            Ok(next) => {
+                self.begun.completed = next;
+                let (_, next) = self
+                    .begun
+                    .program
+                    .at(next + self.begun.back, self.begun.commands);
+                format!("{restarted}; the arm rests where command {next} begins")
+            }
+            Err(unclear) => {
+                self.begun.doubt = Some(*window);
+                format!("{restarted}; {unclear}")
+            }
+        };
+        let mut wishes = self.rest(arm, JobPhase::Paused, reason.clone());
+        wishes.push(self.notify(JobPhase::Paused, &reason));
+        wishes
+    }
+}
+
+/// Which command is the first that was not done, by where the arm rests.
+pub(super) fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Result<usize, Unclear> {
+    if window.completed == window.upto {
+        return Ok(window.completed);
+    }
+    let (commands, dialect) = (begun.plan.commands(), begun.dialect);
+    let told = begun.plan.told_before(window.completed);
+    let model = model_at(dialect, told, window).unwrap_or_else(|| Model::new(dialect, status));
+    let lift_mm = begun.plan.lift();
+    let next = locate(commands, window, &model, lift_mm, position(status))?.next;
+    Ok(behind_seen_grips(&begun.plan, next..window.upto, status))
+}
+
+/// A grip leaves its trace in the status, not in where the arm rests: those that are seen are done.
+fn behind_seen_grips(plan: &JobPlan, commands: Range<usize>, status: &Status) -> usize {
+    let seen = |index: &usize| plan.grips_in_place(*index) && plan.shows_grip(*index, status);
+    commands.start + commands.take_while(seen).count()
+}
+
+const fn pause_s(command: &Command) -> f32 {
+    match command {
+        Command::MoveTo(it) => it.pause_s,
+        Command::MoveJoints(it) => it.pause_s,
+        _ => 0.0,
+    }
+}
+
+/// So many statuses in a row that tell the same: whatever was under way is over.
+const SURELY_AT_REST: u32 = 20;
+const STATUSES_PER_S: f32 = 12.5;
+const A_DAY_S: f32 = 86_400.0;
+
+/// As near as this the arm is where it should be.
+pub(super) const THERE_MM: f64 = 0.3;

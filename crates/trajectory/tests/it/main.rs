@@ -1,3 +1,0 @@
-//! Where commands lead.
-
-mod course;
