@@ -4,7 +4,7 @@ use dobot_arm::TICK_S;
 use dobot_wire::Dialect;
 
 use crate::error::{not_negative, positive};
-use crate::seen::WINDOW_S;
+use crate::speed::sampled_acceleration::WINDOW_S;
 use crate::{Cornering, DrawingTool, PlanError};
 
 /// What arm and link can do.

@@ -2,9 +2,9 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use crate::landing::Landing;
-use crate::pieces::Pieces;
-use crate::planner::Planner;
+use crate::path::endpoint::Landing;
+use crate::path::pieces::Pieces;
+use crate::path::planner::Planner;
 use crate::{Break, Machine, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector};
 
 /// Everything the arm does for a drawing, vector by vector.
@@ -202,7 +202,7 @@ mod tests {
     use dobot_geometry::Vec2;
 
     use super::*;
-    use crate::commands::{LASER_OFF, write};
+    use crate::path::commands::{LASER_OFF, write};
     use crate::{DrawingTool, Laser, LinkRate, Pen};
 
     const NO_LINK: LinkRate = LinkRate { period_s: 0.0 };
@@ -520,7 +520,7 @@ mod tests {
                 // However long it is watched, no more than two vectors too many are over.
                 behind_s = (behind_s + period_s - duration).max(0.0);
                 prop_assert!(behind_s <= 2.0 * period_s + 1e-4, "{behind_s}");
-                prop_assert!(vector.length_mm() >= crate::planner::LEAST_VECTOR_MM);
+                prop_assert!(vector.length_mm() >= crate::path::planner::LEAST_VECTOR_MM);
             }
             prop_assert_eq!(speed, 0.0);
         }

@@ -1,7 +1,7 @@
 //! What draws: a pen or a laser.
 
 use crate::error::{not_negative, positive};
-use crate::laser_path::run_mm;
+use crate::laser::laser_path::run_mm;
 use crate::{Machine, PlanError};
 
 /// What draws.

@@ -3,7 +3,7 @@
 use dobot_wire::{WriteVector, single};
 
 use crate::Machine;
-use crate::ticker::is_rapid;
+use crate::ticks::ticker::is_rapid;
 
 /// The same vectors at `share` of their largest speeds, and no faster than planned, each from rest to
 /// rest. A stock arm makes them as long as they should be to 0.02 mm, whatever less than a tick's

@@ -1,10 +1,10 @@
 //! How much a planned motion accelerates, measured from the motion itself.
 
 use crate::Plan;
-use crate::commands::write;
-use crate::seen::{at_ticks, second_difference};
-use crate::tick::TICK_S;
-use crate::ticker::Ticker;
+use crate::path::commands::write;
+use crate::speed::sampled_acceleration::{at_ticks, second_difference};
+use crate::ticks::tick::TICK_S;
+use crate::ticks::ticker::Ticker;
 
 /// The largest acceleration of a plan's motion in mm/s2, as seen by somebody who looks where the
 /// tool is each `apart_s` seconds.

@@ -4,13 +4,13 @@ use dobot_arm::Position;
 use dobot_wire::WriteVector;
 
 use crate::Machine;
-use crate::aim::Aim;
-use crate::chain::ChainSpeeds;
-use crate::joints::JointSpeeds;
-use crate::lookahead::ChainVector;
-use crate::planner::round_down;
-use crate::ticker::Ticker;
-use crate::vector::length;
+use crate::path::planner::round_down;
+use crate::path::vector::length;
+use crate::speed::chain::ChainSpeeds;
+use crate::speed::joints::JointSpeeds;
+use crate::speed::lookahead::ChainVector;
+use crate::speed::objective::Aim;
+use crate::ticks::ticker::Ticker;
 
 /// The arm where some vectors begin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -281,7 +281,11 @@ mod tests {
         let stroke = Stroke::open(points.map(|(x, y)| Point::new(x, y)).to_vec());
         let pass = Pass::new(DrawingTool::default(), vec![stroke]);
         let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
-        let planned: Vec<WriteVector> = plan.moves.iter().map(crate::commands::write).collect();
+        let planned: Vec<WriteVector> = plan
+            .moves
+            .iter()
+            .map(crate::path::commands::write)
+            .collect();
         assert_eq!(respeed(&planned, &begin(0.0), 1.0, &machine), planned);
         let slower = respeed(&planned, &begin(0.0), 0.5, &machine);
         let mut ticker = Ticker::new(&machine, 0.0);
@@ -315,7 +319,7 @@ mod tests {
             let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
             let pass = Pass::new(DrawingTool::default(), vec![Stroke::open(points)]);
             let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
-            let planned: Vec<WriteVector> = plan.moves.iter().map(crate::commands::write).collect();
+            let planned: Vec<WriteVector> = plan.moves.iter().map(crate::path::commands::write).collect();
             let steeper = |it: &WriteVector| {
                 let z_mm = it.z_mm + slope * it.x_mm.hypot(it.y_mm);
                 WriteVector { z_mm, ..*it }

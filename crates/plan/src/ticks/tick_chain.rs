@@ -5,19 +5,19 @@ use std::collections::BinaryHeap;
 
 use dobot_wire::single;
 
-use crate::aim::Aim;
-use crate::commands::write;
-use crate::lookahead::ChainVector;
-use crate::seen::{WINDOW_TICKS, second_difference, seen_mm};
-use crate::speeds::Speeds;
-use crate::tick::TICK_S;
-use crate::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickWish};
-use crate::ticker::Ticker;
+use crate::path::commands::write;
+use crate::speed::lookahead::ChainVector;
+use crate::speed::objective::Aim;
+use crate::speed::sampled_acceleration::{WINDOW_TICKS, second_difference, seen_mm};
+use crate::speed::speeds::Speeds;
+use crate::ticks::tick::TICK_S;
+use crate::ticks::tick_fit::{LEAST_BURN_MM_S, MOST_FITS, TickFit, TickWish};
+use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
 
 /// A chain, and what is wanted of it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct TickChain<'a> {
+pub(crate) struct TickChain<'a> {
     pub moves: &'a [PlannedVector],
     pub chain: &'a [ChainVector],
     pub speeds: &'a [Speeds],
@@ -32,7 +32,7 @@ pub(super) struct TickChain<'a> {
 
 /// Where the tool was at the last ticks, in mm from anywhere.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct LastPlaces {
+pub(crate) struct LastPlaces {
     /// In a ring.
     places: [[f64; 3]; SEEN_TICKS],
     /// Where the oldest one is.
@@ -41,7 +41,7 @@ pub(super) struct LastPlaces {
 
 impl LastPlaces {
     /// The same behind these vectors.
-    pub(super) fn behind(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
+    pub(crate) fn behind(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
         for (run, fit) in chain.iter().zip(fits) {
             for speed_mm_s in fit.cut.speeds_mm_s() {
                 self.go(run.direction, speed_mm_s);
@@ -69,7 +69,7 @@ impl LastPlaces {
 
 /// How far a search looks.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Breadth {
+pub(crate) struct Breadth {
     /// So many ways are followed.
     ways: usize,
     /// Each is continued so often, at most [`MOST_FITS`] times.
@@ -79,23 +79,23 @@ pub(super) struct Breadth {
 }
 
 impl Breadth {
-    pub(super) const ONE: Self = Self {
+    pub(crate) const ONE: Self = Self {
         ways: 1,
         fits: 1,
         same_share: 0.25,
     };
-    pub(super) const MANY: Self = Self {
+    pub(crate) const MANY: Self = Self {
         ways: 8,
         fits: MOST_FITS,
         same_share: 0.1,
     };
-    pub(super) const MOST: Self = Self {
+    pub(crate) const MOST: Self = Self {
         ways: 20,
         fits: MOST_FITS,
         same_share: 0.1,
     };
     /// For vectors between two rests, of which the arm keeps less than a tick's change.
-    pub(super) const LONE: Self = Self {
+    pub(crate) const LONE: Self = Self {
         ways: 8,
         fits: MOST_FITS,
         same_share: 0.05,
@@ -107,13 +107,13 @@ impl TickChain<'_> {
     ///
     /// What is best for one vector may leave a speed from which the next cannot be run in the
     /// ticks that it should take, or turns the tool too fast. So several choices are followed.
-    pub(super) fn fits(&self, ticker: &Ticker, breadth: Breadth) -> Vec<TickFit> {
+    pub(crate) fn fits(&self, ticker: &Ticker, breadth: Breadth) -> Vec<TickFit> {
         self.follow(0, Way::new(ticker, self.before), breadth, |_, _| None)
     }
 
     /// Runs the changed vectors anew, and those after them until the arm goes on as it did and the link keeps up: what
     /// lies between the changes stays as it is.
-    pub(super) fn repair(
+    pub(crate) fn repair(
         &self,
         ticker: &Ticker,
         fits: &mut [TickFit],
@@ -424,7 +424,7 @@ mod tests {
 
     use super::*;
     use crate::Machine;
-    use crate::chain::ChainSpeeds;
+    use crate::speed::chain::ChainSpeeds;
 
     fn vector([x_mm, y_mm]: [f32; 2]) -> PlannedVector {
         PlannedVector {

@@ -14,7 +14,7 @@ use crate::LinkRate;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "units")]
-pub(super) struct Credit {
+pub(crate) struct Credit {
     period_s: f64,
     /// How much time those that wait took on the link, in s.
     waiting_s: f64,
@@ -24,7 +24,7 @@ pub(super) struct Credit {
 }
 
 impl Credit {
-    pub(super) fn new(link: LinkRate) -> Self {
+    pub(crate) fn new(link: LinkRate) -> Self {
         Self {
             period_s: link.period_s,
             waiting_s: 0.0,
@@ -34,17 +34,17 @@ impl Credit {
     }
 
     /// The same where vectors that take longer come in pieces.
-    pub(super) const fn in_pieces(self, piece_s: f64) -> Self {
+    pub(crate) const fn in_pieces(self, piece_s: f64) -> Self {
         Self { piece_s, ..self }
     }
 
     /// How long the next vector has to take at the least.
-    pub(super) fn least_s(&self) -> f64 {
+    pub(crate) fn least_s(&self) -> f64 {
         (self.period_s - self.waiting_s).max(0.0)
     }
 
     /// The next vector takes so long.
-    pub(super) fn take(&mut self, duration_s: f64) {
+    pub(crate) fn take(&mut self, duration_s: f64) {
         let packets = (duration_s / self.piece_s).ceil().max(1.0);
         let waiting_s = self.waiting_s + duration_s - packets * self.period_s;
         self.waiting_s = waiting_s.clamp(0.0, self.most_s);

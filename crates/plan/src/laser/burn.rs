@@ -3,16 +3,16 @@
 use dobot_geometry::{Point, Stroke};
 use dobot_motion::Cut;
 
-use crate::aim::Aim;
-use crate::chain::ChainSpeeds;
-use crate::commands::write;
-use crate::laser_path::{
+use crate::laser::laser_path::{
     LEAST_BURN_MM, LaserPath, NEAR_MM, Parted, SwitchLead, burn_speed_mm_s, burnable,
 };
-use crate::planner::{Planner, Settled};
-use crate::tick::TICK_S;
-use crate::tick_fit::LEAST_BURN_MM_S;
-use crate::ticker::Ticker;
+use crate::path::commands::write;
+use crate::path::planner::{Planner, Settled};
+use crate::speed::chain::ChainSpeeds;
+use crate::speed::objective::Aim;
+use crate::ticks::tick::TICK_S;
+use crate::ticks::tick_fit::LEAST_BURN_MM_S;
+use crate::ticks::ticker::Ticker;
 use crate::{Laser, MoveKind, PlannedVector};
 
 impl Planner<'_> {
@@ -24,7 +24,7 @@ impl Planner<'_> {
     /// How far the last ticks before the switching go is known only when they are planned: then the
     /// places of switching are moved, and the stroke is planned again. Where they come out at no place from which they would
     /// lead there, another run-up or a little less speed is tried.
-    pub(super) fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
+    pub(crate) fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
         let points = burnable(stroke, self.here);
         let laser = &Laser {
             burn_speed_mm_s: burn_speed_mm_s(&points, laser, self.machine),
@@ -141,7 +141,7 @@ impl Planner<'_> {
 
     /// A laser burns more where it is slower. Where a stroke's corners and short vectors allow nearly its
     /// speed, all of the stroke is run at the speed that they do allow.
-    pub(super) fn even_burning(&mut self, begin: usize) {
+    pub(crate) fn even_burning(&mut self, begin: usize) {
         let burns = |vector: &&PlannedVector| vector.kind == MoveKind::Burn;
         let Some(first) = self.moves[begin..].iter().position(|it| burns(&it)) else {
             return;

@@ -1,6 +1,6 @@
 //! Look-ahead: how fast each vector begins and ends, and how long it should take.
 
-use crate::vector::length;
+use crate::path::vector::length;
 
 /// One straight vector, as look-ahead sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]

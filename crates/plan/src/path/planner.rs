@@ -2,49 +2,49 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use crate::aim::Aim;
-use crate::around::around_axis;
-use crate::chain::ChainSpeeds;
-use crate::joints::JointSpeeds;
-use crate::landing::Landing;
-use crate::lone::LoneVectors;
-use crate::lookahead::ChainVector;
-use crate::pieces::LONGEST_BURN_S;
-use crate::speeds::Speeds;
-use crate::tick_chain::LastPlaces;
-use crate::tick_fit::LEAST_BURN_MM_S;
-use crate::ticker::Ticker;
-use crate::vector::length;
+use crate::path::detour::around_axis;
+use crate::path::endpoint::Landing;
+use crate::path::pieces::LONGEST_BURN_S;
+use crate::path::travel::LoneVectors;
+use crate::path::vector::length;
+use crate::speed::chain::ChainSpeeds;
+use crate::speed::joints::JointSpeeds;
+use crate::speed::lookahead::ChainVector;
+use crate::speed::objective::Aim;
+use crate::speed::speeds::Speeds;
+use crate::ticks::tick_chain::LastPlaces;
+use crate::ticks::tick_fit::LEAST_BURN_MM_S;
+use crate::ticks::ticker::Ticker;
 use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
 
 /// Plans one way after the other. A chain is a way between two rests.
-pub(super) struct Planner<'a> {
+pub(crate) struct Planner<'a> {
     paper: &'a Paper,
-    pub(super) machine: &'a Machine,
-    pub(super) chain_speeds: ChainSpeeds,
+    pub(crate) machine: &'a Machine,
+    pub(crate) chain_speeds: ChainSpeeds,
     /// Where the arm has ticks.
-    pub(super) ticker: Option<Ticker>,
+    pub(crate) ticker: Option<Ticker>,
     /// Where the tool was at the last ticks.
-    pub(super) last_places: LastPlaces,
-    pub(super) lone: LoneVectors,
+    pub(crate) last_places: LastPlaces,
+    pub(crate) lone: LoneVectors,
     /// Where the vectors so far lead, rounding included.
-    pub(super) here: [f64; 3],
-    pub(super) settled: Settled,
+    pub(crate) here: [f64; 3],
+    pub(crate) settled: Settled,
     /// What matters: of a pen that it is over soon.
-    pub(super) aim: Aim,
+    pub(crate) aim: Aim,
     /// How fast the tool travels, in mm/s.
-    pub(super) travel_mm_s: f64,
+    pub(crate) travel_mm_s: f64,
     joints: JointSpeeds,
-    pub(super) moves: Vec<PlannedVector>,
+    pub(crate) moves: Vec<PlannedVector>,
     /// Which stroke and pass the next vectors belong to.
-    pub(super) stroke: u32,
+    pub(crate) stroke: u32,
     pass: u32,
     /// The runs since the last rest; reused.
-    pub(super) chain: Vec<ChainVector>,
+    pub(crate) chain: Vec<ChainVector>,
 }
 
 impl<'a> Planner<'a> {
-    pub(super) fn new(
+    pub(crate) fn new(
         start: [f64; 3],
         tool: &DrawingTool,
         paper: &'a Paper,
@@ -83,7 +83,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    pub(super) fn pass(&mut self, number: u32, pass: &Pass) {
+    pub(crate) fn pass(&mut self, number: u32, pass: &Pass) {
         self.plan_lone(0);
         self.pass = number;
         self.aim = Aim::of(&pass.tool);
@@ -122,7 +122,7 @@ impl<'a> Planner<'a> {
     }
 
     /// A way from rest to rest, around the place where the arm stands.
-    pub(super) fn travel(&mut self, to: Point, above_mm: f64, limit_mm_s: f64) {
+    pub(crate) fn travel(&mut self, to: Point, above_mm: f64, limit_mm_s: f64) {
         let here = Point::new(self.here[0], self.here[1]);
         for corner in around_axis(here, to, self.machine.nearest_mm) {
             self.go(MoveKind::Travel, corner, above_mm, limit_mm_s);
@@ -132,7 +132,7 @@ impl<'a> Planner<'a> {
     }
 
     /// A vector to a place so high above the paper.
-    pub(super) fn go(&mut self, kind: MoveKind, to: Point, above_mm: f64, limit_mm_s: f64) {
+    pub(crate) fn go(&mut self, kind: MoveKind, to: Point, above_mm: f64, limit_mm_s: f64) {
         let to = [to.x, to.y, self.paper.z_at(to) + above_mm];
         let here = self.here;
         #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
@@ -170,7 +170,7 @@ impl<'a> Planner<'a> {
     }
 
     /// The chain ends: its speeds can be planned.
-    pub(super) fn rest(&mut self) {
+    pub(crate) fn rest(&mut self) {
         if self.chain.is_empty() {
             return;
         }
@@ -204,7 +204,7 @@ impl<'a> Planner<'a> {
 
     /// The speeds of the first `count` vectors are planned, so where they lead is known to the last digit. Those to come begin
     /// there.
-    pub(super) fn settle(&mut self, count: usize) {
+    pub(crate) fn settle(&mut self, count: usize) {
         let settled = &mut self.settled;
         for vector in &self.moves[settled.count..count] {
             settled.here = settled.landing.behind(settled.here, vector);
@@ -216,7 +216,7 @@ impl<'a> Planner<'a> {
     }
 
     /// All has been told.
-    pub(super) fn finish(mut self) -> Vec<PlannedVector> {
+    pub(crate) fn finish(mut self) -> Vec<PlannedVector> {
         self.plan_lone(0);
         self.moves
     }
@@ -224,7 +224,7 @@ impl<'a> Planner<'a> {
 
 /// The vectors whose speeds are planned, on an arm with ticks.
 #[derive(Clone, Debug)]
-pub(super) struct Settled {
+pub(crate) struct Settled {
     landing: Landing,
     count: usize,
     /// Where they lead.
@@ -240,7 +240,7 @@ fn set(vector: &mut PlannedVector, speeds: Speeds) {
 }
 
 /// The largest single-precision number that is not above `value`.
-pub(super) fn round_down(value: f64) -> f32 {
+pub(crate) fn round_down(value: f64) -> f32 {
     #[expect(clippy::cast_possible_truncation, reason = "corrected below")]
     let nearest = value as f32;
     if f64::from(nearest) > value {
@@ -250,4 +250,4 @@ pub(super) fn round_down(value: f64) -> f32 {
     }
 }
 
-pub(super) const LEAST_VECTOR_MM: f64 = 0.001;
+pub(crate) const LEAST_VECTOR_MM: f64 = 0.001;

@@ -4,15 +4,15 @@
 use std::iter::repeat;
 
 use crate::Machine;
-use crate::aim::Aim;
-use crate::link::Credit;
-use crate::lookahead::{ChainVector, Cornering, Junction};
-use crate::seen::SeenMotion;
-use crate::speeds::Speeds;
+use crate::speed::link::Credit;
+use crate::speed::lookahead::{ChainVector, Cornering, Junction};
+use crate::speed::objective::Aim;
+use crate::speed::sampled_acceleration::SeenMotion;
+use crate::speed::speeds::Speeds;
 
 /// Speeds for a chain: reused from chain to chain.
 #[derive(Clone, Debug)]
-pub(super) struct ChainSpeeds {
+pub(crate) struct ChainSpeeds {
     cornering: Cornering,
     begin_mm_s: f64,
     /// Seconds from packet to packet.
@@ -27,7 +27,7 @@ pub(super) struct ChainSpeeds {
 }
 
 impl ChainSpeeds {
-    pub(super) fn new(machine: &Machine) -> Self {
+    pub(crate) fn new(machine: &Machine) -> Self {
         Self {
             cornering: Cornering {
                 acceleration_mm_s2: machine.planned_acceleration_mm_s2(),
@@ -43,7 +43,7 @@ impl ChainSpeeds {
     }
 
     /// The same where vectors that take longer come in pieces.
-    pub(super) fn in_pieces(self, piece_s: f64) -> Self {
+    pub(crate) fn in_pieces(self, piece_s: f64) -> Self {
         Self {
             credit: self.credit.in_pieces(piece_s),
             ..self
@@ -52,7 +52,7 @@ impl ChainSpeeds {
 
     /// The speeds of the chain's vectors, from rest to rest. Its limits are lowered where the link
     /// needs that.
-    pub(super) fn plan<'a>(
+    pub(crate) fn plan<'a>(
         &'a mut self,
         chain: &'a mut [ChainVector],
         aim: Aim,
@@ -62,7 +62,7 @@ impl ChainSpeeds {
 
     /// The speeds of the chain's vectors, if it begins with this speed. Where braking takes longer
     /// than there is way, they are as if it did not.
-    pub(super) fn plan_from<'a>(
+    pub(crate) fn plan_from<'a>(
         &'a mut self,
         begin_mm_s: f64,
         chain: &'a mut [ChainVector],
@@ -208,4 +208,4 @@ const ROUNDS: i32 = 60;
 const PATIENCE: i32 = 6;
 const SLOWER: f64 = 0.999;
 /// Rounds of easing end where no corner is seen to accelerate more than half a percent too much.
-pub(super) const LEAST_SHARE: f64 = 0.994;
+pub(crate) const LEAST_SHARE: f64 = 0.994;

@@ -3,17 +3,17 @@
 use dobot_motion::Cut;
 use dobot_wire::{WriteMode, WriteVector};
 
-use crate::aim::Aim;
-use crate::commands::write;
-use crate::link::Credit;
-use crate::speeds::Speeds;
-use crate::tick::TICK_S;
-use crate::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
+use crate::path::commands::write;
+use crate::speed::link::Credit;
+use crate::speed::objective::Aim;
+use crate::speed::speeds::Speeds;
+use crate::ticks::tick::TICK_S;
+use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
 use crate::{Machine, MoveKind, PlannedVector};
 
 /// What the arm carries over from vector to vector.
 #[derive(Clone, Debug)]
-pub(super) struct Ticker {
+pub(crate) struct Ticker {
     acceleration_mm_s2: f32,
     /// The end speed that the arm has stored, in mm/s.
     stored_mm_s: f32,
@@ -26,7 +26,7 @@ pub(super) struct Ticker {
 
 impl Ticker {
     #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-    pub(super) fn new(machine: &Machine, stored_mm_s: f32) -> Self {
+    pub(crate) fn new(machine: &Machine, stored_mm_s: f32) -> Self {
         Self {
             acceleration_mm_s2: machine.acceleration_mm_s2 as f32,
             stored_mm_s,
@@ -37,12 +37,12 @@ impl Ticker {
     }
 
     /// The ticks of a machine that has some.
-    pub(super) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
+    pub(crate) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
         machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
     }
 
     /// The same where others used the arm before: nobody knows what it has stored.
-    pub(super) const fn of_others(self) -> Self {
+    pub(crate) const fn of_others(self) -> Self {
         Self {
             perhaps_mm_s: Some(LEFT_BY_OTHERS_MM_S),
             ..self
@@ -50,7 +50,7 @@ impl Ticker {
     }
 
     /// The same where vectors that take longer come in pieces.
-    pub(super) const fn in_pieces(self, piece_s: f64) -> Self {
+    pub(crate) const fn in_pieces(self, piece_s: f64) -> Self {
         Self {
             credit: self.credit.in_pieces(piece_s),
             ..self
@@ -58,7 +58,7 @@ impl Ticker {
     }
 
     /// Gives the vectors of a chain these speeds: they are run behind those before.
-    pub(super) fn set(&mut self, moves: &mut [PlannedVector], speeds: &[Speeds], fits: &[TickFit]) {
+    pub(crate) fn set(&mut self, moves: &mut [PlannedVector], speeds: &[Speeds], fits: &[TickFit]) {
         for ((vector, speeds), fit) in moves.iter_mut().zip(speeds).zip(fits) {
             vector.start_speed_mm_s = self.stored_mm_s.min(fit.max_mm_s);
             vector.end_speed_mm_s = fit.end_mm_s;
@@ -69,7 +69,7 @@ impl Ticker {
     }
 
     /// The speeds with which the next vector comes nearest to these, the best first.
-    pub(super) fn fits(
+    pub(crate) fn fits(
         &self,
         vector: &WriteVector,
         speeds: Speeds,
@@ -80,7 +80,7 @@ impl Ticker {
     }
 
     /// What becomes of the next vector with the speeds of this fit.
-    pub(super) fn cut_with(&self, vector: &WriteVector, fit: &TickFit) -> Cut {
+    pub(crate) fn cut_with(&self, vector: &WriteVector, fit: &TickFit) -> Cut {
         let acceleration_mm_s2 = factor(vector) * self.acceleration_mm_s2;
         Cut::of(
             length(vector),
@@ -92,7 +92,7 @@ impl Ticker {
     }
 
     /// Gives a vector of a job the speeds with which a stock arm comes nearest to its own, whose speeds are those of a plan without ticks.
-    pub(super) fn respeed(
+    pub(crate) fn respeed(
         &mut self,
         vector: &mut WriteVector,
         rests: bool,
@@ -126,20 +126,20 @@ impl Ticker {
     }
 
     /// How the arm runs a vector behind those before.
-    pub(super) fn run(&mut self, vector: &WriteVector) -> Cut {
+    pub(crate) fn run(&mut self, vector: &WriteVector) -> Cut {
         let cut = self.cut(vector, self.stored_mm_s);
         self.stored_mm_s = cut.end_mm_s;
         cut
     }
 
     /// How far the arm gets with a vector behind those before, in mm.
-    pub(super) fn leads_mm(&mut self, vector: &WriteVector) -> [f32; 3] {
+    pub(crate) fn leads_mm(&mut self, vector: &WriteVector) -> [f32; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         self.run(vector).leads_mm(way, length(vector))
     }
 
     /// Whether the arm makes each of these vectors as long as it should be.
-    pub(super) fn runs_true(&self, vectors: &[WriteVector]) -> bool {
+    pub(crate) fn runs_true(&self, vectors: &[WriteVector]) -> bool {
         let mut stored_mm_s = self.stored_mm_s;
         vectors.iter().all(|vector| {
             let cut = self.cut(vector, stored_mm_s);
@@ -149,7 +149,7 @@ impl Ticker {
     }
 
     /// Whether one of these vectors comes out wrong, or where a laser goes off the arm may creep on, whatever it has stored.
-    pub(super) fn fails(&self, moves: &[PlannedVector]) -> bool {
+    pub(crate) fn fails(&self, moves: &[PlannedVector]) -> bool {
         let wrong = |stored_mm_s: f32, is_sure: bool| {
             let mut stored_mm_s = stored_mm_s;
             moves.iter().any(|vector| {
@@ -164,7 +164,7 @@ impl Ticker {
     }
 
     /// What the arm has in hand before each vector of a chain that it runs like that.
-    pub(super) fn credits(&self, fits: &[TickFit]) -> Vec<Credit> {
+    pub(crate) fn credits(&self, fits: &[TickFit]) -> Vec<Credit> {
         let mut credit = self.credit;
         let before = |fit: &TickFit| {
             let before = credit;
@@ -175,7 +175,7 @@ impl Ticker {
     }
 
     /// Whether none of these vectors comes too late, until the arm has as much in hand as stands beside them.
-    pub(super) fn keeps_up<'a>(
+    pub(crate) fn keeps_up<'a>(
         &self,
         rest: impl IntoIterator<Item = (&'a TickFit, &'a Credit)>,
     ) -> bool {
@@ -194,20 +194,20 @@ impl Ticker {
 
     /// How many ticks the next vector has to take at the least.
     #[cfg(test)]
-    pub(super) fn least_ticks(&self) -> u32 {
+    pub(crate) fn least_ticks(&self) -> u32 {
         u32::from(least_ticks(self.credit).unsigned_abs())
     }
 
-    pub(super) const fn stored_mm_s(&self) -> f32 {
+    pub(crate) const fn stored_mm_s(&self) -> f32 {
         self.stored_mm_s
     }
 
-    pub(super) fn acceleration_mm_s2(&self) -> f64 {
+    pub(crate) fn acceleration_mm_s2(&self) -> f64 {
         self.acceleration_mm_s2.into()
     }
 
     /// How much faster one tick may be than the one before, in mm/s.
-    pub(super) fn step_mm_s(&self) -> f32 {
+    pub(crate) fn step_mm_s(&self) -> f32 {
         self.acceleration_mm_s2 * TICK_S
     }
 
@@ -244,7 +244,7 @@ impl Ticker {
     }
 
     /// The next vector is run like that.
-    pub(super) fn take(&mut self, speeds: &Speeds, fit: &TickFit) {
+    pub(crate) fn take(&mut self, speeds: &Speeds, fit: &TickFit) {
         let ticks = speeds.duration_s / f64::from(TICK_S);
         let took = f64::from(fit.cut.ticks());
         self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
@@ -262,13 +262,13 @@ fn least_ticks(credit: Credit) -> i16 {
 }
 
 /// The length as the arm calculates it.
-pub(super) fn length(vector: &WriteVector) -> f32 {
+pub(crate) fn length(vector: &WriteVector) -> f32 {
     let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
     (x * x + y * y + z * z).sqrt()
 }
 
 /// Whether a stock arm accelerates on it a hundredfold (note N48).
-pub(super) fn is_rapid(vector: &WriteVector) -> bool {
+pub(crate) fn is_rapid(vector: &WriteVector) -> bool {
     vector.mode == WriteMode::Laser && !vector.laser
 }
 

@@ -108,7 +108,7 @@ impl MoveKind {
 /// A power of two: of 256 mm single precision holds these parts, and no smaller ones.
 const PARTS_OF_MM: f64 = 65_536.0;
 
-pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
+pub(crate) fn length([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 

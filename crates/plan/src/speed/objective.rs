@@ -4,7 +4,7 @@ use crate::DrawingTool;
 
 /// What matters where speeds are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Aim {
+pub(crate) enum Aim {
     /// That the way is run evenly, with the times and the speeds wanted: for what has to keep its speed, as a laser has.
     Evenly,
     /// That the way is over soon: for a pen. Whether it turns too fast in ticks is told by where they lie.
@@ -12,7 +12,7 @@ pub(super) enum Aim {
 }
 
 impl Aim {
-    pub(super) const fn of(tool: &DrawingTool) -> Self {
+    pub(crate) const fn of(tool: &DrawingTool) -> Self {
         if tool.burns() {
             Self::Evenly
         } else {

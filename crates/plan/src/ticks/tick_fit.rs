@@ -3,9 +3,9 @@
 use dobot_motion::Cut;
 use dobot_wire::single;
 
-use crate::aim::Aim;
-use crate::speeds::Speeds;
-use crate::tick::TICK_S;
+use crate::speed::objective::Aim;
+use crate::speed::speeds::Speeds;
+use crate::ticks::tick::TICK_S;
 
 /// How many ticks to try: what the processor makes of them is told by [`Cut`].
 #[expect(
@@ -18,7 +18,7 @@ fn count(value: f32) -> i16 {
 
 /// What a vector should be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct TickTarget {
+pub(crate) struct TickTarget {
     pub length_mm: f32,
     pub speeds: Speeds,
     /// How long it should take, what the vectors before were too long or too short included, in
@@ -36,7 +36,7 @@ pub(super) struct TickTarget {
 
 /// What is wanted of the ticks of a vector, whatever its length and its speeds are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct TickWish {
+pub(crate) struct TickWish {
     pub aim: Aim,
     /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
@@ -50,7 +50,7 @@ pub(super) struct TickWish {
 
 /// The end speed and the largest speed for the packet, and what becomes of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct TickFit {
+pub(crate) struct TickFit {
     pub end_mm_s: f32,
     pub max_mm_s: f32,
     pub cut: Cut,
@@ -85,12 +85,12 @@ impl TickFit {
     }
 
     /// How many ticks it takes.
-    pub(super) fn ticks(&self) -> u32 {
+    pub(crate) fn ticks(&self) -> u32 {
         u32::from(self.cut.ticks().unsigned_abs())
     }
 
     /// How long it takes, in s.
-    pub(super) fn duration_s(&self) -> f64 {
+    pub(crate) fn duration_s(&self) -> f64 {
         f64::from(self.cut.ticks()) * f64::from(TICK_S)
     }
 
@@ -108,7 +108,7 @@ impl TickTarget {
     /// The controller takes an end speed and a largest one, and finds counts of ticks. So counts
     /// near to those wanted are tried, each with the two speeds that should lead to it; what
     /// really becomes of them is calculated as the controller does.
-    pub(super) fn fits(&self, stored_mm_s: f32) -> Vec<TickFit> {
+    pub(crate) fn fits(&self, stored_mm_s: f32) -> Vec<TickFit> {
         let mut fits = Vec::with_capacity(MOST_FITS + 1);
         self.try_slower(stored_mm_s, &mut fits);
         self.try_faster(stored_mm_s, &mut fits);
@@ -343,7 +343,7 @@ impl TickTarget {
 /// By how much begin speeds are lower and corrections smaller than they could be, for rounding.
 const SPARE: f32 = 1e-5;
 /// Where in a step the speeds of the packet lie, so that they are rounded to the counts meant.
-pub(super) const NEAR: f32 = 0.4;
+pub(crate) const NEAR: f32 = 0.4;
 /// By so many steps of speed a vector may end faster than wanted: whether that is too fast is seen at its ticks.
 const FREE_STEPS: f64 = 1.0;
 /// How many ticks it is worth not to be faster by one more; in its square.
@@ -371,13 +371,13 @@ const KNOWN_MM_S: f32 = 0.04;
 /// A stock arm counts to no more (note N51).
 const MOST_TICKS: f64 = 32_000.0;
 /// So many choices are told.
-pub(super) const MOST_FITS: usize = 30;
+pub(crate) const MOST_FITS: usize = 30;
 /// Where in a step the largest speed lies before a rest: it decides how many ticks slow down to 0.
 const NEARS: [f32; 4] = [-0.4, 0.0, 0.2, 0.4];
 /// A vector that does not rest ends with no less, in mm/s: 0 means a rest.
-pub(super) const LEAST_END_MM_S: f32 = 0.01;
+pub(crate) const LEAST_END_MM_S: f32 = 0.01;
 /// Nor does it leave less to the next one: behind a laser that would creep (note N48).
-pub(super) const LEAST_LEFT_MM_S: f32 = 0.1;
+pub(crate) const LEAST_LEFT_MM_S: f32 = 0.1;
 
 #[cfg(test)]
 mod tests {

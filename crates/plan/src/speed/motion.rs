@@ -1,8 +1,8 @@
 //! How far the tool is at each moment of the fastest motion along a path.
 
 use crate::Pace;
-use crate::lookahead::ChainVector;
-use crate::speeds::{Ramps, Speeds};
+use crate::speed::lookahead::ChainVector;
+use crate::speed::speeds::{Ramps, Speeds};
 
 /// The fastest motion along a path of vectors, from rest to rest, if no link and no ticks limit it and no corner is
 /// eased.

@@ -3,7 +3,7 @@
 /// The speeds of one vector, in mm/s, and how long it takes with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "units")]
-pub(super) struct Speeds {
+pub(crate) struct Speeds {
     pub start_mm_s: f64,
     pub end_mm_s: f64,
     pub max_mm_s: f64,
@@ -16,7 +16,7 @@ pub(super) struct Speeds {
 
 impl Speeds {
     /// A vector with these speeds: at its start, at its end, and the largest, in mm/s.
-    pub(super) fn of(length_mm: f64, speeds: [f64; 3], limit_mm_s: f64, acceleration: f64) -> Self {
+    pub(crate) fn of(length_mm: f64, speeds: [f64; 3], limit_mm_s: f64, acceleration: f64) -> Self {
         let [start_mm_s, end_mm_s, max_mm_s] = speeds;
         Self {
             start_mm_s,
@@ -29,7 +29,7 @@ impl Speeds {
     }
 
     /// How a vector so long is run with these speeds.
-    pub(super) fn ramps(&self, length_mm: f64, acceleration: f64) -> Ramps {
+    pub(crate) fn ramps(&self, length_mm: f64, acceleration: f64) -> Ramps {
         let (start, end, peak) = (self.start_mm_s, self.end_mm_s, self.peak_mm_s);
         let up_s = (peak - start) / acceleration;
         let up_mm = 0.5 * (start + peak) * up_s;
@@ -47,7 +47,7 @@ impl Speeds {
 
 /// How one vector is run: the tool speeds up, keeps its speed and brakes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ramps {
+pub(crate) struct Ramps {
     start_mm_s: f64,
     peak_mm_s: f64,
     acceleration: f64,
@@ -60,7 +60,7 @@ pub(super) struct Ramps {
 
 impl Ramps {
     /// How far along the vector the tool is after a time, in mm.
-    pub(super) fn distance_mm(&self, t_s: f64) -> f64 {
+    pub(crate) fn distance_mm(&self, t_s: f64) -> f64 {
         let (peak, a) = (self.peak_mm_s, self.acceleration);
         if t_s <= self.up_s {
             return (self.start_mm_s + 0.5 * a * t_s) * t_s;
@@ -74,7 +74,7 @@ impl Ramps {
     }
 
     /// After which time the tool is so far along the vector, in s.
-    pub(super) fn reached_s(&self, gone_mm: f64) -> f64 {
+    pub(crate) fn reached_s(&self, gone_mm: f64) -> f64 {
         let (start, peak, a) = (self.start_mm_s, self.peak_mm_s, self.acceleration);
         if gone_mm <= self.up_mm {
             return ((start * start + 2.0 * a * gone_mm).sqrt() - start) / a;

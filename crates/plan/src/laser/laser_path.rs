@@ -2,12 +2,12 @@
 
 use dobot_geometry::{Point, Stroke, Vec2, bounds, distance_from_chord};
 
-use crate::planner::LEAST_VECTOR_MM;
-use crate::tick::TICK_S;
+use crate::path::planner::LEAST_VECTOR_MM;
+use crate::ticks::tick::TICK_S;
 use crate::{Laser, Machine};
 
 /// Where a laser gets to its speed before a stroke, and where it loses it behind.
-pub(super) struct LaserPath {
+pub(crate) struct LaserPath {
     pub run_up: Point,
     /// Along the stroke up to where it is switched on.
     pub off_to: Vec<Point>,
@@ -21,7 +21,7 @@ pub(super) struct LaserPath {
 
 /// Where a vector ends at an end of a stroke, though the laser is not switched there but behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Parted {
+pub(crate) enum Parted {
     Nowhere,
     AtEnd,
     AtBoth,
@@ -30,14 +30,14 @@ pub(super) enum Parted {
 /// How far before the end of a vector the laser is switched with the vector behind it, in mm: a stock
 /// arm does that a tick before its motors begin that vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct SwitchLead {
+pub(crate) struct SwitchLead {
     pub on_mm: f64,
     pub off_mm: f64,
 }
 
 impl SwitchLead {
     /// As long as the laser's speed is kept.
-    pub(super) fn at_speed(laser: &Laser, machine: &Machine) -> Self {
+    pub(crate) fn at_speed(laser: &Laser, machine: &Machine) -> Self {
         let mm = if machine.has_ticks {
             laser.burn_speed_mm_s * f64::from(TICK_S)
         } else {
@@ -49,12 +49,12 @@ impl SwitchLead {
         }
     }
 
-    pub(super) fn distance_mm(self, other: Self) -> f64 {
+    pub(crate) fn distance_mm(self, other: Self) -> f64 {
         let off_mm = (self.off_mm - other.off_mm).abs();
         (self.on_mm - other.on_mm).abs().max(off_mm)
     }
 
-    pub(super) fn half_way(self, to: Self) -> Self {
+    pub(crate) fn half_way(self, to: Self) -> Self {
         Self {
             on_mm: 0.5 * (self.on_mm + to.on_mm),
             off_mm: 0.5 * (self.off_mm + to.off_mm),
@@ -64,7 +64,7 @@ impl SwitchLead {
 
 impl LaserPath {
     /// So many mm are added to the way on which it gets to its speed.
-    pub(super) fn of(
+    pub(crate) fn of(
         points: &[Point],
         speed_mm_s: f64,
         lead: SwitchLead,
@@ -137,7 +137,7 @@ fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
 }
 
 /// How far beyond the end of a stroke a laser goes at the most, in mm.
-pub(super) fn run_mm(laser: &Laser, machine: &Machine) -> f64 {
+pub(crate) fn run_mm(laser: &Laser, machine: &Machine) -> f64 {
     let speed_mm_s = laser.burn_speed_mm_s;
     let run_out_mm = packet_mm(speed_mm_s, machine).max(LEAST_RUN_OUT_MM);
     SwitchLead::at_speed(laser, machine).off_mm + run_out_mm + gain_mm(speed_mm_s, machine)
@@ -183,7 +183,7 @@ pub fn burned_corners(stroke: &Stroke) -> Vec<Point> {
 
 /// The corners of a stroke as a laser can burn them, two or more. What is shorter than the spot is a line as long as that, as far to
 /// one side of it as to the other.
-pub(super) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
+pub(crate) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
     let points = burned_corners(stroke);
     if points.len() > 1 && stroke.length_mm() >= DOT_MM {
         return points;
@@ -197,7 +197,7 @@ pub(super) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
 
 /// The speed at which a laser burns a path: a stock arm switches it between ticks, so that what is
 /// shorter than a tick at its own speed is burned for a whole one.
-pub(super) fn burn_speed_mm_s(points: &[Point], laser: &Laser, machine: &Machine) -> f64 {
+pub(crate) fn burn_speed_mm_s(points: &[Point], laser: &Laser, machine: &Machine) -> f64 {
     let length_mm: f64 = points.windows(2).map(|it| it[0].distance(it[1])).sum();
     if machine.has_ticks {
         laser.burn_speed_mm_s.min(length_mm / f64::from(TICK_S))
@@ -236,7 +236,7 @@ pub const DOT_MM: f64 = 0.2;
 /// No vector that a laser burns is shorter, but of a stroke that is: the link would have it burn a hole there.
 pub const LEAST_BURN_MM: f64 = 0.08;
 /// Nobody sees less burned, or so far aside.
-pub(super) const NEAR_MM: f64 = 0.005;
+pub(crate) const NEAR_MM: f64 = 0.005;
 const LEAST_RUN_OUT_MM: f64 = 0.1;
 /// Ways to get faster and slower are a little longer than they have to be, for rounding.
 const RUN_SPARE: f64 = 1.01;

@@ -2,7 +2,7 @@
 
 use dobot_arm::{FOREARM, REAR_ARM};
 
-use crate::vector::length;
+use crate::path::vector::length;
 
 /// What the joints allow along a straight vector.
 ///
@@ -14,7 +14,7 @@ use crate::vector::length;
 ///   fore = gamma - elevation
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub(super) struct JointSpeeds {
+pub(crate) struct JointSpeeds {
     /// The largest speed of base, rear arm and forearm, in rad/s.
     limit_rad_s: f64,
     /// How far the tool reaches beyond the wrist, in mm.
@@ -22,7 +22,7 @@ pub(super) struct JointSpeeds {
 }
 
 impl JointSpeeds {
-    pub(super) const fn new(limit_deg_s: f64, tool_mm: f64) -> Self {
+    pub(crate) const fn new(limit_deg_s: f64, tool_mm: f64) -> Self {
         Self {
             limit_rad_s: limit_deg_s.to_radians(),
             tool_mm,
@@ -31,7 +31,7 @@ impl JointSpeeds {
 
     /// The largest speed of the tool from here along this way, in mm/s, no more than `wanted_mm_s`.
     /// Places out of reach count for nothing: whoever checks reach refuses them.
-    pub(super) fn cap(&self, here: [f64; 3], way: [f64; 3], wanted_mm_s: f64) -> f64 {
+    pub(crate) fn cap(&self, here: [f64; 3], way: [f64; 3], wanted_mm_s: f64) -> f64 {
         let length_mm = length(way);
         if self.is_easy(here, length_mm, wanted_mm_s) {
             return wanted_mm_s;

@@ -13,12 +13,12 @@ use std::iter;
 use dobot_motion::{Cut, Profile};
 use dobot_wire::single;
 
-use crate::commands::write;
-use crate::landing::Landing;
-use crate::planner::round_down;
-use crate::tick::TICK_S;
-use crate::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
-use crate::ticker::{Ticker, length};
+use crate::path::commands::write;
+use crate::path::endpoint::Landing;
+use crate::path::planner::round_down;
+use crate::ticks::tick::TICK_S;
+use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
+use crate::ticks::ticker::{Ticker, length};
 use crate::{DrawingTool, Machine, MoveKind, PlannedVector};
 
 /// A vector that burns takes no longer, in s, unless a stock arm only speeds up and brakes on it.
@@ -27,7 +27,7 @@ pub const LONGEST_BURN_S: f64 = 0.18;
 pub const LONGEST_DRAW_S: f64 = 0.34;
 
 /// Cuts long vectors into pieces. Ways, speeds and times stay as they are.
-pub(super) struct Pieces {
+pub(crate) struct Pieces {
     acceleration_mm_s2: f64,
     /// An arm with ticks as it runs the vectors, and as it runs their pieces.
     arms: Option<[TickedArm; 2]>,
@@ -35,7 +35,7 @@ pub(super) struct Pieces {
 
 impl Pieces {
     /// Those of the first vectors of a plan, which begins at this place.
-    pub(super) fn new(machine: &Machine, tool: &DrawingTool, start: [f64; 3]) -> Self {
+    pub(crate) fn new(machine: &Machine, tool: &DrawingTool, start: [f64; 3]) -> Self {
         let arm = Ticker::of(machine, 0.0).map(|ticker| TickedArm {
             ticker,
             landing: Landing::new(machine, tool),
@@ -48,7 +48,7 @@ impl Pieces {
     }
 
     /// The pieces of the next vector, behind which comes another one.
-    pub(super) fn of(
+    pub(crate) fn of(
         &mut self,
         vector: &PlannedVector,
         next: Option<&PlannedVector>,
@@ -380,7 +380,7 @@ mod tests {
             is.len()
         );
         for (tick, (a, b)) in was.iter().zip(&is).enumerate() {
-            let off_mm = crate::vector::length([0, 1, 2].map(|i| a.0[i] - b.0[i]));
+            let off_mm = crate::path::vector::length([0, 1, 2].map(|i| a.0[i] - b.0[i]));
             prop_assert!(off_mm < 0.005, "{off_mm} mm in tick {tick}: {a:?}, {b:?}");
         }
         Ok(())

@@ -1,20 +1,20 @@
 //! How a stock arm is to run a chain: round after round, until no corner turns the tool too fast.
 
-use crate::aim::Aim;
-use crate::chain::{ChainSpeeds, LEAST_SHARE};
-use crate::lookahead::ChainVector;
-use crate::planner::{Planner, round_down};
-use crate::seen::TickPositions;
-use crate::speeds::Speeds;
-use crate::tick::TICK_S;
-use crate::tick_chain::{Breadth, LastPlaces, TickChain};
-use crate::tick_fit::TickFit;
-use crate::ticker::Ticker;
+use crate::path::planner::{Planner, round_down};
+use crate::speed::chain::{ChainSpeeds, LEAST_SHARE};
+use crate::speed::lookahead::ChainVector;
+use crate::speed::objective::Aim;
+use crate::speed::sampled_acceleration::TickPositions;
+use crate::speed::speeds::Speeds;
+use crate::ticks::tick::TICK_S;
+use crate::ticks::tick_chain::{Breadth, LastPlaces, TickChain};
+use crate::ticks::tick_fit::TickFit;
+use crate::ticks::ticker::Ticker;
 use crate::{MoveKind, PlannedVector};
 
 impl Planner<'_> {
     /// The chain ends, on an arm with ticks: its speeds can be planned.
-    pub(super) fn rest_in_ticks(&mut self, begin: usize) {
+    pub(crate) fn rest_in_ticks(&mut self, begin: usize) {
         self.plan_lone(0);
         let Some(ticker) = self.ticker.take() else {
             return;
@@ -126,7 +126,7 @@ impl Planner<'_> {
 
     /// What the speeds should be if there were no ticks. A pen may be as fast on each vector as that vector allows: what the
     /// link allows is told by the ticks.
-    pub(super) fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
+    pub(crate) fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
         let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.aim).collect();
         if self.aim == Aim::Soon {

@@ -2,8 +2,8 @@
 
 use dobot_arm::TICK_S;
 
-use crate::link::Credit;
-use crate::lookahead::{ChainVector, Cornering};
+use crate::speed::link::Credit;
+use crate::speed::lookahead::{ChainVector, Cornering};
 use crate::{DrawingTool, LinkRate, Machine};
 
 /// What decides how long a stroke takes.

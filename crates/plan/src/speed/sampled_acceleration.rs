@@ -2,14 +2,14 @@
 
 use dobot_motion::Cut;
 
-use crate::lookahead::ChainVector;
-use crate::speeds::{Ramps, Speeds};
-use crate::tick::TICK_S;
-use crate::vector::length;
+use crate::path::vector::length;
+use crate::speed::lookahead::ChainVector;
+use crate::speed::speeds::{Ramps, Speeds};
+use crate::ticks::tick::TICK_S;
 
 /// A chain of vectors in motion: when the tool is at its corners, and where.
 #[derive(Debug)]
-pub(super) struct SeenMotion<'a> {
+pub(crate) struct SeenMotion<'a> {
     chain: &'a [ChainVector],
     speeds: &'a [Speeds],
     ramps: Vec<Ramps>,
@@ -19,7 +19,7 @@ pub(super) struct SeenMotion<'a> {
 }
 
 impl<'a> SeenMotion<'a> {
-    pub(super) fn new(
+    pub(crate) fn new(
         chain: &'a [ChainVector],
         speeds: &'a [Speeds],
         acceleration_mm_s2: f64,
@@ -47,7 +47,7 @@ impl<'a> SeenMotion<'a> {
     /// where the share is not below `least`.
     ///
     /// It is looked at each corner that is seen together with a changed vector, and around it as far as the corner is seen.
-    pub(super) fn shares(&self, least: f64, changed: &[bool]) -> Vec<f64> {
+    pub(crate) fn shares(&self, least: f64, changed: &[bool]) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.chain.len()];
         let allowed_mm = seen_mm(self.acceleration_mm_s2);
         let most_mm2 = (allowed_mm / least).powi(2);
@@ -123,7 +123,7 @@ impl<'a> SeenMotion<'a> {
 
 /// A chain of vectors in ticks: where the tool is at each.
 #[derive(Debug)]
-pub(super) struct TickPositions {
+pub(crate) struct TickPositions {
     /// In mm from where it begins.
     places: Vec<[f64; 3]>,
     /// At which tick each vector ends.
@@ -141,14 +141,14 @@ impl Default for TickPositions {
 
 impl TickPositions {
     /// The next vector, as the arm runs it.
-    pub(super) fn push(&mut self, run: &ChainVector, cut: &Cut) {
+    pub(crate) fn push(&mut self, run: &ChainVector, cut: &Cut) {
         let begin = self.places[self.places.len() - 1];
         self.places.extend(at_ticks(begin, run.direction, cut));
         self.ends.push(self.places.len() - 1);
     }
 
     /// As [`SeenMotion::shares`]. The tool stands before the chain and behind it.
-    pub(super) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
+    pub(crate) fn shares(&self, acceleration_mm_s2: f64, least: f64) -> Vec<f64> {
         let mut shares = vec![1.0_f64; self.ends.len()];
         let allowed_mm = seen_mm(acceleration_mm_s2);
         let last = self.places.len() - 1;
@@ -171,7 +171,7 @@ impl TickPositions {
 }
 
 /// Where the tool is at each tick of a vector that it runs from there in this direction.
-pub(super) fn at_ticks(
+pub(crate) fn at_ticks(
     begin: [f64; 3],
     direction: [f64; 3],
     cut: &Cut,
@@ -183,11 +183,11 @@ pub(super) fn at_ticks(
 }
 
 /// The second difference of places a window apart at this acceleration, in mm.
-pub(super) fn seen_mm(acceleration_mm_s2: f64) -> f64 {
+pub(crate) fn seen_mm(acceleration_mm_s2: f64) -> f64 {
     acceleration_mm_s2 * WINDOW_S * WINDOW_S
 }
 
-pub(super) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> f64 {
+pub(crate) fn second_difference(before: [f64; 3], now: [f64; 3], after: [f64; 3]) -> f64 {
     length(change(before, now, after))
 }
 
@@ -204,7 +204,7 @@ fn on(place: [f64; 3], run: &ChainVector, way_mm: f64) -> [f64; 3] {
 }
 
 /// The time between two statuses of a stock arm: how the arm itself is seen to move.
-pub(super) const WINDOW_S: f64 = 0.08;
+pub(crate) const WINDOW_S: f64 = 0.08;
 /// Where around a corner it is looked.
 const AROUND: [f64; 11] = [
     -0.9, -0.8, -0.65, -0.45, -0.25, 0.0, 0.25, 0.45, 0.65, 0.8, 0.9,
@@ -212,4 +212,4 @@ const AROUND: [f64; 11] = [
 /// How far from a corner a vector is at the most that is seen with it: looked around it as above, a window before and behind.
 const AROUND_S: f64 = 2.0 * WINDOW_S;
 /// The same in ticks.
-pub(super) const WINDOW_TICKS: usize = 4;
+pub(crate) const WINDOW_TICKS: usize = 4;

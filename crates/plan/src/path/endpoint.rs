@@ -2,13 +2,13 @@
 
 use dobot_arm::stock;
 
-use crate::commands::write;
-use crate::ticker::Ticker;
+use crate::path::commands::write;
+use crate::ticks::ticker::Ticker;
 use crate::{DrawingTool, Machine, PlannedVector};
 
 /// Where vectors lead: exactly their increments further, or to where a stock arm takes itself to be then.
 #[derive(Clone, Debug)]
-pub(super) struct Landing {
+pub(crate) struct Landing {
     stock: Option<StockLanding>,
 }
 
@@ -21,7 +21,7 @@ struct StockLanding {
 }
 
 impl Landing {
-    pub(super) fn new(machine: &Machine, tool: &DrawingTool) -> Self {
+    pub(crate) fn new(machine: &Machine, tool: &DrawingTool) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "as the arm holds it")]
         let tool_mm = tool.reach_mm() as f32;
         let stock = |ticker| StockLanding { tool_mm, ticker };
@@ -31,7 +31,7 @@ impl Landing {
     }
 
     /// Where these increments lead from here, in mm, as far as is known without their speeds.
-    pub(super) fn about(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
+    pub(crate) fn about(&self, here: [f64; 3], way: [f32; 3]) -> [f64; 3] {
         match &self.stock {
             Some(it) => stock::behind(here, way, it.tool_mm),
             None => [0, 1, 2].map(|i| here[i] + f64::from(way[i])),
@@ -40,7 +40,7 @@ impl Landing {
 
     /// Where the next vector leads from here, in mm. A stock arm adds up its ticks in single precision: what that makes of a
     /// vector differs by a millionth of a millimetre, thousands of times in the same direction.
-    pub(super) fn behind(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
+    pub(crate) fn behind(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         let way = match &mut self.stock {
             Some(it) => it.ticker.leads_mm(&write(vector)),

@@ -9,15 +9,15 @@
 //!               planned together
 //! ```
 
-use crate::aim::Aim;
-use crate::lookahead::ChainVector;
-use crate::planner::{Planner, round_down};
-use crate::speeds::Speeds;
-use crate::tick_chain::{Breadth, TickChain};
+use crate::path::planner::{Planner, round_down};
+use crate::speed::lookahead::ChainVector;
+use crate::speed::objective::Aim;
+use crate::speed::speeds::Speeds;
+use crate::ticks::tick_chain::{Breadth, TickChain};
 
 /// Those that are not planned yet.
 #[derive(Debug, Default)]
-pub(super) struct LoneVectors {
+pub(crate) struct LoneVectors {
     chain: Vec<ChainVector>,
     /// How each should be run if there were no ticks.
     speeds: Vec<Speeds>,
@@ -27,7 +27,7 @@ pub(super) struct LoneVectors {
 
 impl Planner<'_> {
     /// The chain is a lone vector.
-    pub(super) fn note_lone(&mut self) {
+    pub(crate) fn note_lone(&mut self) {
         let limits_mm_s = [self.chain[0].limit_mm_s];
         let (chain_speeds, speeds) = self.wanted(&limits_mm_s);
         self.chain_speeds = chain_speeds;
@@ -42,7 +42,7 @@ impl Planner<'_> {
 
     /// Plans the lone vectors so far, which are the last ones before the chain: all but so many of them, whose plans may
     /// change with what follows.
-    pub(super) fn plan_lone(&mut self, but: usize) {
+    pub(crate) fn plan_lone(&mut self, but: usize) {
         let Some(mut ticker) = self.ticker.take() else {
             return;
         };

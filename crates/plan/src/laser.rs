@@ -1,0 +1,5 @@
+//! Strokes that a laser burns.
+
+pub(crate) mod burn;
+pub(crate) mod laser_path;
+pub(crate) mod slow_burning;

@@ -1,0 +1,13 @@
+//! The speeds of vectors: how fast arm, joints and link let them be run.
+
+pub(crate) mod acceleration;
+pub(crate) mod chain;
+pub(crate) mod duration_estimate;
+pub(crate) mod joints;
+pub(crate) mod link;
+pub(crate) mod lookahead;
+pub(crate) mod motion;
+pub(crate) mod objective;
+pub(crate) mod respeed;
+pub(crate) mod sampled_acceleration;
+pub(crate) mod speeds;

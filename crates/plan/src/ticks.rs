@@ -1,0 +1,8 @@
+//! A stock arm runs vectors in whole ticks of 20 ms: the search for the speeds that fit (note N48).
+
+pub(crate) mod stop_each;
+pub(crate) mod tick;
+pub(crate) mod tick_chain;
+pub(crate) mod tick_fit;
+pub(crate) mod tick_planner;
+pub(crate) mod ticker;
