@@ -30,64 +30,42 @@
 //! so that together they keep it. Arcs come from the SVG reader as cubic curves, which lie within
 //! 0.03 % of their radius; that share is part of the path wanted, as it is in a browser.
 
-mod backlash;
-mod calibrated;
-mod card;
-mod clip;
-mod copies;
-mod cutting;
-mod doubles;
-mod estimate;
-mod export;
-mod frame;
-mod give_up;
-mod hatch;
-mod ink;
+mod arm;
+mod layout;
 mod material;
-mod merge;
-mod offset;
 mod options;
-mod order;
-mod picture;
-mod place;
+mod output;
+mod preparation;
 mod prepare;
-mod preview;
-mod program_files;
-mod progress;
-mod sheet;
-mod simplify;
-mod start;
-mod timeline;
-mod together;
-mod trace;
+mod strokes;
 
-pub use calibrated::known_paper;
-pub use card::{Card, CardError};
-pub use clip::{Clipped, clip_to_reach};
-pub use copies::Grid;
-pub use cutting::Cutting;
-pub use estimate::{Estimate, PassFigures, ToolKind};
-pub use export::{ExportFormat, export};
-pub use frame::{FrameShape, frame};
-pub use give_up::GiveUp;
-pub use hatch::{Hatch, HatchError, HatchStyle, hatch};
-pub use ink::{InkLine, ink_seen};
+pub use arm::calibrated::known_paper;
+pub use arm::resume_point::{StartError, StartFrom};
+pub use layout::clip::{Clipped, clip_to_reach};
+pub use layout::copies::Grid;
+pub use layout::frame::{FrameShape, frame};
+pub use layout::place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
+pub use layout::sheet::{PaperSize, SheetPlace};
+pub use layout::test_card::{Card, CardError};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
-pub use merge::merge;
 pub use options::{
     Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PassesBy, PathOptions,
     PlaceOptions, Spacing, Subject, ToolOptions, WITHOUT_ARM_Z_MM,
 };
-pub use order::{Search, Travel, order};
-pub use picture::{Colors, Picture, PictureError, View};
-pub use place::{AREA, PlaceError, Placed, Placement, Size, check_reach};
+pub use output::estimate::{Estimate, PassFigures, ToolKind};
+pub use output::export::{ExportFormat, export};
+pub use output::ink::{InkLine, ink_seen};
+pub use output::picture::{Colors, Picture, PictureError, View};
+pub use output::timeline::{Moves, Path, Timeline};
+pub use output::trace::{Sample, StartNotReached, Trace};
+pub use preparation::cancel::GiveUp;
+pub use preparation::program_files::ProgramFiles;
+pub use preparation::progress::{PrepareStep, Progress};
 pub use prepare::{
     NamedSource, PrepareError, Prepared, Settings, prepare, prepare_passes, prepare_together,
 };
-pub use program_files::ProgramFiles;
-pub use progress::{PrepareStep, Progress};
-pub use sheet::{PaperSize, SheetPlace};
-pub use simplify::{MIN_VECTOR_MM, simplify, simplify_at};
-pub use start::{StartError, StartFrom};
-pub use timeline::{Moves, Path, Timeline};
-pub use trace::{Sample, StartNotReached, Trace};
+pub use strokes::cutting::Cutting;
+pub use strokes::hatch::{Hatch, HatchError, HatchStyle, hatch};
+pub use strokes::merge::merge;
+pub use strokes::order::{Search, Travel, order};
+pub use strokes::simplify::{MIN_VECTOR_MM, simplify, simplify_at};

@@ -11,16 +11,16 @@ use dobot_wire::Dialect;
 
 use super::check::check;
 use super::{ContentOptions, Options, OptionsError, PassesBy, PlaceOptions, Spacing, ToolOptions};
-use crate::calibrated::known_paper;
-use crate::card::Card;
-use crate::cutting::Cutting;
-use crate::give_up::GiveUp;
-use crate::hatch::Hatch;
+use crate::arm::calibrated::known_paper;
+use crate::layout::place::{AREA, Placement, Size};
+use crate::layout::sheet::SheetPlace;
+use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
-use crate::place::{AREA, Placement, Size};
+use crate::preparation::cancel::GiveUp;
+use crate::preparation::progress::Progress;
 use crate::prepare::{NamedSource, Prepared, Settings, prepare_passes, prepare_together};
-use crate::progress::Progress;
-use crate::sheet::SheetPlace;
+use crate::strokes::cutting::Cutting;
+use crate::strokes::hatch::Hatch;
 
 /// A drawing that was asked for: what it is, and how it is to be drawn apart from what depends on the
 /// arm.

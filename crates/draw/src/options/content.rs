@@ -6,7 +6,7 @@ use dobot_import::{Align, LayersBy, ShadingStyle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::hatch::HatchStyle;
+use crate::strokes::hatch::HatchStyle;
 
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

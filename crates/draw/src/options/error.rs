@@ -3,9 +3,9 @@
 use dobot_plan::PaperError;
 use thiserror::Error;
 
-use crate::card::CardError;
+use crate::layout::place::PlaceError;
+use crate::layout::test_card::CardError;
 use crate::material::UnknownMaterial;
-use crate::place::PlaceError;
 use crate::prepare::PrepareError;
 
 /// What is wrong with what was asked for.

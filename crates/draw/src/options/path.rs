@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::arm::resume_point::StartFrom;
 use crate::prepare::{Settings, TRIES};
-use crate::start::StartFrom;
 
 /// How it is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

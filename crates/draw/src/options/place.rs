@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::copies::Grid;
-use crate::sheet::PaperSize;
+use crate::layout::copies::Grid;
+use crate::layout::sheet::PaperSize;
 
 /// Where it goes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -7,15 +7,15 @@ use dobot_plan::{DrawingTool, Pass};
 
 use super::layers;
 use super::{MOST_REACH_MM, PrepareError, Settings, beside_mm};
-use crate::calibrated::told_strokes;
-use crate::clip::{Clipped, clip_to_reach};
-use crate::cutting::{inner_first, layers_inner_first};
-use crate::doubles::without_doubles;
-use crate::hatch::hatch;
-use crate::merge::merge;
-use crate::order::order_until;
-use crate::place::PlaceError;
-use crate::progress::PrepareStep;
+use crate::arm::calibrated::told_strokes;
+use crate::layout::clip::{Clipped, clip_to_reach};
+use crate::layout::place::PlaceError;
+use crate::preparation::progress::PrepareStep;
+use crate::strokes::cutting::{inner_first, layers_inner_first};
+use crate::strokes::duplicate_lines::without_doubles;
+use crate::strokes::hatch::hatch;
+use crate::strokes::merge::merge;
+use crate::strokes::order::order_until;
 
 /// The layers as passes, each in a good order, beside those that are left out: a hole is one also where its part is cut another
 /// time.

@@ -6,8 +6,8 @@ use dobot_geometry::{Point, Stroke};
 use dobot_import::{Artwork, Layer, ReadOptions, Source, SourceError, Warning};
 
 use super::{NamedSource, PrepareError, Settings};
-use crate::place::Placed;
-use crate::together::together;
+use crate::layout::multi_file::together;
+use crate::layout::place::Placed;
 
 /// The layers on the paper, within the share of the tolerance that is for curves.
 ///

@@ -9,15 +9,15 @@ use dobot_import::{LayersBy, Shading, ShadingStyle};
 use dobot_plan::{DrawingTool, Machine, Paper};
 
 use super::PrepareError;
-use crate::copies::Grid;
-use crate::cutting::Cutting;
-use crate::give_up::GiveUp;
-use crate::hatch::{Hatch, hatch};
-use crate::order::{Search, Travel};
-use crate::place::Placement;
-use crate::progress::Progress;
-use crate::simplify::MIN_VECTOR_MM;
-use crate::start::StartFrom;
+use crate::arm::resume_point::StartFrom;
+use crate::layout::copies::Grid;
+use crate::layout::place::Placement;
+use crate::preparation::cancel::GiveUp;
+use crate::preparation::progress::Progress;
+use crate::strokes::cutting::Cutting;
+use crate::strokes::hatch::{Hatch, hatch};
+use crate::strokes::order::{Search, Travel};
+use crate::strokes::simplify::MIN_VECTOR_MM;
 
 /// How a drawing is to be made.
 #[derive(Clone, Debug)]

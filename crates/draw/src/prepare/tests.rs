@@ -1,10 +1,10 @@
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 
 use super::*;
-use crate::cutting::Cutting;
-use crate::frame::{FrameShape, frame};
-use crate::hatch::{Hatch, HatchStyle};
-use crate::place::{Placement, Size};
+use crate::layout::frame::{FrameShape, frame};
+use crate::layout::place::{Placement, Size};
+use crate::strokes::cutting::Cutting;
+use crate::strokes::hatch::{Hatch, HatchStyle};
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Random, Vec2, deviation};
 use dobot_plan::{Laser, Machine, MoveKind, Pace};
@@ -793,7 +793,7 @@ fn what_the_arm_burns_slower_than_asked_for_is_told_with_the_speed_at_which_it_i
 
 #[test]
 fn on_a_sheet_with_a_margin_nothing_is_drawn_in_the_margin() {
-    use crate::sheet::SheetPlace;
+    use crate::layout::sheet::SheetPlace;
     let source = Source::Lines(vec![vec![Point::new(0.0, 0.0), Point::new(90.0, 0.0)]]);
     let sheet = SheetPlace::centered("80x60".parse().unwrap(), Point::new(230.0, 0.0));
     let mut settings = Settings::default();

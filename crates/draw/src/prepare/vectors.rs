@@ -7,8 +7,8 @@ use dobot_plan::{
 };
 
 use super::{PrepareError, Settings};
-use crate::calibrated::shortened;
-use crate::simplify::{
+use crate::arm::calibrated::shortened;
+use crate::strokes::simplify::{
     PlannedWay, Way, fast_ways_at, fewest_at, fewest_long_at, seemingly_fastest_at, spliced_at,
 };
 

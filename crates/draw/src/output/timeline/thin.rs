@@ -1,6 +1,6 @@
 //! Which moments are needed so that what lies between them can be told.
 
-use crate::trace::{Ink, TracePoint};
+use crate::output::trace::{Ink, TracePoint};
 
 /// The moments between which the tool goes straight and evenly: what is left out is never farther
 /// than 0.05 mm from where it would be at that time, and its error no more than 0.02 mm from what

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use super::nodes::{Near, Nodes};
 use super::tour::{MOST, Tour};
-use crate::give_up::GiveUp;
+use crate::preparation::cancel::GiveUp;
 
 /// Exchanges edges as long as the tour gets shorter (Lin and Kernighan's way): an edge is taken
 /// out, a shorter one to a near node put in, an edge there taken out, and so on, until joining the

@@ -7,8 +7,8 @@ use dobot_plan::Plan;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::estimate::{Estimate, PassFigures};
-use crate::trace::{Ink, Trace, TracePoint};
+use crate::output::estimate::{Estimate, PassFigures};
+use crate::output::trace::{Ink, Trace, TracePoint};
 
 /// A drawing in time, for a page that lets a person go to any moment of it.
 ///

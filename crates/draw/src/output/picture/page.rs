@@ -5,7 +5,7 @@ use dobot_lettering::{Rectangle, ShapeStyle, Sheet, desk};
 
 use super::REACH_MM;
 use super::lines::{area_on_picture, seen};
-use crate::sheet::SheetPlace;
+use crate::layout::sheet::SheetPlace;
 
 /// The ring that the arm reaches, its base, and the drawing area or the sheet.
 pub(super) fn workspace(sheet: &mut Sheet, area: Rect, place: Option<&SheetPlace>, unit: f64) {

@@ -11,9 +11,9 @@ use thiserror::Error;
 pub use self::colors::Colors;
 use self::lines::{area_on_picture, by_class, on_picture, seen};
 use self::page::{frame, workspace};
-use crate::estimate::PassFigures;
-use crate::ink::InkLine;
-use crate::sheet::SheetPlace;
+use crate::layout::sheet::SheetPlace;
+use crate::output::estimate::PassFigures;
+use crate::output::ink::InkLine;
 use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_lettering::{ShapeStyle, Sheet};
 use dobot_plan::{MoveKind, Plan};
@@ -202,7 +202,7 @@ mod tests {
             title: "a < test & more",
             figures: Box::leak(Box::new([("strokes".to_owned(), "2".to_owned())])),
             passes: &[],
-            area: crate::place::AREA,
+            area: crate::layout::place::AREA,
             sheet: None,
             plan: Box::leak(Box::new(plan)),
             drawn: drawn.leak(),

@@ -3,8 +3,8 @@
 use dobot_geometry::{Rect, Vec2, bounds};
 use dobot_import::{Align, Artwork, Source};
 
-use crate::copies::in_cells;
-use crate::place::PlaceError;
+use crate::layout::copies::in_cells;
+use crate::layout::place::PlaceError;
 use crate::prepare::Settings;
 
 /// All parts as one page: files each where it is on its own page, or side by side in the cells of a grid; texts

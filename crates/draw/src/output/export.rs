@@ -6,7 +6,7 @@ use std::str::FromStr;
 use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_plan::{DOT_MM, DrawingTool, Pass};
 
-use crate::sheet::SheetPlace;
+use crate::layout::sheet::SheetPlace;
 
 /// The kinds of files that a drawing can be written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dobot_geometry::{Line, ParamCurveNearest, Point, Rect};
 
-use crate::ink::InkLine;
+use crate::output::ink::InkLine;
 
 /// X up, Y to the left.
 pub(super) fn on_picture(p: Point) -> Point {

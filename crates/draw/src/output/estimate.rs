@@ -4,8 +4,8 @@ use dobot_plan::{DrawingTool, PlannedPass};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::ink::point;
-use crate::trace::{Ink, Trace};
+use crate::output::ink::point;
+use crate::output::trace::{Ink, Trace};
 
 /// The figures of a drawing: the estimate of a later run is the run of a virtual arm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]

@@ -4,11 +4,11 @@ use dobot_arm::{Position, TICK_S};
 use dobot_geometry::{PathDistance, Point, Stroke};
 use dobot_plan::MoveKind;
 
-use crate::estimate::PassFigures;
-use crate::ink::InkLine;
+use crate::output::estimate::PassFigures;
+use crate::output::ink::InkLine;
+use crate::output::timeline::{MILLI, Moves, Path, Timeline, bounds_mm, figures, rounded};
+use crate::output::trace::{Ink, TracePoint, lines};
 use crate::prepare::Prepared;
-use crate::timeline::{MILLI, Moves, Path, Timeline, bounds_mm, figures, rounded};
-use crate::trace::{Ink, TracePoint, lines};
 
 impl Prepared {
     /// The drawing in time by the plan alone, one row for each vector: at once, where a

@@ -194,7 +194,7 @@ impl Default for Card {
             travel_speed_mm_s: Laser::default().travel_speed_mm_s,
             label_speed_mm_s: 8.0,
             caption: String::new(),
-            center: crate::place::AREA.center(),
+            center: crate::layout::place::AREA.center(),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use dobot_geometry::{FillRule, Line, ParamCurveNearest, Point, Rect, SegmentIndex, Stroke, Vec2};
 
-use crate::offset::{SimpleArea, closed};
+use crate::strokes::offset::{SimpleArea, closed};
 
 /// How shapes are cut out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

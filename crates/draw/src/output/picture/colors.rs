@@ -3,7 +3,7 @@
 use dobot_lettering::ShapeStyle;
 use dobot_plan::Plan;
 
-use crate::ink::InkLine;
+use crate::output::ink::InkLine;
 
 /// What the colours of the ink mean.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use dobot_geometry::{PathDistance, Stroke};
 use dobot_plan::{Paper, Plan};
 use thiserror::Error;
 
-use crate::ink::{InkLine, point, writes};
+use crate::output::ink::{InkLine, point, writes};
 
 /// A plan as a virtual arm carried it out.
 ///

@@ -8,7 +8,7 @@ use dobot_import::{Artwork, Layer};
 use dobot_plan::{MoveKind, Paper, Plan};
 use thiserror::Error;
 
-use crate::sheet::SheetPlace;
+use crate::layout::sheet::SheetPlace;
 
 /// Where drawings go unless told otherwise or larger: 120 mm deep and 200 mm wide, all of it inside reach.
 pub const AREA: Rect = Rect::new(150.0, -100.0, 270.0, 100.0);

@@ -5,8 +5,8 @@ use dobot_arm::Position;
 use dobot_geometry::{HeightMap, Point, Stroke, steps};
 use dobot_plan::{DrawingTool, Paper, Pass};
 
+use crate::layout::place::PlaceError;
 use crate::options::OptionsError;
-use crate::place::PlaceError;
 use crate::prepare::Settings;
 
 /// The paper as a calibration knows it.

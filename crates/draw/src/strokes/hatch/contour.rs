@@ -3,7 +3,7 @@
 use dobot_geometry::{Area, Line, ParamCurveNearest, Point, SegmentIndex, Stroke, bounds};
 
 use super::{Hatch, HatchError};
-use crate::offset::{SimpleArea, closed};
+use crate::strokes::offset::{SimpleArea, closed};
 
 /// Closed lines inside of each other, so far apart. The edge of the area is drawn already: where no
 /// inset is asked for, the first lies one spacing inside.

@@ -6,7 +6,7 @@ use dobot_lettering::{Anchor, ShapeStyle, Sheet, TextStyle};
 
 use super::colors::pass_color;
 use super::{Colors, Picture, TRAVEL, unit};
-use crate::estimate::PassFigures;
+use crate::output::estimate::PassFigures;
 
 impl Picture<'_> {
     /// Title, legend, figures and passes around the paper.

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use dobot_geometry::Point;
 use dobot_plan::{Machine, Pass};
 
-use crate::order::Travel;
+use crate::strokes::order::Travel;
 
 /// How far a preparation is: whoever asked for it looks from another thread.
 #[derive(Clone, Debug, Default)]

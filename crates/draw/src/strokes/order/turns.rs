@@ -13,7 +13,7 @@ use dobot_geometry::Random;
 
 use super::nodes::{Near, Nodes};
 use super::row::{Part, Row};
-use crate::give_up::GiveUp;
+use crate::preparation::cancel::GiveUp;
 
 /// Moves parts of a row as long as it gets shorter.
 #[derive(Debug)]

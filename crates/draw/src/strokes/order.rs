@@ -25,7 +25,7 @@ use self::search::LocalSearch;
 use self::stops::{Stop, cost, drawn, given, turn_loops};
 pub use self::travel::Travel;
 use self::turns::Turns;
-use crate::give_up::GiveUp;
+use crate::preparation::cancel::GiveUp;
 use dobot_geometry::{Point, Random, Stroke};
 
 /// What to search for, and for how long.

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use dobot_geometry::{Point, Rect, SegmentIndex, Stroke};
 
-use crate::cutting::along;
+use crate::strokes::cutting::along;
 
 /// Strokes without what lies on other ones, and how much that was.
 #[derive(Debug, PartialEq)]

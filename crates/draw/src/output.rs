@@ -1,0 +1,9 @@
+//! What comes of a drawing: trace, figures, pictures, previews and files for other programs.
+
+pub(crate) mod estimate;
+pub(crate) mod export;
+pub(crate) mod ink;
+pub(crate) mod picture;
+pub(crate) mod preview;
+pub(crate) mod timeline;
+pub(crate) mod trace;
