@@ -4,43 +4,24 @@
 //! it come from, who asks, how often) to its route (`routes`: a row a request), or becomes a WebSocket
 //! (`socket`). Whatever is not done is answered with a problem document (`dobot_api::kinds`).
 
+mod access;
 #[cfg(feature = "full")]
 mod agents;
 #[cfg(not(feature = "full"))]
 #[path = "http/not_built/agents.rs"]
 mod agents;
-mod answer;
 mod app;
-mod auth;
-mod calls;
-mod document;
-mod drawings;
-mod events;
+mod exchange;
 #[cfg(test)]
 mod fake;
-mod fleet;
-mod fleet_arms;
-mod fleet_offers;
-mod fleet_work;
-mod http_leases;
-mod learners;
-mod listen;
-mod messages;
-mod metrics;
-mod packets;
-mod page;
-mod paging;
-mod programs;
+mod fleet_routes;
+mod live;
 #[cfg(feature = "proofs")]
 mod proofs;
-mod rate;
-mod recordings;
+mod resources;
 mod route;
 mod routes;
-mod served;
-mod socket;
-mod station_api;
-mod strict_json;
+mod serve;
 #[cfg(test)]
 mod tests;
 #[cfg(feature = "full")]
@@ -48,11 +29,10 @@ mod tls;
 #[cfg(not(feature = "full"))]
 #[path = "http/not_built/tls.rs"]
 mod tls;
-mod tokens;
 
+pub use access::tokens::{Token, Tokens, TokensError};
+pub use exchange::internal_api::StationApi;
 #[cfg(feature = "proofs")]
 pub use proofs::{PROOF, prove};
-pub use served::{ServeError, Served, Web, serve};
-pub use station_api::StationApi;
+pub use serve::server::{ServeError, Served, Web, serve};
 pub use tls::TlsError;
-pub use tokens::{Token, Tokens, TokensError};

@@ -12,9 +12,9 @@ use dobot_api::Problem;
 use dobot_api::problem_kinds::{INVALID, MALFORMED, MEDIA_TYPE, TOO_MANY_CLIENTS, UNKNOWN_PATH};
 pub(super) use dobot_mcp::HttpAgents;
 
-use super::answer::{NotDone, collect};
-use super::app::{App, Peer};
-use super::auth::presented;
+use crate::http::access::auth::presented;
+use crate::http::app::{App, Peer};
+use crate::http::exchange::answer::{NotDone, collect};
 
 /// Answers an agent: what it asks for is done with its own token, as for every client of the station.
 pub(super) async fn agents(

@@ -12,14 +12,14 @@ use dobot_host::{Handle, OwnVirtualArm, PlannedFor};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
 
-use super::agents::HttpAgents;
-use super::drawings::Drawings;
-use super::http_leases::HttpLeases;
-use super::learners::Learners;
-use super::listen::ConnectionSlot;
-use super::rate::Addresses;
-use super::recordings::Recordings;
-use super::tokens::Tokens;
+use crate::http::access::http_leases::HttpLeases;
+use crate::http::access::rate::Addresses;
+use crate::http::access::tokens::Tokens;
+use crate::http::agents::HttpAgents;
+use crate::http::fleet_routes::learners::Learners;
+use crate::http::resources::drawings::Drawings;
+use crate::http::resources::recordings::Recordings;
+use crate::http::serve::listen::ConnectionSlot;
 use crate::{ArmsPort, FleetPort};
 
 /// What all requests share.

@@ -3,7 +3,7 @@
 use ring::signature::{ED25519, Ed25519KeyPair, KeyPair, UnparsedPublicKey};
 use sha2::{Digest, Sha256};
 
-use super::tokens::hex;
+use crate::http::access::tokens::hex;
 
 /// The length of a proof in bytes.
 pub const PROOF: usize = 64;

@@ -16,11 +16,11 @@ use dobot_api::{Reply, Request};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 
-use super::answer::{BODY, Body, Maybe, NotDone, Nothing, OfJob};
-use super::app::App;
-use super::calls::Asker;
+use crate::http::app::App;
+use crate::http::exchange::answer::{BODY, Body, Maybe, NotDone, Nothing, OfJob};
+use crate::http::exchange::requester::Asker;
 #[cfg(test)]
-use super::strict_json;
+use crate::http::exchange::strict_json;
 
 /// Makes the schema of a type.
 type SchemaOf = fn(&mut SchemaGenerator) -> Schema;

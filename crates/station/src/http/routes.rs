@@ -30,17 +30,17 @@ use dobot_api::problem_kinds::{
 
 pub(super) use self::calibration::{NewTouches, PaperTouches};
 pub(super) use self::virtual_arm::NewFaults;
-use super::app::App;
-use super::route::Route;
-use super::{auth, calls, page};
+use crate::http::app::App;
+use crate::http::route::Route;
+use crate::http::{access::auth, exchange::requester, resources::page};
 
 /// The router with everything.
 pub(super) fn router(app: Arc<App>) -> Router {
     let all = ROUTES.iter().fold(Router::new(), |router, route| {
         router.route(route.path, route.handler())
     });
-    all.method_not_allowed_fallback(calls::method)
-        .fallback(calls::unknown_path)
+    all.method_not_allowed_fallback(requester::method)
+        .fallback(requester::unknown_path)
         .layer(from_fn_with_state(app.clone(), auth::pass))
         .with_state(app)
 }

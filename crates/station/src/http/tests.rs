@@ -43,10 +43,10 @@ use serde_json::Value;
 use tokio::sync::watch;
 use tower::ServiceExt;
 
-use super::app::{App, AppFiles, Peer, Reach};
-use super::fake::{Asked, FakeNews, driver};
-use super::listen::ConnectionSlots;
-use super::tokens::{Token, Tokens};
+use crate::http::access::tokens::{Token, Tokens};
+use crate::http::app::{App, AppFiles, Peer, Reach};
+use crate::http::fake::{Asked, FakeNews, driver};
+use crate::http::serve::listen::ConnectionSlots;
 
 /// A station without a network.
 struct Harness {

@@ -13,8 +13,8 @@ use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use sha2::{Digest, Sha256};
 pub(super) use tokio_rustls::TlsAcceptor;
 
-use super::tokens::hex;
 use crate::TlsFiles;
+use crate::http::access::tokens::hex;
 
 /// A certificate that can be served.
 pub(super) struct Certificate {

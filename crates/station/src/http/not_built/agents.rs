@@ -3,7 +3,7 @@
 use dobot_api::problem_kinds::NOT_BUILT;
 use dobot_api::{NotBuilt, StationAddress};
 
-use super::answer::NotDone;
+use crate::http::exchange::answer::NotDone;
 
 /// No tools for agents.
 #[derive(Debug)]

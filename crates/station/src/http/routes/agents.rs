@@ -5,9 +5,9 @@ use dobot_api::problem_kinds::{
     INVALID, MEDIA_TYPE, NOT_BUILT, TIMEOUT, TOO_LARGE, TOO_MANY_CLIENTS, UNKNOWN_PATH,
 };
 
-use super::super::agents;
-use super::super::route::Route;
 use super::{DELETE, GET, POST};
+use crate::http::agents;
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

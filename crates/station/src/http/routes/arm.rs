@@ -8,9 +8,9 @@ use dobot_wire::Dialect;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::super::answer::{Body, Maybe, Nothing};
-use super::super::route::Route;
 use super::{DELETE, MOVES, POST, PUT};
+use crate::http::exchange::answer::{Body, Maybe, Nothing};
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

@@ -18,10 +18,10 @@ use dobot_calibrate::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::super::answer::{Body, Maybe, NotDone, Nothing};
-use super::super::app::App;
-use super::super::route::Route;
 use super::{GET, MOVES, POST, PUT};
+use crate::http::app::App;
+use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

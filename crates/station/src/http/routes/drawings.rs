@@ -15,12 +15,12 @@ use dobot_api::problem_kinds::{
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::super::answer::{Body, Maybe, NotDone, Number, json};
-use super::super::app::App;
-use super::super::calls::Asker;
-use super::super::drawings::{self, DrawingPart, DrawingView, MaterialView, NewDrawing};
-use super::super::route::Route;
 use super::{DELETE, GET, POST};
+use crate::http::app::App;
+use crate::http::exchange::answer::{Body, Maybe, NotDone, Number, json};
+use crate::http::exchange::requester::Asker;
+use crate::http::resources::drawings::{self, DrawingPart, DrawingView, MaterialView, NewDrawing};
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

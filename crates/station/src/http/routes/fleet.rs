@@ -8,14 +8,14 @@ use dobot_api::problem_kinds::{
 };
 use dobot_api::{FleetView, GivenArm, GivenArms, JobView, MemberAnswer, WorkView};
 
-use super::super::answer::{Body, JOB, Maybe, Nothing};
-use super::super::events::ServerSentEvent;
-use super::super::fleet::{self, FleetRequest, FleetStop};
-use super::super::fleet_arms::{self, WantedVirtualArm};
-use super::super::fleet_offers::{self, FleetOffer};
-use super::super::fleet_work::{self, FleetWork};
-use super::super::route::Route;
 use super::{DELETE, FLEET_STOP, GET, POST};
+use crate::http::exchange::answer::{Body, JOB, Maybe, Nothing};
+use crate::http::fleet_routes::members::{self, FleetRequest, FleetStop};
+use crate::http::fleet_routes::offers::{self, FleetOffer};
+use crate::http::fleet_routes::virtual_arms::{self, WantedVirtualArm};
+use crate::http::fleet_routes::work::{self, FleetWork};
+use crate::http::live::events::ServerSentEvent;
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     [stations(), work(), offers(), arms()].concat()
@@ -28,7 +28,7 @@ fn stations() -> Vec<Route> {
             GET,
             "/api/v1/fleet",
             "All stations of the fleet that have been seen",
-            fleet::fleet,
+            members::fleet,
         )
         .gives::<FleetView>(200, "the fleet")
         .problems(&[NO_FLEET]),
@@ -39,7 +39,7 @@ fn stations() -> Vec<Route> {
                 them, then each one that changes, ten times in a second at the most; and `gone` with the number of one that \
                 is not kept in mind any more, as in `{\"id\": \"...\"}`: a virtual arm that was given and has ended, or one \
                 that was replaced under its name",
-            fleet::events,
+            members::events,
         )
         .gives_as::<ServerSentEvent>(200, "text/event-stream", "the events")
         .problems(&[NO_FLEET, TOO_MANY_CLIENTS, ENDING]),
@@ -49,7 +49,7 @@ fn stations() -> Vec<Route> {
             "Stops the arms of several stations, of all where nothing else is said; anyone may. The answer tells which \
                 did not answer: their own pages stop them. A stop of all is kept by every station, and holds for those that \
                 come or come back, until a person resets it",
-            fleet::stop,
+            members::stop,
         )
         .brings::<Maybe<FleetStop>>()
         .example(r#"{"to": {"group": "room-2"}, "reason": "smoke"}"#)
@@ -60,7 +60,7 @@ fn stations() -> Vec<Route> {
             FLEET_STOP,
             "Lets the whole fleet move again after a stop of all; an arm that was stopped by itself too stays stopped. A \
                 station that is away learns of it when it comes back. For one arm alone: `DELETE /api/v1/stop` of its station",
-            fleet::reset_stop,
+            members::reset_stop,
         )
         .brings::<Maybe<Nothing>>()
         .gives::<Vec<MemberAnswer>>(200, "which stations know of it")
@@ -70,7 +70,7 @@ fn stations() -> Vec<Route> {
             "/api/v1/fleet/requests",
             "Asks several stations for the same: method, path and body are those of their own API. The token of this \
                 request goes with it, and each station looks by itself what its holder may do",
-            fleet::request,
+            members::request,
         )
         .brings::<Body<FleetRequest, JOB>>()
         .example(r#"{"to": {"members": ["desk-3"]}, "method": "GET", "path": "/api/v1/jobs"}"#)
@@ -86,7 +86,7 @@ fn work() -> Vec<Route> {
             POST,
             "/api/v1/fleet/work",
             "Submits a drawing or a job to any arm of the fleet that has what it needs: one that is free does it, once",
-            fleet_work::submit,
+            work::submit,
         )
         .brings::<Body<FleetWork, JOB>>()
         .example(WORK_EXAMPLE)
@@ -98,7 +98,7 @@ fn work() -> Vec<Route> {
             GET,
             "/api/v1/fleet/work",
             "All work that was submitted to this station for any arm, in the order in which it came",
-            fleet_work::all,
+            work::all,
         )
         .gives::<Vec<WorkView>>(200, "the work")
         .problems(WORKS),
@@ -106,7 +106,7 @@ fn work() -> Vec<Route> {
             DELETE,
             "/api/v1/fleet/work/{work}",
             "Cancels work: the station that has it lets it be, unless its arm is at it",
-            fleet_work::cancel,
+            work::cancel,
         )
         .gives::<WorkView>(200, "it is cancelled, or is being withdrawn")
         .problems(WORKS)
@@ -116,7 +116,7 @@ fn work() -> Vec<Route> {
             "/api/v1/fleet/work/{work}/give",
             "Gives work that is in doubt or has failed to another arm. This is for a person who has looked at the first one: \
                 what was drawn there may be drawn again",
-            fleet_work::give,
+            work::give,
         )
         .gives::<WorkView>(200, "it waits for another arm")
         .problems(WORKS)
@@ -132,7 +132,7 @@ fn offers() -> Vec<Route> {
             crate::OFFERS,
             "Takes work of the fleet under a key, if no other job is queued or under way here. What is answered under a key \
                 is the answer for good: the same request gets the same job, and what was refused is never done",
-            fleet_offers::offer,
+            offers::offer,
         )
         .brings::<Body<FleetOffer, JOB>>()
         .example(OFFER_EXAMPLE)
@@ -144,7 +144,7 @@ fn offers() -> Vec<Route> {
             GET,
             "/api/v1/fleet/offers/{key}",
             "What has become of work that was offered under a key",
-            fleet_offers::look,
+            offers::look,
         )
         .gives::<JobView>(200, "it was taken: the job as it is now")
         .problems(OFFERED),
@@ -152,7 +152,7 @@ fn offers() -> Vec<Route> {
             DELETE,
             "/api/v1/fleet/offers/{key}",
             "Takes an offer back: it is refused whenever it comes, and a job that has come of it ends if it has not begun",
-            fleet_offers::withdraw,
+            offers::withdraw,
         )
         .gives::<JobView>(200, "it was taken before: the job as it is now")
         .problems(OFFERED),
@@ -166,7 +166,7 @@ fn arms() -> Vec<Route> {
             GET,
             ARMS,
             "The virtual arms that this station gives to those without an arm",
-            fleet_arms::all,
+            virtual_arms::all,
         )
         .gives::<GivenArms>(200, "the virtual arms")
         .problems(GIVES),
@@ -175,7 +175,7 @@ fn arms() -> Vec<Route> {
             ARMS,
             "Gives a virtual arm: a station of the fleet with a page of its own, which accepts the tokens of this one. Whoever \
                 asks for the same name again gets the same arm, with its jobs and recordings",
-            fleet_arms::give,
+            virtual_arms::give,
         )
         .brings::<Body<WantedVirtualArm, JOB>>()
         .example(r#"{"name": "anna"}"#)
@@ -186,7 +186,7 @@ fn arms() -> Vec<Route> {
             DELETE,
             "/api/v1/fleet/virtual-arms/{name}",
             "Ends a virtual arm; its jobs and recordings stay for the next one of its name",
-            fleet_arms::end,
+            virtual_arms::end,
         )
         .gives::<GivenArms>(200, "those that are left")
         .problems(GIVES)

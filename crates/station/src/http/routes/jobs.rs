@@ -14,12 +14,12 @@ use dobot_supervisor::Refusal;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::super::answer::{Body, JOB, Maybe, NotDone, Nothing, Number, OfJob};
-use super::super::app::App;
-use super::super::calls::{Asker, queued};
-use super::super::paging::{PAGES, Page};
-use super::super::route::Route;
 use super::{ADJUSTS, DELETE, GET, MOVES, POST, PUT};
+use crate::http::app::App;
+use crate::http::exchange::answer::{Body, JOB, Maybe, NotDone, Nothing, Number, OfJob};
+use crate::http::exchange::paging::{PAGES, Page};
+use crate::http::exchange::requester::{Asker, queued};
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     [kept(), carried_out()].concat()

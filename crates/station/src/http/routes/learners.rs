@@ -2,10 +2,10 @@
 
 use dobot_api::problem_kinds::{INVALID, ROLE, TOO_MANY};
 
-use super::super::answer::{BODY, Body};
-use super::super::learners::{self, LearnerView, Progress};
-use super::super::route::Route;
 use super::{GET, POST};
+use crate::http::exchange::answer::{BODY, Body};
+use crate::http::fleet_routes::learners::{self, LearnerView, Progress};
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

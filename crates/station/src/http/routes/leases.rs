@@ -8,12 +8,12 @@ use dobot_api::{ClientId, LeaseView, Problem, Reply, Request, TimeSlot};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::super::answer::{Body, Maybe, NotDone, Nothing};
-use super::super::app::Caller;
-use super::super::calls::{Asker, is_name};
-use super::super::http_leases::LASTS;
-use super::super::route::Route;
 use super::{DELETE, GET, POST, PUT};
+use crate::http::access::http_leases::LASTS;
+use crate::http::app::Caller;
+use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
+use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

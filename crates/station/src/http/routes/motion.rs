@@ -17,11 +17,11 @@ use serde::Deserialize;
 use tokio::sync::broadcast;
 use tokio::sync::broadcast::error::RecvError;
 
-use super::super::answer::{Body, Maybe, NotDone, Nothing};
-use super::super::app::Peer;
-use super::super::calls::Asker;
-use super::super::route::Route;
 use super::{DELETE, MOVES, POST, STOP};
+use crate::http::app::Peer;
+use crate::http::exchange::answer::{Body, Maybe, NotDone, Nothing};
+use crate::http::exchange::requester::Asker;
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

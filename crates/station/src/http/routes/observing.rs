@@ -1,11 +1,11 @@
 //! What other programs watch the station by: whether it lives, its figures, what happens.
 
-use super::super::events::{self, ServerSentEvent};
-use super::super::metrics;
-use super::super::packets;
-use super::super::route::Route;
-use super::super::socket::WATCH_QUERIES;
 use super::GET;
+use crate::http::live::events::{self, ServerSentEvent};
+use crate::http::live::packets;
+use crate::http::live::socket::WATCH_QUERIES;
+use crate::http::resources::metrics;
+use crate::http::route::Route;
 use dobot_api::problem_kinds::{ENDING, MALFORMED, TOO_MANY_CLIENTS};
 
 pub(super) fn all() -> Vec<Route> {

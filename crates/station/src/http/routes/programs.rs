@@ -9,15 +9,15 @@ use dobot_api::problem_kinds::{
     BAD_JOB, BAD_PROGRAM, COMMAND, ENDING, JOURNAL, OUT_OF_RANGE, POLICY, TOO_MANY,
 };
 
-use super::super::answer::{Body, JOB, NotDone, beside};
-use super::super::app::App;
-use super::super::calls::Asker;
-use super::super::programs::{
+use super::POST;
+use crate::http::app::App;
+use crate::http::exchange::answer::{Body, JOB, NotDone, beside};
+use crate::http::exchange::requester::Asker;
+use crate::http::resources::programs::{
     self, ConvertProgram, ConvertedProgram, EditProgram, EditedProgram, NewProgram, ProgramReport,
     ProgramText,
 };
-use super::super::route::Route;
-use super::POST;
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

@@ -8,12 +8,12 @@ use axum::response::Response;
 use dobot_api::problem_kinds::{ENDING, MALFORMED, NO_SUCH_RECORDING, OUT_OF_RANGE, RECORDING};
 use schemars::SchemaGenerator;
 
-use super::super::answer::NotDone;
-use super::super::app::App;
-use super::super::paging::{PAGES, Page};
-use super::super::recordings::{RecordedStates, RecordingView, Stretch};
-use super::super::route::{Query, Route};
 use super::GET;
+use crate::http::app::App;
+use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::paging::{PAGES, Page};
+use crate::http::resources::recordings::{RecordedStates, RecordingView, Stretch};
+use crate::http::route::{Query, Route};
 
 pub(super) fn all() -> Vec<Route> {
     vec![

@@ -8,11 +8,11 @@ use dobot_api::{Problem, Role};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::super::answer::{Body, NotDone};
-use super::super::calls::Asker;
-use super::super::route::Route;
-use super::super::tokens::{Token, Tokens, TokensError};
 use super::{DELETE, GET, POST};
+use crate::http::access::tokens::{Token, Tokens, TokensError};
+use crate::http::exchange::answer::{Body, NotDone};
+use crate::http::exchange::requester::Asker;
+use crate::http::route::Route;
 
 pub(super) fn all() -> Vec<Route> {
     vec![

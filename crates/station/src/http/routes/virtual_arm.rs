@@ -12,11 +12,11 @@ use dobot_sim::world::{Scene, World, WorldState};
 use schemars::{JsonSchema, SchemaGenerator};
 use serde::Deserialize;
 
-use super::super::answer::{Body, NotDone};
-use super::super::app::App;
-use super::super::calls::Asker;
-use super::super::route::{Query, Route};
 use super::{GET, PUT};
+use crate::http::app::App;
+use crate::http::exchange::answer::{Body, NotDone};
+use crate::http::exchange::requester::Asker;
+use crate::http::route::{Query, Route};
 
 pub(super) fn all() -> Vec<Route> {
     vec![

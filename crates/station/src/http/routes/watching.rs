@@ -7,11 +7,11 @@ use dobot_api::problem_kinds::{
 use dobot_api::{Notice, State};
 use dobot_safety::Policy;
 
-use super::super::answer::Body;
-use super::super::calls::PolicyText;
-use super::super::route::Route;
-use super::super::{calls, socket};
 use super::{GET, PUT};
+use crate::http::exchange::answer::Body;
+use crate::http::exchange::requester::PolicyText;
+use crate::http::route::Route;
+use crate::http::{exchange::requester, live::socket};
 
 pub(super) fn all() -> Vec<Route> {
     vec![
@@ -19,7 +19,7 @@ pub(super) fn all() -> Vec<Route> {
             GET,
             "/api/v1/openapi.json",
             "This document",
-            calls::document,
+            requester::document,
         )
         .open()
         .gives::<serde_json::Value>(200, "this document"),
@@ -27,7 +27,7 @@ pub(super) fn all() -> Vec<Route> {
             GET,
             "/api/v1/problems/{kind}",
             "Explains a kind of problem",
-            calls::problem,
+            requester::problem,
         )
         .open()
         .gives::<ProblemKind>(200, "the kind")
@@ -36,28 +36,28 @@ pub(super) fn all() -> Vec<Route> {
             GET,
             "/api/v1/state",
             "What the station knows now",
-            calls::state,
+            requester::state,
         )
         .gives::<State>(200, "the state"),
         Route::new(
             GET,
             "/api/v1/notices",
             "What happened lately, the oldest first",
-            calls::notices,
+            requester::notices,
         )
         .gives::<Vec<Notice>>(200, "the notices"),
         Route::new(
             GET,
             "/api/v1/policy",
             "The safety policy, as `dobot policy` shows it",
-            calls::policy,
+            requester::policy,
         )
         .gives::<Policy>(200, "the policy"),
         Route::new(
             GET,
             "/api/v1/policy/text",
             "The safety policy as a TOML text, with its comments where it came from a file",
-            calls::policy_text,
+            requester::policy_text,
         )
         .gives_text(200, "text/plain; charset=utf-8", "the text"),
         Route::new(
@@ -65,7 +65,7 @@ pub(super) fn all() -> Vec<Route> {
             "/api/v1/policy",
             "Puts another safety policy in place of the one that holds, and keeps it for the next start; \
                 nothing may be under way. With `check` it only looks whether the text is a policy",
-            calls::set_policy,
+            requester::set_policy,
         )
         .brings::<Body<PolicyText>>()
         .example(r#"{"text": "[table]\nz_mm = -60\n", "check": true}"#)

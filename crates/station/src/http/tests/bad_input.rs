@@ -8,11 +8,11 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::Value;
 
-use super::super::document::document;
-use super::super::messages;
-use super::super::routes::ROUTES;
 use super::schema::{allows, damaged, instance};
 use super::{Answer, Harness};
+use crate::http::exchange::document::document;
+use crate::http::exchange::messages;
+use crate::http::routes::ROUTES;
 
 const CASES: u32 = 200;
 

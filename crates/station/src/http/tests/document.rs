@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use super::super::document::{document, is_told, problems_of};
-use super::super::routes::ROUTES;
 use super::Harness;
+use crate::http::exchange::document::{document, is_told, problems_of};
+use crate::http::routes::ROUTES;
 
 /// The statuses that the document lists for a route, as in `GET /api/v1/jobs/7`.
 pub(super) fn statuses(route: &str) -> Option<Vec<u16>> {

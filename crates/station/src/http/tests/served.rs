@@ -6,7 +6,7 @@ use dobot_api::{Folders, Role, Running, StationAddress, is_station};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
-use super::super::fake::driver;
+use crate::http::fake::driver;
 use crate::{ServeError, Tokens, Web, serve};
 
 const LOOPBACK: SocketAddr =

@@ -9,7 +9,7 @@ use tokio_tungstenite::tungstenite::http::HeaderValue;
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
-use super::super::fake::{Asked, FakeNews, driver};
+use crate::http::fake::{Asked, FakeNews, driver};
 use crate::sample::{notice, state};
 use crate::{Served, Token, Tokens, Web, serve};
 

@@ -4,7 +4,7 @@ use dobot_api::Role;
 use serde_json::json;
 
 use super::Harness;
-use crate::http::tokens::digest;
+use crate::http::access::tokens::digest;
 
 #[tokio::test]
 async fn an_administrator_makes_and_removes_tokens_whose_secrets_are_shown_once() {

@@ -1,0 +1,305 @@
+//! Answers, and what requests are read into.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Json;
+use axum::body::{Body as HttpBody, Bytes, HttpBody as _};
+use axum::extract::{FromRequest, FromRequestParts, Path, Request};
+use axum::http::header::{
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderName, REFERRER_POLICY, RETRY_AFTER,
+    WWW_AUTHENTICATE, X_CONTENT_TYPE_OPTIONS,
+};
+use axum::http::request::Parts;
+use axum::http::{HeaderValue, StatusCode};
+use axum::response::{IntoResponse, Response};
+use dobot_api::Problem;
+use dobot_api::problem_kinds::{
+    INTERNAL, MALFORMED, MEDIA_TYPE, TIMEOUT, TOO_LARGE, TOO_MANY_REQUESTS,
+};
+use dobot_host::{LongWorkError, run_long};
+use dobot_supervisor::Refusal;
+use futures_util::StreamExt;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+use crate::http::app::App;
+use crate::http::exchange::strict_json;
+
+/// How large a body may be, unless its route takes more.
+pub(crate) const BODY: usize = 64 * 1024;
+
+/// How large a job may be.
+pub(crate) const JOB: usize = 64 * 1024 * 1024;
+
+/// How long a body may take to arrive.
+const BODY_WITHIN: Duration = Duration::from_secs(30);
+
+/// From which length on text is read beside everything else.
+const LONG: usize = 256 * 1024;
+
+/// What is not done is answered with why.
+#[derive(Debug)]
+pub(crate) struct NotDone(pub(crate) Problem);
+
+impl<T: Into<Problem>> From<T> for NotDone {
+    fn from(why: T) -> Self {
+        Self(why.into())
+    }
+}
+
+impl IntoResponse for NotDone {
+    fn into_response(self) -> Response {
+        let status =
+            StatusCode::from_u16(self.0.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+        let mut response = (status, Json(self.0)).into_response();
+        let headers = response.headers_mut();
+        headers.insert(CONTENT_TYPE, PROBLEM_JSON);
+        match status {
+            StatusCode::UNAUTHORIZED => {
+                headers.insert(
+                    WWW_AUTHENTICATE,
+                    HeaderValue::from_static("Bearer realm=\"dobot\""),
+                );
+            }
+            StatusCode::TOO_MANY_REQUESTS => {
+                headers.insert(RETRY_AFTER, HeaderValue::from_static("1"));
+            }
+            _ => {}
+        }
+        response
+    }
+}
+
+const PROBLEM_JSON: HeaderValue = HeaderValue::from_static("application/problem+json");
+
+/// Requests come too fast; they may go on after this time.
+pub(crate) struct TooSoon(pub(crate) Duration);
+
+impl IntoResponse for TooSoon {
+    fn into_response(self) -> Response {
+        let wait_s = self.0.as_secs_f64().ceil().max(1.0);
+        let problem = TOO_MANY_REQUESTS.hinted(
+            "requests of this address come faster than the station takes them",
+            format!("wait for {wait_s} s"),
+        );
+        let mut response = NotDone(problem).into_response();
+        let value = HeaderValue::from_str(&wait_s.to_string()).expect("a number is a header");
+        response.headers_mut().insert(RETRY_AFTER, value);
+        response
+    }
+}
+
+/// JSON that is written already.
+pub(crate) fn json(text: impl Into<HttpBody>) -> Response {
+    ([(CONTENT_TYPE, "application/json")], text.into()).into_response()
+}
+
+/// Adds the headers that keep browsers from doing harm.
+pub(crate) fn guarded(mut response: Response) -> Response {
+    let headers = response.headers_mut();
+    for (name, value) in GUARDS {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
+
+const GUARDS: [(HeaderName, &str); 6] = [
+    (
+        CONTENT_SECURITY_POLICY,
+        "default-src 'none'; script-src 'self'; style-src 'self'; img-src data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    ),
+    (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    (REFERRER_POLICY, "no-referrer"),
+    (CACHE_CONTROL, "no-store"),
+    (
+        HeaderName::from_static("cross-origin-resource-policy"),
+        "same-origin",
+    ),
+    (
+        HeaderName::from_static("cross-origin-opener-policy"),
+        "same-origin",
+    ),
+];
+
+/// A body of JSON of up to `LIMIT` bytes.
+#[derive(Debug)]
+pub(crate) struct Body<T, const LIMIT: usize = BODY>(pub(crate) T);
+
+impl<T, const LIMIT: usize> FromRequest<Arc<App>> for Body<T, LIMIT>
+where
+    T: DeserializeOwned + Send + 'static,
+{
+    type Rejection = NotDone;
+
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
+        let text = required(request, LIMIT).await?;
+        Ok(Self(read(text).await?))
+    }
+}
+
+/// A body of JSON that may be missing.
+#[derive(Debug)]
+pub(crate) struct Maybe<T>(pub(crate) T);
+
+impl<T> FromRequest<Arc<App>> for Maybe<T>
+where
+    T: DeserializeOwned + Default + Send + 'static,
+{
+    type Rejection = NotDone;
+
+    async fn from_request(request: Request, _: &Arc<App>) -> Result<Self, NotDone> {
+        match optional(request, BODY).await? {
+            Some(text) => Ok(Self(read(text).await?)),
+            None => Ok(Self(T::default())),
+        }
+    }
+}
+
+/// The text of a body.
+async fn required(request: Request, limit: usize) -> Result<Bytes, Problem> {
+    let (parts, body) = request.into_parts();
+    let text = collect(body, limit).await?;
+    check_type(&parts)?;
+    Ok(text)
+}
+
+/// The text of a body that may be missing.
+async fn optional(request: Request, limit: usize) -> Result<Option<Bytes>, Problem> {
+    let (parts, body) = request.into_parts();
+    let text = collect(body, limit).await?;
+    if text.is_empty() {
+        return Ok(None);
+    }
+    check_type(&parts)?;
+    Ok(Some(text))
+}
+
+pub(crate) async fn collect(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
+    let arriving = collect_slowly(body, limit);
+    let arrived = tokio::time::timeout(BODY_WITHIN, arriving).await;
+    arrived.unwrap_or_else(|_| {
+        let within_s = BODY_WITHIN.as_secs();
+        Err(TIMEOUT.problem(format!("the body was not there within {within_s} s")))
+    })
+}
+
+async fn collect_slowly(body: HttpBody, limit: usize) -> Result<Bytes, Problem> {
+    let too_large = || {
+        TOO_LARGE.problem(format!(
+            "the body has more than {limit} bytes, and this takes no more"
+        ))
+    };
+    // What is told to be too long is not even read.
+    if body.size_hint().lower() > limit as u64 {
+        return Err(too_large());
+    }
+    let mut chunks = body.into_data_stream();
+    let mut all = Vec::new();
+    while let Some(chunk) = chunks.next().await {
+        let chunk =
+            chunk.map_err(|error| MALFORMED.problem(format!("the body breaks off: {error}")))?;
+        if all.len() + chunk.len() > limit {
+            return Err(too_large());
+        }
+        all.extend_from_slice(&chunk);
+    }
+    Ok(all.into())
+}
+
+fn check_type(parts: &Parts) -> Result<(), Problem> {
+    let found = parts.headers.get(CONTENT_TYPE).map(HeaderValue::as_bytes);
+    let essence = found.unwrap_or_default().split(|&byte| byte == b';').next();
+    if essence
+        .unwrap_or_default()
+        .trim_ascii()
+        .eq_ignore_ascii_case(b"application/json")
+    {
+        return Ok(());
+    }
+    let found = found.map_or("missing".into(), String::from_utf8_lossy);
+    Err(MEDIA_TYPE.hinted(
+        format!("the Content-Type is {found}; bodies are application/json"),
+        "send `Content-Type: application/json`",
+    ))
+}
+
+async fn read<T: DeserializeOwned + Send + 'static>(text: Bytes) -> Result<T, Problem> {
+    read_beside(text, strict_json::read).await?
+}
+
+/// Reads text, beside everything else if it is long.
+pub(crate) async fn read_beside<T: Send + 'static>(
+    text: Bytes,
+    read: fn(&[u8]) -> T,
+) -> Result<T, Problem> {
+    if text.len() < LONG {
+        return Ok(read(&text));
+    }
+    beside(move || read(&text)).await
+}
+
+/// Does what may take long beside everything else.
+pub(crate) async fn beside<T: Send + 'static>(
+    work: impl FnOnce() -> T + Send + 'static,
+) -> Result<T, Problem> {
+    run_long(work).await.map_err(|error| match error {
+        LongWorkError::Ending => Refusal::Ending.into(),
+        error => INTERNAL.problem(error.to_string()),
+    })
+}
+
+/// The number in a path.
+#[derive(Debug)]
+pub(crate) struct Number(pub(crate) u64);
+
+impl FromRequestParts<Arc<App>> for Number {
+    type Rejection = NotDone;
+
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+        let Path(text) = Path::<String>::from_request_parts(parts, app)
+            .await
+            .map_err(|error| MALFORMED.problem(error.body_text()))?;
+        text.parse().map(Self).map_err(|_| {
+            let text: String = text.chars().take(40).collect();
+            NotDone(MALFORMED.problem(format!("{text:?} in the path is no number")))
+        })
+    }
+}
+
+/// The number of a job in the path, and no body.
+#[derive(Debug)]
+pub(crate) struct OfJob(pub(crate) u64);
+
+impl FromRequest<Arc<App>> for OfJob {
+    type Rejection = NotDone;
+
+    async fn from_request(request: Request, app: &Arc<App>) -> Result<Self, NotDone> {
+        let (mut parts, body) = request.into_parts();
+        let Number(job) = Number::from_request_parts(&mut parts, app).await?;
+        let request = Request::from_parts(parts, body);
+        let Maybe(Nothing {}) = Maybe::from_request(request, app).await?;
+        Ok(Self(job))
+    }
+}
+
+/// Nothing.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Nothing {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn work_that_panics_is_answered_as_a_bug_of_the_station() {
+        let problem = beside(|| panic!("no width")).await;
+        let problem = problem.map(|()| "no panic").expect_err("it panicked");
+        assert_eq!(problem.status, 500);
+        assert_eq!(problem.kind, INTERNAL.problem("").kind);
+        assert!(problem.detail.contains("answer.rs:"), "{}", problem.detail);
+        assert!(problem.detail.ends_with(": no width"), "{}", problem.detail);
+    }
+}

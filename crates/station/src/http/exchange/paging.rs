@@ -1,0 +1,150 @@
+//! Long lists, a page at a time.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::rejection::QueryRejection;
+use axum::extract::{FromRequestParts, Query as Queries};
+use axum::http::Uri;
+use axum::http::header::LINK;
+use axum::http::request::Parts;
+use axum::response::{IntoResponse, Response};
+use dobot_api::problem_kinds::{MALFORMED, OUT_OF_RANGE};
+use schemars::SchemaGenerator;
+use serde::{Deserialize, Serialize};
+
+use crate::http::app::App;
+use crate::http::exchange::answer::NotDone;
+use crate::http::route::Query;
+
+/// Which page of a list.
+#[derive(Debug)]
+pub(crate) struct Page {
+    path: String,
+    asked: Asked,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Asked {
+    limit: Option<usize>,
+    after: Option<String>,
+}
+
+/// What of it can be asked for.
+pub(crate) const PAGES: &[Query] = &[
+    Query {
+        name: "limit",
+        what: "How many at the most, 1 to 1000; without it all",
+        schema: SchemaGenerator::subschema_for::<usize>,
+    },
+    Query {
+        name: "after",
+        what: "The number or name of the last one of the page before; the header Link has the address of the next page",
+        schema: SchemaGenerator::subschema_for::<String>,
+    },
+];
+
+impl FromRequestParts<Arc<App>> for Page {
+    type Rejection = NotDone;
+
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+        let path = parts.uri.path().to_owned();
+        let asked: Result<Queries<Asked>, QueryRejection> =
+            Queries::from_request_parts(parts, app).await;
+        let Queries(asked) = asked.map_err(|error| MALFORMED.problem(error.body_text()))?;
+        if let Some(limit) = asked.limit.filter(|it| !(1..=MOST).contains(it)) {
+            let text = format!("limit is {limit}; allowed is 1 to {MOST}");
+            return Err(OUT_OF_RANGE.problem(text).into());
+        }
+        Ok(Self { path, asked })
+    }
+}
+
+impl Page {
+    /// This page of a list, and where the next one is. Each item has a name in the list.
+    pub(crate) fn of<T: Serialize>(
+        self,
+        all: &[T],
+        name: impl Fn(&T) -> String,
+    ) -> Result<Response, NotDone> {
+        let begin = match &self.asked.after {
+            None => 0,
+            Some(after) => {
+                let at = all.iter().position(|it| name(it) == *after);
+                let gone = || {
+                    OUT_OF_RANGE.problem(format!("after is {after:?}, and the list has no such one any more: begin anew without it"))
+                };
+                at.ok_or_else(gone)? + 1
+            }
+        };
+        let end = self.asked.limit.map_or(all.len(), |it| begin + it);
+        let page = &all[begin..end.min(all.len())];
+        let body = Json(page).into_response();
+        let Some((limit, last)) = self.asked.limit.zip(page.last()) else {
+            return Ok(body);
+        };
+        if end >= all.len() {
+            return Ok(body);
+        }
+        let next = format!("{}?limit={limit}&after={}", self.path, name(last));
+        let next: Uri = next
+            .parse()
+            .map_err(|_| MALFORMED.problem("a name that is no part of an address"))?;
+        Ok(([(LINK, format!("<{next}>; rel=\"next\""))], body).into_response())
+    }
+}
+
+/// So many in a page are enough.
+const MOST: usize = 1000;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    const ALL: [&str; 5] = ["a", "b", "c", "d", "e"];
+
+    fn page(limit: Option<usize>, after: Option<&str>) -> Page {
+        let after = after.map(str::to_owned);
+        Page {
+            path: "/api/v1/jobs".into(),
+            asked: Asked { limit, after },
+        }
+    }
+
+    /// What a page has, and what its header Link says.
+    async fn shown(page: Page) -> (String, Option<String>) {
+        let answer = page.of(&ALL, |it| (*it).to_owned()).unwrap();
+        let next = answer.headers().get(LINK).cloned();
+        let body = axum::body::to_bytes(answer.into_body(), 1000)
+            .await
+            .unwrap();
+        let body = String::from_utf8(body.to_vec()).unwrap();
+        (body, next.map(|it| it.to_str().unwrap().to_owned()))
+    }
+
+    #[tokio::test]
+    async fn each_page_names_the_next_one_until_all_is_told() {
+        let link = |after: &str| {
+            Some(format!(
+                "</api/v1/jobs?limit=2&after={after}>; rel=\"next\""
+            ))
+        };
+        let two = |after| shown(page(Some(2), after));
+        assert_eq!(two(None).await, (r#"["a","b"]"#.to_owned(), link("b")));
+        assert_eq!(two(Some("b")).await, (r#"["c","d"]"#.to_owned(), link("d")));
+        assert_eq!(two(Some("d")).await, (r#"["e"]"#.to_owned(), None));
+        let all = shown(page(None, None)).await;
+        assert_eq!(all, (r#"["a","b","c","d","e"]"#.to_owned(), None));
+        assert_eq!(shown(page(None, Some("c"))).await.0, r#"["d","e"]"#);
+    }
+
+    #[test]
+    fn a_page_behind_what_was_forgotten_begins_anew() {
+        let error = page(Some(2), Some("x"))
+            .of(&ALL, |it| (*it).to_owned())
+            .unwrap_err();
+        assert!(error.0.detail.contains("begin anew"), "{error:?}");
+    }
+}

@@ -1,0 +1,193 @@
+//! Who asks the driver of the arm, and what everyone may see.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::{FromRequestParts, Path, State};
+use axum::http::header::LOCATION;
+use axum::http::request::Parts;
+use axum::http::{HeaderName, Method, StatusCode, Uri};
+use axum::response::{IntoResponse, Response};
+use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
+use dobot_api::{NewJob, Notice, Reply, Request, Role, write_private};
+use dobot_host::Client;
+use dobot_safety::Policy;
+use dobot_supervisor::{Refusal, is_plain};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::http::access::auth;
+use crate::http::app::{App, Caller};
+use crate::http::exchange::answer::{Body, NotDone, json};
+
+/// The header with the token of a lease that was taken over plain HTTP.
+pub(crate) const LEASE: HeaderName = HeaderName::from_static("dobot-lease");
+
+/// The header with what a sender calls a request that may be sent again.
+pub(crate) const KEY: HeaderName = HeaderName::from_static("idempotency-key");
+
+/// One who asks the driver of the arm for something.
+#[derive(Debug)]
+pub(crate) struct Asker {
+    pub(crate) app: Arc<App>,
+    pub(crate) caller: Caller,
+    /// The token that came with the request, if one did.
+    pub(crate) token: Option<String>,
+    /// The token of a lease.
+    pub(crate) lease: Option<String>,
+    /// What the sender calls the request.
+    pub(crate) key: Option<String>,
+}
+
+impl FromRequestParts<Arc<App>> for Asker {
+    type Rejection = NotDone;
+
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+        let caller = parts.extensions.get::<Caller>().cloned();
+        // What is no text is no token and no key either.
+        let header = |name| {
+            let found = parts.headers.get(name)?;
+            Some(found.to_str().unwrap_or_default().to_owned())
+        };
+        Ok(Self {
+            app: app.clone(),
+            caller: caller.expect("authorisation lets only callers in"),
+            token: auth::presented(&parts.headers)?,
+            lease: header(LEASE),
+            key: header(KEY),
+        })
+    }
+}
+
+impl Asker {
+    /// Whether the caller's role is enough.
+    pub(crate) fn check_role(&self, needed: Role) -> Result<(), Refusal> {
+        let found = self.caller.role;
+        if found < needed {
+            return Err(Refusal::Role { needed, found });
+        }
+        Ok(())
+    }
+
+    /// Asks for something.
+    pub(crate) async fn ask(&self, request: Request) -> Result<Json<Reply>, NotDone> {
+        let client = self.client().await?;
+        Ok(Json(client.request(request).await?))
+    }
+
+    /// Queues a job; the header Location names it.
+    pub(crate) async fn queue(&self, job: NewJob) -> Result<Response, NotDone> {
+        let key = self.key.clone();
+        let reply = self.ask(Request::SubmitJob { job, key }).await?;
+        Ok(queued(reply))
+    }
+
+    /// The client that has the lease token, or one for this request only.
+    pub(crate) async fn client(&self) -> Result<Arc<Client>, NotDone> {
+        match &self.lease {
+            Some(token) => {
+                let (role, now) = (self.caller.role, self.app.now());
+                Ok(self.app.http_leases.find(token, role, now)?)
+            }
+            None => self.come(&self.caller.name).await,
+        }
+    }
+
+    /// A new client.
+    pub(crate) async fn come(&self, name: &str) -> Result<Arc<Client>, NotDone> {
+        let (role, person) = (self.caller.role, self.caller.person(name));
+        let client = self.app.handle.client_of(name, role, person).await?;
+        Ok(Arc::new(client))
+    }
+}
+
+/// What is answered when a job was queued.
+pub(crate) fn queued(reply: Json<Reply>) -> Response {
+    let place = match &reply.0 {
+        Reply::Job { job } => format!("/api/v1/jobs/{}", job.job),
+        _ => return reply.into_response(),
+    };
+    (StatusCode::CREATED, [(LOCATION, place)], reply).into_response()
+}
+
+/// Whether a client may be called so.
+pub(crate) fn is_name(name: &str) -> bool {
+    (1..=60).contains(&name.chars().count()) && name.chars().all(is_plain)
+}
+
+pub(crate) async fn state(State(app): State<Arc<App>>) -> Response {
+    json(app.handle.state().json())
+}
+
+pub(crate) async fn notices(State(app): State<Arc<App>>) -> Response {
+    let recent = app.handle.recent();
+    let recent: Vec<&Notice> = recent.iter().map(AsRef::as_ref).collect();
+    Json(recent).into_response()
+}
+
+pub(crate) async fn policy(State(app): State<Arc<App>>) -> Response {
+    Json(&app.handle.rules().policy).into_response()
+}
+
+/// A text that is to be the policy.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PolicyText {
+    /// The TOML text, as `dobot policy` shows one.
+    text: String,
+    /// Only look whether it is one.
+    #[serde(default)]
+    check: bool,
+}
+
+/// The text of the policy that holds, with its comments where it came from a file.
+pub(crate) async fn policy_text(State(app): State<Arc<App>>) -> Response {
+    let policy = &app.handle.rules().policy;
+    let kept = std::fs::read_to_string(&app.policy_file).ok();
+    let same = |text: &String| Policy::from_toml(text).is_ok_and(|it| it == *policy);
+    let text = kept.filter(same).unwrap_or_else(|| match policy {
+        it if *it == Policy::default() => Policy::DEFAULT_TOML.to_owned(),
+        it => it.to_toml(),
+    });
+    text.into_response()
+}
+
+/// Puts another policy in place of the one that holds, and keeps it for the next start.
+pub(crate) async fn set_policy(
+    asker: Asker,
+    Body(new): Body<PolicyText>,
+) -> Result<Json<Policy>, NotDone> {
+    let policy = Policy::from_toml(&new.text);
+    let policy = policy.map_err(|error| BAD_POLICY.problem(error.to_string()))?;
+    if new.check {
+        return Ok(Json(policy));
+    }
+    let client = asker.client().await?;
+    client.set_policy(policy.clone()).await?;
+    let file = &asker.app.policy_file;
+    write_private(file, &new.text).map_err(|error| {
+        POLICY_FILE.problem(format!("cannot write {}: {error}", file.display()))
+    })?;
+    Ok(Json(policy))
+}
+
+pub(crate) async fn problem(
+    Path(name): Path<String>,
+) -> Result<Json<&'static ProblemKind>, NotDone> {
+    let unknown = || UNKNOWN_PATH.problem("there is no kind of problem of this name");
+    Ok(Json(problem_kinds::named(&name).ok_or_else(unknown)?))
+}
+
+pub(crate) async fn document() -> Response {
+    json(super::document::TEXT.clone())
+}
+
+pub(crate) async fn unknown_path(uri: Uri) -> NotDone {
+    let path: String = uri.path().chars().take(80).collect();
+    let hint = "`/api/v1/openapi.json` lists all addresses";
+    NotDone(UNKNOWN_PATH.hinted(format!("there is nothing at {path}"), hint))
+}
+
+pub(crate) async fn method(method: Method, uri: Uri) -> NotDone {
+    NotDone(METHOD.problem(format!("{} does not take {method}", uri.path())))
+}

@@ -1,0 +1,223 @@
+//! Students in lessons, as their pages tell it: who is at which step, and for how long. It is kept for a while, for the board of the
+//! fleet; nothing that moves depends on it.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use axum::Json;
+use dobot_api::problem_kinds::{INVALID, TOO_MANY};
+use dobot_api::{Problem, Role};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::http::exchange::answer::{Body, NotDone};
+use crate::http::exchange::requester::{Asker, is_name};
+
+/// How far a student is in a lesson.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Progress {
+    /// What the student is called: 1 to 60 visible characters.
+    student: String,
+    /// The name of the lesson's file, as in `tour`: 1 to 40 small letters of English, digits and underscores.
+    lesson: String,
+    /// How many of its steps are done: all of them once it is finished.
+    done: u32,
+    /// How many steps it has, from 1 to 1000.
+    steps: u32,
+}
+
+/// A student in a lesson.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub(crate) struct LearnerView {
+    /// What the student is called.
+    student: String,
+    /// The name of the lesson's file.
+    lesson: String,
+    /// How many of its steps are done: all of them once it is finished.
+    done: u32,
+    /// How many steps it has.
+    steps: u32,
+    /// For how long the student has been at this step, in seconds.
+    for_s: f64,
+}
+
+/// The students of whom was told lately, by their names: an engine without a clock.
+#[derive(Debug, Default)]
+pub(crate) struct Learners(BTreeMap<String, Learner>);
+
+#[derive(Debug)]
+struct Learner {
+    progress: Progress,
+    /// When this step began.
+    since: Duration,
+    /// When was told of it last.
+    heard: Duration,
+}
+
+impl Learners {
+    /// Takes what a page tells; said again, it keeps the student from being forgotten.
+    ///
+    /// # Errors
+    ///
+    /// [`INVALID`] where a field is out of its range, [`TOO_MANY`] where [`MOST`] others are known.
+    fn tell(&mut self, now: Duration, progress: Progress) -> Result<LearnerView, Problem> {
+        progress.check()?;
+        self.forget(now);
+        let before = self.0.get(&progress.student);
+        if before.is_none() && self.0.len() >= MOST {
+            return Err(TOO_MANY.hinted(
+                format!("{MOST} students are in lessons here, and more may not be"),
+                "try again a minute after one of them has left",
+            ));
+        }
+        let same = before.filter(|it| it.progress == progress);
+        let since = same.map_or(now, |it| it.since);
+        let learner = Learner {
+            progress,
+            since,
+            heard: now,
+        };
+        let view = learner.view(now);
+        self.0.insert(learner.progress.student.clone(), learner);
+        Ok(view)
+    }
+
+    /// All of whom was told lately, by name.
+    fn views(&mut self, now: Duration) -> Vec<LearnerView> {
+        self.forget(now);
+        self.0.values().map(|it| it.view(now)).collect()
+    }
+
+    fn forget(&mut self, now: Duration) {
+        self.0
+            .retain(|_, it| now.saturating_sub(it.heard) < KEPT_FOR);
+    }
+}
+
+impl Learner {
+    fn view(&self, now: Duration) -> LearnerView {
+        let it = self.progress.clone();
+        LearnerView {
+            student: it.student,
+            lesson: it.lesson,
+            done: it.done,
+            steps: it.steps,
+            for_s: now.saturating_sub(self.since).as_secs_f64(),
+        }
+    }
+}
+
+impl Progress {
+    fn check(&self) -> Result<(), Problem> {
+        let wrong = |text: String| Err(INVALID.problem(text));
+        if !is_name(&self.student) {
+            let found = self.student.chars().count();
+            return wrong(format!(
+                "student has {found} characters; allowed are 1 to 60 visible ones"
+            ));
+        }
+        let plain = |it: char| it.is_ascii_lowercase() || it.is_ascii_digit() || it == '_';
+        if !(1..=40).contains(&self.lesson.len()) || !self.lesson.chars().all(plain) {
+            let found: String = self.lesson.chars().take(60).collect();
+            return wrong(format!(
+                "lesson is {found:?}; allowed are 1 to 40 small letters of English, digits and underscores, as in tour"
+            ));
+        }
+        let (done, steps) = (self.done, self.steps);
+        if !(1..=1000).contains(&steps) {
+            return wrong(format!("steps is {steps}; allowed are 1 to 1000"));
+        }
+        if done > steps {
+            return wrong(format!("done is {done}; the lesson has {steps} steps"));
+        }
+        Ok(())
+    }
+}
+
+/// Takes how far a student is.
+pub(crate) async fn tell(
+    asker: Asker,
+    Body(progress): Body<Progress>,
+) -> Result<Json<LearnerView>, NotDone> {
+    asker.check_role(Role::Queue)?;
+    let now = asker.app.now();
+    Ok(Json(asker.app.learners().tell(now, progress)?))
+}
+
+/// All students in lessons.
+pub(crate) async fn all(asker: Asker) -> Json<Vec<LearnerView>> {
+    let now = asker.app.now();
+    Json(asker.app.learners().views(now))
+}
+
+/// How many students are known at once.
+const MOST: usize = 64;
+/// For how long one is known of whom nothing more is told.
+const KEPT_FOR: Duration = Duration::from_secs(60);
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+
+    fn at_step(student: &str, done: u32) -> Progress {
+        Progress {
+            student: student.into(),
+            lesson: "tour".into(),
+            done,
+            steps: 12,
+        }
+    }
+
+    fn seconds(s: u64) -> Duration {
+        Duration::from_secs(s)
+    }
+
+    /// Who is at which step, for how many seconds.
+    fn told(learners: &mut Learners, now_s: u64) -> Vec<(String, u32, f64)> {
+        let views = learners.views(seconds(now_s));
+        let plain = |it: LearnerView| (it.student, it.done, it.for_s);
+        views.into_iter().map(plain).collect()
+    }
+
+    #[test]
+    fn the_time_at_a_step_goes_on_while_the_same_is_told_and_begins_anew_with_the_next_step() {
+        let mut learners = Learners::default();
+        for (now_s, done) in [(10, 2), (30, 2), (50, 2)] {
+            learners
+                .tell(seconds(now_s), at_step("Anna", done))
+                .unwrap();
+        }
+        assert_eq!(told(&mut learners, 55), [("Anna".into(), 2, 45.0)]);
+        learners.tell(seconds(60), at_step("Anna", 3)).unwrap();
+        assert_eq!(told(&mut learners, 61), [("Anna".into(), 3, 1.0)]);
+    }
+
+    #[test]
+    fn a_student_of_whom_nothing_is_told_is_forgotten_after_a_minute() {
+        let mut learners = Learners::default();
+        learners.tell(seconds(0), at_step("Anna", 2)).unwrap();
+        learners.tell(seconds(30), at_step("Ben", 0)).unwrap();
+        assert_eq!(told(&mut learners, 59).len(), 2);
+        assert_eq!(told(&mut learners, 60), [("Ben".into(), 0, 30.0)]);
+    }
+
+    #[test]
+    fn there_is_room_for_a_class_and_then_for_those_who_are_known() {
+        let mut learners = Learners::default();
+        for n in 0..MOST {
+            learners
+                .tell(seconds(0), at_step(&format!("student {n}"), 0))
+                .unwrap();
+        }
+        let refused = learners.tell(seconds(1), at_step("Zoë", 0)).unwrap_err();
+        assert_eq!(refused.status, TOO_MANY.status);
+        learners
+            .tell(seconds(1), at_step("student 0", 1))
+            .expect("she is known");
+        learners
+            .tell(seconds(61), at_step("Zoë", 0))
+            .expect("the others are gone");
+    }
+}

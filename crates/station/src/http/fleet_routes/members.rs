@@ -1,0 +1,274 @@
+//! The fleet, for its board: who is there, and requests to several stations at once.
+
+use std::collections::HashSet;
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::extract::State;
+use axum::response::sse::{Event, KeepAlive, Sse};
+use axum::{Extension, Json};
+use dobot_api::problem_kinds::{GIVES_NO_ARMS, NO_FLEET, UNAUTHORISED};
+use dobot_api::{ApiRequest, FleetView, Member, MemberAnswer, Problem, Recipients, Role};
+use dobot_supervisor::StoppedBy;
+use futures_util::Stream;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use tokio::sync::{OwnedSemaphorePermit, watch};
+use tokio::time::{Interval, MissedTickBehavior, interval};
+
+use crate::http::access::tokens::digest;
+use crate::http::app::{App, Caller, Peer, Stay};
+use crate::http::exchange::answer::{Body, JOB, Maybe, NotDone, Nothing};
+use crate::http::exchange::requester::Asker;
+use crate::http::live::events::ALIVE_EVERY;
+use crate::http::routes;
+use crate::{ArmsPort, FleetPort, Members};
+
+/// What the station knows of its fleet.
+pub(crate) async fn fleet(State(app): State<Arc<App>>) -> Result<Json<FleetView>, NotDone> {
+    let port = app.fleet()?;
+    let members = port.look().await?.borrow().clone();
+    Ok(Json(FleetView {
+        name: port.name().into(),
+        at_s: app.handle.state().state().at_s,
+        members: members.iter().map(|it| (**it).clone()).collect(),
+    }))
+}
+
+/// Tells of each member as it changes; first of all of them. Of one that is not kept in mind any more it tells that it is gone.
+pub(crate) async fn events(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
+    let mut pace = interval(TELL_EVERY);
+    pace.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    let watching = Watching {
+        members: app.fleet()?.look().await?,
+        told: Members::default(),
+        waiting: Vec::new(),
+        gone: Vec::new(),
+        pace,
+        _place: app.place()?,
+        stay: Stay { app, caller },
+    };
+    let stream = futures_util::stream::unfold(watching, |mut it| async move {
+        let event = it.next().await?;
+        Some((Ok(event), it))
+    });
+    Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
+}
+
+/// So often the members are looked at: that is as often as a person sees a tile move.
+const TELL_EVERY: Duration = Duration::from_millis(100);
+
+/// One who watches the fleet, until he goes or the station ends.
+struct Watching {
+    members: watch::Receiver<Members>,
+    /// The members as they were told.
+    told: Members,
+    /// Those that have still to be told.
+    waiting: Vec<Arc<Member>>,
+    /// The numbers of those of which it has still to be told that they are gone.
+    gone: Vec<String>,
+    pace: Interval,
+    stay: Stay,
+    _place: OwnedSemaphorePermit,
+}
+
+impl Watching {
+    async fn next(&mut self) -> Option<Event> {
+        while self.waiting.is_empty() && self.gone.is_empty() {
+            let ends = tokio::select! {
+                _ = self.pace.tick() => false,
+                () = self.stay.is_over() => true,
+            };
+            if ends {
+                return None;
+            }
+            self.look();
+        }
+        if let Some(id) = self.gone.pop() {
+            let text = serde_json::json!({ "id": id }).to_string();
+            return Some(Event::default().event("gone").data(text));
+        }
+        let member = self.waiting.pop()?;
+        let text = serde_json::to_string(&*member).expect("structures with text keys are JSON");
+        Some(Event::default().event("member").data(text))
+    }
+
+    fn look(&mut self) {
+        let now = self.members.borrow_and_update().clone();
+        if !Arc::ptr_eq(&now, &self.told) {
+            let told: HashSet<_> = self.told.iter().map(Arc::as_ptr).collect();
+            let is_new = |it: &&Arc<Member>| !told.contains(&Arc::as_ptr(it));
+            self.waiting = now.iter().filter(is_new).cloned().collect();
+            let there: HashSet<_> = now.iter().map(|it| &it.id).collect();
+            let known = self.told.iter().map(|it| &it.id);
+            self.gone = known.filter(|it| !there.contains(it)).cloned().collect();
+            self.told = now;
+        }
+    }
+}
+
+/// Whom to stop.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FleetStop {
+    /// Which stations; all where it is not said.
+    #[serde(default = "all")]
+    to: Recipients,
+    /// Why, for those who find their arm stopped.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+}
+
+impl Default for FleetStop {
+    fn default() -> Self {
+        Self {
+            to: all(),
+            reason: None,
+        }
+    }
+}
+
+const fn all() -> Recipients {
+    Recipients::All
+}
+
+/// Stops the arms of several stations. A stop of all is one of the fleet, which each station keeps.
+pub(crate) async fn stop(
+    asker: Asker,
+    Maybe(wanted): Maybe<FleetStop>,
+) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+    let port = asker.app.fleet()?;
+    let reason = wanted.reason;
+    let fleet = if wanted.to == Recipients::All {
+        let by = StoppedBy {
+            by: asker.at(port),
+            reason: reason.clone(),
+        };
+        // Where this station ends, the others are stopped all the same.
+        let stopped = asker.app.handle.stop_fleet(port.id(), by).await;
+        stopped.ok().map(|(stop, _)| stop)
+    } else {
+        None
+    };
+    // Anyone may stop, and a token that another station does not know would keep it from that.
+    let request = ApiRequest {
+        method: "POST".into(),
+        path: routes::STOP.into(),
+        body: Some(serde_json::json!({ "reason": reason, "fleet": fleet })),
+        ..ApiRequest::default()
+    };
+    let answers = port.ask(&wanted.to, request).await?;
+    if fleet.is_some() {
+        let failed = answers.iter().filter(|it| !it.answer.is_success());
+        let failed: HashSet<_> = failed.map(|it| (&it.member, &it.id)).collect();
+        let members = port.members();
+        let silent = members
+            .iter()
+            .filter(|it| failed.contains(&(&it.name, &it.id)));
+        let silent = silent.cloned().collect();
+        let port = port.clone();
+        // They are told until they answer; whoever stops does not wait for that.
+        tokio::spawn(async move { drop(port.tell_stops(silent).await) });
+    }
+    Ok(Json(answers))
+}
+
+/// Lets the whole fleet move again after a stop of all.
+pub(crate) async fn reset_stop(
+    asker: Asker,
+    Extension(peer): Extension<Peer>,
+    _: Maybe<Nothing>,
+) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+    let app = &asker.app;
+    let port = app.fleet()?;
+    asker.check_role(Role::Control)?;
+    let has_token = asker
+        .caller
+        .token
+        .is_some_and(|it| !app.tokens().is_local(&it));
+    if !(has_token || peer.by_fleet || port.is_on_one_machine()) {
+        let detail = "that one may do everything on his own machine counts for nothing at the other stations";
+        let hint = "take a token of this station with the role control, in DOBOT_TOKEN; or reset the stop of this arm alone: `dobot stop --reset`";
+        return Err(UNAUTHORISED.hinted(detail, hint).into());
+    }
+    app.handle.reset_fleet_stops(&asker.at(port)).await?;
+    let members = port.members().iter().cloned().collect();
+    Ok(Json(port.tell_stops(members).await?))
+}
+
+/// A request to several stations at once.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FleetRequest {
+    /// Which stations.
+    to: Recipients,
+    /// The method, as in `POST`.
+    method: String,
+    /// The path with its query, as in `/api/v1/jobs/pause`.
+    path: String,
+    /// The token of a lease of the one station that is asked.
+    #[serde(default)]
+    lease: Option<String>,
+    /// What the sender calls this request.
+    #[serde(default)]
+    key: Option<String>,
+    /// The body, where there is one.
+    #[serde(default)]
+    body: Option<serde_json::Value>,
+}
+
+/// Asks several stations for the same; the token of the request goes with it.
+pub(crate) async fn request(
+    asker: Asker,
+    Body(wanted): Body<FleetRequest, JOB>,
+) -> Result<Json<Vec<MemberAnswer>>, NotDone> {
+    let request = ApiRequest {
+        method: wanted.method,
+        path: wanted.path,
+        lease: wanted.lease,
+        key: wanted.key,
+        body: wanted.body,
+        // What programs of this machine say here is known here alone.
+        token: asker
+            .token
+            .filter(|it| !asker.app.tokens().is_local(&digest(it))),
+    };
+    Ok(Json(asker.app.fleet()?.ask(&wanted.to, request).await?))
+}
+
+impl Asker {
+    /// Who asks, and at which station, for those at others.
+    fn at(&self, port: &FleetPort) -> String {
+        format!("{} at {}", self.caller.name, port.name())
+    }
+}
+
+impl App {
+    /// The way to the fleet, if the station belongs to one.
+    pub(crate) fn fleet(&self) -> Result<&FleetPort, Problem> {
+        let hint = "`dobot up --fleet` joins one";
+        self.fleet
+            .get()
+            .ok_or_else(|| NO_FLEET.hinted("this station belongs to no fleet", hint))
+    }
+
+    /// What gives virtual arms, if the station has that.
+    pub(crate) fn arms(&self) -> Result<&ArmsPort, Problem> {
+        let hint = "`GET /api/v1/fleet` tells which stations do (`gives_arms`); `dobot up --virtual --fleet --virtual-arms 10` starts one";
+        self.arms
+            .get()
+            .ok_or_else(|| GIVES_NO_ARMS.hinted("this station gives no virtual arms", hint))
+    }
+}
+
+/// What is said of a field whose text nothing in a fleet can be called.
+pub(crate) fn not_a_name(field: &str, found: &str, example: &str) -> String {
+    let found: String = found.chars().take(60).collect();
+    format!(
+        "{field}: {found:?}; allowed are 1 to 40 small letters of English, digits and hyphens, the first one a letter, as in {example}"
+    )
+}

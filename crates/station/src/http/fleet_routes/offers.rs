@@ -1,0 +1,237 @@
+//! Work that other stations of the fleet offer to this one.
+
+use std::sync::{Arc, PoisonError};
+
+use axum::Json;
+use axum::extract::{FromRequestParts, Path};
+use axum::http::request::Parts;
+use dobot_api::problem_kinds::{
+    ARM_BUSY, DRAWING_PHASE, INVALID, MALFORMED, NO_SUCH_WORK, WORK_REFUSED,
+};
+use dobot_api::{
+    JobPhase, JobView, NewJob, Problem, Request, Role, State, TakesWork, is_same_person,
+};
+use dobot_arm::Calibration;
+use dobot_host::{Handle, OfferAnswer, OfferAsk};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::http::app::{App, Peer};
+use crate::http::exchange::answer::{Body, JOB, NotDone};
+use crate::http::exchange::requester::Asker;
+use crate::http::resources::drawings::NewDrawing;
+use crate::{FleetPort, UNSETTLED, work_hurdle};
+
+/// Work that a station offers: a drawing or a job.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FleetOffer {
+    /// What the station is called.
+    pub(crate) by: String,
+    /// Whose it is.
+    pub(crate) student: String,
+    /// A drawing, which is planned here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) drawing: Option<NewDrawing>,
+    /// A job.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) job: Option<NewJob>,
+    /// The calibration of the arm that the job's places are meant for, as ten numbers.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) made_for: Option<Vec<f64>>,
+}
+
+/// One who may offer work: a station of the fleet, whose owner has let this one take it (`dobot up --takes-work`), or
+/// whoever may queue jobs.
+#[derive(Debug)]
+pub(crate) struct Offerer(Asker);
+
+impl FromRequestParts<Arc<App>> for Offerer {
+    type Rejection = NotDone;
+
+    async fn from_request_parts(parts: &mut Parts, app: &Arc<App>) -> Result<Self, NotDone> {
+        let by_fleet = parts.extensions.get::<Peer>().is_some_and(|it| it.by_fleet);
+        let asker = Asker::from_request_parts(parts, app).await?;
+        if !by_fleet {
+            asker.check_role(Role::Queue)?;
+        }
+        Ok(Self(asker))
+    }
+}
+
+/// Takes work, if the arm is free for it, or refuses it for good under this key.
+pub(crate) async fn offer(
+    Offerer(asker): Offerer,
+    Body(offered): Body<FleetOffer, JOB>,
+) -> Result<Json<JobView>, NotDone> {
+    let app = &asker.app;
+    let port = app.fleet()?;
+    let key = asker.key.clone().ok_or_else(|| {
+        MALFORMED.problem("an offer has a key, in the header Idempotency-Key; this one has none")
+    })?;
+    let known = app.handle.offer(&key, OfferAsk::Look).await?;
+    if known != OfferAnswer::Unknown {
+        return Ok(Json(answered(known)?));
+    }
+    let student = offered.student.clone();
+    let ask = match port.takes_work() {
+        Some(takes_work) => match not_now(app, port, takes_work, &student) {
+            Some(reason) => OfferAsk::Refuse { reason, busy: true },
+            None => offered.ask(app, &key).await?,
+        },
+        None => OfferAsk::Refuse {
+            busy: false,
+            reason: format!(
+                "{} takes no work of its fleet; `dobot up --takes-work` lets it",
+                port.name()
+            ),
+        },
+    };
+    let job = answered(app.handle.offer(&key, ask).await?)?;
+    if job.phase == JobPhase::Queued && port.takes_work() == Some(TakesWork::Start) {
+        tokio::spawn(start(app.handle.clone(), job.job, student));
+    }
+    Ok(Json(job))
+}
+
+/// What has become of an offer.
+pub(crate) async fn look(
+    Offerer(asker): Offerer,
+    Path(key): Path<String>,
+) -> Result<Json<JobView>, NotDone> {
+    let answer = asker.app.handle.offer(&key, OfferAsk::Look).await?;
+    Ok(Json(answered(answer)?))
+}
+
+/// Takes an offer back: no job comes of it any more, and one that has come of it ends if it has not begun.
+pub(crate) async fn withdraw(
+    Offerer(asker): Offerer,
+    Path(key): Path<String>,
+) -> Result<Json<JobView>, NotDone> {
+    let by = asker.caller.name.clone();
+    let ask = OfferAsk::Withdraw { by };
+    Ok(Json(answered(asker.app.handle.offer(&key, ask).await?)?))
+}
+
+fn answered(answer: OfferAnswer) -> Result<JobView, Problem> {
+    match answer {
+        OfferAnswer::Taken(job) => Ok(*job),
+        OfferAnswer::Refused { reason, busy: true } => Err(ARM_BUSY.problem(reason)),
+        OfferAnswer::Refused { reason, .. } => Err(WORK_REFUSED.problem(reason)),
+        OfferAnswer::Unknown => {
+            Err(NO_SUCH_WORK.problem("nothing was offered here under this key"))
+        }
+    }
+}
+
+impl FleetOffer {
+    /// What the arm's station is asked; a drawing is planned for it before.
+    async fn ask(self, app: &App, key: &str) -> Result<OfferAsk, Problem> {
+        let (mut job, made_for) = match (self.drawing, self.job) {
+            (None, Some(job)) => (job, calibration(self.made_for)?),
+            (Some(drawing), None) => {
+                let planned_for = app.planned_for();
+                let made_for = planned_for.arm();
+                let _planning = Planning::begin(app, key)?;
+                match app.drawings.plan(drawing, planned_for).await {
+                    Ok(job) => (job, made_for),
+                    // What is in the way now, such as too many other plans, is not in the way for ever.
+                    Err(problem) if problem.status != 422 => return Err(problem),
+                    Err(problem) => {
+                        let reason = problem.detail;
+                        let busy = false;
+                        return Ok(OfferAsk::Refuse { reason, busy });
+                    }
+                }
+            }
+            _ => return Err(INVALID.problem("an offer has a drawing or a job, and not both")),
+        };
+        let by = format!(" ({})", self.student);
+        let room = LONGEST_TITLE.saturating_sub(by.chars().count());
+        job.title = job.title.chars().take(room).chain(by.chars()).collect();
+        Ok(OfferAsk::Take {
+            job: Box::new(job),
+            made_for: Some(made_for),
+        })
+    }
+}
+
+fn calibration(numbers: Option<Vec<f64>>) -> Result<Calibration, Problem> {
+    let Some(numbers) = numbers else {
+        return Ok(Calibration::NONE);
+    };
+    let numbers: [f64; 10] = numbers.try_into().map_err(|numbers: Vec<f64>| {
+        let found = numbers.len();
+        INVALID.problem(format!("made_for has {found} numbers; allowed are 10"))
+    })?;
+    Ok(Calibration::from_numbers(numbers))
+}
+
+/// A drawing that is being planned for an offer: asked again meanwhile, it is not planned again.
+struct Planning<'a> {
+    app: &'a App,
+    key: String,
+}
+
+impl<'a> Planning<'a> {
+    fn begin(app: &'a App, key: &str) -> Result<Self, Problem> {
+        let key = key.to_owned();
+        let mut all = app.planning.lock().unwrap_or_else(PoisonError::into_inner);
+        if !all.insert(key.clone()) {
+            return Err(DRAWING_PHASE.hinted("it is being planned", "ask again in some seconds"));
+        }
+        Ok(Self { app, key })
+    }
+}
+
+impl Drop for Planning<'_> {
+    fn drop(&mut self) {
+        let mut all = self
+            .app
+            .planning
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        all.remove(&self.key);
+    }
+}
+
+/// Why work of this student is not taken now: the arm could not start it, or it is the time of another one.
+fn not_now(app: &App, port: &FleetPort, takes_work: TakesWork, student: &str) -> Option<String> {
+    if !port.is_settled() {
+        return Some(UNSETTLED.into());
+    }
+    let snapshot = app.handle.state();
+    let state = snapshot.state();
+    work_hurdle(state, takes_work).or_else(|| others_time(state, student))
+}
+
+/// Why work of this student is not taken now, where it is the time of another one.
+fn others_time(state: &State, student: &str) -> Option<String> {
+    let now = state.slots.as_ref()?.now.as_ref()?;
+    let is_others = !is_same_person(&now.student, student);
+    is_others.then(|| format!("it is the time of {} at this arm", now.student))
+}
+
+/// Starts a job of the fleet, where its owner has allowed it and nobody has control; where it cannot be started a person
+/// does it.
+async fn start(handle: Handle, job: u64, student: String) {
+    let coming = handle.client_of("work of the fleet", Role::Control, &student);
+    let Ok(client) = coming.await else {
+        return;
+    };
+    for request in [Request::TakeLease, Request::StartJob { job }] {
+        if let Err(refusal) = client.request(request).await {
+            tracing::info!(%refusal, job, "work of the fleet waits for a person");
+            return;
+        }
+    }
+    // The lease is held until the job rests.
+    let mut states = handle.states();
+    let rests = states.wait_for(|it| {
+        let at = it.state().job.as_ref().filter(|it| it.job == job);
+        at.is_none_or(|it| it.phase != JobPhase::Running)
+    });
+    drop(rests.await);
+}
+
+const LONGEST_TITLE: usize = 200;

@@ -1,0 +1,150 @@
+//! Work for any arm, at the station where it is submitted.
+
+use std::time::SystemTime;
+
+use axum::Json;
+use axum::extract::Path;
+use axum::http::StatusCode;
+use dobot_api::problem_kinds::INVALID;
+use dobot_api::{NewJob, Problem, Role, WorkView, is_fleet_name};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::http::exchange::answer::{Body, JOB, NotDone};
+use crate::http::exchange::requester::{Asker, is_name};
+use crate::http::fleet_routes::members::not_a_name;
+use crate::http::fleet_routes::offers::FleetOffer;
+use crate::http::resources::drawings::NewDrawing;
+use crate::{NewWork, WorkWish};
+
+/// A drawing or a program for any arm: one of both.
+#[derive(Debug, Default, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct FleetWork {
+    /// A drawing; the station that takes it plans it for its own arm.
+    drawing: Option<NewDrawing>,
+    /// A job. Its places are those of this station's arm: one that is calibrated otherwise does not take it.
+    job: Option<NewJob>,
+    /// What an arm has to have for it, as in `["pen", "a5"]`.
+    needs: Vec<String>,
+    /// Whose it is; without it, that of whoever submits it.
+    student: Option<String>,
+    /// The group of that one.
+    group: Option<String>,
+}
+
+/// Submits work for any arm.
+pub(crate) async fn submit(
+    asker: Asker,
+    Body(wanted): Body<FleetWork, JOB>,
+) -> Result<(StatusCode, Json<WorkView>), NotDone> {
+    asker.check_role(Role::Queue)?;
+    let port = asker.app.fleet()?;
+    let work = Box::new(wanted.work(&asker, port.name())?);
+    let view = port.work(|reply| WorkWish::Submit(work, reply)).await?;
+    Ok((StatusCode::CREATED, Json(view)))
+}
+
+/// All work that was submitted here.
+pub(crate) async fn all(asker: Asker) -> Result<Json<Vec<WorkView>>, NotDone> {
+    Ok(Json(asker.app.fleet()?.work(WorkWish::List).await?))
+}
+
+/// Cancels work.
+pub(crate) async fn cancel(
+    asker: Asker,
+    Path(work): Path<String>,
+) -> Result<Json<WorkView>, NotDone> {
+    asker.check_role(Role::Queue)?;
+    let port = asker.app.fleet()?;
+    Ok(Json(
+        port.work(|reply| WorkWish::Cancel(work, reply)).await?,
+    ))
+}
+
+/// Gives work that is in doubt, or has failed, to another arm: a person has looked, and decides so.
+pub(crate) async fn give(
+    asker: Asker,
+    Path(work): Path<String>,
+) -> Result<Json<WorkView>, NotDone> {
+    asker.check_role(Role::Control)?;
+    let port = asker.app.fleet()?;
+    Ok(Json(port.work(|reply| WorkWish::Give(work, reply)).await?))
+}
+
+impl FleetWork {
+    /// What is kept of it.
+    fn work(self, asker: &Asker, home: &str) -> Result<NewWork, Problem> {
+        let student = self.student.unwrap_or_else(|| asker.caller.name.clone());
+        check_people(&student, self.group.as_deref())?;
+        check_needs(&self.needs)?;
+        if let Some(key) = asker.key.as_deref().filter(|it| !is_name(it)) {
+            let characters = key.chars().count();
+            return Err(INVALID.problem(format!(
+                "the Idempotency-Key has {characters} characters; allowed are 1 to 60 visible ones"
+            )));
+        }
+        let title = match (&self.drawing, &self.job) {
+            (Some(drawing), None) => drawing.title(),
+            (None, Some(job)) => job.title.chars().take(LONGEST_TITLE).collect(),
+            _ => {
+                return Err(INVALID.problem(
+                    "work is a drawing or a job; give one of them, in `drawing` or in `job`",
+                ));
+            }
+        };
+        let made_for = self.job.as_ref().map(|_| asker.app.planned_for().arm());
+        let offer = FleetOffer {
+            by: home.to_owned(),
+            student: student.clone(),
+            drawing: self.drawing,
+            job: self.job,
+            made_for: made_for.map(|it| it.to_numbers().to_vec()),
+        };
+        Ok(NewWork {
+            title,
+            student,
+            group: self.group,
+            needs: self.needs,
+            submitted_ms: now_ms(),
+            key: asker.key.clone(),
+            offer: serde_json::to_value(offer)
+                .map_err(|error| INVALID.problem(error.to_string()))?,
+        })
+    }
+}
+
+fn check_people(student: &str, group: Option<&str>) -> Result<(), Problem> {
+    if !is_name(student) {
+        return Err(INVALID.problem(format!(
+            "student has {} characters; allowed are 1 to 60 visible ones",
+            student.chars().count()
+        )));
+    }
+    match group.filter(|it| !is_fleet_name(it)) {
+        Some(group) => Err(INVALID.problem(not_a_name("group", group, "room-2"))),
+        None => Ok(()),
+    }
+}
+
+fn check_needs(needs: &[String]) -> Result<(), Problem> {
+    if needs.len() > MOST_NEEDS {
+        let found = needs.len();
+        return Err(INVALID.problem(format!(
+            "needs has {found} words; allowed are up to {MOST_NEEDS}"
+        )));
+    }
+    match needs.iter().find(|it| !is_fleet_name(it)) {
+        Some(need) => Err(INVALID.problem(not_a_name("needs", need, "a5"))),
+        None => Ok(()),
+    }
+}
+
+/// Milliseconds since 1970, by the computer's clock.
+fn now_ms() -> i64 {
+    let since = SystemTime::UNIX_EPOCH.elapsed().unwrap_or_default();
+    i64::try_from(since.as_millis()).unwrap_or(i64::MAX)
+}
+
+const MOST_NEEDS: usize = 16;
+const LONGEST_TITLE: usize = 200;

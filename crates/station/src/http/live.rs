@@ -1,0 +1,5 @@
+//! What goes on while a client watches: WebSockets, server-sent events, packets.
+
+pub(crate) mod events;
+pub(crate) mod packets;
+pub(crate) mod socket;

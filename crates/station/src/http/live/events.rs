@@ -1,0 +1,135 @@
+//! Server-sent events: states and notices, for programs that only watch.
+
+use std::borrow::Cow;
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::Extension;
+use axum::extract::State;
+use axum::http::{HeaderMap, HeaderName, Uri};
+use axum::response::sse::{Event, KeepAlive, Sse};
+use dobot_api::problem_kinds::MALFORMED;
+use dobot_api::{Notice, Problem, ToClient};
+use futures_util::Stream;
+use schemars::JsonSchema;
+use tokio::sync::{OwnedSemaphorePermit, broadcast};
+
+use crate::http::app::{App, Caller, Stay};
+use crate::http::exchange::answer::NotDone;
+use crate::http::exchange::messages;
+use crate::http::live::socket::{StateStream, Wants, state_message};
+
+/// So often something comes, so that a dead connection is found.
+pub(crate) const ALIVE_EVERY: Duration = Duration::from_secs(5);
+const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
+
+/// One event, as its lines say it; for the document only.
+#[derive(JsonSchema)]
+#[expect(dead_code, reason = "only its schema is used")]
+pub(crate) struct ServerSentEvent {
+    /// What it tells: `state` or `notice`; `packet` or `lost`; `member` or `gone`.
+    event: String,
+    /// The number of a notice; nothing else has one.
+    id: Option<String>,
+    /// A message as in `ToClient`, a packet as in `PacketView`, or a station of the fleet as in `Member`, as text.
+    data: String,
+}
+
+/// What one who watches is told, until he goes or the station ends.
+struct Watching {
+    states: StateStream,
+    notices: Option<broadcast::Receiver<Arc<Notice>>>,
+    /// What comes before what happens from now on, the last first.
+    first: Vec<Event>,
+    stay: Stay,
+    _place: OwnedSemaphorePermit,
+}
+
+/// Tells states and notices as they come.
+pub(crate) async fn events(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    uri: Uri,
+    headers: HeaderMap,
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
+    let wants = Wants::of_one_who_watches(&uri)?;
+    let seen = last_seen(&headers)?;
+    let place = app.place()?;
+    let notices = wants.notices().then(|| app.handle.notices());
+    let states = StateStream::new(app.handle.every_state(), wants.states());
+    let mut first = Vec::new();
+    if states.is_wanted() {
+        first.push(state_event(&state_message(&app.handle.state())));
+    }
+    if let (Some(seen), true) = (seen, wants.notices()) {
+        let recent = app.handle.recent();
+        let missed = recent.iter().filter(|it| it.number > seen);
+        first.extend(missed.map(|it| notice_event(it)));
+    }
+    first.reverse();
+    let watching = Watching {
+        states,
+        notices,
+        first,
+        stay: Stay { app, caller },
+        _place: place,
+    };
+    let stream = futures_util::stream::unfold(watching, |mut it| async move {
+        let event = it.next().await?;
+        Some((Ok(event), it))
+    });
+    Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
+}
+
+impl Watching {
+    /// The next event. It is over for one who reads too slowly, too: who comes again with the last
+    /// number that he saw misses no notice.
+    async fn next(&mut self) -> Option<Event> {
+        if let Some(event) = self.first.pop() {
+            return Some(event);
+        }
+        tokio::select! {
+            state = self.states.next() => state.ok().map(|it| state_event(&it)),
+            notice = next(&mut self.notices) => notice.ok().map(|it| notice_event(&it)),
+            () = self.stay.is_over() => None,
+        }
+    }
+}
+
+/// The next notice; never for one who wants none.
+async fn next(
+    notices: &mut Option<broadcast::Receiver<Arc<Notice>>>,
+) -> Result<Arc<Notice>, broadcast::error::RecvError> {
+    match notices {
+        Some(notices) => notices.recv().await,
+        None => std::future::pending().await,
+    }
+}
+
+/// The number of the last notice that one who comes again has seen.
+fn last_seen(headers: &HeaderMap) -> Result<Option<u64>, Problem> {
+    let Some(value) = headers.get(LAST_EVENT_ID) else {
+        return Ok(None);
+    };
+    let number = value.to_str().ok().and_then(|it| it.parse().ok());
+    let Some(number) = number else {
+        return Err(MALFORMED.problem(format!(
+            "Last-Event-ID is {value:?}; expected is the number of a notice"
+        )));
+    };
+    Ok(Some(number))
+}
+
+fn state_event(message: &str) -> Event {
+    Event::default().event("state").data(message)
+}
+
+fn notice_event(notice: &Notice) -> Event {
+    let event = Event::default().event("notice");
+    event
+        .id(notice.number.to_string())
+        .data(messages::text(&ToClient::Notice {
+            notice: Cow::Borrowed(notice),
+        }))
+}

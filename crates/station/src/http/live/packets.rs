@@ -1,0 +1,123 @@
+//! Every packet between the station and the arm, for one who looks at them.
+
+use std::convert::Infallible;
+use std::sync::Arc;
+
+use axum::Extension;
+use axum::extract::State;
+use axum::response::sse::{Event, KeepAlive, Sse};
+use data_encoding::HEXLOWER;
+use dobot_host::PassedPacket;
+use dobot_wire::{Command, Dialect, Frame, Packet, Status};
+use futures_util::Stream;
+use schemars::JsonSchema;
+use serde::Serialize;
+use tokio::sync::OwnedSemaphorePermit;
+use tokio::sync::broadcast::Receiver;
+use tokio::sync::broadcast::error::RecvError;
+
+use crate::http::app::{App, Caller, Stay};
+use crate::http::exchange::answer::NotDone;
+use crate::http::live::events::ALIVE_EVERY;
+
+/// A packet that has passed between the station and the arm.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(tag = "direction", rename_all = "snake_case")]
+pub(crate) enum PacketView {
+    /// It went to the arm.
+    ToArm {
+        /// When, in seconds since the station started.
+        at_s: f64,
+        /// Its 42 bytes, as hex digits.
+        bytes: String,
+        /// What it means, by the dialect of the arm; nothing where it means nothing.
+        command: Option<Command>,
+        /// Why it means nothing.
+        problem: Option<String>,
+    },
+    /// It came from the arm.
+    FromArm {
+        /// When, in seconds since the station started.
+        at_s: f64,
+        /// Its 42 bytes, as hex digits.
+        bytes: String,
+        /// What it means.
+        status: Option<Status>,
+    },
+}
+
+/// How many packets came too fast.
+#[derive(Debug, Serialize)]
+struct Lost {
+    lost: u64,
+}
+
+/// One who listens, until he goes or the station ends.
+struct Listening {
+    packets: Receiver<PassedPacket>,
+    stay: Stay,
+    _place: OwnedSemaphorePermit,
+}
+
+/// Tells the packets as they pass.
+pub(crate) async fn packets(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+) -> Result<Sse<impl Stream<Item = Result<Event, Infallible>>>, NotDone> {
+    let listening = Listening {
+        _place: app.place()?,
+        packets: app.handle.passed(),
+        stay: Stay { app, caller },
+    };
+    let stream = futures_util::stream::unfold(listening, |mut it| async move {
+        let event = it.next().await?;
+        Some((Ok(event), it))
+    });
+    Ok(Sse::new(stream).keep_alive(KeepAlive::new().interval(ALIVE_EVERY)))
+}
+
+impl Listening {
+    async fn next(&mut self) -> Option<Event> {
+        tokio::select! {
+            passed = self.packets.recv() => match passed {
+                Ok(packet) => {
+                    let dialect = self.stay.app.handle.state().state().dialect;
+                    Some(event("packet", &view(&packet, dialect.unwrap_or(Dialect::SPECIFICATION))))
+                }
+                Err(RecvError::Lagged(lost)) => Some(event("lost", &Lost { lost })),
+                Err(RecvError::Closed) => None,
+            },
+            () = self.stay.is_over() => None,
+        }
+    }
+}
+
+fn view(packet: &PassedPacket, dialect: Dialect) -> PacketView {
+    let at_s = packet.at.as_secs_f64();
+    let bytes = HEXLOWER.encode(&packet.bytes);
+    if !packet.to_arm {
+        let frame = Frame::from_bytes(&packet.bytes);
+        let status = frame.and_then(|it| Status::parse(&it).ok());
+        return PacketView::FromArm {
+            at_s,
+            bytes,
+            status,
+        };
+    }
+    let parsed = match Packet::from_bytes(&packet.bytes) {
+        Some(packet) => Command::parse(&packet, &dialect).map_err(|error| error.to_string()),
+        None => Err("it does not begin and end as a packet does".to_owned()),
+    };
+    let problem = parsed.as_ref().err().cloned();
+    PacketView::ToArm {
+        at_s,
+        bytes,
+        command: parsed.ok(),
+        problem,
+    }
+}
+
+fn event(name: &str, data: &impl Serialize) -> Event {
+    let text = serde_json::to_string(data).expect("structures with text keys are JSON");
+    Event::default().event(name).data(text)
+}

@@ -1,0 +1,171 @@
+//! One client's connection: what it says is heard even while it does not listen.
+
+use std::fmt::Display;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::extract::ws::{CloseFrame, Message, close_code};
+use dobot_api::{ClientId, Notice, Problem, Reply, ToClient};
+use dobot_host::Client;
+use dobot_supervisor::Refusal;
+use futures_util::{Sink, SinkExt, Stream, StreamExt};
+use tokio::sync::{broadcast, mpsc, oneshot};
+use tokio::time::timeout;
+
+use super::Wants;
+use super::receive::receive;
+use super::send::News;
+use super::state_stream::StateStream;
+use crate::http::app::{App, Caller, ended};
+use crate::http::exchange::messages;
+
+/// One client's connection.
+#[derive(Debug)]
+pub(crate) struct SocketConnection {
+    app: Arc<App>,
+    caller: Caller,
+    client: Client,
+    name: String,
+    states: StateStream,
+    notices: Option<broadcast::Receiver<Arc<Notice>>>,
+}
+
+/// Why a connection ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// The client closed it, or it broke.
+    Closed,
+    /// The client has said nothing, not even that it is there.
+    Vanished,
+    /// The client does not read what it wants to be sent.
+    Slow,
+    /// The client sends too much.
+    Flood,
+    /// The client's token was removed, or may do less than before.
+    Revoked,
+    /// What the client sends is no WebSocket message.
+    Broken(String),
+    /// The station ends.
+    Ending,
+}
+
+/// What is to be sent to the client, apart from states and notices.
+#[derive(Debug)]
+pub(crate) enum Owed {
+    Answer(u64, oneshot::Receiver<Result<Reply, Refusal>>),
+    Text(String),
+}
+
+/// How long a farewell may take.
+const FAREWELL: Duration = Duration::from_secs(1);
+/// How many answers may wait to be sent before the client is not heard any more.
+const OWED: usize = 256;
+
+impl SocketConnection {
+    pub(crate) fn new(
+        app: &Arc<App>,
+        caller: Caller,
+        client: Client,
+        name: String,
+        wants: &Wants,
+    ) -> Self {
+        let notices = wants.notices.unwrap_or(true).then(|| app.handle.notices());
+        Self {
+            states: StateStream::new(app.handle.every_state(), wants.states),
+            app: app.clone(),
+            caller,
+            client,
+            name,
+            notices,
+        }
+    }
+
+    /// Talks until one side ends it.
+    pub(crate) async fn run<I, O, E>(self, incoming: &mut I, outgoing: &mut O)
+    where
+        I: Stream<Item = Result<Message, E>> + Unpin,
+        O: Sink<Message> + Unpin,
+        E: Display,
+    {
+        let (owe, owed) = mpsc::channel(OWED);
+        let (app, client) = (&*self.app, self.client);
+        let news = News {
+            states: self.states,
+            notices: self.notices,
+            owed,
+        };
+        let end = tokio::select! {
+            end = receive(app, &client, incoming, &owe) => end,
+            end = news.tell(app, &client, outgoing) => end,
+            () = app.revoked(&self.caller) => End::Revoked,
+            () = ended(app.ending.clone()) => End::Ending,
+        };
+        let id = client.id();
+        // What it holds ends now, and not with its last word.
+        drop(client);
+        report(app, id, &self.name, &end).await;
+        // Whether the client hears the last word makes no difference any more.
+        let _ = timeout(FAREWELL, farewell(&end, incoming, outgoing)).await;
+    }
+}
+
+/// Lets those who watch know of a client that is not as it should be.
+async fn report(app: &App, client: ClientId, name: &str, end: &End) {
+    if matches!(end, End::Slow | End::Flood | End::Revoked | End::Broken(_)) {
+        let (number, why) = (client.0, words(end));
+        app.handle
+            .trouble(format!("client {number} ({name}) was dropped: {why}"))
+            .await;
+    }
+}
+
+impl Owed {
+    pub(crate) fn problem(id: Option<u64>, problem: Problem) -> Self {
+        Self::Text(messages::text(&ToClient::Problem { id, problem }))
+    }
+}
+
+/// Says why, and lets what is on its way arrive.
+async fn farewell<I, O>(end: &End, incoming: &mut I, outgoing: &mut O)
+where
+    I: Stream + Unpin,
+    O: Sink<Message> + Unpin,
+{
+    if let Some(code) = code(end) {
+        let reason = words(end).into();
+        let close = Message::Close(Some(CloseFrame { code, reason }));
+        if outgoing.send(close).await.is_err() {
+            return;
+        }
+        while incoming.next().await.is_some() {}
+    }
+    // What cannot be flushed will not be read either.
+    let _ = outgoing.flush().await;
+}
+
+fn code(end: &End) -> Option<u16> {
+    match end {
+        End::Closed => None,
+        End::Vanished | End::Slow | End::Flood | End::Revoked => Some(close_code::POLICY),
+        End::Broken(text) if text.contains("too long") => Some(close_code::SIZE),
+        End::Broken(_) => Some(close_code::PROTOCOL),
+        End::Ending => Some(close_code::AWAY),
+    }
+}
+
+/// Up to 123 bytes: a close frame has no more.
+fn words(end: &End) -> String {
+    match end {
+        End::Closed => "closed".into(),
+        End::Vanished => "it did not answer for 6 s".into(),
+        End::Slow => "it reads too slowly".into(),
+        End::Flood => "it sends more than 1000 messages in a second".into(),
+        End::Revoked => "its token was removed, or may do less than before".into(),
+        End::Broken(text) => text.chars().filter(char::is_ascii).take(100).collect(),
+        End::Ending => "the station is shutting down".into(),
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests;

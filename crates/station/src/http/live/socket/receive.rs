@@ -1,0 +1,93 @@
+//! What a client says.
+
+use std::fmt::Display;
+use std::time::Duration;
+
+use axum::body::Bytes;
+use axum::extract::ws::Message;
+use dobot_api::FromClient;
+use dobot_api::problem_kinds::INVALID;
+use dobot_host::Client;
+use futures_util::{Stream, StreamExt};
+use tokio::sync::mpsc;
+use tokio::time::timeout;
+
+use super::connection::{End, Owed};
+use crate::http::access::rate::{Rate, Used};
+use crate::http::app::App;
+use crate::http::exchange::answer;
+use crate::http::exchange::messages;
+
+/// After what silence a client is not there any more.
+const SILENCE: Duration = Duration::from_secs(6);
+/// How many messages a client may send.
+const MESSAGES: Rate = Rate {
+    per_s: 1000.0,
+    burst: 2000.0,
+};
+
+/// Hears the client until it ends.
+pub(crate) async fn receive<I, E>(
+    app: &App,
+    client: &Client,
+    incoming: &mut I,
+    owe: &mpsc::Sender<Owed>,
+) -> End
+where
+    I: Stream<Item = Result<Message, E>> + Unpin,
+    E: Display,
+{
+    let mut used = Used::default();
+    loop {
+        let message = match timeout(SILENCE, incoming.next()).await {
+            Err(_) => return End::Vanished,
+            Ok(None | Some(Ok(Message::Close(_)))) => return End::Closed,
+            Ok(Some(Err(error))) => return broken(&error),
+            Ok(Some(Ok(message))) => message,
+        };
+        if used.take(MESSAGES, app.now(), 1.0).is_err() {
+            return End::Flood;
+        }
+        let Some(owed) = answer(client, message).await else {
+            continue;
+        };
+        if owe.send(owed).await.is_err() {
+            return End::Closed;
+        }
+    }
+}
+
+/// A connection that breaks off is as good as closed; one that carries no messages is told so.
+fn broken(error: &impl Display) -> End {
+    let text = error.to_string();
+    if text.contains("closing handshake") || text.starts_with("IO error") || text.contains("closed")
+    {
+        End::Closed
+    } else {
+        End::Broken(text)
+    }
+}
+
+/// What is owed to the client for a message.
+async fn answer(client: &Client, message: Message) -> Option<Owed> {
+    let text = match message {
+        Message::Text(text) => text,
+        Message::Binary(_) => {
+            return Some(Owed::problem(
+                None,
+                INVALID.problem("messages are text, not binary"),
+            ));
+        }
+        _ => return None,
+    };
+    Some(
+        match answer::read_beside(Bytes::from(text), messages::read).await {
+            Err(problem) => Owed::problem(None, problem),
+            Ok(Err((id, problem))) => Owed::problem(id, problem),
+            Ok(Ok(FromClient { id, request })) => match client.ask(request).await {
+                Ok(answer) => Owed::Answer(id, answer),
+                Err(refusal) => Owed::problem(Some(id), refusal.into()),
+            },
+        },
+    )
+}

@@ -1,0 +1,179 @@
+//! How many states a client gets.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::extract::ws::Utf8Bytes;
+use dobot_host::Snapshot;
+use tokio::sync::broadcast;
+use tokio::sync::broadcast::error::RecvError;
+use tokio::time::{Instant, sleep_until};
+
+/// The states of one client, at the rate that it chose.
+#[derive(Debug)]
+pub(crate) struct StateStream {
+    states: broadcast::Receiver<Arc<Snapshot>>,
+    rate: Rate,
+    /// The newest state that waits until it is due.
+    held: Option<Arc<Snapshot>>,
+    due: Instant,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Rate {
+    None,
+    Every,
+    Spaced(Duration),
+}
+
+impl StateStream {
+    /// At most `per_s` states in a second, or every one.
+    pub(crate) fn new(states: broadcast::Receiver<Arc<Snapshot>>, per_s: Option<f64>) -> Self {
+        let rate = match per_s {
+            None => Rate::Every,
+            Some(per_s) if per_s > 0.0 => spaced(1.0 / per_s),
+            Some(_) => Rate::None,
+        };
+        Self {
+            states,
+            rate,
+            held: None,
+            due: Instant::now(),
+        }
+    }
+
+    /// Whether any states are wanted.
+    pub(crate) fn is_wanted(&self) -> bool {
+        !matches!(self.rate, Rate::None)
+    }
+
+    /// The next state to send. Nothing is lost when this is given up and called again.
+    ///
+    /// # Errors
+    ///
+    /// When the client lags behind so far that some states are lost, or no more will come.
+    pub(crate) async fn next(&mut self) -> Result<Utf8Bytes, RecvError> {
+        let spacing = match self.rate {
+            Rate::None => std::future::pending().await,
+            Rate::Every => return self.states.recv().await.map(|it| message(&it)),
+            Rate::Spaced(spacing) => spacing,
+        };
+        loop {
+            match self.held.take() {
+                None => self.held = Some(self.newest().await?),
+                Some(held) => {
+                    let message = message(&held);
+                    self.held = Some(held);
+                    tokio::select! {
+                        () = sleep_until(self.due) => {
+                            self.held = None;
+                            self.due = (self.due + spacing).max(Instant::now());
+                            return Ok(message);
+                        }
+                        newer = self.states.recv() => self.held = Some(kept(newer, &mut self.states).await?),
+                    }
+                }
+            }
+        }
+    }
+
+    async fn newest(&mut self) -> Result<Arc<Snapshot>, RecvError> {
+        let first = self.states.recv().await;
+        kept(first, &mut self.states).await
+    }
+}
+
+/// The message that tells a state.
+pub(crate) fn message(state: &Snapshot) -> Utf8Bytes {
+    Utf8Bytes::try_from(state.message()).expect("JSON is UTF-8")
+}
+
+fn spaced(seconds: f64) -> Rate {
+    Duration::try_from_secs_f64(seconds).map_or(Rate::None, Rate::Spaced)
+}
+
+/// The state that came, or the one after those that were lost: who wants few does not miss them.
+async fn kept(
+    came: Result<Arc<Snapshot>, RecvError>,
+    states: &mut broadcast::Receiver<Arc<Snapshot>>,
+) -> Result<Arc<Snapshot>, RecvError> {
+    match came {
+        Err(RecvError::Lagged(_)) => states.recv().await,
+        came => came,
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use super::*;
+    use crate::sample::state;
+
+    fn snapshot(number: u32) -> Arc<Snapshot> {
+        Arc::new(Snapshot::new(state(f64::from(number))))
+    }
+
+    fn number(message: &Utf8Bytes) -> f64 {
+        let value: serde_json::Value = serde_json::from_str(message).unwrap();
+        value["state"]["at_s"].as_f64().unwrap()
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn who_wants_every_state_gets_every_state() {
+        let (tell, states) = broadcast::channel(16);
+        let mut stream = StateStream::new(states, None);
+        for n in 0..10 {
+            tell.send(snapshot(n)).unwrap();
+        }
+        for n in 0..10 {
+            assert_eq!(number(&stream.next().await.unwrap()), f64::from(n));
+        }
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn who_wants_two_in_a_second_gets_the_newest_every_half_second() {
+        let (tell, states) = broadcast::channel(1024);
+        let mut stream = StateStream::new(states, Some(2.0));
+        let telling = tokio::spawn(async move {
+            for n in 0..500 {
+                tell.send(snapshot(n)).unwrap();
+                tokio::time::sleep(Duration::from_millis(10)).await;
+            }
+        });
+        let began = Instant::now();
+        let mut got = Vec::new();
+        while let Ok(message) = stream.next().await {
+            got.push((began.elapsed().as_millis(), number(&message)));
+        }
+        telling.await.unwrap();
+        assert!((10..=11).contains(&got.len()), "{got:?}");
+        for pair in got.windows(2) {
+            assert!(pair[1].0 - pair[0].0 >= 499, "{got:?}");
+            assert!(pair[1].1 - pair[0].1 >= 49.0, "{got:?}");
+        }
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn the_last_state_comes_even_when_nothing_follows() {
+        let (tell, states) = broadcast::channel(16);
+        let mut stream = StateStream::new(states, Some(1.0));
+        for n in 0..3 {
+            tell.send(snapshot(n)).unwrap();
+        }
+        let mut last = number(&stream.next().await.unwrap());
+        while last < 2.0 {
+            last = number(&stream.next().await.unwrap());
+        }
+        assert_eq!(last, 2.0);
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_client_of_all_states_that_lags_too_far_is_told() {
+        let (tell, states) = broadcast::channel(4);
+        let mut stream = StateStream::new(states, None);
+        for n in 0..9 {
+            tell.send(snapshot(n)).unwrap();
+        }
+        assert!(matches!(stream.next().await, Err(RecvError::Lagged(_))));
+    }
+}

@@ -1,0 +1,538 @@
+//! Drawings that are planned for a while beside everything else, to be looked at and made into jobs.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use axum::body::Bytes;
+use dobot_api::problem_kinds::{BAD_DRAWING, DRAWING_PHASE, NO_SUCH_DRAWING, TOO_MANY};
+use dobot_api::{NewJob, Problem};
+use dobot_draw::{
+    DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
+    WITHOUT_ARM_Z_MM, frame,
+};
+use dobot_host::{PlannedFor, drawing_job};
+use dobot_supervisor::plain;
+use dobot_wire::Command;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use tokio::sync::{Semaphore, watch};
+use tokio::task::AbortHandle;
+
+use crate::http::exchange::answer::beside;
+
+/// A drawing that is to be planned: a file, the text that the options tell or both, or a test card.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct NewDrawing {
+    /// The name of the file: its ending tells what kind it is.
+    name: Option<String>,
+    /// What the file holds, in Base64 (RFC 4648).
+    file: Option<String>,
+    /// How it is to be drawn, as the arguments of `dobot draw`.
+    options: Options,
+}
+
+/// A drawing, planned or on the way to it.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub(crate) struct DrawingView {
+    /// Its number.
+    pub(crate) drawing: u64,
+    /// What a person calls it.
+    title: String,
+    /// How far it is.
+    phase: DrawingPhase,
+    /// Why it cannot be planned.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    problem: Option<Problem>,
+    /// What was planned.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plan: Option<DrawingPlan>,
+}
+
+/// How far a drawing is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum DrawingPhase {
+    /// It waits until others are planned.
+    Waiting,
+    /// It is being planned.
+    Planning,
+    /// It is planned.
+    Planned,
+    /// It cannot be planned.
+    Failed,
+}
+
+/// What was planned.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+struct DrawingPlan {
+    /// How much larger than its file says it becomes.
+    scale: f64,
+    /// Whether it burns with a laser.
+    burns: bool,
+    /// What the pen does not show as the file says.
+    warnings: Vec<String>,
+    /// Where the arm waits for a person, and what that one reads there.
+    pauses: Vec<String>,
+    /// Why the arm may not draw it from where it stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refused: Option<Problem>,
+    /// All of it in time, pass by pass and vector by vector.
+    timeline: Timeline,
+}
+
+/// What of a drawing a job is to do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum DrawingPart {
+    /// All of it.
+    #[default]
+    Whole,
+    /// The way around it, with the pen up or the laser off.
+    Frame,
+}
+
+/// A pen, or a material for the laser.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub(crate) struct MaterialView {
+    /// Its name.
+    name: String,
+    /// What draws on it.
+    tool: ToolKind,
+}
+
+/// All drawings that are kept.
+#[derive(Debug)]
+pub(crate) struct Drawings {
+    kept: Mutex<Kept>,
+    /// How many more may be planned at once.
+    slots: Arc<Semaphore>,
+}
+
+#[derive(Debug, Default)]
+struct Kept {
+    last: u64,
+    drawings: BTreeMap<u64, Drawing>,
+}
+
+#[derive(Debug)]
+struct Drawing {
+    title: String,
+    give_up: GiveUp,
+    progress: watch::Receiver<Progress>,
+    work: AbortHandle,
+}
+
+/// How far the plan of a drawing is.
+#[derive(Clone, Debug)]
+enum Progress {
+    Waiting,
+    Planning,
+    Planned(Arc<Planned>),
+    Failed(Problem),
+}
+
+/// A plan with all that is asked of it.
+#[derive(Debug)]
+struct Planned {
+    /// The view of the drawing as JSON: it is long, and made once.
+    view: Bytes,
+    whole: NewJob,
+    frame: Result<NewJob, String>,
+}
+
+impl Planned {
+    /// How much memory it takes, about.
+    fn bytes(&self) -> usize {
+        let frame = self.frame.as_ref().map_or(0, |it| it.commands.len());
+        self.view.len() + (self.whole.commands.len() + frame) * size_of::<Command>()
+    }
+}
+
+impl Default for Drawings {
+    fn default() -> Self {
+        Self {
+            kept: Mutex::default(),
+            slots: Arc::new(Semaphore::new(AT_ONCE)),
+        }
+    }
+}
+
+impl Drawings {
+    /// Begins to plan a drawing; gives what is known of it.
+    ///
+    /// # Errors
+    ///
+    /// A problem where as many are under way as may be.
+    pub(crate) fn begin(
+        &self,
+        new: NewDrawing,
+        planned_for: PlannedFor,
+    ) -> Result<DrawingView, Problem> {
+        let mut kept = self.kept();
+        kept.make_room()?;
+        kept.last += 1;
+        let number = kept.last;
+        let title = new.title();
+        let give_up = GiveUp::default();
+        let (tell, progress) = watch::channel(Progress::Waiting);
+        let work = Work {
+            number,
+            title: title.clone(),
+            new,
+            planned_for,
+            give_up: give_up.clone(),
+        };
+        let work = tokio::spawn(work.run(self.slots.clone(), tell)).abort_handle();
+        let drawing = Drawing {
+            title,
+            give_up,
+            progress,
+            work,
+        };
+        let view = drawing.view(number);
+        kept.drawings.insert(number, drawing);
+        Ok(view)
+    }
+
+    /// A drawing as JSON: when its plan is done, and at the latest after a second.
+    ///
+    /// # Errors
+    ///
+    /// A problem where there is none of this number.
+    pub(crate) async fn view(&self, number: u64) -> Result<Bytes, Problem> {
+        let mut progress = self.find(number, |it| it.progress.clone())?;
+        let over = progress.wait_for(|it| !matches!(it, Progress::Waiting | Progress::Planning));
+        // Whatever it is by then is told.
+        drop(tokio::time::timeout(LONGEST_WAIT, over).await);
+        self.find(number, |it| match &*it.progress.borrow() {
+            Progress::Planned(planned) => planned.view.clone(),
+            _ => json(&it.view(number)),
+        })
+    }
+
+    /// Plans a drawing, and gives the job that does all of it.
+    ///
+    /// # Errors
+    ///
+    /// A problem where it cannot be planned, or as many are under way as may be.
+    pub(crate) async fn plan(
+        &self,
+        new: NewDrawing,
+        planned_for: PlannedFor,
+    ) -> Result<NewJob, Problem> {
+        let number = self.begin(new, planned_for)?.drawing;
+        let mut progress = self.find(number, |it| it.progress.clone())?;
+        let over = progress.wait_for(|it| !matches!(it, Progress::Waiting | Progress::Planning));
+        // One that was forgotten meanwhile is not found below.
+        drop(over.await);
+        let job = self.job(number, DrawingPart::Whole);
+        // Nobody else knows it, and its place is wanted.
+        let _ = self.forget(number);
+        job
+    }
+
+    /// Forgets a drawing; a plan under way is given up.
+    ///
+    /// # Errors
+    ///
+    /// A problem where there is none of this number.
+    pub(crate) fn forget(&self, number: u64) -> Result<(), Problem> {
+        let drawing = self.kept().drawings.remove(&number);
+        drawing.map(drop).ok_or_else(|| none(number))
+    }
+
+    /// The job that does a part of a planned drawing.
+    ///
+    /// # Errors
+    ///
+    /// A problem where there is none of this number, or no plan of it.
+    pub(crate) fn job(&self, number: u64, part: DrawingPart) -> Result<NewJob, Problem> {
+        let progress = self.find(number, |it| it.progress.borrow().clone())?;
+        match (progress, part) {
+            (Progress::Planned(planned), DrawingPart::Whole) => Ok(planned.whole.clone()),
+            (Progress::Planned(planned), DrawingPart::Frame) => {
+                let frame = planned.frame.clone();
+                frame.map_err(|why| BAD_DRAWING.problem(format!("its frame: {why}")))
+            }
+            (Progress::Failed(problem), _) => Err(problem),
+            (Progress::Waiting | Progress::Planning, _) => Err(DRAWING_PHASE.hinted(
+                format!("drawing {number} is not planned yet"),
+                format!("ask for `/api/v1/drawings/{number}` until its phase is `planned`"),
+            )),
+        }
+    }
+
+    fn find<T>(&self, number: u64, of: impl FnOnce(&Drawing) -> T) -> Result<T, Problem> {
+        let kept = self.kept();
+        kept.drawings
+            .get(&number)
+            .map(of)
+            .ok_or_else(|| none(number))
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Kept> {
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Kept {
+    /// Forgets the oldest drawings that are over, where as many are kept as may be, or as much of their plans.
+    fn make_room(&mut self) -> Result<(), Problem> {
+        while self.drawings.len() >= MOST || self.bytes() > MOST_BYTES {
+            let oldest = self.drawings.iter().find(|(_, it)| it.is_over());
+            let oldest = oldest.map(|(&number, _)| number).ok_or_else(|| {
+                TOO_MANY.hinted(
+                    format!("{MOST} drawings are being planned, and there may be {MOST}"),
+                    "wait until some are planned, or give some up",
+                )
+            })?;
+            self.drawings.remove(&oldest);
+        }
+        Ok(())
+    }
+
+    /// How much memory the plans take, about.
+    fn bytes(&self) -> usize {
+        let plans = self.drawings.values().map(|it| &it.progress);
+        plans
+            .map(|it| match &*it.borrow() {
+                Progress::Planned(planned) => planned.bytes(),
+                _ => 0,
+            })
+            .sum()
+    }
+}
+
+impl Drawing {
+    fn is_over(&self) -> bool {
+        !matches!(
+            *self.progress.borrow(),
+            Progress::Waiting | Progress::Planning
+        )
+    }
+
+    /// What is known of it without its plan.
+    fn view(&self, number: u64) -> DrawingView {
+        let (phase, problem) = match &*self.progress.borrow() {
+            Progress::Waiting => (DrawingPhase::Waiting, None),
+            Progress::Planning => (DrawingPhase::Planning, None),
+            Progress::Planned(_) => (DrawingPhase::Planned, None),
+            Progress::Failed(problem) => (DrawingPhase::Failed, Some(problem.clone())),
+        };
+        DrawingView {
+            drawing: number,
+            title: self.title.clone(),
+            phase,
+            problem,
+            plan: None,
+        }
+    }
+}
+
+impl Drop for Drawing {
+    /// Nobody waits for it any more: where it is forgotten, and where the station ends.
+    fn drop(&mut self) {
+        self.give_up.give_up();
+        self.work.abort();
+    }
+}
+
+impl NewDrawing {
+    /// What a person calls it, within what a job may be called.
+    pub(crate) fn title(&self) -> String {
+        let text = Subject::of_text(&self.options.what).map(|it| it.title);
+        let title = self.name.clone().or(text).unwrap_or_default();
+        let title = plain(title.trim(), MOST_LETTERS);
+        if title.is_empty() {
+            return "drawing".to_owned();
+        }
+        title
+    }
+
+    fn subject(&self, title: &str) -> Result<Subject, Problem> {
+        let file = self
+            .file
+            .as_ref()
+            .map(|it| of_file(title, it))
+            .transpose()?;
+        match (file, Subject::of_text(&self.options.what)) {
+            (Some(file), Some(text)) => Ok(file.and(text)),
+            (Some(only), None) | (None, Some(only)) => Ok(only),
+            (None, None) => Err(BAD_DRAWING
+                .problem("it has neither `file` nor `options.what.text` nor `options.what.card`")),
+        }
+    }
+}
+
+/// A file in Base64.
+fn of_file(title: &str, file: &str) -> Result<Subject, Problem> {
+    let bytes = data_encoding::BASE64.decode(file.as_bytes());
+    let bytes = bytes.map_err(|why| BAD_DRAWING.problem(format!("the file in Base64: {why}")))?;
+    Subject::of_file(title, bytes).map_err(|why| BAD_DRAWING.problem(why.to_string()))
+}
+
+/// A drawing on its way to a plan.
+struct Work {
+    number: u64,
+    title: String,
+    new: NewDrawing,
+    planned_for: PlannedFor,
+    give_up: GiveUp,
+}
+
+impl Work {
+    async fn run(self, slots: Arc<Semaphore>, tell: watch::Sender<Progress>) {
+        let slot = slots.acquire_owned().await;
+        tell.send_replace(Progress::Planning);
+        let give_up = self.give_up.clone();
+        let planning = beside(move || {
+            // Others wait until this has really ended.
+            let _slot = slot;
+            self.planned()
+        });
+        let planned = tokio::time::timeout(LONGEST_PLAN, planning).await;
+        let planned = planned.unwrap_or_else(|_| {
+            give_up.give_up();
+            let most_s = LONGEST_PLAN.as_secs();
+            Ok(Err(BAD_DRAWING.hinted(
+                format!("it is not planned after {most_s} s, and takes no longer"),
+                "draw it in parts, or allow a larger tolerance",
+            )))
+        });
+        tell.send_replace(match planned.and_then(|it| it) {
+            Ok(planned) => Progress::Planned(Arc::new(planned)),
+            Err(problem) => Progress::Failed(problem),
+        });
+        // A plan may be large, and its client may never come back for it.
+        tokio::time::sleep(KEPT_FOR).await;
+        let kept_min = KEPT_FOR.as_secs() / 60;
+        tell.send_if_modified(|it| {
+            let is_planned = matches!(it, Progress::Planned(_));
+            if is_planned {
+                *it = Progress::Failed(BAD_DRAWING.hinted(
+                    format!("its plan was kept for {kept_min} minutes, and is forgotten"),
+                    "plan it again",
+                ));
+            }
+            is_planned
+        });
+    }
+
+    fn planned(self) -> Result<Planned, Problem> {
+        let bad = |why: &dyn std::fmt::Display| BAD_DRAWING.problem(why.to_string());
+        let subject = self.new.subject(&self.title)?;
+        let asked = DrawingRequest::new(self.new.options, subject, &Materials::built_in());
+        let asked = asked.map_err(|why| bad(&why))?.until(self.give_up);
+        let arm = self.planned_for;
+        let standing_z_mm = arm.status.map_or(WITHOUT_ARM_Z_MM, |it| it.z_mm.into());
+        let (prepared, settings) = asked
+            .calibrated(arm.calibration.clone())
+            .prepare(arm.dialect, standing_z_mm)
+            .map_err(|why| bad(&why))?;
+        let Prepared { plan, passes, .. } = &prepared;
+        let whole = drawing_job(plan, &self.title);
+        let around = frame(
+            passes,
+            &settings.paper,
+            plan.machine(),
+            FrameShape::Rectangle,
+        );
+        let frame = around.map(|it| drawing_job(&it, &format!("frame of {}", self.title)));
+        let view = DrawingView {
+            drawing: self.number,
+            title: self.title,
+            phase: DrawingPhase::Planned,
+            problem: None,
+            plan: Some(DrawingPlan {
+                scale: prepared.scale,
+                burns: plan.burns(),
+                warnings: prepared.warnings.iter().map(ToString::to_string).collect(),
+                pauses: whole.pauses.iter().map(|it| it.message.clone()).collect(),
+                refused: arm.refuses(&whole).map(Problem::from),
+                timeline: prepared.timeline(),
+            }),
+        };
+        Ok(Planned {
+            view: json(&view),
+            whole,
+            frame: frame.map_err(|why| why.to_string()),
+        })
+    }
+}
+
+/// The pens and materials that a drawing can name.
+pub(crate) fn materials() -> Vec<MaterialView> {
+    let all = Materials::built_in();
+    let view = |(name, material): (&str, &dobot_draw::Material)| MaterialView {
+        name: name.to_owned(),
+        tool: ToolKind::of(&material.tool),
+    };
+    all.iter().map(view).collect()
+}
+
+fn none(number: u64) -> Problem {
+    NO_SUCH_DRAWING.problem(format!("there is no drawing {number}"))
+}
+
+fn json(view: &DrawingView) -> Bytes {
+    serde_json::to_vec(view)
+        .expect("its keys are texts and its numbers are finite")
+        .into()
+}
+
+/// How many are planned at once: one core is left for everything else on a small computer of four.
+const AT_ONCE: usize = 2;
+/// How many are kept.
+const MOST: usize = 16;
+/// How much memory the plans that are kept may take when another one begins: a million vectors and their preview are a third
+/// of it.
+const MOST_BYTES: usize = 512 << 20;
+/// How long a plan is kept.
+const KEPT_FOR: Duration = Duration::from_secs(30 * 60);
+const LONGEST_PLAN: Duration = Duration::from_secs(120);
+const LONGEST_WAIT: Duration = Duration::from_secs(1);
+const MOST_LETTERS: usize = 150;
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a failing test may panic")]
+mod tests {
+    use dobot_api::{JobKind, JobProgram};
+
+    use super::*;
+
+    /// A drawing whose preview is so long; its memory is never touched.
+    fn planned(view_bytes: usize) -> Drawing {
+        let planned = Planned {
+            view: vec![0; view_bytes].into(),
+            whole: NewJob {
+                title: String::new(),
+                kind: JobKind::Drawing,
+                commands: Vec::new(),
+                lift_mm: 0.0,
+                pauses: Vec::new(),
+                program: JobProgram::default(),
+            },
+            frame: Err(String::new()),
+        };
+        Drawing {
+            title: String::new(),
+            give_up: GiveUp::default(),
+            progress: watch::channel(Progress::Planned(Arc::new(planned))).1,
+            work: tokio::spawn(async {}).abort_handle(),
+        }
+    }
+
+    #[tokio::test]
+    async fn plans_are_forgotten_oldest_first_where_they_take_too_much_memory() {
+        let mut kept = Kept::default();
+        for (number, megabytes) in [(1, 1), (2, 300), (3, 100), (4, 300)] {
+            kept.drawings.insert(number, planned(megabytes << 20));
+        }
+        kept.make_room().unwrap();
+        assert_eq!(kept.drawings.keys().copied().collect::<Vec<_>>(), [3, 4]);
+        kept.make_room().unwrap();
+        assert_eq!(kept.drawings.len(), 2, "the others stay");
+    }
+}

@@ -1,0 +1,380 @@
+//! Programs as texts: looked at, edited step by step, and made into jobs.
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+use dobot_api::problem_kinds::{BAD_PROGRAM, OUT_OF_RANGE};
+use dobot_api::{NewJob, Problem};
+use dobot_draw::ProgramFiles;
+use dobot_host::PlannedFor;
+use dobot_teach::{
+    Action, Compiled, Point, Program, ProgramDocument, ProgramError, ProgramForm, RecordedPlace,
+    Report, Times, ToolState, check, path_steps, simplified,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A program, with the files that it names.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ProgramText {
+    /// Its TOML text.
+    text: String,
+    /// The texts of the programs that it calls and of its drawings, by their names in it.
+    #[serde(default)]
+    files: BTreeMap<String, String>,
+}
+
+/// What a program does, and what is wrong with it.
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub(crate) struct ProgramReport {
+    /// What a person calls it.
+    title: String,
+    /// Its steps, in the order in which they are done; those of a repeat at its end stand here once.
+    steps: Vec<StepReport>,
+    /// All that is wrong, in the order of the steps. Of a text that is no program only the first thing.
+    problems: Vec<ProgramProblem>,
+    /// How long all of it takes once, in seconds, by the motion model.
+    once_s: f64,
+    /// How long a cycle takes that follows another one, in seconds; none where nothing is done again.
+    cycle_s: Option<f64>,
+    /// How long all of it takes, in seconds; none where it goes on until a person ends it.
+    total_s: Option<f64>,
+}
+
+/// A step of a program.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+struct StepReport {
+    /// What it does.
+    label: String,
+    /// The called program in which it stands; none in the program itself.
+    file: Option<String>,
+    /// The line on which it begins, counted from 1.
+    line: usize,
+    /// Its first command in the job, counted from 0.
+    first: usize,
+    /// How long it takes the first time, in seconds.
+    takes_s: f64,
+}
+
+/// Something that is wrong with a program.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+struct ProgramProblem {
+    /// The step, counted from 1 in the order in which they are done; none where the text is no program.
+    step: Option<usize>,
+    /// The called program in which it stands; none in the program itself.
+    file: Option<String>,
+    /// The line, counted from 1, where it is known.
+    line: Option<usize>,
+    /// What is wrong, and what is allowed.
+    message: String,
+    /// What helps.
+    remedy: Option<String>,
+}
+
+/// A program that is to become a job.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct NewProgram {
+    /// The program.
+    program: ProgramText,
+    /// The step with which it begins, counted from 1 in the order in which they are done.
+    #[serde(default = "first")]
+    #[schemars(range(min = 1))]
+    from_step: usize,
+    /// How often it is done; without this as often as it says itself.
+    #[serde(default)]
+    times: Option<Repeat>,
+}
+
+const fn first() -> usize {
+    1
+}
+
+/// How often a program is done.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Repeat {
+    /// So often in all, 1 or more.
+    Count(#[schemars(range(min = 1))] u64),
+    /// Until a person ends it.
+    Forever,
+}
+
+/// Changes of a program's text.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct EditProgram {
+    /// The text; where it is empty, a program begins.
+    #[serde(default)]
+    text: String,
+    /// What is changed, in order; either all of it is or nothing.
+    #[schemars(length(max = 1000))]
+    edits: Vec<Edit>,
+}
+
+/// A change of a program's text; what is not touched keeps its comments and its form. Steps are those of the program
+/// itself, counted from 0.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+enum Edit {
+    /// Puts a step before the one that has this number; behind the last one with their number.
+    Insert {
+        /// Where.
+        at: usize,
+        /// The step.
+        step: Action,
+    },
+    /// Puts a path there that was jogged: straight lines through as few of its places as keep it within the tolerance.
+    InsertPath {
+        /// Where.
+        at: usize,
+        /// Its places, in order.
+        #[schemars(length(max = 100_000))]
+        places: Vec<RecordedPlace>,
+        /// How far the lines may be from the places, in mm.
+        #[schemars(range(min = 0.01, max = 50.0))]
+        tolerance_mm: f64,
+    },
+    /// Puts another step in place of one.
+    Replace {
+        /// Which.
+        at: usize,
+        /// The step.
+        step: Action,
+    },
+    /// Takes a step away.
+    Remove {
+        /// Which.
+        at: usize,
+    },
+    /// Moves a step, so that it has another number.
+    Move {
+        /// Which.
+        from: usize,
+        /// Its number then.
+        to: usize,
+    },
+    /// Sets a named point, which may be new.
+    SetPoint {
+        /// Its name.
+        name: String,
+        /// Where it is.
+        point: Point,
+    },
+}
+
+/// The text of a program.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub(crate) struct EditedProgram {
+    /// The text.
+    text: String,
+    /// How many steps it has.
+    steps: usize,
+}
+
+/// A program in one form that is wanted in another.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ConvertProgram {
+    /// Its text; a file of the vendor's programs has bytes instead.
+    #[serde(default)]
+    text: Option<String>,
+    /// The bytes of a file, in base64.
+    #[serde(default)]
+    data: Option<String>,
+    /// What the bytes are; a text is a program.
+    #[serde(default)]
+    from: ProgramForm,
+    /// What it is to be.
+    to: ProgramForm,
+}
+
+/// A program in the form that was asked for.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub(crate) struct ConvertedProgram {
+    /// The text.
+    text: String,
+    /// What was surprising, and what the form cannot carry.
+    warnings: Vec<String>,
+}
+
+/// A program in another form.
+pub(crate) fn convert(asked: &ConvertProgram) -> Result<ConvertedProgram, Problem> {
+    let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
+    let bytes = match (&asked.text, &asked.data) {
+        (Some(text), None) => text.clone().into_bytes(),
+        (None, Some(data)) => data_encoding::BASE64
+            .decode(data.as_bytes())
+            .map_err(|error| BAD_PROGRAM.problem(format!("data is not base64: {error}")))?,
+        _ => return Err(BAD_PROGRAM.problem("one of text and data says what it is")),
+    };
+    let program = asked.from.read(&bytes).map_err(bad)?;
+    let written = asked.to.write(&program.it).map_err(bad)?;
+    let mut warnings = program.warnings;
+    warnings.extend(written.warnings);
+    Ok(ConvertedProgram {
+        text: written.it,
+        warnings,
+    })
+}
+
+/// Looks at a whole program.
+pub(crate) fn report(program: &ProgramText, arm: &PlannedFor) -> ProgramReport {
+    let compiled = match compile(program, arm) {
+        Ok(compiled) => compiled,
+        Err(error) => {
+            return ProgramReport {
+                problems: vec![ProgramProblem {
+                    step: None,
+                    file: error.file.clone(),
+                    line: error.line,
+                    message: error.reason,
+                    remedy: None,
+                }],
+                ..ProgramReport::default()
+            };
+        }
+    };
+    let found = look(&compiled, arm);
+    let steps = compiled.steps.iter().zip(&found.steps_s);
+    ProgramReport {
+        steps: steps
+            .map(|(step, &takes_s)| StepReport {
+                label: step.label.to_string(),
+                file: step.file.as_deref().map(str::to_owned),
+                line: step.line,
+                first: step.first,
+                takes_s,
+            })
+            .collect(),
+        problems: found.problems.into_iter().map(problem).collect(),
+        once_s: found.once_s,
+        cycle_s: found.cycle_s,
+        total_s: found.total_s,
+        title: compiled.title,
+    }
+}
+
+fn problem(it: dobot_teach::Problem) -> ProgramProblem {
+    ProgramProblem {
+        step: Some(it.step),
+        file: it.file,
+        line: Some(it.line),
+        message: it.message,
+        remedy: Some(it.remedy),
+    }
+}
+
+/// The job of a program.
+pub(crate) fn job(new: &NewProgram, arm: &PlannedFor) -> Result<NewJob, Problem> {
+    let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
+    let mut compiled = compile(&new.program, arm).map_err(bad)?;
+    if let Some(first) = look(&compiled, arm).problems.into_iter().next() {
+        let (step, line, what) = (first.step, first.line, first.message);
+        return Err(BAD_PROGRAM.hinted(format!("step {step} (line {line}): {what}"), first.remedy));
+    }
+    match new.times {
+        Some(Repeat::Count(0)) => {
+            return Err(OUT_OF_RANGE.problem("times is 0; allowed is 1 or more, or forever"));
+        }
+        Some(Repeat::Count(count)) => compiled.repeat(Times::Count(count)),
+        Some(Repeat::Forever) => compiled.repeat(Times::Forever),
+        None => {}
+    }
+    let steps = compiled.steps.len();
+    let rest = new.from_step.checked_sub(1);
+    let rest = rest.and_then(|step| compiled.from_step(step));
+    let rest = rest.ok_or_else(|| {
+        let found = new.from_step;
+        OUT_OF_RANGE.problem(format!("from_step is {found}; allowed is 1 to {steps}"))
+    })?;
+    Ok(rest.job())
+}
+
+/// Changes a program's text.
+pub(crate) fn edit(asked: EditProgram) -> Result<EditedProgram, Problem> {
+    for edit in &asked.edits {
+        if let Edit::InsertPath { tolerance_mm, .. } = edit
+            && !TOLERANCE_MM.contains(tolerance_mm)
+        {
+            let (least, most) = (TOLERANCE_MM.start(), TOLERANCE_MM.end());
+            return Err(OUT_OF_RANGE.problem(format!(
+                "tolerance_mm is {tolerance_mm}; allowed is {least} to {most}"
+            )));
+        }
+    }
+    let bad = |it: ProgramError| BAD_PROGRAM.problem(it.to_string());
+    let mut edits = asked.edits.into_iter();
+    let mut document = if asked.text.trim().is_empty() {
+        begin(edits.next())?
+    } else {
+        ProgramDocument::new(&asked.text).map_err(bad)?
+    };
+    for (index, edit) in edits.enumerate() {
+        let numbered = |it: ProgramError| BAD_PROGRAM.problem(format!("edit {index}: {it}"));
+        apply(&mut document, edit).map_err(numbered)?;
+    }
+    Ok(EditedProgram {
+        steps: document.steps(),
+        text: document.text(),
+    })
+}
+
+/// A new program has what is inserted first.
+fn begin(first: Option<Edit>) -> Result<ProgramDocument, Problem> {
+    let actions = match first {
+        Some(Edit::Insert { at: 0, step }) => vec![step],
+        Some(Edit::InsertPath {
+            at: 0,
+            places,
+            tolerance_mm,
+        }) => path_steps(&simplified(&places, tolerance_mm), ToolState::default()),
+        _ => Vec::new(),
+    };
+    if actions.is_empty() {
+        return Err(BAD_PROGRAM
+            .problem("the text is empty; a new program begins with an edit that inserts at 0"));
+    }
+    let text = Program::new(actions).to_toml();
+    ProgramDocument::new(&text).map_err(|it| BAD_PROGRAM.problem(it.to_string()))
+}
+
+fn apply(document: &mut ProgramDocument, edit: Edit) -> Result<(), ProgramError> {
+    match edit {
+        Edit::Insert { at, step } => document.insert(at, step),
+        Edit::InsertPath {
+            at,
+            places,
+            tolerance_mm,
+        } => {
+            let steps = document.program()?.steps.0;
+            let before = ToolState::behind(&steps[..at.min(steps.len())]);
+            let path = path_steps(&simplified(&places, tolerance_mm), before);
+            let mut path = path.into_iter().enumerate();
+            path.try_for_each(|(index, step)| document.insert(at + index, step))
+        }
+        Edit::Replace { at, step } => document.replace(at, step),
+        Edit::Remove { at } => document.remove(at),
+        Edit::Move { from, to } => document.move_step(from, to),
+        Edit::SetPoint { name, point } => document.set_point(&name, &point),
+    }
+}
+
+fn compile(program: &ProgramText, arm: &PlannedFor) -> Result<Compiled, ProgramError> {
+    let read = |path: &str| match program.files.get(path) {
+        Some(text) => Ok(text.clone().into_bytes()),
+        None => Err(format!(
+            "{path} did not come with the program; `files` names what did"
+        )),
+    };
+    let mut files = ProgramFiles::new(read, arm.dialect(), arm.calibration.clone());
+    Program::from_toml(&program.text)?.compile_for(&arm.arm(), &mut files)
+}
+
+fn look(compiled: &Compiled, arm: &PlannedFor) -> Report {
+    check(compiled, &arm.rules.policy, arm.model())
+}
+
+/// How far the lines of a path may be from its places.
+const TOLERANCE_MM: RangeInclusive<f64> = 0.01..=50.0;
