@@ -32,6 +32,7 @@ mod detection;
 mod event;
 #[cfg(feature = "io")]
 mod link;
+mod link_error;
 #[cfg(feature = "io")]
 mod open;
 mod peer;
@@ -51,11 +52,12 @@ pub use address::{Address, AddressError, DEFAULT_BAUD};
 pub use arm::Arm;
 pub use bystander::{Bystander, SeenOver};
 #[cfg(feature = "io")]
-pub use connection::{Connection, LinkError};
+pub use connection::Connection;
 pub use detection::{Detection, DetectionError};
 pub use event::{Disarmed, Event, NotReached};
 #[cfg(feature = "io")]
 pub use link::Link;
+pub use link_error::LinkError;
 #[cfg(feature = "io")]
 pub use open::OpenError;
 pub use peer::Peer;

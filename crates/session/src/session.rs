@@ -333,6 +333,7 @@ impl Session {
     }
 
     /// Takes note that a packet left only now.
+    #[cfg(feature = "io")]
     pub(crate) const fn note_left(&mut self, now: Duration) {
         self.left = Some(now);
     }

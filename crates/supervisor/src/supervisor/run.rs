@@ -1,16 +1,8 @@
 //! The job that the arm is at: one vector after the other, none twice, none left out.
 
-mod adjust;
-mod approach;
-mod begun;
-mod cycles;
-mod grip;
-mod permit;
-mod rest;
-mod retry;
-mod speeds;
-mod supply;
-mod watch;
+mod feed;
+mod observe;
+mod start;
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -22,14 +14,14 @@ use dobot_plan::{Machine, end_speed_mm_s};
 use dobot_session::CommandId;
 use dobot_wire::{Command, PlaybackAdjustment, Status};
 
-pub(super) use self::adjust::check_height;
-use self::approach::straight;
-pub use self::begun::{Begun, Effect};
-use self::cycles::CycleTimes;
-use self::grip::UnseenGrip;
-use self::permit::Permit;
-use self::retry::Retries;
-use self::speeds::Speeds;
+pub(super) use self::feed::adjust::check_height;
+use self::feed::cycles::CycleTimes;
+use self::feed::permit::Permit;
+use self::feed::speeds::Speeds;
+use self::observe::grip_check::UnseenGrip;
+use self::observe::resend::Retries;
+use self::start::approach::straight;
+pub use self::start::started_job::{Begun, Effect};
 
 /// The job that the arm is at, or that is paused.
 #[derive(Debug)]

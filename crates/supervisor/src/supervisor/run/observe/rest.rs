@@ -3,8 +3,8 @@
 use dobot_api::{JobPhase, News};
 use dobot_journal::Window;
 
-use super::{Effect, JobEffect, Phase, Rests, Run, ToolHeight, straight, word};
 use crate::supervisor::arm::Arm;
+use crate::supervisor::run::{Effect, JobEffect, Phase, Rests, Run, ToolHeight, straight, word};
 
 impl Run {
     /// Ends a job that gives the arm no commands any more, with what its phase needs for that.
@@ -68,7 +68,12 @@ impl Run {
         self.drain(JobPhase::Paused, why, Rests::Lifted)
     }
 
-    pub(super) fn drain(&mut self, then: JobPhase, reason: &str, rests: Rests) -> JobEffect {
+    pub(in crate::supervisor::run) fn drain(
+        &mut self,
+        then: JobPhase,
+        reason: &str,
+        rests: Rests,
+    ) -> JobEffect {
         self.phase = Phase::Draining {
             then,
             reason: reason.to_owned(),
@@ -82,7 +87,7 @@ impl Run {
 
     /// All was given that the job does before it rests: the tool is lifted right behind that, so that
     /// no pen stands on the paper.
-    pub(super) fn lift(&mut self, arm: &mut Arm, may_lift: bool, then: JobPhase, reason: String) {
+    pub(crate) fn lift(&mut self, arm: &mut Arm, may_lift: bool, then: JobPhase, reason: String) {
         let up = self.lift_mm();
         let command = straight(up.into());
         let lifts = up > 0.0 && may_lift && arm.send(&command).is_ok();
@@ -99,7 +104,7 @@ impl Run {
     }
 
     /// Nothing of the job is under way any more: how far it got is certain, and kept.
-    pub(super) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
+    pub(crate) fn rest(&mut self, arm: &mut Arm, then: JobPhase, reason: String) -> Vec<JobEffect> {
         if let Phase::Draining {
             rests: Rests::ToTryAgain,
             ..
@@ -147,7 +152,7 @@ impl Run {
             .then(|| self.begun.counted(self.certain()))
     }
 
-    pub(super) fn notify(&self, phase: JobPhase, reason: &str) -> JobEffect {
+    pub(crate) fn notify(&self, phase: JobPhase, reason: &str) -> JobEffect {
         let job = self.job();
         let text = format!("job {job} is {}: {reason}", word(phase));
         JobEffect::Notify(News::Job { job, phase }, text)

@@ -7,10 +7,10 @@ use dobot_journal::Window;
 use dobot_session::CommandId;
 use dobot_wire::{Command, Status};
 
-use super::grip::{SEEN_WITHIN, UnseenGrip};
-use super::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
+use crate::supervisor::run::observe::grip_check::{SEEN_WITHIN, UnseenGrip};
+use crate::supervisor::run::{Effect, JobEffect, Phase, Ran, Rests, Run, SentCommand, ToolHeight};
 
 impl Run {
     /// Takes that a command was not sent, and is forgotten.
@@ -230,7 +230,7 @@ impl Run {
         }
     }
 
-    pub(super) fn handle_done(&mut self, given: SentCommand, now: Duration) {
+    pub(in crate::supervisor::run) fn handle_done(&mut self, given: SentCommand, now: Duration) {
         self.begun.completed = given.index + 1;
         self.left = given.left;
         self.handle_progress(now);

@@ -3,9 +3,9 @@
 use dobot_journal::HeightChange;
 use dobot_safety::Policy;
 
-use super::{Effect, JobEffect, Phase, Run};
 use crate::refusal::Refusal;
 use crate::supervisor::JobPlan;
+use crate::supervisor::run::{Effect, JobEffect, Phase, Run};
 
 /// Whether a job may be drawn so much higher.
 pub(in crate::supervisor) fn check_height(offset_mm: f64) -> Result<(), Refusal> {

@@ -107,7 +107,7 @@ impl Begun {
     }
 
     /// Where it waits next for a person: the command, by its place in the plan, and what the person is told.
-    pub(super) fn next_pause(&self) -> Option<(usize, &str)> {
+    pub(crate) fn next_pause(&self) -> Option<(usize, &str)> {
         self.pause(self.behind.pauses)
     }
 
@@ -133,13 +133,13 @@ impl Begun {
     }
 
     /// Where it ends, by its place in the plan.
-    pub(super) fn end(&self) -> usize {
+    pub(crate) fn end(&self) -> usize {
         let cycle = self.plan.cycle();
         cycle.map_or(self.plan.len(), |it| it.job_end(self.back / it.len))
     }
 
     /// Where the step ends that it is at, by its place in the plan.
-    pub(super) fn step_end(&self) -> usize {
+    pub(crate) fn step_end(&self) -> usize {
         let (_, within) = self.program.at(self.completed + self.back, self.commands);
         let steps = &self.program.steps;
         let next = match steps.get(steps.partition_point(|it| *it <= within)) {
@@ -151,7 +151,7 @@ impl Begun {
     }
 
     /// The same window as the journal counts it.
-    pub(super) fn counted(&self, window: Window) -> Window {
+    pub(crate) fn counted(&self, window: Window) -> Window {
         Window {
             completed: window.completed + self.back,
             upto: window.upto + self.back,
@@ -160,12 +160,12 @@ impl Begun {
     }
 
     /// A window of the journal by its places in the plan.
-    pub(super) fn in_plan(&self, window: Window) -> Window {
+    pub(crate) fn in_plan(&self, window: Window) -> Window {
         back_by(window, self.back)
     }
 
     /// How fast it may be done at the most, in percent of the plan.
-    pub(super) fn most_percent(&self) -> f64 {
+    pub(crate) fn most_percent(&self) -> f64 {
         match self.kind {
             JobKind::Drawing => f64::INFINITY,
             JobKind::Program => 100.0 * 100.0 / self.plan.fastest_percent(),
@@ -173,13 +173,13 @@ impl Begun {
     }
 
     /// How fast the targets from a command on are gone to, where a person has changed that.
-    pub(super) fn target_speed(&self, index: usize) -> Option<PlaybackAdjustment> {
+    pub(crate) fn target_speed(&self, index: usize) -> Option<PlaybackAdjustment> {
         let playback = self.plan.drawn_with(index).playback;
         (self.kind == JobKind::Program).then(|| self.at_speed(playback))
     }
 
     /// A playback adjustment of a program at the speed that a person has chosen.
-    pub(super) fn at_speed(&self, planned: PlaybackAdjustment) -> PlaybackAdjustment {
+    pub(crate) fn at_speed(&self, planned: PlaybackAdjustment) -> PlaybackAdjustment {
         let percent = f64::from(planned.speed_percent) * self.adjustment.speed_percent / 100.0;
         PlaybackAdjustment {
             speed_percent: single(percent),
@@ -188,7 +188,7 @@ impl Begun {
     }
 
     /// Goes back by a cycle, if one is over that may be done again; says by how many commands.
-    pub(super) fn go_back(&mut self) -> Option<usize> {
+    pub(crate) fn go_back(&mut self) -> Option<usize> {
         let cycle = self.plan.cycle()?;
         let len = cycle.len * cycle.cycles_back(self.completed);
         self.back += len;
@@ -197,7 +197,7 @@ impl Begun {
     }
 
     /// How far above the plan it is drawn, in mm.
-    pub(super) fn height_mm(&self) -> f64 {
+    pub(crate) fn height_mm(&self) -> f64 {
         let last = self.adjustment.heights.last();
         last.map_or(0.0, |it| it.offset_mm)
     }

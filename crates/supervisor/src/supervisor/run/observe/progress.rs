@@ -8,9 +8,9 @@ use dobot_motion::Model;
 use dobot_session::position;
 use dobot_wire::{Command, Status};
 
-use super::{Begun, Effect, JobEffect, Phase, Run, word};
 use crate::supervisor::JobPlan;
 use crate::supervisor::arm::Arm;
+use crate::supervisor::run::{Begun, Effect, JobEffect, Phase, Run, word};
 
 impl Run {
     /// So many statuses in a row that tell the same: nothing of a window is under way any more, not
@@ -139,7 +139,7 @@ impl Run {
 }
 
 /// Which command is the first that was not done, by where the arm rests.
-pub(super) fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Result<usize, Unclear> {
+pub(crate) fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Result<usize, Unclear> {
     if window.completed == window.upto {
         return Ok(window.completed);
     }
@@ -171,4 +171,4 @@ const STATUSES_PER_S: f32 = 12.5;
 const A_DAY_S: f32 = 86_400.0;
 
 /// As near as this the arm is where it should be.
-pub(super) const THERE_MM: f64 = 0.3;
+pub(crate) const THERE_MM: f64 = 0.3;

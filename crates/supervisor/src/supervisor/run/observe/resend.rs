@@ -4,13 +4,13 @@ use dobot_api::JobPhase;
 use dobot_journal::Window;
 use dobot_wire::Command;
 
-use super::{Begun, JobEffect, Phase, Rests, Run};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
+use crate::supervisor::run::{Begun, JobEffect, Phase, Rests, Run};
 
 /// How often the same command was sent again, one time after the other.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Retries {
+pub(crate) struct Retries {
     /// The command, counted over all cycles.
     command: usize,
     times: u32,

@@ -8,26 +8,26 @@ use std::time::Duration;
 
 use dobot_wire::Status;
 
-use super::{Run, SentCommand};
+use crate::supervisor::run::{Run, SentCommand};
 
 /// A grip that is over as far as anybody can tell, and that no status shows yet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct UnseenGrip {
-    pub(super) command: SentCommand,
+pub(crate) struct UnseenGrip {
+    pub(crate) command: SentCommand,
     /// Until then it is waited for.
-    pub(super) until: Duration,
+    pub(crate) until: Duration,
 }
 
 impl Run {
     /// Whether the next command has to wait for those before it.
-    pub(super) fn waits_for_grip(&self) -> bool {
+    pub(crate) fn waits_for_grip(&self) -> bool {
         let grips = |index| self.begun.plan.grips(index);
         let last = self.given.back().is_some_and(|it| grips(it.index));
         self.unseen.is_some() || last || grips(self.next) && !self.given.is_empty()
     }
 
     /// Whether a status shows what a command did with pump and gripper.
-    pub(super) fn shows_grip(&self, index: usize, status: &Status) -> bool {
+    pub(crate) fn shows_grip(&self, index: usize, status: &Status) -> bool {
         !self.begun.plan.grips(index) || self.begun.plan.shows_grip(index, status)
     }
 
@@ -52,4 +52,4 @@ impl Run {
 }
 
 /// Statuses come twelve times a second: after so long one would have shown it.
-pub(super) const SEEN_WITHIN: Duration = Duration::from_millis(1500);
+pub(crate) const SEEN_WITHIN: Duration = Duration::from_millis(1500);

@@ -7,10 +7,10 @@ use dobot_motion::TrajectoryError;
 use dobot_session::{SendError, position};
 use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteVector, single};
 
-use super::watch::{THERE_MM, locate_at};
-use super::{Begun, CarriedOver, Effect, JobEffect, Phase, Run, ToolHeight};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
+use crate::supervisor::run::observe::progress::{THERE_MM, locate_at};
+use crate::supervisor::run::{Begun, CarriedOver, Effect, JobEffect, Phase, Run, ToolHeight};
 
 impl Run {
     /// Begins a job, or goes on with a paused one: with this one, if it is the same.
@@ -129,7 +129,7 @@ struct JobApproach {
 }
 
 /// Straight up or down, slowly, with the laser off.
-pub(super) fn straight(z_mm: f64) -> Command {
+pub(crate) fn straight(z_mm: f64) -> Command {
     WriteVector::by(0.0, 0.0, single(z_mm), 20.0).into()
 }
 

@@ -9,7 +9,7 @@ use crate::supervisor::JobPlan;
 /// At which speeds the vectors go that are not sent yet: as planned, or at a share of that, or as
 /// it takes to begin or to come to rest in the middle of a stroke.
 #[derive(Clone, Debug)]
-pub(super) struct Speeds {
+pub(crate) struct Speeds {
     share: f64,
     machine: Machine,
     /// The first vector with a speed of its own.
@@ -20,7 +20,7 @@ pub(super) struct Speeds {
 }
 
 impl Speeds {
-    pub(super) const fn new(speed_percent: f64, machine: Machine) -> Self {
+    pub(crate) const fn new(speed_percent: f64, machine: Machine) -> Self {
         Self {
             share: speed_percent / 100.0,
             machine,
@@ -32,14 +32,14 @@ impl Speeds {
 
     /// Nobody knows with what speed a stock arm begins the rest of this stroke. A vector between two
     /// rests becomes as long as it should whatever that is, so each of them is one.
-    pub(super) fn rest_each(&mut self, plan: &JobPlan, index: usize) {
+    pub(crate) fn rest_each(&mut self, plan: &JobPlan, index: usize) {
         if self.machine.has_ticks {
             self.rests_until = index + plan.chain(index).count();
         }
     }
 
     /// A command as it is to be sent when the one before it ends with so much speed, in mm/s.
-    pub(super) fn command(
+    pub(crate) fn command(
         &mut self,
         plan: &JobPlan,
         index: usize,
@@ -60,7 +60,7 @@ impl Speeds {
     }
 
     /// From here on it is another share, or another way.
-    pub(super) fn change(
+    pub(crate) fn change(
         &mut self,
         plan: &JobPlan,
         index: usize,
@@ -72,7 +72,7 @@ impl Speeds {
     }
 
     /// Takes that the places in the plan have gone back.
-    pub(super) fn go_back(&mut self, back: usize) {
+    pub(crate) fn go_back(&mut self, back: usize) {
         match self.first.checked_sub(back) {
             Some(first) => self.first = first,
             None => self.vectors.clear(),
@@ -82,7 +82,7 @@ impl Speeds {
 
     /// Comes to rest on the way that goes on, if that is soon and no laser burns there. Gives the
     /// command before which the arm rests.
-    pub(super) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
+    pub(crate) fn brake(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) -> Option<usize> {
         let speed = f64::from(speed_mm_s);
         let needed_mm =
             speed * speed / (2.0 * plan.drawn_with(index).acceleration_mm_s2) * TO_SPARE;
@@ -103,14 +103,14 @@ impl Speeds {
     }
 
     /// The arm as it does a vector of the job.
-    pub(super) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
+    pub(crate) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
         Machine {
             acceleration_mm_s2: plan.drawn_with(index).acceleration_mm_s2,
             ..self.machine
         }
     }
 
-    pub(super) const fn rests_each(&self, index: usize) -> bool {
+    pub(crate) const fn rests_each(&self, index: usize) -> bool {
         index < self.rests_until
     }
 

@@ -4,11 +4,11 @@ use std::time::Duration;
 
 use dobot_api::ProgramView;
 
-use super::{Phase, Run};
+use crate::supervisor::run::{Phase, Run};
 
 /// How long the cycles took that were done in one go.
 #[derive(Debug, Default)]
-pub(super) struct CycleTimes {
+pub(crate) struct CycleTimes {
     /// When the cycle began that is under way, if it did without a pause since.
     begun: Option<Duration>,
     total: Duration,
@@ -25,7 +25,7 @@ impl CycleTimes {
     }
 
     /// The cycle that is under way does not count: the job rests in it.
-    pub(super) const fn forget(&mut self) {
+    pub(crate) const fn forget(&mut self) {
         self.begun = None;
     }
 
@@ -36,7 +36,7 @@ impl CycleTimes {
 
 impl Run {
     /// Takes that one more command is over: perhaps a cycle is, and the places in the plan go back.
-    pub(super) fn handle_progress(&mut self, now: Duration) {
+    pub(crate) fn handle_progress(&mut self, now: Duration) {
         let Some(cycle) = self.begun.plan.cycle() else {
             return;
         };
@@ -70,7 +70,7 @@ impl Run {
     }
 
     /// At work, up to where it waits for a person, or ends.
-    pub(super) fn running(&self) -> Phase {
+    pub(in crate::supervisor::run) fn running(&self) -> Phase {
         let pause = self.begun.next_pause().map(|it| it.0);
         let ends = [
             Some(self.begun.end()),
@@ -83,7 +83,7 @@ impl Run {
     }
 
     /// How long the rest takes, in seconds, by the motion model.
-    pub(super) fn left_s(&self) -> Option<f64> {
+    pub(crate) fn left_s(&self) -> Option<f64> {
         let (begun, plan) = (&self.begun, &self.begun.plan);
         let cycles = plan.cycle().map_or(0, |it| begun.back / it.len);
         #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
@@ -92,7 +92,7 @@ impl Run {
         Some(plan.planned_s()? - over_s)
     }
 
-    pub(super) fn program_view(&self, counted: usize) -> Option<ProgramView> {
+    pub(crate) fn program_view(&self, counted: usize) -> Option<ProgramView> {
         let view = self.begun.program.view(self.begun.commands, counted)?;
         Some(ProgramView {
             planned_cycle_s: self.begun.plan.cycle_s(),

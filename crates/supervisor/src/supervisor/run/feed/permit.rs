@@ -5,7 +5,7 @@ use dobot_journal::Adjustment;
 
 /// What the journal has of a job, and what it has been asked for.
 #[derive(Debug)]
-pub(super) struct Permit {
+pub(crate) struct Permit {
     /// Commands below this one may be sent: the journal has it.
     upto: usize,
     /// As many commands are done as the journal has it: a station that is started after a crash
@@ -25,7 +25,7 @@ struct PendingRequest {
 
 impl Permit {
     /// No command may be sent yet, and so many are done as the journal has it.
-    pub(super) const fn new(completed: usize, kept: usize) -> Self {
+    pub(crate) const fn new(completed: usize, kept: usize) -> Self {
         Self {
             upto: completed,
             kept,
@@ -35,17 +35,17 @@ impl Permit {
     }
 
     /// Whether a command may be sent.
-    pub(super) const fn allows(&self, index: usize) -> bool {
+    pub(crate) const fn allows(&self, index: usize) -> bool {
         index < self.upto && self.adjustment.is_none()
     }
 
     /// Whether it is time to ask for more, when this command is the next.
-    pub(super) const fn is_low(&self, next: usize) -> bool {
+    pub(crate) const fn is_low(&self, next: usize) -> bool {
         self.asked.is_none() && self.upto < next + LOW_WATER
     }
 
     /// Asks to let the job go on up to there; says whether that is more than it has.
-    pub(super) fn ask(&mut self, upto: usize, completed: usize) -> bool {
+    pub(crate) fn ask(&mut self, upto: usize, completed: usize) -> bool {
         let is_more = upto > self.upto;
         if is_more {
             self.asked = Some(PendingRequest { upto, completed });
@@ -54,7 +54,7 @@ impl Permit {
     }
 
     /// Takes that the journal has the job go on up to there.
-    pub(super) fn handle_given(&mut self, upto: usize) {
+    pub(crate) fn handle_given(&mut self, upto: usize) {
         let Some(asked) = &self.asked else {
             return;
         };
@@ -66,18 +66,18 @@ impl Permit {
     }
 
     /// Waits until the journal has this.
-    pub(super) fn wait_for(&mut self, adjustment: Adjustment) {
+    pub(crate) fn wait_for(&mut self, adjustment: Adjustment) {
         self.adjustment = Some(adjustment);
     }
 
     /// Takes that the journal has what a person changed.
-    pub(super) fn handle_adjusted(&mut self, adjustment: &Adjustment) {
+    pub(crate) fn handle_adjusted(&mut self, adjustment: &Adjustment) {
         let same = |it: &mut Adjustment| it.heights == adjustment.heights;
         self.adjustment.take_if(same);
     }
 
     /// Takes that the places in the plan have gone back.
-    pub(super) fn go_back(&mut self, back: usize) {
+    pub(crate) fn go_back(&mut self, back: usize) {
         self.upto -= back;
         self.kept = self.kept.saturating_sub(back);
         if let Some(asked) = &mut self.asked {
@@ -87,7 +87,7 @@ impl Permit {
     }
 
     /// As many commands are done as the journal has it.
-    pub(super) const fn kept(&self) -> usize {
+    pub(crate) const fn kept(&self) -> usize {
         self.kept
     }
 }
