@@ -274,6 +274,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/jog/step": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Moves by one step of a jog button, from where the arm is when all that it was given is over; pump and gripper stay as they are */
+        post: operations["post_jog_step"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/stop": {
         parameters: {
             query?: never;
@@ -3081,6 +3098,26 @@ export interface components {
         };
         /** @description Nothing. */
         Nothing: Record<string, never>;
+        /** @description A step. */
+        NewStep: {
+            /** @description The button. */
+            button: components["schemas"]["Button"];
+            /**
+             * Format: float
+             * @description How far, in mm or degrees.
+             */
+            by: number;
+        };
+        /** @description A button of joint jog or of linear jog (Table 2.5; note N14). */
+        Button: {
+            /** @constant */
+            frame: "joint";
+            axis: components["schemas"]["JointJogAxis"];
+        } | {
+            /** @constant */
+            frame: "linear";
+            axis: components["schemas"]["LinearJogAxis"];
+        };
         /** @description A stop. */
         NewStop: {
             /**
@@ -5474,6 +5511,16 @@ export interface components {
             type: "release";
         } | {
             /** @constant */
+            type: "step";
+            /** @description The button. */
+            button: components["schemas"]["Button"];
+            /**
+             * Format: float
+             * @description How far, in mm or degrees.
+             */
+            by: number;
+        } | {
+            /** @constant */
             type: "stop";
             /**
              * @description Why, for those who find the arm stopped. What is longer than 200 characters is cut: a stop
@@ -7240,6 +7287,162 @@ export interface operations {
                 };
             };
             /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jog_step: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "button": {
+                 *         "frame": "linear",
+                 *         "axis": "x_plus"
+                 *       },
+                 *       "by": 1
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewStep"];
+            };
+        };
+        responses: {
+            /** @description the step waits for its turn */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
+             *     - `stopped`: the arm is stopped
+             *     - `still-moving`: the arm still moves
+             *     - `laser-disarmed`: the laser is disarmed
+             *     - `job-running`: a job has the arm
+             *     - `detecting`: the arm is finding out its dialect
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `command`: the command is not sent
+             *     - `policy`: the policy does not allow this
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-link`: there is no arm
+             *     - `ending`: the station is shutting down
+             */
             503: {
                 headers: {
                     [name: string]: unknown;

@@ -4,7 +4,7 @@ use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{CalibrationFile, ClientId, NewJob, Role, TimeSlot};
+use crate::{Button, CalibrationFile, ClientId, NewJob, Role, TimeSlot};
 
 /// What a client can ask of the station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -30,6 +30,15 @@ pub enum Request {
     /// Release the jog button.
     #[serde(deserialize_with = "without_fields")]
     Release,
+    /// Move by one step of a jog button, from where the arm is when all that it was given is over, if the policy allows its
+    /// whole way. Pump and gripper stay as they are.
+    Step {
+        /// The button.
+        button: Button,
+        /// How far, in mm or degrees.
+        #[schemars(range(min = 0.01, max = 100.0))]
+        by: f32,
+    },
     /// Stop the arm: laser off first, nothing more is sent. Anyone may, without a lease.
     Stop {
         /// Why, for those who find the arm stopped. What is longer than 200 characters is cut: a stop
@@ -212,6 +221,7 @@ impl Request {
             Self::Command { .. }
             | Self::Jog { .. }
             | Self::Release
+            | Self::Step { .. }
             | Self::ResetStop
             | Self::TakeLease
             | Self::ReleaseLease

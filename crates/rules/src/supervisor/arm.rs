@@ -8,7 +8,7 @@ use dobot_arm::Calibration;
 use dobot_client::{CommandId, SendError, Session};
 use dobot_safety::{Policy, Violation};
 use dobot_trajectory::{ArmPlace, Model, Trajectory, TrajectoryError};
-use dobot_wire::{Command, Dialect, Packet, Status};
+use dobot_wire::{Command, Dialect, Packet, Status, single};
 
 use super::seconds;
 use super::urgent::UrgentQueue;
@@ -109,6 +109,20 @@ impl Arm {
             gripper_deg: told.gripper_deg,
             ..place.status()
         }
+    }
+
+    /// The status of the arm when all that it was given is over, with its true places and angles; `None` before the first
+    /// status.
+    pub(super) fn end_status(&self) -> Option<Status> {
+        if self.is_idle() {
+            return self.last.map(|last| self.true_status(&last));
+        }
+        let model = self.session.model()?;
+        Some(Status {
+            suction: model.suction,
+            gripper_deg: single(model.gripper_deg),
+            ..model.true_place(&model.place).status()
+        })
     }
 
     /// What the arm has to be told for a command that speaks of true places.

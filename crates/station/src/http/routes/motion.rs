@@ -6,10 +6,10 @@ use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use dobot_api::problem_kinds::{
-    COMMAND, LASER_DISARMED, LOCKED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, SLOT,
+    COMMAND, LASER_DISARMED, LOCKED, MALFORMED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, SLOT,
     STILL_MOVING,
 };
-use dobot_api::{FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
+use dobot_api::{Button, FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
 use dobot_rules::Refusal;
 use dobot_wire::Command;
 use schemars::JsonSchema;
@@ -66,6 +66,20 @@ pub(super) fn all() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the button is released")
         .problems(&[NO_LEASE, LOCKED, SLOT]),
+        Route::asks(
+            POST,
+            "/api/v1/jog/step",
+            "Moves by one step of a jog button, from where the arm is when all that it was given is over; pump and \
+                gripper stay as they are",
+            |Body(new): Body<NewStep>| Request::Step {
+                button: new.button,
+                by: new.by,
+            },
+        )
+        .example(r#"{"button": {"frame": "linear", "axis": "x_plus"}, "by": 1}"#)
+        .gives::<Reply>(200, "the step waits for its turn")
+        .problems(MOVES)
+        .problems(&[MALFORMED]),
         Route::new(
             POST,
             STOP,
@@ -116,6 +130,17 @@ struct NewCommand {
 struct HoldJog {
     /// Which one.
     jog: Jog,
+}
+
+/// A step.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewStep {
+    /// The button.
+    button: Button,
+    /// How far, in mm or degrees.
+    #[schemars(range(min = 0.01, max = 100.0))]
+    by: f32,
 }
 
 /// A stop.
