@@ -311,6 +311,8 @@ mod tests {
         let text = r#"{"frame":"linear","axis":"servo_plus"}"#;
         assert_eq!(serde_json::to_string(&button).ok().as_deref(), Some(text));
         assert_eq!(serde_json::from_str::<Button>(text).ok(), Some(button));
-        assert!(serde_json::from_str::<Button>(r#"{"frame":"linear","axis":"base_plus"}"#).is_err());
+        assert!(
+            serde_json::from_str::<Button>(r#"{"frame":"linear","axis":"base_plus"}"#).is_err()
+        );
     }
 }

@@ -21,6 +21,18 @@ pub enum Request {
         /// The command.
         command: Command,
     },
+    /// Say which limits and keep-outs of the policy an arm at a place would be near to, however it got there. Nothing is sent,
+    /// and nobody is told; it takes no lease.
+    Near {
+        /// Forward of the axis of the base, in mm.
+        x_mm: f64,
+        /// To the left of it, in mm.
+        y_mm: f64,
+        /// The height of the wrist, in mm.
+        z_mm: f64,
+        /// The rotation of the tool, in degrees.
+        rotation_deg: f64,
+    },
     /// Hold a jog button. It is released when this is not said again within the dead-man time
     /// (150 ms by default).
     Jog {
@@ -210,7 +222,9 @@ impl Request {
     #[must_use]
     pub const fn role(&self) -> Role {
         match self {
-            Self::Stop { .. } | Self::CheckCommand { .. } | Self::ShowSlots => Role::Watch,
+            Self::Stop { .. } | Self::CheckCommand { .. } | Self::Near { .. } | Self::ShowSlots => {
+                Role::Watch
+            }
             Self::SubmitJob { .. } | Self::QueueAgain { .. } => Role::Queue,
             Self::SetDialect { .. }
             | Self::Calibrate { .. }

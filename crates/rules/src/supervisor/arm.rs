@@ -3,13 +3,14 @@
 use std::iter;
 use std::time::Duration;
 
-use dobot_api::{CalibratedView, WayView};
-use dobot_arm::Calibration;
+use dobot_api::{CalibratedView, NearView, WayView};
+use dobot_arm::{Calibration, Pose, Tool};
 use dobot_client::{CommandId, SendError, Session};
 use dobot_safety::{Policy, Violation};
 use dobot_trajectory::{ArmPlace, Model, Trajectory, TrajectoryError};
 use dobot_wire::{Command, Dialect, Packet, Status, single};
 
+use super::near::near;
 use super::seconds;
 use super::urgent::UrgentQueue;
 use crate::refusal::Refusal;
@@ -123,6 +124,25 @@ impl Arm {
             gripper_deg: single(model.gripper_deg),
             ..model.true_place(&model.place).status()
         })
+    }
+
+    /// The limits and keep-outs that it is near to at a true place.
+    pub(super) fn near(&self, place: &ArmPlace) -> NearView {
+        near(&self.policy, place, self.tool())
+    }
+
+    /// The limits and keep-outs that it would be near to with its tool there.
+    pub(super) fn near_at(&self, pose: Pose) -> Result<NearView, Refusal> {
+        let place = ArmPlace::at_pose(pose, self.tool()).map_err(|error| {
+            Refusal::from(Violation::of_trajectory(&TrajectoryError::Unreachable(
+                error,
+            )))
+        })?;
+        Ok(self.near(&place))
+    }
+
+    fn tool(&self) -> Tool {
+        self.session.model().map_or(Tool::default(), |it| it.tool)
     }
 
     /// What the arm has to be told for a command that speaks of true places.

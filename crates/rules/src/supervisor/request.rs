@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use dobot_api::{Button, Calibrations, ClientId, Jog, News, Reply, Request, Role, TimeSlot};
+use dobot_arm::{Degrees, Pose, Position};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
@@ -73,6 +74,19 @@ impl Supervisor {
         self.handle_time(now);
         if let Request::CheckCommand { command } = request {
             return Some(self.foresee(&command));
+        }
+        if let Request::Near {
+            x_mm,
+            y_mm,
+            z_mm,
+            rotation_deg,
+        } = request
+        {
+            let pose = Pose {
+                position: Position::new(x_mm, y_mm, z_mm),
+                rotation: Degrees(rotation_deg),
+            };
+            return Some(self.arm.near_at(pose).map(|near| Reply::Near { near }));
         }
         let answer = match self.check_request(client, &request) {
             Err(refusal) => Some(Err(refusal)),
@@ -264,6 +278,7 @@ impl Supervisor {
             Request::CancelJob { job } => self.cancel_job(client, job),
             Request::ForgetJob { job } => Err(self.not_forgotten(job)),
             Request::CheckCommand { .. }
+            | Request::Near { .. }
             | Request::Calibrate { .. }
             | Request::Detect
             | Request::SubmitJob { .. }
