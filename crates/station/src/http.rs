@@ -11,6 +11,7 @@ mod agents;
 mod agents;
 mod answer;
 mod app;
+mod arm_facts;
 mod auth;
 mod calls;
 mod document;

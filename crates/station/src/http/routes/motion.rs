@@ -6,8 +6,8 @@ use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use dobot_api::problem_kinds::{
-    COMMAND, LASER_DISARMED, LOCKED, MALFORMED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, SLOT,
-    STILL_MOVING,
+    COMMAND, LASER_DISARMED, LOCKED, MALFORMED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE,
+    POLICY, SLOT, STILL_MOVING,
 };
 use dobot_api::{Button, FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
 use dobot_rules::Refusal;
@@ -48,6 +48,20 @@ pub(super) fn all() -> Vec<Route> {
         .example(CHECK_EXAMPLE)
         .gives::<Reply>(200, "the whole way is allowed")
         .problems(&[STILL_MOVING, LASER_DISARMED, COMMAND, POLICY, OUT_OF_RANGE, NO_LINK]),
+        Route::asks(
+            POST,
+            "/api/v1/arm/near",
+            "Says which limits and keep-outs of the policy an arm at a place would be near to; nothing is sent",
+            |Body(place): Body<Place>| Request::Near {
+                x_mm: place.x_mm,
+                y_mm: place.y_mm,
+                z_mm: place.z_mm,
+                rotation_deg: place.rotation_deg,
+            },
+        )
+        .example(r#"{"x_mm": 200, "y_mm": 0, "z_mm": 130, "rotation_deg": 0}"#)
+        .gives::<Reply>(200, "what it would be near to, by 20 mm or 5 degrees")
+        .problems(&[POLICY]),
         Route::asks(
             POST,
             "/api/v1/jog",
@@ -111,6 +125,20 @@ const CHECK_EXAMPLE: &str = r#"{"command": {"type": "move_to", "x_mm": 200, "y_m
 struct CheckCommand {
     /// The command.
     command: Command,
+}
+
+/// A place of the tool.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Place {
+    /// Forward of the axis of the base, in mm.
+    x_mm: f64,
+    /// To the left of it, in mm.
+    y_mm: f64,
+    /// The height of the wrist, in mm.
+    z_mm: f64,
+    /// The rotation of the tool, in degrees.
+    rotation_deg: f64,
 }
 
 /// A command to be sent.

@@ -8,10 +8,11 @@ use dobot_api::{Notice, State};
 use dobot_safety::Policy;
 
 use super::super::answer::Body;
-use super::super::calls::PolicyText;
+use super::super::arm_facts::ArmFacts;
+use super::super::calls::{EditPolicy, PolicyDraft, PolicyText};
 use super::super::route::Route;
 use super::super::{calls, socket};
-use super::{GET, PUT};
+use super::{GET, POST, PUT};
 
 pub(super) fn all() -> Vec<Route> {
     vec![
@@ -39,6 +40,14 @@ pub(super) fn all() -> Vec<Route> {
             calls::state,
         )
         .gives::<State>(200, "the state"),
+        Route::new(
+            GET,
+            "/api/v1/arm",
+            "The facts of the arm: its lengths, tools, limits and periods, and what its dialect makes of mouse and gesture \
+                packets. They change with the policy and the dialect",
+            calls::arm,
+        )
+        .gives::<ArmFacts>(200, "the facts"),
         Route::new(
             GET,
             "/api/v1/notices",
@@ -72,6 +81,17 @@ pub(super) fn all() -> Vec<Route> {
         .gives::<Policy>(200, "the policy")
         .problems(&[BAD_POLICY, JOB_RUNNING, DETECTING, STILL_MOVING, POLICY_FILE]),
         Route::new(
+            POST,
+            "/api/v1/policy/keep-outs",
+            "Adds, replaces or removes a keep-out in the text of a draft; the rest keeps its comments and its form, and the policy \
+                that holds stays",
+            calls::edit_policy,
+        )
+        .brings::<Body<EditPolicy>>()
+        .example(EDIT_EXAMPLE)
+        .gives::<PolicyDraft>(200, "the text")
+        .problems(&[BAD_POLICY]),
+        Route::new(
             GET,
             "/api/v1/ws",
             "A WebSocket for states, notices and requests. The station sends \
@@ -86,3 +106,5 @@ pub(super) fn all() -> Vec<Route> {
         .problems(&[MALFORMED, UPGRADE, TOO_MANY_CLIENTS, ENDING]),
     ]
 }
+
+const EDIT_EXAMPLE: &str = r#"{"text": "[table]\nz_mm = -60\n", "edit": {"type": "add", "keep_out": {"box": {"x_mm": [200, 260], "y_mm": [80, 140], "z_mm": [-60, 0]}}}}"#;
