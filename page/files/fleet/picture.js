@@ -57,6 +57,15 @@ function reach({ dimensions, joints, workspace }) {
   return [...arc(far), ...arc(near).reverse()];
 }
 
+/** Calculated once for all pictures. @type {WeakMap<Facts, Point[]>} */ const grounds = new WeakMap();
+
+/** @param {Facts} facts */
+function groundOf(facts) {
+  const ground = grounds.get(facts) ?? reach(facts);
+  grounds.set(facts, ground);
+  return ground;
+}
+
 /** @param {CanvasRenderingContext2D} pen @param {Shown} shown */
 export function paint(pen, { facts, joints, dark, old, laser, size }) {
   /** The ground below a point. @param {Point} point @returns {Point} */
@@ -84,7 +93,7 @@ export function paint(pen, { facts, joints, dark, old, laser, size }) {
   pen.setTransform(size.density, 0, 0, size.density, 0, 0);
   pen.clearRect(0, 0, size.width, size.height);
   pen.lineCap = pen.lineJoin = "round";
-  path(reach(facts));
+  path(groundOf(facts));
   pen.closePath();
   pen.fillStyle = css(look.table);
   pen.fill();
