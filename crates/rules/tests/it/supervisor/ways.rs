@@ -103,7 +103,7 @@ fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_
             z_mm,
             rotation_deg: 0.0,
         };
-        let Ok(Reply::Near { near }) = it.ask(anna, near_at(200.0, 126.0)) else {
+        let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 126.0)) else {
             panic!("it is within reach");
         };
         let height = NearLimit {
@@ -113,12 +113,22 @@ fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_
         };
         assert!(near.limits.contains(&height), "{near:?}");
         it.ask(anna, Request::TakeLease).unwrap();
-        let command = line(200.0, 0.0, 126.0);
+        let command = line(220.0, 0.0, 126.0);
         it.ask(anna, Request::Command { command }).unwrap();
         it.run_for(Duration::from_secs(20));
-        assert_eq!(it.supervisor().state().arm.unwrap().near, near);
+        // An arm stands as far from there as its motors count.
+        let there = it.supervisor().state().arm.unwrap().near;
+        assert_eq!(there.limits.len(), near.limits.len(), "{there:?}");
+        for (reported, told) in there.limits.iter().zip(&near.limits) {
+            assert_eq!(
+                (reported.quantity, reported.bound),
+                (told.quantity, told.bound)
+            );
+            let off = (reported.closeness - told.closeness).abs();
+            assert!(off < 0.025, "{there:?}, {near:?}");
+        }
         // Beyond the limit it is as near as can be, and where no arm can be there is nothing to tell.
-        let Ok(Reply::Near { near }) = it.ask(anna, near_at(200.0, 140.0)) else {
+        let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 140.0)) else {
             panic!("the links span it");
         };
         let beyond = NearLimit {
