@@ -16,8 +16,8 @@ const ARM_S = 300;
 const PEN_SCENE = "[pen]\n";
 /** For so long a command waits until the arm has run down, by the clock of the station. */
 const RUN_DOWN_S = 1;
-/** What was refused is asked for again so much later: a status comes each 0.08 s. States do not count, for each refusal makes one. */
-const AGAIN_S = 0.07;
+/** What was refused is asked for again after this share of the time between two statuses. States do not count, for each refusal makes one. */
+const AGAIN = 0.9;
 /** More than any joint is slack. */
 const RUN_UP_DEG = 6;
 
@@ -67,7 +67,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
 
   /** Waits a moment. @param {number} before how often the arm had been stopped @returns {Promise<boolean>} whether nobody has stopped it since */
   async function isFreeLater(before) {
-    const again_s = at_s() + AGAIN_S;
+    const again_s = at_s() + AGAIN * (store.page.facts?.status_period_s ?? 0);
     do await nextState();
     while (stops === before && at_s() < again_s);
     return stops === before;

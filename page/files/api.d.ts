@@ -69,6 +69,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/arm": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The facts of the arm: its lengths, tools, limits and periods, and what its dialect makes of mouse and gesture packets. They change with the policy and the dialect */
+        get: operations["get_arm"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/notices": {
         parameters: {
             query?: never;
@@ -115,6 +132,23 @@ export interface paths {
         get: operations["get_policy_text"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/policy/keep-outs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Adds, replaces or removes a keep-out in the text of a draft; the rest keeps its comments and its form, and the policy that holds stays */
+        post: operations["post_policy_keep-outs"];
         delete?: never;
         options?: never;
         head?: never;
@@ -240,6 +274,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/arm/near": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Says which limits and keep-outs of the policy an arm at a place would be near to; nothing is sent */
+        post: operations["post_arm_near"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/jog": {
         parameters: {
             query?: never;
@@ -268,6 +319,23 @@ export interface paths {
         put?: never;
         /** Releases the jog button */
         post: operations["post_jog_release"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jog/step": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /** Moves by one step of a jog button, from where the arm is when all that it was given is over; pump and gripper stay as they are */
+        post: operations["post_jog_step"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1471,6 +1539,8 @@ export interface components {
             told?: components["schemas"]["Status"] | null;
             /** @description Whether it moves. */
             moving: boolean;
+            /** @description The limits and keep-outs of the policy that it is near to. */
+            near?: components["schemas"]["NearView"];
         };
         /** @description Where the arm is (Table 2.3); each one received permits one command (note N20). */
         Status: {
@@ -1522,6 +1592,36 @@ export interface components {
              */
             gripper_deg: number;
         };
+        /**
+         * @description The limits and keep-outs of the policy that a place of the arm is near to.
+         *
+         *     The closeness of each is above 0, which is 20 mm or 5 degrees off, and 1 at the bound or beyond it.
+         */
+        NearView: {
+            /** @description The bounds of joints and workspace. */
+            limits?: components["schemas"]["NearLimit"][];
+            /** @description The closeness of the tool to keep-outs, by their names. */
+            keep_outs?: {
+                [key: string]: number;
+            };
+        };
+        /** @description A bound that the arm is near to. */
+        NearLimit: {
+            /** @description The quantity that is bounded. */
+            quantity: components["schemas"]["BoundedQuantity"];
+            /**
+             * Format: double
+             * @description The bound, in degrees or mm.
+             */
+            bound: number;
+            /**
+             * Format: double
+             * @description How near it is: above 0, and 1 at the bound or beyond it.
+             */
+            closeness: number;
+        };
+        /** @description A quantity that the policy bounds. */
+        BoundedQuantity: "base" | "rear" | "fore" | "servo" | "opening" | "x" | "y" | "z" | "reach";
         /** @description By which calibration places are told. */
         CalibratedView: {
             /**
@@ -1806,6 +1906,197 @@ export interface components {
              *     since the job was started last.
              */
             mean_cycle_s?: number | null;
+        };
+        /** @description The facts of the arm: they hold until the policy or the dialect changes. */
+        ArmFacts: {
+            /** @description The lengths of its links and rods. */
+            dimensions: components["schemas"]["Dimensions"];
+            /** @description The tools that were sold with it. */
+            tools: components["schemas"]["ToolFacts"][];
+            /** @description How far its joints may turn, by the policy that holds. */
+            joints: components["schemas"]["JointLimits"];
+            /** @description Where its tool may be, by the policy that holds. */
+            workspace: components["schemas"]["Workspace"];
+            /**
+             * Format: double
+             * @description From one status to the next while there is room in its queue, in seconds; over Bluetooth they come sooner.
+             */
+            status_period_s: number;
+            /**
+             * Format: double
+             * @description From one tick of its controller to the next, in seconds.
+             */
+            tick_s: number;
+            /**
+             * Format: double
+             * @description From a packet to the next one that must not get lost, in seconds.
+             */
+            packet_gap_s: number;
+            /** @description What mouse and gesture packets mean to it; none while nobody knows its dialect. */
+            dialect?: components["schemas"]["DialectFacts"] | null;
+        };
+        /** @description The lengths of the arm that it takes to draw it, in mm. X is forward in the plane of the arm, and Z up. */
+        Dimensions: {
+            /**
+             * Format: double
+             * @description From the pivot of the rear arm to the elbow.
+             */
+            rear_arm_mm: number;
+            /**
+             * Format: double
+             * @description From the elbow to the wrist.
+             */
+            forearm_mm: number;
+            /**
+             * Format: double
+             * @description From the pivot of the crank to its end, and from the elbow to the tail of the forearm.
+             */
+            crank_mm: number;
+            /** @description From the pivot of the rear arm to where the rear rod is held, and from the elbow to the same: X and Z. */
+            rear_rod_at_mm: number[];
+            /** @description From the elbow to where the front rod is held, and from the wrist to the same: X and Z. */
+            front_rod_at_mm: number[];
+            /**
+             * Format: double
+             * @description How high the pivot of the rear arm is above what the arm stands on (Figure 3.1).
+             */
+            pivot_above_table_mm: number;
+        };
+        /** @description A tool. */
+        ToolFacts: {
+            /** @description What it is. */
+            kind: components["schemas"]["ToolKind"];
+            /**
+             * Format: double
+             * @description From the wrist to the axis of the tool, level, in mm.
+             */
+            reach_mm: number;
+            /**
+             * Format: double
+             * @description From the height of the wrist down to the tip, by the policy that holds, in mm.
+             */
+            length_mm: number;
+            /** @description What an arm with this tool makes of gesture packets (note N18); none while nobody knows its dialect. */
+            gesture?: components["schemas"]["GestureFacts"] | null;
+        };
+        /** @description The tools that were sold with the arm. */
+        ToolKind: "suction_cup" | "gripper" | "pen" | "laser";
+        /** @description The units of a gesture packet. */
+        GestureFacts: {
+            /** @description Along X. */
+            x: components["schemas"]["GestureAxis"];
+            /** @description Along Y. */
+            y: components["schemas"]["GestureAxis"];
+            /** @description Along Z. */
+            z: components["schemas"]["GestureAxis"];
+        };
+        /** @description One axis of a gesture packet: its number is (place in mm - `zero_mm`) times `units_per_mm`. */
+        GestureAxis: {
+            /**
+             * Format: double
+             * @description The place that the number 0 means, in mm.
+             */
+            zero_mm: number;
+            /**
+             * Format: double
+             * @description What is counted for each mm beyond that.
+             */
+            units_per_mm: number;
+        };
+        /** @description How far each joint may turn, in degrees; never further than the arm itself can. */
+        JointLimits: {
+            /**
+             * @description Joint 1: -180 to 180 at most, though the cables want no more than 135.
+             * @default [
+             *       -135,
+             *       135
+             *     ]
+             */
+            base_deg: components["schemas"]["Bounds"];
+            /**
+             * @description Joint 2, from the vertical, forward positive: -5 to 85 at most.
+             * @default [
+             *       -5,
+             *       85
+             *     ]
+             */
+            rear_deg: components["schemas"]["Bounds"];
+            /**
+             * @description Joint 3, below the horizontal: -10 to 95 at most.
+             * @default [
+             *       -10,
+             *       95
+             *     ]
+             */
+            fore_deg: components["schemas"]["Bounds"];
+            /**
+             * @description Joint 4: -90 to 90 at most.
+             * @default [
+             *       -90,
+             *       90
+             *     ]
+             */
+            servo_deg: components["schemas"]["Bounds"];
+            /**
+             * @description Joint 2 minus joint 3, how far the elbow opens: -105 to 35 at most.
+             * @default [
+             *       -105,
+             *       35
+             *     ]
+             */
+            opening_deg: components["schemas"]["Bounds"];
+        };
+        /** @description The least and the most that is allowed; both are allowed. In a file: `[min, max]`. */
+        Bounds: number[];
+        /** @description Where the tool may be, in mm: x, y and z as the arm tells them (z is the height of the wrist). */
+        Workspace: {
+            /**
+             * @description Forward: -321 to 321 at most.
+             * @default [
+             *       -321,
+             *       321
+             *     ]
+             */
+            x_mm: components["schemas"]["Bounds"];
+            /**
+             * @description To the left: -321 to 321 at most.
+             * @default [
+             *       -321,
+             *       321
+             *     ]
+             */
+            y_mm: components["schemas"]["Bounds"];
+            /**
+             * @description Up: -300 to 136 at most.
+             * @default [
+             *       -103,
+             *       136
+             *     ]
+             */
+            z_mm: components["schemas"]["Bounds"];
+            /**
+             * @description Horizontally from the axis of the base: 129 to 321 at most.
+             * @default [
+             *       129,
+             *       321
+             *     ]
+             */
+            reach_mm: components["schemas"]["Bounds"];
+        };
+        /** @description What the dialect of the arm means for one who leads it by hand. */
+        DialectFacts: {
+            /** @description The dialect. */
+            name: components["schemas"]["Dialect"];
+            /**
+             * @description Whether Y of a mouse packet swings the base, to the right where it is positive, and its rotation is the angle of the
+             *     servo (note N9).
+             */
+            mouse_swings: boolean;
+            /**
+             * Format: uint
+             * @description How often the same gesture packet has to be sent until the arm is where the hand is (note N49).
+             */
+            gesture_samples: number;
         };
         /** @description Something that happened, for all who watch. */
         Notice: {
@@ -2118,86 +2409,6 @@ export interface components {
              */
             queue: components["schemas"]["QueueRules"];
         };
-        /** @description How far each joint may turn, in degrees; never further than the arm itself can. */
-        JointLimits: {
-            /**
-             * @description Joint 1: -180 to 180 at most, though the cables want no more than 135.
-             * @default [
-             *       -135,
-             *       135
-             *     ]
-             */
-            base_deg: components["schemas"]["Bounds"];
-            /**
-             * @description Joint 2, from the vertical, forward positive: -5 to 85 at most.
-             * @default [
-             *       -5,
-             *       85
-             *     ]
-             */
-            rear_deg: components["schemas"]["Bounds"];
-            /**
-             * @description Joint 3, below the horizontal: -10 to 95 at most.
-             * @default [
-             *       -10,
-             *       95
-             *     ]
-             */
-            fore_deg: components["schemas"]["Bounds"];
-            /**
-             * @description Joint 4: -90 to 90 at most.
-             * @default [
-             *       -90,
-             *       90
-             *     ]
-             */
-            servo_deg: components["schemas"]["Bounds"];
-            /**
-             * @description Joint 2 minus joint 3, how far the elbow opens: -105 to 35 at most.
-             * @default [
-             *       -105,
-             *       35
-             *     ]
-             */
-            opening_deg: components["schemas"]["Bounds"];
-        };
-        /** @description The least and the most that is allowed; both are allowed. In a file: `[min, max]`. */
-        Bounds: number[];
-        /** @description Where the tool may be, in mm: x, y and z as the arm tells them (z is the height of the wrist). */
-        Workspace: {
-            /**
-             * @description Forward: -321 to 321 at most.
-             * @default [
-             *       -321,
-             *       321
-             *     ]
-             */
-            x_mm: components["schemas"]["Bounds"];
-            /**
-             * @description To the left: -321 to 321 at most.
-             * @default [
-             *       -321,
-             *       321
-             *     ]
-             */
-            y_mm: components["schemas"]["Bounds"];
-            /**
-             * @description Up: -300 to 136 at most.
-             * @default [
-             *       -103,
-             *       136
-             *     ]
-             */
-            z_mm: components["schemas"]["Bounds"];
-            /**
-             * @description Horizontally from the axis of the base: 129 to 321 at most.
-             * @default [
-             *       129,
-             *       321
-             *     ]
-             */
-            reach_mm: components["schemas"]["Bounds"];
-        };
         /** @description The table, which no tool tip may go into. */
         Table: {
             /**
@@ -2444,6 +2655,37 @@ export interface components {
              * @default false
              */
             check: boolean;
+        };
+        /** @description A change of a keep-out in a draft of a policy. */
+        EditPolicy: {
+            /** @description The TOML text of the draft. */
+            text: string;
+            /** @description The change. */
+            edit: components["schemas"]["KeepOutEdit"];
+        };
+        /** @description A change of a keep-out in the text of a policy. */
+        KeepOutEdit: {
+            /** @constant */
+            type: "add";
+            /** @description The new keep-out. */
+            keep_out: components["schemas"]["KeepOut"];
+        } | {
+            /** @constant */
+            type: "replace";
+            /** @description The name of the old one, which stays. */
+            name: string;
+            /** @description The new one. */
+            keep_out: components["schemas"]["KeepOut"];
+        } | {
+            /** @constant */
+            type: "remove";
+            /** @description Its name. */
+            name: string;
+        };
+        /** @description A draft of a policy. */
+        PolicyDraft: {
+            /** @description Its TOML text. */
+            text: string;
         };
         /** @description One event, as its lines say it; for the document only. */
         ServerSentEvent: {
@@ -2807,6 +3049,11 @@ export interface components {
             way: components["schemas"]["WayView"];
         } | {
             /** @constant */
+            type: "near";
+            /** @description The limits and keep-outs. */
+            near: components["schemas"]["NearView"];
+        } | {
+            /** @constant */
             type: "stopping";
             /**
              * Format: double
@@ -3052,6 +3299,29 @@ export interface components {
             /** @description The command. */
             command: components["schemas"]["Command"];
         };
+        /** @description A place of the tool. */
+        Place: {
+            /**
+             * Format: double
+             * @description Forward of the axis of the base, in mm.
+             */
+            x_mm: number;
+            /**
+             * Format: double
+             * @description To the left of it, in mm.
+             */
+            y_mm: number;
+            /**
+             * Format: double
+             * @description The height of the wrist, in mm.
+             */
+            z_mm: number;
+            /**
+             * Format: double
+             * @description The rotation of the tool, in degrees.
+             */
+            rotation_deg: number;
+        };
         /** @description A button. */
         HoldJog: {
             /** @description Which one. */
@@ -3081,6 +3351,26 @@ export interface components {
         };
         /** @description Nothing. */
         Nothing: Record<string, never>;
+        /** @description A step. */
+        NewStep: {
+            /** @description The button. */
+            button: components["schemas"]["Button"];
+            /**
+             * Format: float
+             * @description How far, in mm or degrees.
+             */
+            by: number;
+        };
+        /** @description A button of joint jog or of linear jog (Table 2.5; note N14). */
+        Button: {
+            /** @constant */
+            frame: "joint";
+            axis: components["schemas"]["JointJogAxis"];
+        } | {
+            /** @constant */
+            frame: "linear";
+            axis: components["schemas"]["LinearJogAxis"];
+        };
         /** @description A stop. */
         NewStop: {
             /**
@@ -3384,7 +3674,7 @@ export interface components {
             until_s: number[];
         };
         /** @description Where a queued job stands in the list. */
-        Place: {
+        Place2: {
             /**
              * Format: uint64
              * @description The number of the queued job that comes behind it; without it the job comes last.
@@ -3566,7 +3856,7 @@ export interface components {
         /** @description What a step does. */
         Action: {
             /** @description Goes to a place. */
-            go?: components["schemas"]["Place2"] | null;
+            go?: components["schemas"]["Place3"] | null;
             /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
             path?: components["schemas"]["MovingMode"] | null;
             /** @description So far from the place, in mm along the axes of its frame. */
@@ -3609,7 +3899,7 @@ export interface components {
             drawing?: components["schemas"]["Drawing"] | null;
         };
         /** @description A place: the name of a point or of a grid's cell, or a point itself. */
-        Place2: string | components["schemas"]["Point"];
+        Place3: string | components["schemas"]["Point"];
         /**
          * @description A point: x, y and z in mm, with a rotation and a frame if wanted; or base, rear and fore in degrees, with the
          *     servo if it is not at 0.
@@ -3738,7 +4028,7 @@ export interface components {
          */
         Step: {
             /** @description Goes to a place. */
-            go?: components["schemas"]["Place2"] | null;
+            go?: components["schemas"]["Place3"] | null;
             /** @description The way there: `jump` (as without it), `movl` in a straight line, or `movj` by the joints. */
             path?: components["schemas"]["MovingMode"] | null;
             /** @description So far from the place, in mm along the axes of its frame. */
@@ -3786,9 +4076,9 @@ export interface components {
          */
         Arc: {
             /** @description A place on the way. */
-            through: components["schemas"]["Place2"];
+            through: components["schemas"]["Place3"];
             /** @description Where an arc ends; the third place of a circle. */
-            to: components["schemas"]["Place2"];
+            to: components["schemas"]["Place3"];
             /**
              * Format: double
              * @description How far the straight lines may be from the arc, 0.01 to 10 mm; 0.5 if nothing is said.
@@ -4642,7 +4932,7 @@ export interface components {
             /** @description Red, green and blue, where the file tells a colour. */
             color?: number[] | null;
             /** @description What draws. */
-            tool: components["schemas"]["ToolKind"];
+            tool: components["schemas"]["ToolKind2"];
             /**
              * Format: uint
              * @description How many strokes, each as often as it is drawn.
@@ -4675,7 +4965,7 @@ export interface components {
             error_mm: number;
         };
         /** @description What draws. */
-        ToolKind: "pen" | "laser";
+        ToolKind2: "pen" | "laser";
         /** @description What the tool does, one row for each. */
         Moves: {
             /** @description What the numbers in `kind` mean. */
@@ -4716,7 +5006,7 @@ export interface components {
             /** @description Its name. */
             name: string;
             /** @description What draws on it. */
-            tool: components["schemas"]["ToolKind"];
+            tool: components["schemas"]["ToolKind2"];
         };
         /** @description A token, without its secret. */
         TokenView: {
@@ -4865,10 +5155,10 @@ export interface components {
              */
             give_mm: number;
             /** @description Which tool. */
-            kind: components["schemas"]["ToolKind2"];
+            kind: components["schemas"]["ToolKind3"];
         };
         /** @description The tools. */
-        ToolKind2: {
+        ToolKind3: {
             /** @constant */
             type: "pen";
             /**
@@ -5466,12 +5756,45 @@ export interface components {
             command: components["schemas"]["Command"];
         } | {
             /** @constant */
+            type: "near";
+            /**
+             * Format: double
+             * @description Forward of the axis of the base, in mm.
+             */
+            x_mm: number;
+            /**
+             * Format: double
+             * @description To the left of it, in mm.
+             */
+            y_mm: number;
+            /**
+             * Format: double
+             * @description The height of the wrist, in mm.
+             */
+            z_mm: number;
+            /**
+             * Format: double
+             * @description The rotation of the tool, in degrees.
+             */
+            rotation_deg: number;
+        } | {
+            /** @constant */
             type: "jog";
             /** @description The button. */
             jog: components["schemas"]["Jog"];
         } | {
             /** @constant */
             type: "release";
+        } | {
+            /** @constant */
+            type: "step";
+            /** @description The button. */
+            button: components["schemas"]["Button"];
+            /**
+             * Format: float
+             * @description How far, in mm or degrees.
+             */
+            by: number;
         } | {
             /** @constant */
             type: "stop";
@@ -5919,6 +6242,69 @@ export interface operations {
             };
         };
     };
+    get_arm: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the facts */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ArmFacts"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_notices: {
         parameters: {
             query?: never;
@@ -6249,6 +6635,159 @@ export interface operations {
                 headers: {
                     /** @description How long to wait, in seconds */
                     "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    "post_policy_keep-outs": {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "text": "[table]\nz_mm = -60\n",
+                 *       "edit": {
+                 *         "type": "add",
+                 *         "keep_out": {
+                 *           "box": {
+                 *             "x_mm": [
+                 *               200,
+                 *               260
+                 *             ],
+                 *             "y_mm": [
+                 *               80,
+                 *               140
+                 *             ],
+                 *             "z_mm": [
+                 *               -60,
+                 *               0
+                 *             ]
+                 *           }
+                 *         }
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["EditPolicy"];
+            };
+        };
+        responses: {
+            /** @description the text */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PolicyDraft"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `bad-policy`: the text is no policy
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
                     [name: string]: unknown;
                 };
                 content: {
@@ -6962,6 +7501,143 @@ export interface operations {
             };
         };
     };
+    post_arm_near: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "x_mm": 200,
+                 *       "y_mm": 0,
+                 *       "z_mm": 130,
+                 *       "rotation_deg": 0
+                 *     }
+                 */
+                "application/json": components["schemas"]["Place"];
+            };
+        };
+        responses: {
+            /** @description what it would be near to, by 20 mm or 5 degrees */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `lease-gone`: the lease token is not valid any more */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `policy`: the policy does not allow this
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     post_jog: {
         parameters: {
             query?: never;
@@ -7240,6 +7916,162 @@ export interface operations {
                 };
             };
             /** @description - `ending`: the station is shutting down */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_jog_step: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The token of a lease that was taken with `POST /api/v1/lease` */
+                "Dobot-Lease"?: string;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        /** @description Up to 64 KiB */
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "button": {
+                 *         "frame": "linear",
+                 *         "axis": "x_plus"
+                 *       },
+                 *       "by": 1
+                 *     }
+                 */
+                "application/json": components["schemas"]["NewStep"];
+            };
+        };
+        responses: {
+            /** @description the step waits for its turn */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Reply"];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             *     - `role`: the role does not allow this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `timeout`: the request came too slowly */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-lease`: this client does not have control
+             *     - `locked`: the arm is locked
+             *     - `slot`: it is the time of somebody else
+             *     - `stopped`: the arm is stopped
+             *     - `still-moving`: the arm still moves
+             *     - `laser-disarmed`: the laser is disarmed
+             *     - `job-running`: a job has the arm
+             *     - `detecting`: the arm is finding out its dialect
+             *     - `lease-gone`: the lease token is not valid any more
+             */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-large`: the request is too large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `media-type`: the body is not JSON */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `command`: the command is not sent
+             *     - `policy`: the policy does not allow this
+             *     - `out-of-range`: a number is not allowed
+             *     - `invalid`: a field is not as it has to be
+             */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `too-many`: too much waits already
+             *     - `too-many-requests`: too many requests
+             */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `no-link`: there is no arm
+             *     - `ending`: the station is shutting down
+             */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -11599,7 +12431,7 @@ export interface operations {
                  *       "before": 3
                  *     }
                  */
-                "application/json": components["schemas"]["Place"];
+                "application/json": components["schemas"]["Place2"];
             };
         };
         responses: {

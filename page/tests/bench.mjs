@@ -104,10 +104,11 @@ async function createFront() {
  * Everything that a test needs; `end` ends it. With `virtual` the arm is the station's own, whose world it tells; nothing taps it.
  * `speed` is for what only has to come about: the arm's time passes so many times as fast as a clock. A page that is late to say
  * that a button is still held, as on a busy machine, lets go of it; with `patient` it has a second, which is longer than it has.
+ * `personality` is what the arm is, and the dialect that the station is told.
  */
-export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, speed = 1, patient = true, options = {}, scripts = [] } = {}) {
+export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [] } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
-  const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", "firmware-1.1", "--speed", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
+  const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", personality, "--speed", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
   const told = new Told();
   const tap = createServer((station) => {
     const way = createConnection({ port: Number(arm?.found), host: "127.0.0.1", noDelay: true });
@@ -120,7 +121,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
   tap.listen(0, "127.0.0.1");
   await once(tap, "listening");
   // What the station's own virtual arm speaks, it knows.
-  const to = virtual ? ["--virtual", "--speed", String(speed)] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", "firmware-1.1"];
+  const to = virtual ? ["--virtual", "--speed", String(speed)] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", personality];
   const front = await createFront();
   const begin = async () => {
     const words = ["up", ...to, "--http", "127.0.0.1:0", "--raw", "off", "--data", folder];

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { forward } from "../files/stage/links.js";
+import { CUP } from "../files/stage/sample.test.js";
 import { drawn } from "./browser.mjs";
 import { onScreen, openStage, reported } from "./stage_bench.mjs";
 
@@ -47,7 +48,8 @@ test("everything that a view can hold changes the picture", async () => {
     paper: null,
     marks: { width_mm: 0.5, ends_mm: [150, -50, 280, -50, 280, -50, 200, -90], shades: [1, 1] },
     things: [{ name: "cube", shape: { type: "box", size_mm: [25, 25, 25] }, color: "#c0392b", at_mm: [180, -100], turn_deg: 20, bottom_mm: 0 }],
-    keepOuts: [{ box: { x_mm: [80, 140], y_mm: [-200, -120], z_mm: [-103, -20] } }],
+    keepOuts: { camera: { box: { x_mm: [80, 140], y_mm: [-200, -120], z_mm: [-103, -20] } } },
+    near: { limits: [], keep_outs: { camera: 0.8 } },
     planned: [[180, -80, 0], [280, 20, 10]],
     ghost: GHOST,
     draggable: true,
@@ -66,13 +68,12 @@ test("a refused ghost does not look like one that is allowed", async () => {
 });
 
 test("a limit is shown near it, and not away from it", async () => {
-  await show({ arm: reported(30, 0, 30, 45), ghost: null, laser: "off", marks: null, things: [], keepOuts: [], planned: null, draggable: false, tool: { kind: "suction_cup", length_mm: 40 } });
-  // The same arm under limits that are elsewhere.
-  const limits = await page.evaluate(async () => (await import("/stage/view.js")).STOCK);
-  const wide = { ...limits, joints: { ...limits.joints, rear_deg: [-5, 80] } }, near = { ...limits, joints: { ...limits.joints, rear_deg: [-5, 32] } };
-  assert.equal(await changes(() => show({ limits: wide })), false);
-  assert.equal(await changes(() => show({ limits: near })), true);
-  await show({ limits });
+  await show({ arm: reported(30, 0, 30, 45), ghost: null, laser: "off", marks: null, things: [], keepOuts: {}, near: { limits: [], keep_outs: {} }, planned: null, draggable: false, tool: { kind: "suction_cup", length_mm: 40 } });
+  const near = (limits) => ({ near: { limits, keep_outs: {} } });
+  assert.equal(await changes(() => show(near([]))), false);
+  assert.equal(await changes(() => show(near([{ quantity: "rear", bound: 32, closeness: 0.6 }]))), true);
+  assert.equal(await changes(() => show(near([{ quantity: "z", bound: 136, closeness: 0.2 }]))), true);
+  await show(near([]));
 });
 
 test("marks are added to what is there, and nothing is lost", async () => {
@@ -205,7 +206,7 @@ test("without a ghost the arm's own tool can be taken, and not where nothing may
   await show({ ...WITH_ARM, arm: reported(50, 0), ghost: null, draggable: true });
   await look("top");
   await drawn(page);
-  const from = onScreen("top", forward(reported(50, 0), "suction_cup"));
+  const from = onScreen("top", forward(reported(50, 0), CUP));
   const pull = async () => {
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();

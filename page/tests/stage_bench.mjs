@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { PerspectiveCamera, Vector3 } from "three";
 import { LENS_DEG, place, preset } from "../files/stage/camera.js";
+import { CUP } from "../files/stage/sample.test.js";
 import { launch, leave, visitor } from "./browser.mjs";
 
 const SIZE = { width: 700, height: 490 };
@@ -33,6 +34,7 @@ export async function openStage({ viewport = SIZE, webgl = true, ...options } = 
   });
   await page.goto(`http://127.0.0.1:${server.address().port}/harness/index.html`);
   await page.waitForFunction(() => "stage" in window);
+  await page.evaluate((shape) => window.show({ shape, status_s: 0.08 }), CUP);
   return {
     page, errors,
     async end() {

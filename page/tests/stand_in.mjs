@@ -3,6 +3,7 @@
 import { once } from "node:events";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
+import { FACTS } from "../files/stage/sample.test.js";
 
 const TYPES = { html: "text/html", css: "text/css", js: "text/javascript" };
 
@@ -81,6 +82,7 @@ export async function standIn(members, answer = () => undefined, submitted = [])
     const other = answer({ method: request.method, path: pathname, body, token });
     if (other === SILENT) return response.destroy();
     if (other) return json(response, other.status ?? 200, other.body);
+    if (pathname === "/api/v1/arm") return json(response, 200, FACTS);
     if (pathname === "/api/v1/fleet") return json(response, 200, { name: members.find((it) => it.here)?.name ?? "", at_s: 10, members: [...fleet.values()] });
     if (pathname === "/api/v1/fleet/work" && request.method === "GET") return json(response, 200, submitted);
     if (pathname === "/api/v1/fleet/events") {

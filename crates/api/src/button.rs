@@ -6,11 +6,19 @@ use dobot_wire::{
     Command, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MoveJoints, MoveTo, MovingMode,
     Status,
 };
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use crate::Jog;
 
 /// A button of joint jog or of linear jog (Table 2.5; note N14).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(
+    tag = "frame",
+    content = "axis",
+    rename_all = "snake_case",
+    deny_unknown_fields
+)]
 pub enum Button {
     /// State 2.
     Joint(JointJogAxis),
@@ -63,7 +71,10 @@ impl Button {
         }
     }
 
-    /// What moves an arm that stands so by a step, in mm or degrees; `None` for a button that has none.
+    /// The command that moves an arm with this status by one step, in mm or degrees; `None` for a switch and for no button.
+    ///
+    /// Pump and gripper stay as they are. A turn of the tool is one of the servo: a straight line to where the tip
+    /// stands already would make a stock arm lose its pose (note N34).
     #[must_use]
     pub fn step(self, from: &Status, size: f32) -> Option<Command> {
         use {JointJogAxis as J, LinearJogAxis as L};
@@ -88,15 +99,29 @@ impl Button {
         }
         let [x_mm, y_mm, z_mm] = place;
         let is_line = place != [from.x_mm, from.y_mm, from.z_mm];
+        let Status {
+            rotation_deg,
+            suction,
+            gripper_deg,
+            ..
+        } = *from;
         Some(if is_line {
-            let there = MoveTo {
-                rotation_deg: from.rotation_deg,
+            let target = MoveTo {
+                rotation_deg,
+                suction,
+                gripper_deg,
                 mode: MovingMode::MovL,
                 ..MoveTo::to(x_mm, y_mm, z_mm)
             };
-            there.into()
+            target.into()
         } else {
-            MoveJoints::to(angles).with_mode(MovingMode::MovJ).into()
+            let target = MoveJoints {
+                suction,
+                gripper_deg,
+                mode: MovingMode::MovJ,
+                ..MoveJoints::to(angles)
+            };
+            target.into()
         })
     }
 
@@ -201,3 +226,93 @@ const BUTTONS: [(&str, Button); 20] = {
         ("laser-off", Button::Joint(J::LaserOff)),
     ]
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STATUS: Status = Status {
+        x_mm: 200.0,
+        y_mm: 0.0,
+        z_mm: 50.0,
+        rotation_deg: 10.0,
+        base_deg: 5.0,
+        rear_deg: 40.0,
+        fore_deg: 30.0,
+        servo_deg: 8.0,
+        suction: true,
+        gripper_deg: 20.0,
+    };
+
+    #[test]
+    fn a_step_of_the_tip_is_a_straight_line_along_one_axis_with_the_tool_as_it_is() {
+        let step = Button::Linear(LinearJogAxis::YMinus).step(&STATUS, 10.0);
+        let expected = MoveTo {
+            x_mm: 200.0,
+            y_mm: -10.0,
+            z_mm: 50.0,
+            rotation_deg: 10.0,
+            suction: true,
+            mode: MovingMode::MovL,
+            gripper_deg: 20.0,
+            pause_s: 0.0,
+        };
+        assert_eq!(step, Some(expected.into()));
+    }
+
+    #[test]
+    fn a_step_of_a_joint_moves_that_joint_only() {
+        let step = Button::Joint(JointJogAxis::RearPlus).step(&STATUS, 1.0);
+        let expected = MoveJoints {
+            base_deg: 5.0,
+            rear_deg: 41.0,
+            fore_deg: 30.0,
+            servo_deg: 8.0,
+            suction: true,
+            mode: MovingMode::MovJ,
+            gripper_deg: 20.0,
+            pause_s: 0.0,
+        };
+        assert_eq!(step, Some(expected.into()));
+    }
+
+    #[test]
+    fn a_turn_of_the_tool_is_one_of_its_servo_by_the_buttons_of_either_jog() {
+        for (button, servo_deg) in [
+            (Button::Linear(LinearJogAxis::ServoPlus), 18.0),
+            (Button::Joint(JointJogAxis::ServoPlus), 18.0),
+            (Button::Linear(LinearJogAxis::ServoMinus), -2.0),
+            (Button::Joint(JointJogAxis::ServoMinus), -2.0),
+        ] {
+            let Some(Command::MoveJoints(step)) = button.step(&STATUS, 10.0) else {
+                panic!("{button:?} turns no joint");
+            };
+            assert_eq!(
+                [step.base_deg, step.rear_deg, step.fore_deg, step.servo_deg],
+                [5.0, 40.0, 30.0, servo_deg]
+            );
+        }
+    }
+
+    #[test]
+    fn a_switch_and_a_release_have_no_step() {
+        for button in [
+            Button::Joint(JointJogAxis::SuctionOn),
+            Button::Linear(LinearJogAxis::LaserOn),
+            Button::Linear(LinearJogAxis::Released),
+        ] {
+            assert_eq!(button.step(&STATUS, 1.0), None, "{button:?}");
+        }
+    }
+
+    #[test]
+    fn a_button_is_written_as_its_frame_and_its_axis() {
+        let button = Button::Linear(LinearJogAxis::ServoPlus);
+        let text = r#"{"frame":"linear","axis":"servo_plus"}"#;
+        assert_eq!(serde_json::to_string(&button).ok().as_deref(), Some(text));
+        assert_eq!(serde_json::from_str::<Button>(text).ok(), Some(button));
+        assert!(
+            serde_json::from_str::<Button>(r#"{"frame":"linear","axis":"base_plus"}"#).is_err()
+        );
+    }
+}

@@ -22,6 +22,7 @@ mod job;
 mod job_state;
 mod lease;
 mod message;
+mod near;
 mod not_built;
 mod notice;
 #[cfg(feature = "remote")]
@@ -55,6 +56,7 @@ pub use job::{JobKind, JobPause, JobPhase, JobProgram, JobRepeat, JobView, NewJo
 pub use job_state::JobState;
 pub use lease::{Asking, ClientId, LeaseView};
 pub use message::{FromClient, Hello, ToClient};
+pub use near::{BoundedQuantity, NearLimit, NearView};
 pub use not_built::NotBuilt;
 pub use notice::{News, Notice};
 #[cfg(feature = "remote")]

@@ -4,7 +4,7 @@ use dobot_wire::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Calibrations, JobView, LeaseView, TimeSlot, WayView};
+use crate::{Calibrations, JobView, LeaseView, NearView, TimeSlot, WayView};
 
 /// The answer to a request that was granted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -23,6 +23,11 @@ pub enum Reply {
     Way {
         /// The way.
         way: WayView,
+    },
+    /// What an arm at the place would be near to.
+    Near {
+        /// The limits and keep-outs.
+        near: NearView,
     },
     /// The arm is stopped; what stops it is on its way, if `delivered`.
     Stopping {

@@ -4,7 +4,7 @@ use dobot_wire::{Command, Dialect, JointJog, LinearJog};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{CalibrationFile, ClientId, NewJob, Role, TimeSlot};
+use crate::{Button, CalibrationFile, ClientId, NewJob, Role, TimeSlot};
 
 /// What a client can ask of the station.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -21,6 +21,18 @@ pub enum Request {
         /// The command.
         command: Command,
     },
+    /// Say which limits and keep-outs of the policy an arm at a place would be near to, however it got there. Nothing is sent,
+    /// and nobody is told; it takes no lease.
+    Near {
+        /// Forward of the axis of the base, in mm.
+        x_mm: f64,
+        /// To the left of it, in mm.
+        y_mm: f64,
+        /// The height of the wrist, in mm.
+        z_mm: f64,
+        /// The rotation of the tool, in degrees.
+        rotation_deg: f64,
+    },
     /// Hold a jog button. It is released when this is not said again within the dead-man time
     /// (150 ms by default).
     Jog {
@@ -30,6 +42,15 @@ pub enum Request {
     /// Release the jog button.
     #[serde(deserialize_with = "without_fields")]
     Release,
+    /// Move by one step of a jog button, from where the arm is when all that it was given is over, if the policy allows its
+    /// whole way. Pump and gripper stay as they are.
+    Step {
+        /// The button.
+        button: Button,
+        /// How far, in mm or degrees.
+        #[schemars(range(min = 0.01, max = 100.0))]
+        by: f32,
+    },
     /// Stop the arm: laser off first, nothing more is sent. Anyone may, without a lease.
     Stop {
         /// Why, for those who find the arm stopped. What is longer than 200 characters is cut: a stop
@@ -201,7 +222,9 @@ impl Request {
     #[must_use]
     pub const fn role(&self) -> Role {
         match self {
-            Self::Stop { .. } | Self::CheckCommand { .. } | Self::ShowSlots => Role::Watch,
+            Self::Stop { .. } | Self::CheckCommand { .. } | Self::Near { .. } | Self::ShowSlots => {
+                Role::Watch
+            }
             Self::SubmitJob { .. } | Self::QueueAgain { .. } => Role::Queue,
             Self::SetDialect { .. }
             | Self::Calibrate { .. }
@@ -212,6 +235,7 @@ impl Request {
             Self::Command { .. }
             | Self::Jog { .. }
             | Self::Release
+            | Self::Step { .. }
             | Self::ResetStop
             | Self::TakeLease
             | Self::ReleaseLease

@@ -4,7 +4,7 @@ use dobot_wire::{Dialect, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{FleetWideStop, JobView, LeaseView, SlotsView};
+use crate::{FleetWideStop, JobView, LeaseView, NearView, SlotsView};
 
 /// All that the station knows at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -97,6 +97,9 @@ pub struct ArmView {
     pub told: Option<Status>,
     /// Whether it moves.
     pub moving: bool,
+    /// The limits and keep-outs of the policy that it is near to.
+    #[serde(default, skip_serializing_if = "NearView::is_empty")]
+    pub near: NearView,
 }
 
 /// By which calibration places are told.

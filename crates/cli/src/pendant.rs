@@ -307,16 +307,13 @@ impl Pendant {
     /// Moves an arm that rests by one step.
     fn step(&mut self, button: Button, size: f32) {
         let untrusted = "the pose is not trusted; press r, look, and press y";
-        let command = match self.resting(untrusted) {
-            Ok(status) => button.step(status, size),
-            Err(why) => return self.tell(format!("no step: {why}")),
-        };
-        match command {
-            Some(command) => {
+        match self.resting(untrusted) {
+            Ok(status) if button.step(status, size).is_some() => {
                 self.answer = None;
-                self.ask(Request::Command { command });
+                self.ask(Request::Step { button, by: size });
             }
-            None => self.tell("no step: this key has to be held; . ends the steps".into()),
+            Ok(_) => self.tell("no step: this key has to be held; . ends the steps".into()),
+            Err(why) => self.tell(format!("no step: {why}")),
         }
     }
 
@@ -398,7 +395,7 @@ pub(crate) const STATE: &str = r#"{
 mod tests {
     use crossterm::event::KeyModifiers;
     use dobot_api::Jog;
-    use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MouseMove};
+    use dobot_wire::{Dialect, LinearJog, LinearJogAxis, MouseMove};
 
     use super::*;
 
@@ -468,32 +465,26 @@ mod tests {
         it.handle_state(state());
         keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
         keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
+        let down = Button::Linear(LinearJogAxis::ZMinus);
         let asked = keyed(&mut it, Duration::ZERO, KeyCode::PageDown);
-        let [
-            Request::Command {
-                command: Command::MoveTo(target),
-            },
-        ] = &asked[..]
-        else {
-            panic!("{asked:?}");
-        };
         assert_eq!(
-            [target.x_mm, target.y_mm, target.rotation_deg],
-            [220.0, 0.0, 15.0]
+            asked,
+            [Request::Step {
+                button: down,
+                by: 0.1
+            }]
         );
-        assert!((target.z_mm - 29.9).abs() < 1e-4);
         // Joints too.
         keyed(&mut it, Duration::ZERO, KeyCode::Tab);
+        let left = Button::Joint(JointJogAxis::BasePlus);
         let asked = keyed(&mut it, Duration::ZERO, KeyCode::Left);
-        let [
-            Request::Command {
-                command: Command::MoveJoints(target),
-            },
-        ] = &asked[..]
-        else {
-            panic!("{asked:?}");
-        };
-        assert!((target.base_deg - 0.1).abs() < 1e-6);
+        assert_eq!(
+            asked,
+            [Request::Step {
+                button: left,
+                by: 0.1
+            }]
+        );
         let mut moving = state();
         moving.arm.as_mut().unwrap().moving = true;
         it.handle_state(moving);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_api::{Folders, Notice, State, make_private};
+use dobot_api::{Folders, NearView, Notice, State, make_private};
 use dobot_arm::Millimeters;
 use dobot_model::{MountedTool, ToolKind};
 use dobot_record::{About, Limits, Record, Recorder, Topic};
@@ -156,6 +156,7 @@ fn essence(state: &State) -> State {
     };
     if let Some(arm) = &mut state.arm {
         arm.status = REST;
+        arm.near = NearView::default();
     }
     if let Some(job) = &mut state.job {
         job.left_s = None;
@@ -264,6 +265,7 @@ mod tests {
                     ..REST
                 },
                 moving: false,
+                near: NearView::default(),
             }),
             dialect: None,
             trust: TrustView {

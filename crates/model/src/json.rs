@@ -1,11 +1,11 @@
 //! The model as JSON, in the units of this project.
 
-use dobot_arm::{FOREARM, Limits, REAR_ARM, Span};
+use dobot_arm::{Limits, Span};
 use serde_json::{Value, json};
 
+use crate::dimensions::Dimensions;
 use crate::joint::{Axis, Joint, Turn};
 use crate::model::{Model, Part, Pin};
-use crate::part::FOOT_MM;
 use crate::shape::{Shape, Solid};
 
 impl Model {
@@ -20,12 +20,13 @@ impl Model {
     /// Never: all its names are text.
     #[must_use]
     pub fn to_json(&self) -> String {
+        let lengths = Dimensions::STOCK;
         let value = json!({
             "name": "dobot_arm",
             "units": { "length": "mm", "angle": "deg" },
-            "rear_arm_mm": REAR_ARM.0,
-            "forearm_mm": FOREARM.0,
-            "pivot_above_table_mm": FOOT_MM,
+            "rear_arm_mm": lengths.rear_arm_mm,
+            "forearm_mm": lengths.forearm_mm,
+            "pivot_above_table_mm": lengths.pivot_above_table_mm,
             "tool": self.tool.map(|it| json!({
                 "kind": it.kind().name(),
                 "reach_mm": it.kind().tool().reach().0,

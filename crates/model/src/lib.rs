@@ -15,6 +15,7 @@
 //! # Ok::<(), dobot_model::BadLength>(())
 //! ```
 
+mod dimensions;
 mod joint;
 mod json;
 mod mjcf;
@@ -28,6 +29,7 @@ mod tree;
 mod urdf;
 mod xml;
 
+pub use dimensions::Dimensions;
 pub use model::Model;
 pub use mounted_tool::{BadLength, MountedTool, ToolKind};
 #[cfg(feature = "options")]

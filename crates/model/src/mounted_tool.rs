@@ -11,6 +11,8 @@ pub struct MountedTool {
 
 /// The tools that were sold with the arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "schema", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", serde(rename_all = "snake_case"))]
 pub enum ToolKind {
     /// The suction cup.
     SuctionCup,
@@ -68,6 +70,9 @@ impl MountedTool {
 }
 
 impl ToolKind {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::SuctionCup, Self::Gripper, Self::Pen, Self::Laser];
+
     /// What the arm takes it for: a pen has the reach of the suction cup.
     #[must_use]
     pub const fn tool(self) -> Tool {

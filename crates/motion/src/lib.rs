@@ -74,8 +74,8 @@ pub use joint_move::JointMove;
 pub use jump::Jump;
 pub use line_move::LineMove;
 pub use model::{
-    ArmPlace, ArmSettings, Bend, Button, JogAxis, JogTrajectory, LASER_OFF, LONGEST_S, Model,
-    Segment, Trajectory, TrajectoryError, burns, told, tool_named,
+    ArmPlace, ArmSettings, Bend, Button, HandAxis, HandScale, JogAxis, JogTrajectory, LASER_OFF,
+    LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, told, tool_named,
 };
 pub use plan_error::PlanError;
 pub use profile::Profile;

@@ -28,6 +28,7 @@ mod distance;
 mod fence;
 mod jog;
 mod keep_out;
+mod keep_out_edit;
 mod laser;
 mod limits;
 mod path;
@@ -43,6 +44,7 @@ mod violation;
 
 pub use bounds::Bounds;
 pub use keep_out::{Area, Cylinder, KeepOut};
+pub use keep_out_edit::KeepOutEdit;
 pub use policy::Policy;
 pub use policy_error::PolicyError;
 pub use sections::{

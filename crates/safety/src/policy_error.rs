@@ -1,6 +1,7 @@
 //! Why a text is no policy.
 
 use std::fmt;
+use std::ops::Range;
 
 use thiserror::Error;
 
@@ -27,9 +28,15 @@ pub(crate) struct InvalidValue {
 impl PolicyError {
     /// What the TOML reader found.
     pub(crate) fn toml(text: &str, error: &toml::de::Error) -> Self {
-        let line = error.span().map(|span| line_at(text, span.start));
-        let reason = error.message().trim().replace('\n', ", ");
-        Self { line, reason }
+        Self::reader(text, error.span(), error.message())
+    }
+
+    /// What a reader found, and where.
+    pub(crate) fn reader(text: &str, span: Option<Range<usize>>, message: &str) -> Self {
+        Self {
+            line: span.map(|span| line_at(text, span.start)),
+            reason: message.trim().replace('\n', ", "),
+        }
     }
 
     /// A value that is not allowed.

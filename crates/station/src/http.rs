@@ -11,6 +11,7 @@ mod agents;
 #[path = "http/not_built/agents.rs"]
 mod agents;
 mod app;
+mod arm_facts;
 mod exchange;
 #[cfg(test)]
 mod fake;

@@ -1,8 +1,8 @@
 //! A state, a job and a notice for tests.
 
 use dobot_api::{
-    ArmView, JobKind, JobPhase, JobView, LaserView, LinkPhase, LinkView, News, Notice, QueueView,
-    State, TrustView,
+    ArmView, JobKind, JobPhase, JobView, LaserView, LinkPhase, LinkView, NearView, News, Notice,
+    QueueView, State, TrustView,
 };
 use dobot_wire::{Dialect, Status};
 
@@ -57,6 +57,7 @@ pub(crate) fn state(at_s: f64) -> State {
                 gripper_deg: 12.0,
             },
             moving: true,
+            near: NearView::default(),
         }),
         dialect: Some(Dialect::FIRMWARE_1_1),
         trust: TrustView {

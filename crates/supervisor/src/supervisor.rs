@@ -13,6 +13,7 @@ mod jog;
 mod laser;
 mod lease;
 mod link;
+mod near;
 mod outbox;
 mod plan;
 mod request;
@@ -28,7 +29,7 @@ use dobot_api::{
     ArmView, Calibrations, ClientId, News, Notice, QueueView, Reply, State, TimeSlot, TrustView,
 };
 use dobot_arm::Calibration;
-use dobot_motion::{LASER_OFF, Model};
+use dobot_motion::{ArmPlace, LASER_OFF, Model};
 use dobot_safety::Policy;
 use dobot_session::{SendError, Session};
 use dobot_wire::{Dialect, Finding, Packet, Status};
@@ -278,10 +279,14 @@ impl Supervisor {
         State {
             at_s: self.arm.now().as_secs_f64(),
             link: self.link.view(&self.arm.session().link()),
-            arm: self.arm.last().map(|told| ArmView {
-                status: self.arm.true_status(&told),
-                told: Some(told).filter(|_| self.arm.is_calibrated()),
-                moving: self.arm.still() == 0,
+            arm: self.arm.last().map(|told| {
+                let status = self.arm.true_status(&told);
+                ArmView {
+                    status,
+                    told: Some(told).filter(|_| self.arm.is_calibrated()),
+                    moving: self.arm.still() == 0,
+                    near: self.arm.near(&ArmPlace::of_status(&status)),
+                }
             }),
             calibrated: self.arm.calibrated_view(),
             dialect: self.arm.session().dialect().copied(),

@@ -121,7 +121,7 @@ function draw() {
 
 function show() {
   const { page: board } = store;
-  pictures.show(board.members, { dark: isDarkTheme(board.theme, dark.matches), old: board.connection !== "open" });
+  pictures.show(board.members, board.facts, { dark: isDarkTheme(board.theme, dark.matches), old: board.connection !== "open" });
 }
 
 // --- What comes in ----------------------------------------------------------------------------------------

@@ -30,7 +30,14 @@ export function followFleet(store, http) {
     else if (answer.ok) send({ type: "fleet", name: told.name, members: told.members, now_ms: now_ms() });
     else if (answer.status === 404) send({ type: "alone" });
     else send({ type: "closed", problem: answer.status === 401 || answer.status === 403 ? told : null });
+    if (answer?.ok) void readFacts(mine);
     return answer?.ok === true && told !== undefined;
+  }
+
+  /** @param {AbortController} mine */
+  async function readFacts(mine) {
+    const facts = await http.json("api/v1/arm");
+    if (facts && listening === mine) send({ type: "facts", facts });
   }
 
   /** @param {AbortController} mine */

@@ -3,17 +3,14 @@
 
 import { links, rad } from "../stage/links.js";
 import { css, lookOf } from "../stage/look.js";
-import { EMPTY } from "../stage/view.js";
 
 /** @typedef {import("../stage/view.js").Joints} Joints */
 /** @typedef {import("../stage/view.js").Point} Point */
 /** @typedef {[number, number]} Place To the right and down, in px. */
 /** @typedef {{ width: number, height: number, density: number }} Size */
-/** @typedef {{ joints: Joints | null, dark: boolean, old: boolean, laser: import("../stage/view.js").View["laser"], size: Size }} Shown */
+/** @typedef {import("../state/types.js").Facts} Facts */
+/** @typedef {{ facts: Facts, joints: Joints | null, dark: boolean, old: boolean, laser: import("../stage/view.js").View["laser"], size: Size }} Shown */
 
-const TABLE_MM = EMPTY.table_z_mm;
-const TIP_MM = EMPTY.tool.length_mm;
-const { joints: { base_deg: TURN_DEG }, workspace: { reach_mm: REACH_MM } } = EMPTY.limits;
 /** From where it is seen: about the Z axis, and above the table. */
 const AZIMUTH = rad(-58), ELEVATION = rad(24);
 const RIGHT = [-Math.sin(AZIMUTH), Math.cos(AZIMUTH), 0];
@@ -24,16 +21,16 @@ const ROOM = { right: [-318, 335], up: [-236, 205] };
 /** A point as it is seen, in mm to the right and up. @param {Point} point @returns {[number, number]} */
 export const seen = (point) => /** @type {[number, number]} */ ([RIGHT, UP].map((way) => way.reduce((sum, it, n) => sum + it * (point[n] ?? 0), 0)));
 
-/** Where the arm's joints are in space, and the tip of its tool. @param {Joints} joints */
-export function armAt(joints) {
-  const it = links(joints, EMPTY.tool.kind), base = rad(joints.base_deg);
+/** Where the arm's joints are in space, and the tip of its tool: the first one that is served. @param {Joints} joints @param {Facts} facts */
+export function armAt(joints, { dimensions, tools: [tool] }) {
+  const it = links(joints, { ...dimensions, reach_mm: tool?.reach_mm ?? 0 }), base = rad(joints.base_deg);
   const at = ([r = 0, z = 0]) => /** @type {Point} */ ([r * Math.cos(base), r * Math.sin(base), z]);
   return {
     shoulder: at([0, 0]),
     elbow: at(it.elbow),
     wrist: at(it.wrist),
     tool: at(it.tool),
-    tip: at([it.tool[0], it.tool[1] - TIP_MM]),
+    tip: at([it.tool[0], it.tool[1] - (tool?.length_mm ?? 0)]),
     tail: at(it.tail),
     crank: at(it.crank),
     rods: [it.rearRod, it.frontRod].map((rod) => rod.map(at)),
@@ -50,23 +47,29 @@ export function placer({ width, height }) {
   };
 }
 
-/** The ground below a point. @param {Point} point @returns {Point} */
-const below = ([x, y]) => [x, y, TABLE_MM];
-
-/** The border of what the arm reaches on the table. @returns {Point[]} */
-function reach() {
-  const [near = 0, far = 0] = REACH_MM, [least = 0, most = 0] = TURN_DEG;
+/** The border of what the arm reaches on the table. @param {Facts} facts @returns {Point[]} */
+function reach({ dimensions, joints, workspace }) {
+  const [near = 0, far = 0] = workspace.reach_mm, [least = 0, most = 0] = joints.base_deg;
   const arc = (/** @type {number} */ radius) => Array.from({ length: 37 }, (_, n) => {
     const turn = rad(least + ((most - least) * n) / 36);
-    return /** @type {Point} */ ([radius * Math.cos(turn), radius * Math.sin(turn), TABLE_MM]);
+    return /** @type {Point} */ ([radius * Math.cos(turn), radius * Math.sin(turn), -dimensions.pivot_above_table_mm]);
   });
   return [...arc(far), ...arc(near).reverse()];
 }
 
-const GROUND = reach();
+/** Calculated once for all pictures. @type {WeakMap<Facts, Point[]>} */ const grounds = new WeakMap();
+
+/** @param {Facts} facts */
+function groundOf(facts) {
+  const ground = grounds.get(facts) ?? reach(facts);
+  grounds.set(facts, ground);
+  return ground;
+}
 
 /** @param {CanvasRenderingContext2D} pen @param {Shown} shown */
-export function paint(pen, { joints, dark, old, laser, size }) {
+export function paint(pen, { facts, joints, dark, old, laser, size }) {
+  /** The ground below a point. @param {Point} point @returns {Point} */
+  const below = ([x, y]) => [x, y, -facts.dimensions.pivot_above_table_mm];
   const look = lookOf(dark), at = placer(size), thick = Math.max(3, size.height / 17);
   /** @param {readonly Point[]} points @param {number} color @param {number} wide @param {number} [alpha] */
   const line = (points, color, wide, alpha = 1) => {
@@ -90,7 +93,7 @@ export function paint(pen, { joints, dark, old, laser, size }) {
   pen.setTransform(size.density, 0, 0, size.density, 0, 0);
   pen.clearRect(0, 0, size.width, size.height);
   pen.lineCap = pen.lineJoin = "round";
-  path(GROUND);
+  path(groundOf(facts));
   pen.closePath();
   pen.fillStyle = css(look.table);
   pen.fill();
@@ -98,7 +101,7 @@ export function paint(pen, { joints, dark, old, laser, size }) {
   pen.lineWidth = 1;
   pen.stroke();
   if (!joints) return;
-  const arm = armAt(joints);
+  const arm = armAt(joints, facts);
   const metal = old ? look.pin : look.metal, joint = old ? look.pin : look.accent, rim = look.dark;
   // The shadow tells height and turn.
   line([arm.shoulder, arm.elbow, arm.wrist, arm.tool].map(below), 0x000000, thick, dark ? 0.3 : 0.13);

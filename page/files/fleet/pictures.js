@@ -13,7 +13,7 @@ export function createPictures({ isStill }) {
   /** @type {Map<string, Motion>} */ const motions = new Map();
   /** @type {WeakMap<Element, Canvas>} */ const canvases = new WeakMap();
   /** @type {Set<HTMLCanvasElement>} */ const inSight = new Set();
-  /** @type {{ members: ReadonlyMap<string, Member>, dark: boolean, old: boolean }} */ let shown = { members: new Map(), dark: false, old: false };
+  /** @type {{ members: ReadonlyMap<string, Member>, facts: import("./picture.js").Facts | null, dark: boolean, old: boolean }} */ let shown = { members: new Map(), facts: null, dark: false, old: false };
   const isDue = createLimit();
   let asked = 0;
 
@@ -52,15 +52,15 @@ export function createPictures({ isStill }) {
 
   /** @param {HTMLCanvasElement} canvas @returns {boolean} whether it is another one a moment later */
   function drawOne(canvas) {
-    const member = shown.members.get(canvas.dataset.arm ?? "");
-    if (!member) return false;
+    const member = shown.members.get(canvas.dataset.arm ?? ""), { facts } = shown;
+    if (!member || !facts) return false;
     const known = canvases.get(canvas) ?? { size: fit(canvas), drawn: "" };
     canvases.set(canvas, known);
     const { joints, moving } = jointsOf(member);
     const old = shown.old || member.presence.type !== "present";
     const laser = member.state?.laser.on ? "burning" : "off";
     const drawn = [joints?.base_deg, joints?.rear_deg, joints?.fore_deg, shown.dark, old, laser].join();
-    if (drawn !== known.drawn) paint(/** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")), { joints, dark: shown.dark, old, laser, size: known.size });
+    if (drawn !== known.drawn) paint(/** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")), { facts, joints, dark: shown.dark, old, laser, size: known.size });
     known.drawn = drawn;
     return moving;
   }
@@ -73,13 +73,14 @@ export function createPictures({ isStill }) {
   }
 
   return {
-    /** @param {readonly Member[]} members @param {{ dark: boolean, old: boolean }} look */
-    show(members, { dark, old }) {
-      shown = { members: new Map(members.map((it) => [it.id, it])), dark, old };
+    /** @param {readonly Member[]} members @param {import("./picture.js").Facts | null} facts nothing is drawn without @param {{ dark: boolean, old: boolean }} look */
+    show(members, facts, { dark, old }) {
+      shown = { members: new Map(members.map((it) => [it.id, it])), facts, dark, old };
       for (const { id, state } of members) {
         if (!state?.arm) continue;
         const motion = motions.get(id) ?? new Motion();
         motions.set(id, motion);
+        motion.status_s = facts?.status_period_s ?? 0;
         motion.hear({ at_s: state.at_s, joints: state.arm }, performance.now() / 1000);
       }
       soon();

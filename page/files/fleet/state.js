@@ -23,6 +23,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * @property {Connection} connection
  * @property {string} name What the station of this board is called; empty until that is known.
  * @property {readonly Member[]} members In the order in which they are shown.
+ * @property {import("../state/types.js").Facts | null} facts What the station of this board serves of its arm: all arms are drawn so.
  * @property {number} heard_ms When something came last, by the clock of this page.
  * @property {number} now_ms
  * @property {string} sought What a tile has to contain to be shown.
@@ -48,6 +49,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
  * | { type: "members", members: readonly Member[], gone: readonly string[], now_ms: number }
  * | { type: "alive", now_ms: number }
  * | { type: "learners", answers: readonly MemberAnswer[] }
+ * | { type: "facts", facts: import("../state/types.js").Facts }
  * | { type: "connecting" }
  * | { type: "closed", problem: Problem | null }
  * | { type: "alone" }
@@ -74,6 +76,7 @@ export const begin = ({ language, theme }) => ({
   connection: "connecting",
   name: "",
   members: [],
+  facts: null,
   heard_ms: 0,
   now_ms: 0,
   sought: "",
@@ -105,6 +108,8 @@ export function reduce(board, message) {
       return { ...board, heard_ms: message.now_ms, now_ms: message.now_ms };
     case "learners":
       return { ...board, members: board.members.map((it) => ({ ...it, learners: learnersOf(message.answers, it) })) };
+    case "facts":
+      return { ...board, facts: message.facts };
     case "connecting":
       return board.connection === "token" ? { ...board, connection: "connecting" } : board;
     case "closed":

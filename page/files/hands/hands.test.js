@@ -48,7 +48,8 @@ test("a way that is too long for one packet is made by more than one", () => {
 
 test("the middle of the hand pad is the same place in both dialects", () => {
   const hand = { far: 0, left: 0.5, z_mm: 40, grab: false };
-  assert.deepEqual(gesturePacket(hand, false, -30), { type: "gesture", x: 230, y: 45, z: 40, grab: false });
+  const mm = { zero_mm: 0, units_per_mm: 1 };
+  assert.deepEqual(gesturePacket(hand, { x: mm, y: mm, z: mm }), { type: "gesture", x: 230, y: 45, z: 40, grab: false });
   // x is 230 mm and half of X; z is half of what Z is above 200, above the lowest place.
-  assert.deepEqual(gesturePacket(hand, true, -30), { type: "gesture", x: 0, y: 45, z: 340, grab: false });
+  assert.deepEqual(gesturePacket(hand, { x: { zero_mm: 230, units_per_mm: 2 }, y: mm, z: { zero_mm: -130, units_per_mm: 2 } }), { type: "gesture", x: 0, y: 45, z: 340, grab: false });
 });

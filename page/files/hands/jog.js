@@ -8,7 +8,6 @@
 /** @typedef {ReturnType<typeof createJog>} JogHands */
 
 import { hindrance } from "../state/select.js";
-import { step } from "./step.js";
 
 const JOG_MS = 50;
 
@@ -19,7 +18,6 @@ const JOG_MS = 50;
  */
 export function createJog(store, socket, takeIfFree) {
   /** @type {{ by: unknown, axis: Axis, timer: number, speed_percent: () => number } | undefined} */ let held;
-  /** The step that is under way, and whether the station has answered it. @type {{ command: import("./step.js").Step, answered: boolean } | undefined} */ let before;
 
   /** @param {unknown} by what holds @param {Axis} axis @param {() => number} speed_percent of each press */
   function hold(by, axis, speed_percent = () => store.page.jog.speed_percent) {
@@ -56,26 +54,19 @@ export function createJog(store, socket, takeIfFree) {
     if (socket.isOpen()) void socket.ask({ type: "release" });
   }
 
-  /** Moves by one step. @param {Axis} axis @param {number} by millimetres or degrees */
+  /** Moves by one step, from where the arm is when the steps before it are over. @param {Axis} axis @param {number} by millimetres or degrees */
   async function stepBy(axis, by) {
     const { page } = store;
     if (!page.station?.arm || hindrance(page)) return;
     takeIfFree();
-    // While an earlier step is under way the next one begins where that one ends, so that no press is lost.
-    const mine = { command: step(page.station.arm, page.jog.frame, axis, by, before?.command), answered: false };
-    before = mine;
+    const button = /** @type {Schemas["Button"]} */ ({ frame: page.jog.frame, axis });
     store.send({ type: "jog_held", axis });
     store.send({ type: "jog_held", axis: null });
-    const { problem } = await socket.ask({ type: "command", command: mine.command });
-    mine.answered = true;
-    if (!problem) return;
-    if (before === mine) before = undefined;
-    store.send({ type: "jog_refused", axis, detail: problem.detail });
+    const { problem } = await socket.ask({ type: "step", button, by });
+    if (problem) store.send({ type: "jog_refused", axis, detail: problem.detail });
   }
 
   store.listen((page, message) => {
-    if (message.type === "closed") before = undefined;
-    if (message.type === "state" && before?.answered && rests(message.station)) before = undefined;
     if (message.type === "closed" || message.type === "stop_pressed" || (held && hindrance(page) !== null)) letGo();
     if (message.type === "jog_set" && message.set.frame) letGo();
   });
@@ -92,6 +83,3 @@ export function createJog(store, socket, takeIfFree) {
     },
   };
 }
-
-/** Whether all that was asked for is done. @param {import("../state/types.js").Station} station */
-const rests = ({ arm, queue }) => !arm?.moving && queue.waiting === 0 && queue.under_way === 0;

@@ -3,6 +3,7 @@
 
 /** @typedef {import("../state/types.js").Command} Command */
 /** @typedef {import("../state/types.js").Arm} Arm */
+/** @typedef {import("../state/types.js").Schemas["GestureFacts"]} Gesture */
 
 /** So many packets may be under way: the arm goes on without a break, and little is left when the pointer is let go. */
 const AHEAD = 2;
@@ -15,9 +16,9 @@ const FURTHEST = 5;
 const bounded = (value) => Math.max(-FURTHEST, Math.min(FURTHEST, value));
 
 /**
- * The mouse packet for a way of the pointer: up the pad is ahead, to its left is the arm's left. On an arm as it was sold
+ * The mouse packet for a way of the pointer: up the pad is ahead, to its left is the arm's left. In a dialect that swings,
  * Y swings the base, to the right where it is positive, and the rotation is the servo's angle.
- * @param {[number, number]} pixels @param {Arm} arm @param {boolean} swings @param {number} lift in units
+ * @param {[number, number]} pixels @param {Arm} arm @param {boolean} swings as the station serves it @param {number} lift in units
  * @returns {{ command: Command, used: [number, number] }} `used`: what of the way it makes
  */
 export function mousePacket([right, down], arm, swings, lift = 0) {
@@ -27,16 +28,14 @@ export function mousePacket([right, down], arm, swings, lift = 0) {
 }
 
 /**
- * The gesture packet for a place on the pad, with shares from -1 (right, near) to 1 (left, far) and a height in mm. On an
- * arm as it was sold they are units of the hand tracker: x is 230 mm and half of X, z is half of Z above the lowest place
- * less 100 mm.
- * @param {{ far: number, left: number, z_mm: number, grab: boolean }} hand @param {boolean} scales @param {number} lowest_mm
+ * The gesture packet for a place on the pad, with shares from -1 (right, near) to 1 (left, far) and a height in mm, in the
+ * units of the arm's dialect.
+ * @param {{ far: number, left: number, z_mm: number, grab: boolean }} hand @param {Gesture} scale as the station serves it
  * @returns {Command}
  */
-export function gesturePacket({ far, left, z_mm, grab }, scales, lowest_mm) {
-  const x_mm = 230 + 60 * far, y_mm = 90 * left;
-  const place = scales ? { x: 2 * (x_mm - 230), y: y_mm, z: 2 * (z_mm - lowest_mm) + 200 } : { x: x_mm, y: y_mm, z: z_mm };
-  return { type: "gesture", ...place, grab };
+export function gesturePacket({ far, left, z_mm, grab }, { x, y, z }) {
+  const units = (/** @type {number} */ mm, /** @type {Gesture["x"]} */ { zero_mm, units_per_mm }) => units_per_mm * (mm - zero_mm);
+  return { type: "gesture", x: units(230 + 60 * far, x), y: units(90 * left, y), z: units(z_mm, z), grab };
 }
 
 /**

@@ -4,10 +4,9 @@ import { createStream, gesturePacket, mousePacket } from "./pad.js";
 
 /** @typedef {ReturnType<typeof createPads>} Pads */
 
-/** A gesture is averaged with the ten before it, and one that moves nothing never ends on an arm as it was sold. */
-const REPEATS = 10;
-/** The lowest place of gestures on an arm as it was sold, in mm. */
-const LOWEST_MM = -30;
+const MM = { zero_mm: 0, units_per_mm: 1 };
+/** While nobody knows the dialect the station refuses the packet, and says why. */
+const UNDECIDED = { x: MM, y: MM, z: MM };
 
 /**
  * @param {import("../state/store.js").Store} store
@@ -15,15 +14,19 @@ const LOWEST_MM = -30;
  * @param {() => void} takeIfFree
  */
 export function createPads(store, socket, takeIfFree) {
-  const isStock = () => store.page.station?.dialect === "firmware-1.1";
+  /** The facts of the dialect that holds; nothing for the moment until they are read. */
+  function facts() {
+    const { facts, station } = store.page;
+    return (facts?.dialect?.name ?? null) === (station?.dialect ?? null) ? facts : null;
+  }
   const refused = (/** @type {string} */ detail) => store.send({ type: "pad_refused", detail });
 
   /** How far the pointer went since the last packet, in pixels, and the lift in units. */
   let way = /** @type {[number, number]} */ ([0, 0]), lift = 0;
   const mouse = createStream({ store, socket, takeIfFree, refused, next() {
-    const arm = store.page.station?.arm;
-    if (!arm || (Math.hypot(...way) < 1 && lift === 0)) return null;
-    const { command, used } = mousePacket(way, arm, isStock(), lift);
+    const arm = store.page.station?.arm, known = facts();
+    if (!arm || !known || (Math.hypot(...way) < 1 && lift === 0)) return null;
+    const { command, used } = mousePacket(way, arm, known.dialect?.mouse_swings ?? false, lift);
     way = [way[0] - used[0], way[1] - used[1]];
     lift = 0;
     return command;
@@ -31,9 +34,11 @@ export function createPads(store, socket, takeIfFree) {
 
   let hand = { far: 0, left: 0 }, z_mm = 40, grab = false, repeats = 0;
   const gesture = createStream({ store, socket, takeIfFree, refused, next() {
-    if (repeats >= REPEATS) return null;
+    const known = facts(), mounted = store.page.around?.tool.kind ?? "suction_cup";
+    // It is averaged with those before it, and one that moves nothing may never end.
+    if (!known || repeats >= (known.dialect?.gesture_samples ?? 1)) return null;
     repeats += 1;
-    return gesturePacket({ ...hand, z_mm, grab }, isStock(), LOWEST_MM);
+    return gesturePacket({ ...hand, z_mm, grab }, known.tools.find(({ kind }) => kind === mounted)?.gesture ?? UNDECIDED);
   } });
 
   return {

@@ -42,7 +42,7 @@ export function jogPanel({ page, say, act, jog }) {
   const { frame, step, speed_percent, held, refused } = page.jog;
   const why = hindrance(page);
   const buttons = frame === "linear" ? LINEAR : JOINT;
-  const hint = step === null ? say("jog.hint.hold") : say("jog.hint.step", { step: `${step} ${frame === "linear" ? "mm" : "°"}` });
+  const hint = step === null ? say("jog.hint.hold") : say("jog.hint.step", { step: frame === "linear" ? `${step} mm (R: ${step}°)` : `${step}°` });
   const told = why ? say(`hindrance.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
 
   const buttonOf = (/** @type {Event} */ event) => /** @type {HTMLButtonElement | null} */ (/** @type {Element} */ (event.target).closest("button[data-axis]"));

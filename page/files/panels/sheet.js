@@ -3,7 +3,6 @@
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { kept } from "../state/select.js";
 import { liesOf } from "../state/draw.js";
-import { STOCK } from "../stage/view.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/draw.js").Lies} Lies */
@@ -68,7 +67,7 @@ export function moved({ kind, lies, from }, to) {
 export function sheet({ page, say, act }) {
   const { planned } = page.draw;
   const lies = liesOf(page.draw);
-  const reach_mm = (page.policy?.workspace.reach_mm ?? STOCK.workspace.reach_mm);
+  const reach_mm = page.facts?.workspace.reach_mm ?? [];
   const take = (/** @type {NonNullable<typeof held>["kind"]} */ kind) => (/** @type {PointerEvent} */ event) => {
     if (!lies || event.button !== 0) return;
     event.preventDefault();

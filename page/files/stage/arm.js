@@ -2,66 +2,73 @@
 // Which part is beside which can be read from the Y of its plates.
 
 import { CatmullRomCurve3, Group, TubeGeometry, Vector3 } from "../vendor/three/three.js";
-import { CRANK_MM, FORE_MM, FRONT_ROD_AT_MM, REAR_MM, REAR_ROD_AT_MM, beyondWrist, links, rad } from "./links.js";
+import { links, rad } from "./links.js";
 import { block, lay, pin, plate, solid, turned } from "./solid.js";
 import { createTool } from "./tools.js";
 
 /** @typedef {import("./view.js").Joints} Joints */
-/** @typedef {import("./view.js").ToolKind} ToolKind */
+/** @typedef {import("./view.js").ArmShape} ArmShape */
+/** @typedef {import("./view.js").View} View */
 /** @typedef {import("./tools.js").Materials} Materials */
 
-/** Where the foot stands below the pivot. */
-const FOOT_MM = 103;
 const CHEEK_Y = 32;
 const ROD_Y = 25.5;
 const FRONT_ROD_Y = 12;
 
 /**
+ * An arm without parts: `mount` builds it.
  * @param {Materials} materials
  * @param {{ foot: boolean }} with_
  */
 export function createArm(materials, { foot }) {
-  const arm = new Group(), turning = new Group(), wrist = new Group(), servo = new Group();
-  const moving = { rear: rearArm(materials), fore: forearm(materials), crank: crank(materials), crankRod: rod(REAR_MM, -ROD_Y, materials), rearRod: rod(REAR_MM, ROD_Y, materials), frontRod: rod(FORE_MM, FRONT_ROD_Y, materials), elbow: elbow(materials) };
-  if (foot) arm.add(standing(materials));
-  turning.add(turret(materials), ...Object.values(moving), wrist);
-  arm.add(turning);
-  wrist.add(servo);
-  /** @type {ToolKind} */ let kind = "suction_cup";
-  let tool = createTool(kind, 40, materials);
-  const head = () => wrist.children.find((it) => it !== servo);
+  const group = new Group();
+  /** @type {ReturnType<typeof build> | null} */ let built = null;
+  return {
+    group,
+    /** Builds it with these lengths and this tool, in the place of what it was. @param {ArmShape} shape @param {View["tool"]} tool */
+    mount(shape, tool) {
+      for (const old of [...group.children]) drop(old);
+      built = build(shape, tool, materials);
+      group.add(built.turning);
+      if (foot) group.add(standing(shape, materials));
+    },
+    /** @param {Joints & { gripper_deg?: number }} joints */
+    pose: (joints) => built?.pose(joints),
+  };
+}
 
-  /**
-   * @param {ToolKind} newKind
-   * @param {number} length_mm
-   */
-  function mount(newKind, length_mm) {
-    kind = newKind;
-    for (const old of [head(), tool.group]) if (old) drop(old);
-    wrist.add(wristHead(beyondWrist(kind), materials));
-    tool = createTool(kind, length_mm, materials);
-    servo.position.x = beyondWrist(kind);
-    servo.add(tool.group);
-  }
-
-  /** @param {Joints & { gripper_deg?: number }} joints */
-  function pose(joints) {
-    const at = links(joints, kind);
-    turning.rotation.z = rad(joints.base_deg);
-    lay(moving.rear, [0, 0], at.elbow);
-    lay(moving.fore, at.elbow, at.wrist);
-    lay(moving.crank, [0, 0], at.crank);
-    lay(moving.crankRod, at.crank, at.tail);
-    lay(moving.rearRod, ...at.rearRod);
-    lay(moving.frontRod, ...at.frontRod);
-    moving.elbow.position.set(at.elbow[0], 0, at.elbow[1]);
-    wrist.position.set(at.wrist[0], 0, at.wrist[1]);
-    servo.rotation.z = rad(joints.servo_deg);
-    tool.open?.(joints.gripper_deg ?? 0);
-  }
-
-  mount(kind, 40);
-  return { group: arm, servo, mount, pose };
+/**
+ * All that turns.
+ * @param {ArmShape} shape
+ * @param {View["tool"]} tool
+ * @param {Materials} materials
+ */
+function build(shape, { kind, length_mm }, materials) {
+  const { rear_arm_mm, forearm_mm, reach_mm } = shape;
+  const turning = new Group(), wrist = new Group(), servo = new Group(), tool = createTool(kind, length_mm, materials);
+  const moving = { rear: rearArm(shape, materials), fore: forearm(shape, materials), crank: crank(shape, materials), crankRod: rod(rear_arm_mm, -ROD_Y, materials), rearRod: rod(rear_arm_mm, ROD_Y, materials), frontRod: rod(forearm_mm, FRONT_ROD_Y, materials), elbow: elbow(shape, materials) };
+  turning.add(turret(shape, materials), ...Object.values(moving), wrist);
+  wrist.add(servo, wristHead(shape, materials));
+  servo.position.x = reach_mm;
+  servo.add(tool.group);
+  return {
+    turning,
+    /** @param {Joints & { gripper_deg?: number }} joints */
+    pose(joints) {
+      const at = links(joints, shape);
+      turning.rotation.z = rad(joints.base_deg);
+      lay(moving.rear, [0, 0], at.elbow);
+      lay(moving.fore, at.elbow, at.wrist);
+      lay(moving.crank, [0, 0], at.crank);
+      lay(moving.crankRod, at.crank, at.tail);
+      lay(moving.rearRod, ...at.rearRod);
+      lay(moving.frontRod, ...at.frontRod);
+      moving.elbow.position.set(at.elbow[0], 0, at.elbow[1]);
+      wrist.position.set(at.wrist[0], 0, at.wrist[1]);
+      servo.rotation.z = rad(joints.servo_deg);
+      tool.open?.(joints.gripper_deg ?? 0);
+    },
+  };
 }
 
 /** @param {import("../vendor/three/three.js").Object3D} group */
@@ -72,20 +79,19 @@ function drop(group) {
   });
 }
 
-/** @param {Materials} materials */
-function standing({ metal, dark, accent }) {
+/** @param {ArmShape} shape @param {Materials} materials */
+function standing({ pivot_above_table_mm: foot_mm }, { metal, dark, accent }) {
   const cable = new CatmullRomCurve3([[-66, 0, -90], [-92, 2, -94], [-128, 22, -99.5], [-180, 30, -99.5], [-240, 4, -99.5], [-296, 0, -99.5], [-305, 0, -104], [-308, 0, -150]].map((it) => new Vector3(...it)));
   return solid([
-    [dark, [block([146, 146, 36], [0, 0, -FOOT_MM + 20], 20), new TubeGeometry(cable, 40, 3.2, 8), block([10, 26, 14], [-73, 0, -90], 3)]],
-    [metal, [block([132, 132, 4], [0, 0, -FOOT_MM + 40], 18)]],
+    [dark, [block([146, 146, 36], [0, 0, -foot_mm + 20], 20), new TubeGeometry(cable, 40, 3.2, 8), block([10, 26, 14], [-73, 0, -90], 3)]],
+    [metal, [block([132, 132, 4], [0, 0, -foot_mm + 40], 18)]],
     [accent, [turned([[50, -61], [62, -61], [62, -58.5], [50, -58.5]])]],
-    [dark, [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([x = 0, y = 0]) => turned([[0, -FOOT_MM], [8, -FOOT_MM], [9, -FOOT_MM + 2.2], [0, -FOOT_MM + 2.2]]).translate(x * 52, y * 52, 0))],
+    [dark, [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([x = 0, y = 0]) => turned([[0, -foot_mm], [8, -foot_mm], [9, -foot_mm + 2.2], [0, -foot_mm + 2.2]]).translate(x * 52, y * 52, 0))],
   ]);
 }
 
-/** @param {Materials} materials */
-function turret({ metal, dark, pin: bright }) {
-  const [rodX, rodZ] = REAR_ROD_AT_MM;
+/** @param {ArmShape} shape @param {Materials} materials */
+function turret({ rear_rod_at_mm: [rodX = 0, rodZ = 0] }, { metal, dark, pin: bright }) {
   /** @type {[number, number, number][]} */
   const outline = [[-34, -46, 7], [34, -46, 7], [0, 0, 23], [rodX, rodZ, 9]];
   const cheek = (/** @type {number} */ side) => plate(outline, side * CHEEK_Y, 6, [[0, -30, 9], [-17, -33, 4.5], [17, -33, 4.5]]);
@@ -97,31 +103,31 @@ function turret({ metal, dark, pin: bright }) {
   ]);
 }
 
-/** @param {Materials} materials */
-function rearArm({ metal, pin: bright, accent }) {
+/** @param {ArmShape} shape @param {Materials} materials */
+function rearArm({ rear_arm_mm: long_mm }, { metal, pin: bright, accent }) {
   const bored = /** @type {const} */ ([[38, 0, 8], [64, 0, 7], [88, 0, 6], [109, 0, 4.6]]);
-  const side = (/** @type {number} */ y) => plate([[0, 0, 20], [REAR_MM, 0, 15]], y, 6, bored);
+  const side = (/** @type {number} */ y) => plate([[0, 0, 20], [long_mm, 0, 15]], y, 6, bored);
   const cap = (/** @type {number} */ from) => pin(11, from, from + 1.6);
   return solid([
     [metal, [side(15), side(-15)]],
     [bright, [pin(8, -30, 30), pin(4, -12, 12, [24, 11]), pin(4, -12, 12, [52, -10]), pin(3.4, -12, 12, [76, 9])]],
-    [accent, [cap(18).translate(REAR_MM, 0, 0), cap(-19.6).translate(REAR_MM, 0, 0)]],
+    [accent, [cap(18).translate(long_mm, 0, 0), cap(-19.6).translate(long_mm, 0, 0)]],
   ]);
 }
 
-/** @param {Materials} materials */
-function forearm({ metal, pin: bright }) {
+/** @param {ArmShape} shape @param {Materials} materials */
+function forearm({ forearm_mm, crank_mm }, { metal, pin: bright }) {
   const bored = /** @type {const} */ ([[34, 0, 7], [58, 0, 6.2], [80, 0, 5.4], [100, 0, 4.6], [118, 0, 3.8]]);
-  const body = plate([[-CRANK_MM, 0, 8], [0, 0, 15], [FORE_MM, 0, 9], [0, 0, 15]], 0, 14, bored);
+  const body = plate([[-crank_mm, 0, 8], [0, 0, 15], [forearm_mm, 0, 9], [0, 0, 15]], 0, 14, bored);
   return solid([
     [metal, [body]],
-    [bright, [pin(7, -21.5, 24), pin(4, -ROD_Y - 3.5, 10, [-CRANK_MM, 0]), pin(4.5, -21.5, 21.5, [FORE_MM, 0])]],
+    [bright, [pin(7, -21.5, 24), pin(4, -ROD_Y - 3.5, 10, [-crank_mm, 0]), pin(4.5, -21.5, 21.5, [forearm_mm, 0])]],
   ]);
 }
 
-/** @param {Materials} materials */
-function crank({ dark, pin: bright }) {
-  return solid([[dark, [plate([[0, 0, 14], [CRANK_MM, 0, 8]], -21, 4)]], [bright, [pin(4, -ROD_Y - 3.5, -18, [CRANK_MM, 0])]]]);
+/** @param {ArmShape} shape @param {Materials} materials */
+function crank({ crank_mm }, { dark, pin: bright }) {
+  return solid([[dark, [plate([[0, 0, 14], [crank_mm, 0, 8]], -21, 4)]], [bright, [pin(4, -ROD_Y - 3.5, -18, [crank_mm, 0])]]]);
 }
 
 /**
@@ -134,21 +140,16 @@ function rod(long_mm, y_mm, { dark }) {
   return solid([[dark, [plate([[0, 0, 3.4], [long_mm, 0, 3.4]], y_mm, 3.6), eye(0), eye(long_mm)]]]);
 }
 
-/** The plate at the elbow that stays level: it hands the rear rod's hold to the front rod. @param {Materials} materials */
-function elbow({ accent, pin: bright }) {
-  const [rearX, rearZ] = REAR_ROD_AT_MM, [frontX, frontZ] = FRONT_ROD_AT_MM;
+/** The plate at the elbow that stays level: it hands the rear rod's hold to the front rod. @param {ArmShape} shape @param {Materials} materials */
+function elbow({ rear_rod_at_mm: [rearX = 0, rearZ = 0], front_rod_at_mm: [frontX = 0, frontZ = 0] }, { accent, pin: bright }) {
   return solid([
     [accent, [plate([[0, 0, 11], [frontX, frontZ, 7], [rearX, rearZ, 7]], 21.3, 3.4)]],
     [bright, [pin(4, 19, ROD_Y + 3.5, [rearX, rearZ]), pin(4, FRONT_ROD_Y - 3.5, 24, [frontX, frontZ])]],
   ]);
 }
 
-/**
- * @param {number} beyond_mm
- * @param {Materials} materials
- */
-function wristHead(beyond_mm, { metal, dark, pin: bright }) {
-  const [rodX, rodZ] = FRONT_ROD_AT_MM;
+/** @param {ArmShape} shape @param {Materials} materials */
+function wristHead({ reach_mm: beyond_mm, front_rod_at_mm: [rodX = 0, rodZ = 0] }, { metal, dark, pin: bright }) {
   const side = (/** @type {number} */ y) => plate([[0, 0, 10], [30, -3, 5], [rodX, rodZ, 7]], y, 4);
   return solid([
     [metal, [side(17.5), side(-17.5), block([beyond_mm - 9, 31, 11], [(beyond_mm - 9) / 2 + 22, 0, -2.5], 5)]],

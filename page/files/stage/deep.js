@@ -131,9 +131,9 @@ export function createDeep(element, outside, card) {
     const before = view;
     view = next;
     const differs = (/** @type {(keyof View)[]} */ ...names) => !before || names.some((name) => before[name] !== next[name]);
-    if (!before || before.tool.kind !== next.tool.kind || before.tool.length_mm !== next.tool.length_mm) {
-      arm.mount(next.tool.kind, next.tool.length_mm);
-      target.mount(next.tool);
+    if (next.shape && (!before || before.shape !== next.shape || before.tool.kind !== next.tool.kind || before.tool.length_mm !== next.tool.length_mm)) {
+      arm.mount(next.shape, next.tool);
+      target.mount(next.shape, next.tool);
     }
     onTable.position.z = next.table_z_mm;
     renderer.shadowMap.needsUpdate = true;
@@ -152,21 +152,19 @@ export function createDeep(element, outside, card) {
 
   /** @param {Joints} joints */
   function pose(joints) {
-    if (!view) return;
-    const { tool, arm: reported, laser, table_z_mm, ghost } = view;
+    if (!view?.shape) return;
+    const { shape, tool, arm: reported, laser, table_z_mm, ghost, near } = view;
     arm.pose({ ...joints, gripper_deg: reported?.gripper_deg ?? 0 });
-    const own = forward(joints, tool.kind);
+    const own = forward(joints, shape);
     const tip = new Vector3(own.x_mm, own.y_mm, own.z_mm - tool.length_mm);
     trail.follow(tip);
     beam.group.visible = laser === "burning" && reported !== null;
     beam.group.position.copy(tip);
     beam.reach(tip.z - table_z_mm);
     target.show(view, reported && own);
-    const aimed = ghost && inverse(ghost, tool.kind);
-    limits.warn(aimed ?? (reported && joints), tool.kind, view.limits);
-    /** @type {[number, number, number][]} */ const places = [tip.toArray(), [own.x_mm, own.y_mm, own.z_mm]];
-    if (ghost) places.push([ghost.x_mm, ghost.y_mm, ghost.z_mm - tool.length_mm], [ghost.x_mm, ghost.y_mm, ghost.z_mm]);
-    keepOuts.warn(places);
+    const aimed = ghost && inverse(ghost, shape);
+    limits.warn(aimed ?? (reported && joints), shape, near.limits);
+    keepOuts.warn(near.keep_outs);
   }
 
   /**
@@ -238,8 +236,8 @@ export function createDeep(element, outside, card) {
 
   /** @returns {Point} */
   function tipOf() {
-    if (!drawn || !view) return [200, 0, -60];
-    const { x_mm, y_mm, z_mm } = forward(drawn, view.tool.kind);
+    if (!drawn || !view?.shape) return [200, 0, -60];
+    const { x_mm, y_mm, z_mm } = forward(drawn, view.shape);
     return [x_mm, y_mm, z_mm - view.tool.length_mm / 2];
   }
 }

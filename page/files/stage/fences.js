@@ -4,13 +4,13 @@ import {
   BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, SRGBColorSpace, ShaderMaterial,
 } from "../vendor/three/three.js";
 import { forward, links, rad } from "./links.js";
-import { nearKeepOut, nearLimits } from "./near.js";
 import { rgb } from "./paper.js";
 
 /** @typedef {import("./look.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */
-/** @typedef {import("./near.js").Near} Near */
+/** @typedef {View["near"]["limits"][number]} Near */
+/** @typedef {import("./view.js").ArmShape} ArmShape */
 /** @typedef {import("../vendor/three/three.js").Object3D} Object3D */
 
 const SHEET_MM = 130;
@@ -18,25 +18,25 @@ const SHEET_MM = 130;
 /** The keep-outs: what no part of the arm may touch. */
 export function createKeepOuts() {
   const group = new Group();
-  /** @type {{ keepOut: View["keepOuts"][number], face: MeshBasicMaterial, edge: LineBasicMaterial }[]} */ let made = [];
+  /** @type {{ name: string, face: MeshBasicMaterial, edge: LineBasicMaterial }[]} */ let made = [];
   let color = 0;
   return {
     group,
     /** @param {View["keepOuts"]} keepOuts */
     show(keepOuts) {
       clear(group);
-      made = keepOuts.map((keepOut) => {
+      made = Object.entries(keepOuts).map(([name, keepOut]) => {
         const face = new MeshBasicMaterial({ color, transparent: true, depthWrite: false, side: DoubleSide });
         const edge = new LineBasicMaterial({ color, transparent: true });
         const geometry = form(keepOut);
         group.add(new Mesh(geometry, face), new LineSegments(new EdgesGeometry(geometry, 30), edge));
-        return { keepOut, face, edge };
+        return { name, face, edge };
       });
     },
-    /** Brings out those that are near to one of these places. @param {readonly [number, number, number][]} places */
-    warn(places) {
-      for (const { keepOut, face, edge } of made) {
-        const closeness = Math.max(0, ...places.map((at) => nearKeepOut(keepOut, at)));
+    /** Brings out those that arm or ghost are near to. @param {View["near"]["keep_outs"]} near */
+    warn(near) {
+      for (const { name, face, edge } of made) {
+        const closeness = near[name] ?? 0;
         face.opacity = 0.09 + 0.26 * closeness;
         edge.opacity = 0.4 + 0.6 * closeness;
       }
@@ -49,7 +49,7 @@ export function createKeepOuts() {
   };
 }
 
-/** @param {View["keepOuts"][number]} keepOut */
+/** @param {View["keepOuts"][string]} keepOut */
 function form(keepOut) {
   if ("box" in keepOut) {
     const { x_mm: [x0, x1], y_mm: [y0, y1], z_mm: [z0, z1] } = keepOut.box;
@@ -63,7 +63,7 @@ function form(keepOut) {
 export function createLimits() {
   const group = new Group();
   const color = { value: /** @type {[number, number, number]} */ ([0, 0, 0]) };
-  /** @type {Map<string, { group: Object3D, place(near: Near, joints: Joints, kind: View["tool"]["kind"]): void }>} */ const made = new Map();
+  /** @type {Map<string, { group: Object3D, place(near: Near, joints: Joints, shape: ArmShape): void }>} */ const made = new Map();
 
   /** @param {Near} near */
   function signOf({ quantity, bound }) {
@@ -78,14 +78,14 @@ export function createLimits() {
 
   return {
     group,
-    /** @param {Joints | null} joints @param {View["tool"]["kind"]} kind @param {View["limits"]} limits */
-    warn(joints, kind, limits) {
+    /** @param {Joints | null} joints @param {ArmShape} shape @param {readonly Near[]} limits those that it is near to */
+    warn(joints, shape, limits) {
       for (const { group: sign } of made.values()) sign.visible = false;
       if (!joints) return;
-      for (const near of nearLimits(joints, kind, limits)) {
+      for (const near of limits) {
         const sign = signOf(near);
         sign.group.visible = true;
-        sign.place(near, joints, kind);
+        sign.place(near, joints, shape);
       }
     },
     /** @param {Look} look */
@@ -114,9 +114,9 @@ function createSheet(color) {
   sheet.renderOrder = 5;
   return {
     group: sheet,
-    /** @param {Near} near @param {Joints} joints @param {View["tool"]["kind"]} kind */
-    place({ quantity, bound, closeness }, joints, kind) {
-      const { x_mm, y_mm, z_mm } = forward(joints, kind), direction = Math.atan2(y_mm, x_mm);
+    /** @param {Near} near @param {Joints} joints @param {ArmShape} shape */
+    place({ quantity, bound, closeness }, joints, shape) {
+      const { x_mm, y_mm, z_mm } = forward(joints, shape), direction = Math.atan2(y_mm, x_mm);
       strength.value = closeness;
       sheet.position.set(quantity === "x" ? bound : x_mm, quantity === "y" ? bound : y_mm, quantity === "z" ? bound : z_mm);
       if (quantity === "reach") sheet.position.set(bound * Math.cos(direction), bound * Math.sin(direction), z_mm);
@@ -134,10 +134,10 @@ function createSector(color) {
   const group = new Group().add(ring);
   return {
     group,
-    /** @param {Near} near @param {Joints} joints @param {View["tool"]["kind"]} kind */
-    place({ quantity, bound, closeness }, joints, kind) {
+    /** @param {Near} near @param {Joints} joints @param {ArmShape} shape */
+    place({ quantity, bound, closeness }, joints, shape) {
       const joint = /** @type {keyof typeof JOINTS} */ (quantity);
-      const { elbow, tool } = links(joints, kind), level = joint === "base" || joint === "servo";
+      const { elbow, tool } = links(joints, shape), level = joint === "base" || joint === "servo";
       // Counter-clockwise from ahead, as seen from above or from the right.
       const angle = { base: bound, servo: bound, rear: 90 - bound, fore: -bound, opening: bound - joints.rear_deg }[joint];
       const [r, z] = { base: [0, -56], servo: [tool[0], tool[1] - 10], rear: [0, 0], fore: elbow, opening: elbow }[joint];

@@ -2,11 +2,11 @@
 
 import { forward, inverse, links, rad } from "./links.js";
 import { css, lookOf } from "./look.js";
-import { nearLimits } from "./near.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./view.js").Pose} Pose */
+/** Draws an arm. @typedef {(joints: Joints, shape: import("./view.js").ArmShape, color: number, wide: number) => void} Draw */
 /** @typedef {{ left: number, top: number, width: number, height: number }} Frame */
 /** @typedef {{ frame: Frame, scale: number, to(across: number, up: number): [number, number], from(px: number, py: number): [number, number] }} Plot */
 
@@ -82,18 +82,7 @@ export function createFlat(element, outside) {
   /** @param {Plot} plot @param {View} now */
   function drawAbove(plot, now) {
     const look = lookOf(now.dark), at = (/** @type {number} */ x, /** @type {number} */ y) => plot.to(-y, x);
-    const { joints: { base_deg: [least = 0, most = 0] }, workspace: { reach_mm: [near = 0, far = 0] } } = now.limits;
-    const close = drawn ? nearLimits(drawn, now.tool.kind, now.limits).some((it) => ["reach", "base"].includes(it.quantity)) : false;
-    pen.beginPath();
-    const [cx, cy] = at(0, 0);
-    pen.arc(cx, cy, far * plot.scale, rad(-90 - most), rad(-90 - least));
-    pen.arc(cx, cy, near * plot.scale, rad(-90 - least), rad(-90 - most), true);
-    pen.closePath();
-    pen.fillStyle = css(look.table);
-    pen.fill();
-    pen.strokeStyle = css(close ? look.near : look.tableEdge);
-    pen.lineWidth = close ? 3 : 1;
-    pen.stroke();
+    if (now.limits) reach(plot, now, now.limits);
     if (now.paper) {
       const [x0, y0] = at(now.paper.to_mm[0], now.paper.to_mm[1]), [x1, y1] = at(now.paper.from_mm[0], now.paper.from_mm[1]);
       pen.fillStyle = css(look.paper);
@@ -121,7 +110,7 @@ export function createFlat(element, outside) {
       pen.fillStyle = thing.color;
       pen.fill();
     }
-    for (const keepOut of now.keepOuts) {
+    for (const keepOut of Object.values(now.keepOuts)) {
       pen.beginPath();
       if ("box" in keepOut) {
         const { x_mm: [x0, x1], y_mm: [y0, y1] } = keepOut.box, [left, top] = at(x1, y1), [right, bottom] = at(x0, y0);
@@ -149,8 +138,9 @@ export function createFlat(element, outside) {
       }
     }
     if (now.planned) line(now.planned.map(([x, y]) => at(x, y)), look.planned, 1);
-    const from = (/** @type {Joints} */ joints, /** @type {number} */ color, /** @type {number} */ wide) => {
-      const { elbow, wrist, tool } = links(joints, now.tool.kind), base = rad(joints.base_deg);
+    /** @type {Draw} */
+    const from = (joints, shape, color, wide) => {
+      const { elbow, wrist, tool } = links(joints, shape), base = rad(joints.base_deg);
       const points = [[0, 0], elbow, wrist, tool].map(([r = 0]) => at(r * Math.cos(base), r * Math.sin(base)));
       line(points, color, wide);
       dot(/** @type {[number, number]} */ (points[0]), wide * 1.1, look.dark);
@@ -165,11 +155,14 @@ export function createFlat(element, outside) {
     const look = lookOf(now.dark), { left, width: w } = plot.frame;
     const [, floor] = plot.to(0, now.table_z_mm);
     line([[left, floor], [left + w, floor]], look.grid, 1);
-    const [, top] = plot.to(0, now.limits.workspace.z_mm[1] ?? 136);
-    const close = drawn ? nearLimits(drawn, now.tool.kind, now.limits).some((it) => it.quantity === "z") : false;
-    if (close) line([[left, top], [left + w, top]], look.near, 3);
-    const from = (/** @type {Joints} */ joints, /** @type {number} */ color, /** @type {number} */ wide) => {
-      const it = links(joints, now.tool.kind), at = (/** @type {number[]} */ [r = 0, z = 0]) => plot.to(r, z);
+    for (const { quantity, bound } of now.near.limits) {
+      if (quantity !== "z") continue;
+      const [, up] = plot.to(0, bound);
+      line([[left, up], [left + w, up]], look.near, 3);
+    }
+    /** @type {Draw} */
+    const from = (joints, shape, color, wide) => {
+      const it = links(joints, shape), at = (/** @type {number[]} */ [r = 0, z = 0]) => plot.to(r, z);
       const [x, foot] = at([0, now.table_z_mm]), [, pivot] = at([0, 0]);
       pen.fillStyle = css(look.dark);
       pen.fillRect(x - wide * 1.4, pivot, wide * 2.8, foot - pivot);
@@ -186,14 +179,31 @@ export function createFlat(element, outside) {
     handle(now, (it) => plot.to(Math.hypot(it.x_mm, it.y_mm), it.z_mm - now.tool.length_mm));
   }
 
-  /** The arm, and its ghost. @param {View} now @param {(joints: Joints, color: number, wide: number) => void} from */
+  /** Where the arm reaches. @param {Plot} plot @param {View} now @param {NonNullable<View["limits"]>} limits */
+  function reach(plot, now, { joints: { base_deg: [least = 0, most = 0] }, workspace: { reach_mm: [near = 0, far = 0] } }) {
+    const look = lookOf(now.dark), [x, y] = plot.to(0, 0);
+    const close = now.near.limits.some(({ quantity }) => quantity === "reach" || quantity === "base");
+    pen.beginPath();
+    pen.arc(x, y, far * plot.scale, rad(-90 - most), rad(-90 - least));
+    pen.arc(x, y, near * plot.scale, rad(-90 - least), rad(-90 - most), true);
+    pen.closePath();
+    pen.fillStyle = css(look.table);
+    pen.fill();
+    pen.strokeStyle = css(close ? look.near : look.tableEdge);
+    pen.lineWidth = close ? 3 : 1;
+    pen.stroke();
+  }
+
+  /** The arm, and its ghost. @param {View} now @param {Draw} from */
   function both(now, from) {
-    const look = lookOf(now.dark), aimed = now.ghost && inverse(now.ghost, now.tool.kind);
+    const { shape } = now;
+    if (!shape) return;
+    const look = lookOf(now.dark), aimed = now.ghost && inverse(now.ghost, shape);
     const wide = Math.max(6, Math.min(width, height) / 38);
-    if (now.arm && drawn) from(drawn, look.dark === lookOf(true).dark ? look.metal : look.pin, wide);
+    if (now.arm && drawn) from(drawn, shape, look.dark === lookOf(true).dark ? look.metal : look.pin, wide);
     if (!aimed) return;
     pen.globalAlpha = 0.45;
-    from(aimed, now.ghost?.refused ? look.refused : look.ghost, wide);
+    from(aimed, shape, now.ghost?.refused ? look.refused : look.ghost, wide);
     pen.globalAlpha = 1;
   }
 
@@ -205,7 +215,7 @@ export function createFlat(element, outside) {
 
   /** @param {View} now @returns {Pose | null} */
   function targetOf(now) {
-    return now.ghost ?? (now.arm && drawn ? forward(drawn, now.tool.kind) : null);
+    return now.ghost ?? (now.arm && drawn && now.shape ? forward(drawn, now.shape) : null);
   }
 
   /** @param {PointerEvent} event */

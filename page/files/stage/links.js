@@ -1,4 +1,4 @@
-// Where the links of the arm are: its two parallelograms as they are built. Pure.
+// Where the links of the arm are: its two parallelograms as they are built. Pure; the lengths are those that the station serves.
 //
 // The arm turns about Z as a whole; what is calculated here lies in its own plane, as `[reach, z]` in mm from the rear arm's
 // pivot. The rear arm and a rod beside it carry a plate at the elbow that stays level; the forearm and a rod beside it carry
@@ -6,57 +6,40 @@
 
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./view.js").Pose} Pose */
-/** @typedef {import("./view.js").ToolKind} ToolKind */
+/** @typedef {import("./view.js").ArmShape} ArmShape */
 /** @typedef {[number, number]} InPlane Reach and z. */
-
-/** From pivot to elbow, in mm. */
-export const REAR_MM = 135;
-/** From elbow to wrist, in mm. */
-export const FORE_MM = 160;
-/** From the crank's pivot to its end, and from the elbow to the tail of the forearm. */
-export const CRANK_MM = 42;
-/** From the shoulder to where the rear rod is held, and the same at the elbow. @type {InPlane} */
-export const REAR_ROD_AT_MM = [-27, 22];
-/** From the elbow to where the front rod is held, and the same at the wrist. @type {InPlane} */
-export const FRONT_ROD_AT_MM = [20, 22];
-
-/** From the wrist to the tool's axis, level. @type {Record<ToolKind, number>} */
-const BEYOND_MM = { suction_cup: 55.07, gripper: 55.07, pen: 55.07, laser: 49.57 };
-
-/** @param {ToolKind} kind */
-export const beyondWrist = (kind) => BEYOND_MM[kind];
 
 /**
  * All joints of the arm in its plane.
  * @param {Joints} joints
- * @param {ToolKind} kind
+ * @param {ArmShape} shape
  */
-export function links({ rear_deg, fore_deg }, kind) {
+export function links({ rear_deg, fore_deg }, { rear_arm_mm, forearm_mm, crank_mm, rear_rod_at_mm, front_rod_at_mm, reach_mm }) {
   const rear = rad(rear_deg), fore = rad(fore_deg);
   /** @type {InPlane} */ const along = [Math.cos(fore), -Math.sin(fore)];
-  /** @type {InPlane} */ const elbow = [REAR_MM * Math.sin(rear), REAR_MM * Math.cos(rear)];
-  const wrist = plus(elbow, along, FORE_MM);
+  /** @type {InPlane} */ const elbow = [rear_arm_mm * Math.sin(rear), rear_arm_mm * Math.cos(rear)];
+  const wrist = plus(elbow, along, forearm_mm);
   return {
     elbow,
     wrist,
     /** Above the tip of the tool, at the height of the wrist. */
-    tool: plus(wrist, [1, 0], BEYOND_MM[kind]),
+    tool: plus(wrist, [1, 0], reach_mm),
     /** The end of the crank, and the tail of the forearm: a rod as long as the rear arm is between them. */
-    crank: plus([0, 0], along, -CRANK_MM),
-    tail: plus(elbow, along, -CRANK_MM),
-    rearRod: /** @type {[InPlane, InPlane]} */ ([REAR_ROD_AT_MM, plus(elbow, REAR_ROD_AT_MM, 1)]),
-    frontRod: /** @type {[InPlane, InPlane]} */ ([plus(elbow, FRONT_ROD_AT_MM, 1), plus(wrist, FRONT_ROD_AT_MM, 1)]),
+    crank: plus([0, 0], along, -crank_mm),
+    tail: plus(elbow, along, -crank_mm),
+    rearRod: /** @type {[InPlane, InPlane]} */ ([plus([0, 0], rear_rod_at_mm, 1), plus(elbow, rear_rod_at_mm, 1)]),
+    frontRod: /** @type {[InPlane, InPlane]} */ ([plus(elbow, front_rod_at_mm, 1), plus(wrist, front_rod_at_mm, 1)]),
   };
 }
 
 /**
  * Where the joints bring the tool.
  * @param {Joints} joints
- * @param {ToolKind} kind
+ * @param {ArmShape} shape
  * @returns {Pose}
  */
-export function forward(joints, kind) {
-  const [reach, z_mm] = links(joints, kind).tool;
+export function forward(joints, shape) {
+  const [reach, z_mm] = links(joints, shape).tool;
   const base = rad(joints.base_deg);
   return { x_mm: reach * Math.cos(base), y_mm: reach * Math.sin(base), z_mm, rotation_deg: joints.base_deg + joints.servo_deg };
 }
@@ -64,16 +47,16 @@ export function forward(joints, kind) {
 /**
  * The joints that bring the tool to a pose, elbow up; nothing where the links are too short or too long. Limits are not looked at.
  * @param {Pose} pose
- * @param {ToolKind} kind
+ * @param {ArmShape} shape
  * @returns {Joints | null}
  */
-export function inverse({ x_mm, y_mm, z_mm, rotation_deg }, kind) {
-  const across = Math.hypot(x_mm, y_mm) - BEYOND_MM[kind];
+export function inverse({ x_mm, y_mm, z_mm, rotation_deg }, { rear_arm_mm: rear, forearm_mm: fore, reach_mm }) {
+  const across = Math.hypot(x_mm, y_mm) - reach_mm;
   const distance = Math.hypot(across, z_mm);
-  if (!(distance >= FORE_MM - REAR_MM && distance <= FORE_MM + REAR_MM)) return null;
+  if (!(distance >= fore - rear && distance <= fore + rear)) return null;
   const elevation = Math.atan2(z_mm, across);
-  const alpha = Math.acos((distance ** 2 + REAR_MM ** 2 - FORE_MM ** 2) / (2 * REAR_MM * distance));
-  const gamma = Math.acos((distance ** 2 + FORE_MM ** 2 - REAR_MM ** 2) / (2 * FORE_MM * distance));
+  const alpha = Math.acos((distance ** 2 + rear ** 2 - fore ** 2) / (2 * rear * distance));
+  const gamma = Math.acos((distance ** 2 + fore ** 2 - rear ** 2) / (2 * fore * distance));
   const base_deg = deg(Math.atan2(y_mm, x_mm));
   return { base_deg, rear_deg: 90 - deg(elevation + alpha), fore_deg: deg(gamma - elevation), servo_deg: rotation_deg - base_deg };
 }

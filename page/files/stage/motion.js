@@ -1,17 +1,11 @@
 // Between two statuses: where the arm was on its way from one reported place to the next. Pure, but for what it has heard.
 //
-// The stage runs behind the arm by a little more than a status, so that there nearly always is a next one. It never goes
+// The stage runs behind the arm by a status and half a one for those that are late, so that there nearly always is a next one. It never goes
 // beyond the last one, and between two of them it stays between them: what is drawn has been reported.
 
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {{ at_s: number, joints: Joints }} Sample */
 
-/** How far behind: one status (80 ms), and half a one for those that are late. */
-export const BEHIND_S = 0.12;
-/** A status comes each 80 ms. */
-const STATUS_S = 0.08;
-/** A place that was told again, and is another one not before so long after, is one where the arm stood. */
-const STOOD_S = 0.12;
 /** How many statuses are kept: more than pass in that time. */
 const KEPT = 8;
 /** A stop for longer than that is not a gap in a motion: the arm stood, or nothing was heard. */
@@ -27,6 +21,17 @@ export class Motion {
   #ahead_s = Infinity;
   /** When the last place was told the last time. */
   #told_s = 0;
+  #status_s = 0;
+
+  /** From one status to the next, as the station serves it. @param {number} seconds */
+  set status_s(seconds) {
+    this.#status_s = seconds;
+  }
+
+  /** How far behind; a place that was told again, and is another one not before so long after, is one where the arm stood. */
+  get #behind_s() {
+    return 1.5 * this.#status_s;
+  }
 
   /**
    * Takes what was reported. A station tells more often than the arm does: what is the same as before is no status, until it
@@ -44,8 +49,8 @@ export class Motion {
       this.#told_s = sample.at_s;
       return;
     }
-    const until_s = Math.min(this.#told_s, sample.at_s - STATUS_S);
-    if (last && this.#told_s > last.at_s && sample.at_s > last.at_s + STOOD_S) this.#samples.push({ at_s: until_s, joints: last.joints });
+    const until_s = Math.min(this.#told_s, sample.at_s - this.#status_s);
+    if (last && this.#told_s > last.at_s && sample.at_s > last.at_s + this.#behind_s) this.#samples.push({ at_s: until_s, joints: last.joints });
     this.#samples.push(sample);
     this.#told_s = sample.at_s;
     while (this.#samples.length > KEPT) this.#samples.shift();
@@ -71,7 +76,7 @@ export class Motion {
   at(now_s) {
     const last = this.#samples.at(-1);
     if (!last) return null;
-    const when = now_s - this.#ahead_s - BEHIND_S;
+    const when = now_s - this.#ahead_s - this.#behind_s;
     const next = this.#samples.findIndex((it) => it.at_s > when);
     if (next < 0) return { joints: last.joints, moving: false };
     const to = /** @type {Sample} */ (this.#samples[next]);

@@ -124,6 +124,7 @@ export function createStage(element) {
     look,
     /** @param {View} next */
     show(next) {
+      motion.status_s = next.status_s;
       if (next.arm && next.arm !== view?.arm) motion.hear({ at_s: next.arm.at_s, joints: next.arm }, performance.now() / 1000);
       if (!next.arm) motion.forget();
       const ink = next.marks?.shades.length ?? 0;

@@ -9,6 +9,7 @@ import { deg, inverse, rad } from "./links.js";
 /** @typedef {import("./look.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Pose} Pose */
+/** @typedef {import("./view.js").ArmShape} ArmShape */
 /** @typedef {import("../vendor/three/three.js").PerspectiveCamera} PerspectiveCamera */
 /** @typedef {"level" | "height" | "turn"} Handle What it changes: x and y, z, the rotation. */
 
@@ -38,7 +39,7 @@ export function createTarget() {
   function show(view, own) {
     at = view.ghost ?? own;
     length_mm = view.tool.length_mm;
-    ghost.show(view.ghost, view.tool.kind);
+    ghost.show(view.ghost, view.shape);
     handles.group.visible = view.draggable && at !== null;
     drop.visible = view.ghost !== null;
     if (!at) return;
@@ -50,8 +51,8 @@ export function createTarget() {
   return {
     group,
     show,
-    /** @param {View["tool"]} tool */
-    mount: (tool) => ghost.mount(tool),
+    /** @param {ArmShape} shape @param {View["tool"]} tool */
+    mount: (shape, tool) => ghost.mount(shape, tool),
     /** @param {Look} look @param {boolean} refused */
     paint(look, refused) {
       const color = refused ? look.refused : look.ghost;
@@ -143,14 +144,14 @@ function createGhost() {
   }));
   return {
     group,
-    /** @param {View["tool"]} tool */
-    mount({ kind, length_mm }) {
-      for (const { arm } of layers) arm.mount(kind, length_mm);
+    /** @param {ArmShape} shape @param {View["tool"]} tool */
+    mount(shape, tool) {
+      for (const { arm } of layers) arm.mount(shape, tool);
       settle();
     },
-    /** @param {Pose | null} pose @param {View["tool"]["kind"]} kind */
-    show(pose, kind) {
-      const joints = pose && inverse(pose, kind);
+    /** @param {Pose | null} pose @param {ArmShape | null} shape */
+    show(pose, shape) {
+      const joints = pose && shape && inverse(pose, shape);
       group.visible = joints !== null;
       if (joints) for (const { arm } of layers) arm.pose(joints);
     },

@@ -12,6 +12,8 @@
 //   stage.end();
 
 /** @typedef {"suction_cup" | "gripper" | "laser" | "pen"} ToolKind */
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** The bounds and keep-outs that arm or ghost are near to, and how near: above 0, and 1 at them or beyond. @typedef {{ limits: readonly Schemas["NearLimit"][], keep_outs: Readonly<Record<string, number>> }} Near */
 /** @typedef {"iso" | "top" | "side" | "tool"} Preset */
 /** @typedef {[number, number]} Bounds The least and the most that is allowed. */
 /** @typedef {[number, number]} Place */
@@ -57,6 +59,8 @@
 /** @typedef {{ box: { x_mm: Bounds, y_mm: Bounds, z_mm: Bounds } }} Box */
 /** @typedef {{ cylinder: { x_mm: number, y_mm: number, radius_mm: number, z_mm: Bounds } }} Cylinder */
 
+/** The lengths of the arm, and from its wrist to the axis of its tool, level. @typedef {Schemas["Dimensions"] & { reach_mm: number }} ArmShape */
+
 /**
  * What the policy allows, as the API has it.
  * @typedef {object} Limits
@@ -66,6 +70,8 @@
 
 /**
  * @typedef {object} View
+ * @property {ArmShape | null} shape Without it there is no arm, and no ghost.
+ * @property {number} status_s From one status of the arm to the next.
  * @property {Reported | null} arm What is drawn solid; nothing where no arm has told anything.
  * @property {{ kind: ToolKind, length_mm: number }} tool
  * @property {"off" | "armed" | "burning"} laser
@@ -74,8 +80,9 @@
  * @property {Plane | null} plane How the paper was found to lie.
  * @property {Marks | null} marks
  * @property {readonly Thing[]} things
- * @property {readonly (Box | Cylinder)[]} keepOuts
- * @property {Limits} limits
+ * @property {Readonly<Record<string, Box | Cylinder>>} keepOuts By their names.
+ * @property {Limits | null} limits
+ * @property {Near} near
  * @property {readonly Point[] | null} planned The way of the wrist, as planned: a thin line.
  * @property {Drawing | null} drawing
  * @property {Ghost | null} ghost
@@ -86,14 +93,10 @@
  * @property {string} label What the stage is called for those who do not see it.
  */
 
-/** @type {Limits} */
-export const STOCK = {
-  joints: { base_deg: [-135, 135], rear_deg: [-5, 85], fore_deg: [-10, 95], servo_deg: [-90, 90], opening_deg: [-105, 35] },
-  workspace: { x_mm: [-321, 321], y_mm: [-321, 321], z_mm: [-103, 136], reach_mm: [129, 321] },
-};
-
 /** A table without an arm. @type {View} */
 export const EMPTY = {
+  shape: null,
+  status_s: 0,
   arm: null,
   tool: { kind: "suction_cup", length_mm: 40 },
   laser: "off",
@@ -102,8 +105,9 @@ export const EMPTY = {
   plane: null,
   marks: null,
   things: [],
-  keepOuts: [],
-  limits: STOCK,
+  keepOuts: {},
+  limits: null,
+  near: { limits: [], keep_outs: {} },
   planned: null,
   drawing: null,
   ghost: null,

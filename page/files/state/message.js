@@ -24,6 +24,8 @@
  * | { type: "message_closed" }
  * | { type: "question", question: import("./state.js").Question | null }
  * | { type: "policy", policy: Policy | null }
+ * | { type: "facts", facts: import("./types.js").Facts }
+ * | { type: "ghost_near", near: import("./types.js").Near | null }
  * | { type: "around", around: import("./state.js").Around | null }
  * | { type: "planned", planned: Page["planned"] }
  * | { type: "dialed", percent: number | null }

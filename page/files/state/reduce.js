@@ -75,6 +75,10 @@ function reduceOwn(page, message) {
       return { ...page, question: message.question };
     case "policy":
       return { ...page, policy: message.policy };
+    case "facts":
+      return { ...page, facts: message.facts };
+    case "ghost_near":
+      return { ...page, ghost_near: message.near };
     case "around":
       return { ...page, around: message.around };
     case "planned":

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { FACTS } from "../stage/sample.test.js";
 import { reduce } from "./reduce.js";
 import { createViewOf, hindrance, shownPolicy, silence_ms } from "./select.js";
 import { begin } from "./state.js";
@@ -112,10 +113,31 @@ test("a view has the same objects for what did not change", () => {
   const viewOf = createViewOf();
   const words = { dark: false, note: "", label: "" };
   const policy = { joints: {}, workspace: {}, tool_length: { suction_cup_mm: 60 }, table: { z_mm: -100 }, keep_out: { a: { box: {} } } };
-  const page = after([{ type: "policy", policy }, { type: "target_typed", field: "x_mm", text: "250" }], OPEN);
+  const page = after([{ type: "policy", policy }, { type: "facts", facts: FACTS }, { type: "target_typed", field: "x_mm", text: "250" }], OPEN);
   const one = viewOf(page, words), two = viewOf(after([{ type: "tick", now_ms: 1001 }], page), words);
-  for (const part of ["arm", "ghost", "limits", "keepOuts", "tool"]) assert.equal(one[part], two[part], part);
+  for (const part of ["arm", "ghost", "limits", "keepOuts", "tool", "shape", "near"]) assert.equal(one[part], two[part], part);
   assert.notEqual(viewOf(told({ at_s: 2 }, page), words).arm, one.arm);
+});
+
+test("the stage has no arm before the station has served its lengths, and then those of the tool that it carries", () => {
+  const viewOf = createViewOf();
+  const words = { dark: false, note: "", label: "" };
+  assert.equal(viewOf(OPEN, words).arm, null);
+  const around = { tool: { kind: "laser", length_mm: 38 }, table_z_mm: -103, paper: null, things: [], marks: null };
+  const view = viewOf(after([{ type: "facts", facts: FACTS }, { type: "around", around }], OPEN), words);
+  assert.deepEqual([view.arm.rear_deg, view.shape.rear_arm_mm, view.shape.reach_mm, view.status_s], [45, 135, 49.57, 0.08]);
+});
+
+test("the limits of the ghost are brought out where there is one, and keep-outs near to either", () => {
+  const viewOf = createViewOf();
+  const words = { dark: false, note: "", label: "" };
+  const [rear, z] = [{ quantity: "rear", bound: 85, closeness: 0.4 }, { quantity: "z", bound: 136, closeness: 1 }];
+  const page = told({ arm: { ...ARM, near: { limits: [rear], keep_outs: { cup: 0.5, lamp: 0.2 } } } });
+  assert.deepEqual(viewOf(page, words).near, { limits: [rear], keep_outs: { cup: 0.5, lamp: 0.2 } });
+  const aimed = after([{ type: "ghost_near", near: { limits: [z], keep_outs: { cup: 0.1, lamp: 0.9 } } }], page);
+  assert.deepEqual(viewOf(aimed, words).near, { limits: [z], keep_outs: { cup: 0.5, lamp: 0.9 } });
+  assert.deepEqual(viewOf(after([{ type: "ghost_near", near: {} }], page), words).near.limits, []);
+  assert.deepEqual(viewOf(OPEN, words).near, { limits: [], keep_outs: {} });
 });
 
 test("a STOP that nobody answers is told until somebody does, and that it was answered until the arm may move again", () => {
@@ -148,7 +170,7 @@ test("a drafted keep-out is shown while the next change of the draft is looked a
 
 test("while a recording is shown the stage is grey, and nothing that holds now stands beside the arm of then", () => {
   const states = { begin_ms: 0, spacing_s: 0, samples: [{ ...ARM, at_s: 0, base_deg: 30 }, { ...ARM, at_s: 2, base_deg: 50 }] };
-  const page = after([{ type: "tab", tab: "jobs" }, { type: "planned", planned: [[0, 0, 0]] }, { type: "recording_chosen", name: "a" }, { type: "recording_read", name: "a", states }, { type: "recording_at", at_s: 1 }], OPEN);
+  const page = after([{ type: "tab", tab: "jobs" }, { type: "planned", planned: [[0, 0, 0]] }, { type: "recording_chosen", name: "a" }, { type: "recording_read", name: "a", states }, { type: "recording_at", at_s: 1 }, { type: "facts", facts: FACTS }], OPEN);
   const viewOf = createViewOf();
   const words = { dark: false, note: "", label: "" };
   const view = viewOf(page, words);

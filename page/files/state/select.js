@@ -9,6 +9,7 @@ import { placeOfStep, rowAt, rowsOf } from "./teach.js";
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("../stage/view.js").View} View */
+/** @typedef {import("./types.js").Near} Near */
 
 /** From when on the stage is grey: six statuses are missing. */
 const OLD_MS = 500;
@@ -69,11 +70,29 @@ export function laser({ station }) {
 function ruled(policy) {
   if (!policy) return {};
   return {
-    limits: /** @type {View["limits"]} */ ({ joints: policy.joints, workspace: policy.workspace }),
+    limits: { joints: policy.joints, workspace: policy.workspace },
     tool: { kind: "suction_cup", length_mm: policy.tool_length.suction_cup_mm },
     table_z_mm: policy.table.z_mm,
-    keepOuts: /** @type {View["keepOuts"]} */ (/** @type {unknown} */ (Object.values(policy.keep_out))),
+    keepOuts: /** @type {View["keepOuts"]} */ (policy.keep_out),
   };
+}
+
+/** What of a view the station serves of the arm, with this tool. @param {Page["facts"]} facts @param {View["tool"]["kind"]} kind @returns {Partial<View>} */
+function built(facts, kind) {
+  const tool = facts?.tools.find((it) => it.kind === kind);
+  if (!facts || !tool) return {};
+  return { shape: { ...facts.dimensions, reach_mm: tool.reach_mm }, status_s: facts.status_period_s };
+}
+
+/**
+ * What the picture brings out: the limits of the ghost where there is one, and what arm and ghost are near to.
+ * @param {string} text what the arm is near to: states repeat it, and the same text is the same object @param {Near | null} ghost @returns {View["near"]}
+ */
+function nearBoth(text, ghost) {
+  const arm = /** @type {Near} */ (JSON.parse(text));
+  /** @type {Record<string, number>} */ const keep_outs = { ...arm.keep_outs };
+  for (const [name, closeness] of Object.entries(ghost?.keep_outs ?? {})) keep_outs[name] = Math.max(closeness, keep_outs[name] ?? 0);
+  return { limits: (ghost ?? arm)?.limits ?? [], keep_outs };
 }
 
 /**
@@ -101,12 +120,17 @@ export const taughtPlace = ({ tab, teach }) => (tab === "teach" ? taughtAt(teach
 /** Whether the station finds something wrong with the chosen step. @param {Page["teach"]} teach */
 const isChosenBad = ({ text, chosen, report }) => (report?.problems.length ?? 0) > 0 && report?.problems.some(({ line }) => rowAt(rowsIn(text), line) === chosen);
 
+/** Where the ghost is: the chosen step of a program, or the target. @param {Page} page */
+export const ghostPlace = (page) => taughtPlace(page) ?? placeOf(page.target);
+
 /** The policy that is shown: that of a draft while somebody makes one. @param {Page} page */
 export const shownPolicy = ({ tab, set_up, policy }) => (tab === "set_up" && set_up.drafted) || policy;
 
 /** Makes views for the stage; the same object for what did not change. */
 export function createViewOf() {
   const rules = kept(ruled);
+  const facts = kept(built);
+  const near = kept(nearBoth);
   const reported = kept((/** @type {Page["station"]} */ station) => (station?.arm ? { ...station.arm, at_s: station.at_s } : null));
   const then = kept(recorded);
   const ghostOf = kept((/** @type {Page["target"]} */ target) => {
@@ -118,10 +142,11 @@ export function createViewOf() {
   const drawingOf = kept((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
   /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
   return (page, { dark, note, label }) => {
-    const common = { ...EMPTY, ...rules(shownPolicy(page)), ...page.around, dark, note, label };
+    const around = { ...EMPTY, ...rules(shownPolicy(page)), ...page.around };
+    const common = { ...around, ...facts(page.facts, around.tool.kind), dark, note, label };
     const arm = then(page.recordings);
     // Where the arm was is grey, and nothing that holds now stands beside it.
-    if (arm) return { ...common, arm, old: true };
+    if (arm) return { ...common, arm: common.shape && arm, old: true };
     const taught = taughtPlace(page);
     const { places, found } = page.touch_paper;
     const plane = found?.paper ?? null;
@@ -130,7 +155,8 @@ export function createViewOf() {
       plane: page.tab === "set_up" && places ? planeOf(plane, places) : page.tab === "set_up" || page.tab === "draw" ? planeOf(page.draw.paper, NONE) : null,
       planned: page.planned,
       drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
-      arm: reported(page.station),
+      arm: common.shape && reported(page.station),
+      near: near(JSON.stringify(page.station?.arm?.near ?? {}), page.ghost_near),
       laser: laser(page),
       ghost: taught ? taughtOf(taught, isChosenBad(page.teach) ?? false) : ghostOf(page.target),
       // Who changes a program moves nothing.

@@ -17,6 +17,8 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Notice} Notice */
 /** @typedef {import("./types.js").Policy} Policy */
+/** @typedef {import("./types.js").Facts} Facts */
+/** @typedef {import("./types.js").Near} Near */
 /** @typedef {import("./types.js").Role} Role */
 /** @typedef {import("../stage/view.js").View} View */
 /** @typedef {import("../words/words.js").Language} Language */
@@ -46,6 +48,8 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
  * @property {string | null} message What somebody told all who watch this station, and who.
  * @property {Question | null} question
  * @property {Policy | null} policy
+ * @property {Facts | null} facts The lengths, tools, limits and periods of the arm, and what its dialect changes.
+ * @property {Near | null} ghost_near What the ghost is near to; nothing where there is none, or where no arm can be.
  * @property {Around | null} around
  * @property {View["planned"]} planned The way of the job.
  * @property {number | null} dialed_percent The speed of the job while somebody turns it.
@@ -87,6 +91,8 @@ export const begin = ({ language, theme, greeted, program }) => ({
   message: null,
   question: null,
   policy: null,
+  facts: null,
+  ghost_near: null,
   around: null,
   planned: null,
   dialed_percent: null,

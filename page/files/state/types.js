@@ -11,6 +11,8 @@
 /** @typedef {Schemas["Command"]} Command */
 /** @typedef {Schemas["Notice"]} Notice */
 /** @typedef {Schemas["Policy"]} Policy */
+/** What the station serves of the arm itself. @typedef {Schemas["ArmFacts"]} Facts */
+/** @typedef {Schemas["NearView"]} Near */
 /** @typedef {Schemas["Role"]} Role */
 /** What is told of a problem, one of the page itself too. @typedef {Pick<Schemas["Problem"], "title" | "detail"> & Partial<Pick<Schemas["Problem"], "hint" | "type" | "status" | "rule" | "nearest_mm" | "at_mm">>} Problem */
 /** What came of a request: a reply, or a problem. @typedef {{ problem?: Problem, reply?: Reply }} Answer */

@@ -1,4 +1,4 @@
-// What is fetched beside the states: the notices of before, the policy, the name in the fleet, the world of a virtual arm with
+// What is fetched beside the states: the notices of before, the policy, the facts of the arm, the name in the fleet, the world of a virtual arm with
 // its ink, and the way of the job.
 
 import { Ink, partsOf } from "../stage/ink.js";
@@ -14,9 +14,19 @@ export function followAround(store, http) {
   /** Whose turn it is to follow the world; nobody's at 0. A loop that was ended and wakes later finds another turn. */
   let turn = 0, turns = 0;
   /** @type {number | null} */ let job = null;
+  /** How often the facts were asked for: the answer to the last question counts. */
+  let reads = 0;
+  /** @type {Schemas["Dialect"] | null | undefined} */ let dialect;
 
   async function readPolicy() {
     store.send({ type: "policy", policy: (await http.json("api/v1/policy")) ?? null });
+  }
+
+  async function readFacts() {
+    const mine = reads += 1;
+    /** @type {Schemas["ArmFacts"] | undefined} */
+    const facts = await http.json("api/v1/arm");
+    if (facts && mine === reads) store.send({ type: "facts", facts });
   }
 
   async function readFleet() {
@@ -70,11 +80,19 @@ export function followAround(store, http) {
       [turn, job] = [0, null];
       void readNotices();
       void readPolicy();
+      void readFacts();
       void readFleet();
     }
     if (message.type === "closed") turn = 0;
-    if (message.type === "notice" && message.notice.type === "policy_changed") void readPolicy();
+    if (message.type === "notice" && message.notice.type === "policy_changed") {
+      void readPolicy();
+      void readFacts();
+    }
     if (message.type !== "state") return;
+    if (page.station?.dialect !== dialect) {
+      dialect = page.station?.dialect;
+      void readFacts();
+    }
     const isVirtual = page.station?.link.address === "virtual:";
     if (isVirtual && !turn) void followWorld();
     if (!isVirtual) turn = 0;

@@ -58,8 +58,20 @@ export function createSetUp(store, http, socket) {
     return /** @type {T | undefined} */ (value);
   }
 
+  /** Changes a keep-out in the text of the draft; what was typed meanwhile stays. @param {Schemas["KeepOutEdit"]} edit */
+  async function editKeepOut(edit) {
+    const text = store.page.set_up.draft;
+    if (text === null) return;
+    /** @type {Schemas["PolicyDraft"] | undefined} */
+    const edited = await change("policy", "POST", "api/v1/policy/keep-outs", { text, edit });
+    if (!edited) return;
+    if (store.page.set_up.draft !== text) return editKeepOut(edit);
+    send({ type: "policy_typed", text: edited.text });
+  }
+
   return {
     change,
+    editKeepOut,
     async keepPolicy() {
       const text = store.page.set_up.draft;
       if (text === null || !isChanged(store.page.set_up)) return;

@@ -1,11 +1,13 @@
-// Asks the station where the way to the target leads, a moment after it was changed.
+// Asks the station where the way to the target leads, a moment after it was changed, and what the ghost is near to.
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Command} Command */
 /** @typedef {import("../state/state.js").Page} Page */
 
+import { ghostPlace } from "../state/select.js";
 import { placeOf } from "../state/target.js";
 
+/** For so long nothing is typed or dragged before the way is checked. */
 const CHECK_MS = 80;
 
 /** The command that goes to the target: the tool stays as it is. @param {Page} page @returns {Command | null} */
@@ -30,7 +32,24 @@ export function followTarget(store, socket) {
     else if (reply?.type === "way") store.send({ type: "target_checked", asked: target.asked, check: { type: "free", takes_s: reply.way.takes_s ?? null } });
   }
 
+  let asking = false;
+  /** For which place, by which policy and over which connection it was asked last. @type {readonly unknown[]} */ let last = ["null"];
+
+  /** What the ghost is near to: one question at a time, and the next one for where it is then. */
+  async function followGhost() {
+    const { page } = store, place = ghostPlace(page), now = [JSON.stringify(place), page.policy, page.connection];
+    if (asking || now.every((it, n) => it === last[n])) return;
+    last = now;
+    if (!place) return void (page.ghost_near && store.send({ type: "ghost_near", near: null }));
+    asking = true;
+    const { x_mm, y_mm, z_mm, rotation_deg } = place;
+    const { reply } = await socket.ask({ type: "near", x_mm, y_mm, z_mm, rotation_deg });
+    asking = false;
+    store.send({ type: "ghost_near", near: reply?.type === "near" ? reply.near : null });
+  }
+
   store.listen(({ target }) => {
+    void followGhost();
     if (target.asked === seen) return;
     seen = target.asked;
     clearTimeout(timer);

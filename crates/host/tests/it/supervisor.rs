@@ -22,6 +22,7 @@ mod resumed;
 mod slots;
 mod stalls;
 mod stands;
+mod steps;
 mod stops;
 mod strokes;
 mod traps;

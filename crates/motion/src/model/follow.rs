@@ -6,6 +6,7 @@ use dobot_arm::{Degrees, Joints, Limits, Millimeters, Pose, Position, TICK_S, To
 use dobot_wire::{Gesture, MouseMove};
 
 use super::followed::{Before, Behind, hand_sample, mouse_sample};
+use super::hand_scale::{HandScale, lowest_mm};
 use super::motion::Motion;
 use crate::{ArmPlace, Model, Trajectory, TrajectoryError};
 
@@ -71,11 +72,8 @@ pub(crate) fn gestured(hand: &Gesture, model: &Model) -> Result<Trajectory, Traj
 /// Goes to the place of a hand that is averaged already.
 fn handed([x, y, z]: [f32; 3], model: &Model) -> Result<Trajectory, TrajectoryError> {
     let from = model.place;
-    let to = Position::new(
-        230.0 + 0.5 * f64::from(x),
-        y.into(),
-        0.5 * (f64::from(z) - 200.0) + lowest_mm(model.tool),
-    );
+    let hand = HandScale::of(&model.dialect, model.tool);
+    let to = Position::new(hand.x.place_mm(x), hand.y.place_mm(y), hand.z.place_mm(z));
     let distance_mm = from.pose.position.distance(to).0;
     let period_s = if distance_mm > NEAR_MM {
         distance_mm / GESTURE_MM_S
@@ -147,14 +145,6 @@ fn longest(ways: [Degrees; 3], counts: [bool; 3]) -> f64 {
 
 fn within_height(z_mm: f64, tool: Tool) -> f64 {
     z_mm.clamp(lowest_mm(tool), HIGHEST_MM)
-}
-
-/// The lowest height to which a stock arm follows.
-const fn lowest_mm(tool: Tool) -> f64 {
-    match tool {
-        Tool::SuctionCup | Tool::Laser => -30.0,
-        Tool::Gripper => 20.0,
-    }
 }
 
 /// What a unit of the mouse is worth.

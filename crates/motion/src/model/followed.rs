@@ -132,4 +132,4 @@ pub(crate) const fn hand_sample(hand: &Gesture) -> [f32; 3] {
 }
 
 /// So many packets are remembered.
-const SAMPLES: usize = 10;
+pub(crate) const SAMPLES: usize = 10;

@@ -3,6 +3,7 @@
 mod desk;
 mod file;
 mod jogs;
+mod keep_out_edits;
 mod laser;
 mod properties;
 mod settings;

@@ -4,6 +4,7 @@
 
 #[cfg(feature = "full")]
 mod agents;
+mod arm_facts;
 mod attacks;
 mod bad_input;
 mod calibrating;

@@ -3,13 +3,14 @@
 use std::iter;
 use std::time::Duration;
 
-use dobot_api::{CalibratedView, WayView};
-use dobot_arm::Calibration;
+use dobot_api::{CalibratedView, NearView, WayView};
+use dobot_arm::{Calibration, Pose, Tool};
 use dobot_motion::{ArmPlace, Model, Trajectory, TrajectoryError};
 use dobot_safety::{Policy, Violation};
 use dobot_session::{CommandId, SendError, Session};
-use dobot_wire::{Command, Dialect, Packet, Status};
+use dobot_wire::{Command, Dialect, Packet, Status, single};
 
+use super::near::near;
 use super::seconds;
 use super::urgent::UrgentQueue;
 use crate::refusal::Refusal;
@@ -109,6 +110,39 @@ impl Arm {
             gripper_deg: told.gripper_deg,
             ..place.status()
         }
+    }
+
+    /// The status of the arm when all that it was given is over, with its true places and angles; `None` before the first
+    /// status.
+    pub(super) fn end_status(&self) -> Option<Status> {
+        if self.is_idle() {
+            return self.last.map(|last| self.true_status(&last));
+        }
+        let model = self.session.model()?;
+        Some(Status {
+            suction: model.suction,
+            gripper_deg: single(model.gripper_deg),
+            ..model.true_place(&model.place).status()
+        })
+    }
+
+    /// The limits and keep-outs that it is near to at a true place.
+    pub(super) fn near(&self, place: &ArmPlace) -> NearView {
+        near(&self.policy, place, self.tool())
+    }
+
+    /// The limits and keep-outs that it would be near to with its tool there.
+    pub(super) fn near_at(&self, pose: Pose) -> Result<NearView, Refusal> {
+        let place = ArmPlace::at_pose(pose, self.tool()).map_err(|error| {
+            Refusal::from(Violation::of_trajectory(&TrajectoryError::Unreachable(
+                error,
+            )))
+        })?;
+        Ok(self.near(&place))
+    }
+
+    fn tool(&self) -> Tool {
+        self.session.model().map_or(Tool::default(), |it| it.tool)
     }
 
     /// What the arm has to be told for a command that speaks of true places.

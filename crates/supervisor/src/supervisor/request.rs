@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use dobot_api::{Calibrations, ClientId, Jog, News, Reply, Request, Role, TimeSlot};
+use dobot_api::{Button, Calibrations, ClientId, Jog, News, Reply, Request, Role, TimeSlot};
+use dobot_arm::{Degrees, Pose, Position};
 use dobot_safety::Policy;
 use dobot_wire::{Command, Configuration, Dialect, Packet, single};
 
@@ -73,6 +74,19 @@ impl Supervisor {
         self.handle_time(now);
         if let Request::CheckCommand { command } = request {
             return Some(self.foresee(&command));
+        }
+        if let Request::Near {
+            x_mm,
+            y_mm,
+            z_mm,
+            rotation_deg,
+        } = request
+        {
+            let pose = Pose {
+                position: Position::new(x_mm, y_mm, z_mm),
+                rotation: Degrees(rotation_deg),
+            };
+            return Some(self.arm.near_at(pose).map(|near| Reply::Near { near }));
         }
         let answer = match self.check_request(client, &request) {
             Err(refusal) => Some(Err(refusal)),
@@ -222,6 +236,7 @@ impl Supervisor {
                 self.let_go();
                 self.check_delivered("the release")
             }
+            Request::Step { button, by } => self.step(client, button, by),
             Request::Stop { reason } => Ok(self.stop_arm(client, reason)),
             Request::ResetStop => self.reset_stop(client),
             Request::TakeLease
@@ -263,6 +278,7 @@ impl Supervisor {
             Request::CancelJob { job } => self.cancel_job(client, job),
             Request::ForgetJob { job } => Err(self.not_forgotten(job)),
             Request::CheckCommand { .. }
+            | Request::Near { .. }
             | Request::Calibrate { .. }
             | Request::Detect
             | Request::SubmitJob { .. }
@@ -460,6 +476,28 @@ impl Supervisor {
         })
     }
 
+    /// Moves the arm by one step of a button.
+    fn step(&mut self, client: ClientId, button: Button, by: f32) -> Result<Reply, Refusal> {
+        if !(SHORTEST_STEP..=LONGEST_STEP).contains(&by) {
+            return Err(Refusal::OutOfRange {
+                name: "the step",
+                found: by.into(),
+                allowed: format!("{SHORTEST_STEP} to {LONGEST_STEP} mm or degrees"),
+            });
+        }
+        let Some(from) = self.arm.end_status() else {
+            return Err(Refusal::NoLink("no status has come yet".into()));
+        };
+        let Some(command) = button.step(&from, by) else {
+            return Err(Refusal::Malformed(format!(
+                "the button {} has no step; allowed are those of a joint, of an axis and of the servo",
+                button.name()
+            )));
+        };
+        let command = self.arm.told(&command)?;
+        self.command(client, &command)
+    }
+
     fn take_raw(&mut self, client: ClientId, packet: &Packet) -> Result<(), Refusal> {
         let taken = self.leases.handle_program(self.arm.now(), client);
         self.follow_lease(taken);
@@ -572,5 +610,8 @@ fn told(turn: Turn) -> (News, String) {
 /// What to do about a packet that nothing helps.
 const GOES_ON: &str = "send what is allowed; the arm goes on as if this had not been sent";
 pub(super) const REASON_LEN: usize = 200;
+/// The shortest and the longest step of a button, in mm or degrees.
+const SHORTEST_STEP: f32 = 0.01;
+const LONGEST_STEP: f32 = 100.0;
 /// A base that is as near as this to straight ahead is.
 const STRAIGHT_DEG: f64 = 0.1;

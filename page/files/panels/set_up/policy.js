@@ -5,18 +5,17 @@ import { live } from "../../vendor/lit-html/directives/live.js";
 import { unlessFocused } from "../../parts/unless_focused.js";
 import { shownPolicy } from "../../state/select.js";
 import { isChanged } from "../../state/set_up.js";
-import { freeName, withZone } from "../../state/zones.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
-/** @typedef {import("../../state/zones.js").Zone} Zone */
+/** @typedef {import("../../state/types.js").Schemas["KeepOut"]} Zone */
 
-/** @type {Record<"box" | "cylinder", Zone>} */
-const NEW = {
-  box: { box: { x_mm: [200, 260], y_mm: [80, 140], z_mm: [-103, 0] } },
-  cylinder: { cylinder: { x_mm: 180, y_mm: -180, radius_mm: 30, z_mm: [-103, 60] } },
-};
+/** Something new that stands on the table. @param {number} table_z_mm @returns {Record<"box" | "cylinder", Zone>} */
+const created = (table_z_mm) => ({
+  box: { box: { x_mm: [200, 260], y_mm: [80, 140], z_mm: [table_z_mm, 0] } },
+  cylinder: { cylinder: { x_mm: 180, y_mm: -180, radius_mm: 30, z_mm: [table_z_mm, 60] } },
+});
 
 /** The numbers of a zone: what each is called, its value, and the zone with another one. @param {Zone} zone @returns {[name: string, value: number, to: (value: number) => Zone][]} */
 function numbersOf(zone) {
@@ -44,8 +43,8 @@ export function policy(context) {
   const { draft, check, overtaken } = page.set_up;
   if (draft === null) return nothing;
   const mayKeep = page.role === "admin";
-  const zones = shownPolicy(page)?.keep_out ?? {};
-  const write = (/** @type {string | null} */ text) => text !== null && act.send({ type: "policy_typed", text });
+  const shown = shownPolicy(page), zones = shown?.keep_out ?? {};
+  const write = (/** @type {string} */ text) => act.send({ type: "policy_typed", text });
   const changed = isChanged(page.set_up);
   const told = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? say(mayKeep ? "policy.not_kept" : "policy.admin") : say("policy.holds");
   const tone = check.type === "bad" ? "bad" : changed ? "warn" : "off";
@@ -53,11 +52,11 @@ export function policy(context) {
     <section class="card" aria-labelledby="policy-title">
       <h2 id="policy-title">${say("policy")}</h2>
       <h3>${say("policy.zones")}</h3>
-      <div id="zones">${Object.entries(zones).map(([name, zone]) => zoneRow(context, name, zone, (to) => write(withZone(draft, name, to))))}</div>
+      <div id="zones">${Object.entries(zones).map(([name, zone]) => zoneRow(context, name, zone, (keep_out) => void act.setUp.editKeepOut(keep_out ? { type: "replace", name, keep_out } : { type: "remove", name })))}</div>
       ${Object.keys(zones).length ? nothing : html`<p class="quiet">${say("policy.no_zones")}</p>`}
       <div class="row">
-        ${(/** @type {const} */ (["box", "cylinder"])).map((shape) => html`<button type="button" class="small" data-new-zone=${shape} ?disabled=${check.type !== "good"}
-          @click=${() => write(withZone(draft, freeName(Object.keys(zones)), NEW[shape]))}>${say(`policy.new_${shape}`)}</button>`)}
+        ${(/** @type {const} */ (["box", "cylinder"])).map((shape) => html`<button type="button" class="small" data-new-zone=${shape} ?disabled=${check.type !== "good" || !shown}
+          @click=${() => shown && act.setUp.editKeepOut({ type: "add", keep_out: created(shown.table.z_mm)[shape] })}>${say(`policy.new_${shape}`)}</button>`)}
       </div>
       <details id="policy-text-part">
         <summary><h3>${say("policy.text")}</h3></summary>

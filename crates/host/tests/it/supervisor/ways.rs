@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{ClientId, Reply, Request, WayView};
+use dobot_api::{BoundedQuantity, ClientId, NearLimit, Reply, Request, WayView};
 use dobot_controller::Personality;
 use dobot_geometry::{Point, Stroke};
 use dobot_host::VirtualStation;
@@ -90,6 +90,57 @@ fn whoever_asks_sends_nothing_needs_no_control_and_tells_nobody() {
         asked(&mut it, anna, line(400.0, 0.0, 60.0)).unwrap_err();
         it.run_for(Duration::from_secs(1));
         assert_eq!((it.packets().len(), it.notices().len()), (packets, notices));
+    }
+}
+
+#[test]
+fn what_a_place_is_near_to_is_told_before_the_arm_goes_there_and_with_its_state_when_it_is_there() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = station(personality);
+        assert!(it.supervisor().state().arm.unwrap().near.is_empty());
+        let near_at = |x_mm: f64, z_mm: f64| Request::Near {
+            x_mm,
+            y_mm: 0.0,
+            z_mm,
+            rotation_deg: 0.0,
+        };
+        let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 126.0)) else {
+            panic!("it is within reach");
+        };
+        let height = NearLimit {
+            quantity: BoundedQuantity::Z,
+            bound: 136.0,
+            closeness: 0.5,
+        };
+        assert!(near.limits.contains(&height), "{near:?}");
+        it.ask(anna, Request::TakeLease).unwrap();
+        let command = line(220.0, 0.0, 126.0);
+        it.ask(anna, Request::Command { command }).unwrap();
+        it.run_for(Duration::from_secs(20));
+        // An arm stands as far from there as its motors count.
+        let there = it.supervisor().state().arm.unwrap().near;
+        assert_eq!(there.limits.len(), near.limits.len(), "{there:?}");
+        for (reported, told) in there.limits.iter().zip(&near.limits) {
+            assert_eq!(
+                (reported.quantity, reported.bound),
+                (told.quantity, told.bound)
+            );
+            let off = (reported.closeness - told.closeness).abs();
+            assert!(off < 0.025, "{there:?}, {near:?}");
+        }
+        // Beyond the limit it is as near as can be, and where no arm can be there is nothing to tell.
+        let Ok(Reply::Near { near }) = it.ask(anna, near_at(220.0, 140.0)) else {
+            panic!("the links span it");
+        };
+        let beyond = NearLimit {
+            closeness: 1.0,
+            ..height
+        };
+        assert!(near.limits.contains(&beyond), "{near:?}");
+        for (x_mm, z_mm) in [(900.0, 0.0), (f64::NAN, 0.0)] {
+            let refused = it.ask(anna, near_at(x_mm, z_mm));
+            assert!(matches!(refused, Err(Refusal::Policy(_))), "{refused:?}");
+        }
     }
 }
 

@@ -11,13 +11,14 @@ use axum::response::{IntoResponse, Response};
 use dobot_api::problem_kinds::{self, BAD_POLICY, METHOD, POLICY_FILE, ProblemKind, UNKNOWN_PATH};
 use dobot_api::{NewJob, Notice, Reply, Request, Role, write_private};
 use dobot_host::Client;
-use dobot_safety::Policy;
+use dobot_safety::{KeepOutEdit, Policy};
 use dobot_supervisor::{Refusal, is_plain};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::http::access::auth;
 use crate::http::app::{App, Caller};
+use crate::http::arm_facts::ArmFacts;
 use crate::http::exchange::answer::{Body, NotDone, json};
 
 /// The header with the token of a lease that was taken over plain HTTP.
@@ -127,6 +128,40 @@ pub(crate) async fn notices(State(app): State<Arc<App>>) -> Response {
 
 pub(crate) async fn policy(State(app): State<Arc<App>>) -> Response {
     Json(&app.handle.rules().policy).into_response()
+}
+
+pub(crate) async fn arm(State(app): State<Arc<App>>) -> Response {
+    Json(ArmFacts::of(
+        &app.handle.rules(),
+        app.handle.state().state(),
+    ))
+    .into_response()
+}
+
+/// A change of a keep-out in a draft of a policy.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct EditPolicy {
+    /// The TOML text of the draft.
+    text: String,
+    /// The change.
+    edit: KeepOutEdit,
+}
+
+/// A draft of a policy.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct PolicyDraft {
+    /// Its TOML text.
+    text: String,
+}
+
+/// Changes a keep-out in a draft of a policy; the policy that holds stays.
+pub(crate) async fn edit_policy(
+    Body(asked): Body<EditPolicy>,
+) -> Result<Json<PolicyDraft>, NotDone> {
+    let text = asked.edit.apply(&asked.text);
+    let text = text.map_err(|error| BAD_POLICY.problem(error.to_string()))?;
+    Ok(Json(PolicyDraft { text }))
 }
 
 /// A text that is to be the policy.

@@ -12,6 +12,7 @@ use serde::de::{
 };
 use serde_json::Value;
 
+use super::requester::EditPolicy;
 use crate::http::fleet_routes::offers::FleetOffer;
 use crate::http::fleet_routes::work::FleetWork;
 use crate::http::resources::drawings::NewDrawing;
@@ -146,34 +147,46 @@ struct Plain {
 /// The fields of requests that hold a list, and how many lists there are one in the other, as their types say.
 static LISTS: LazyLock<Vec<(String, usize)>> = LazyLock::new(|| {
     let mut lists = Vec::new();
-    collect_lists(schema_for!(FromClient).as_value(), &mut lists);
-    collect_lists(schema_for!(EditProgram).as_value(), &mut lists);
-    collect_lists(schema_for!(NewDrawing).as_value(), &mut lists);
-    collect_lists(schema_for!(FleetWork).as_value(), &mut lists);
-    collect_lists(schema_for!(FleetOffer).as_value(), &mut lists);
-    collect_lists(schema_for!(NewFaults).as_value(), &mut lists);
-    collect_lists(schema_for!(NewTouches).as_value(), &mut lists);
-    collect_lists(schema_for!(PaperTouches).as_value(), &mut lists);
-    collect_lists(schema_for!(Recipients).as_value(), &mut lists);
+    for schema in [
+        schema_for!(FromClient),
+        schema_for!(EditPolicy),
+        schema_for!(EditProgram),
+        schema_for!(NewDrawing),
+        schema_for!(FleetWork),
+        schema_for!(FleetOffer),
+        schema_for!(NewFaults),
+        schema_for!(NewTouches),
+        schema_for!(PaperTouches),
+        schema_for!(Recipients),
+    ] {
+        collect_lists(schema.as_value(), schema.as_value(), &mut lists);
+    }
     lists
 });
 
-fn collect_lists(schema: &Value, lists: &mut Vec<(String, usize)>) {
+/// Collects the lists of a part of a schema, whose named types are in `root`.
+fn collect_lists(root: &Value, schema: &Value, lists: &mut Vec<(String, usize)>) {
     let fields = schema.get("properties").and_then(Value::as_object);
     let named = fields.into_iter().flatten();
     lists.extend(
         named
-            .map(|(name, field)| (name.clone(), lists_in(field)))
+            .map(|(name, field)| (name.clone(), lists_in(of_name(root, field))))
             .filter(|(_, lists)| *lists > 0),
     );
     match schema {
-        Value::Object(parts) => parts.values().for_each(|it| collect_lists(it, lists)),
-        Value::Array(parts) => parts.iter().for_each(|it| collect_lists(it, lists)),
+        Value::Object(parts) => parts.values().for_each(|it| collect_lists(root, it, lists)),
+        Value::Array(parts) => parts.iter().for_each(|it| collect_lists(root, it, lists)),
         _ => {}
     }
 }
 
-/// How many lists a schema allows, one in the other, on its own or as one of several.
+/// The schema itself, also of a field whose type has a name.
+fn of_name<'a>(root: &'a Value, field: &'a Value) -> &'a Value {
+    let name = field.get("$ref").and_then(Value::as_str);
+    let place = name.and_then(|it| it.strip_prefix('#'));
+    place.and_then(|it| root.pointer(it)).unwrap_or(field)
+}
+
 fn lists_in(schema: &Value) -> usize {
     let is_list = |name: &Value| name == "array";
     let of_list = || 1 + schema.get("items").map_or(0, lists_in);

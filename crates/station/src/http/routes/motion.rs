@@ -6,10 +6,10 @@ use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use dobot_api::problem_kinds::{
-    COMMAND, LASER_DISARMED, LOCKED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE, POLICY, SLOT,
-    STILL_MOVING,
+    COMMAND, LASER_DISARMED, LOCKED, MALFORMED, NO_LEASE, NO_LINK, NOT_REACHED, OUT_OF_RANGE,
+    POLICY, SLOT, STILL_MOVING,
 };
-use dobot_api::{FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
+use dobot_api::{Button, FleetWideStop, Jog, News, Notice, Problem, Reply, Request};
 use dobot_supervisor::Refusal;
 use dobot_wire::Command;
 use schemars::JsonSchema;
@@ -50,6 +50,20 @@ pub(super) fn all() -> Vec<Route> {
         .problems(&[STILL_MOVING, LASER_DISARMED, COMMAND, POLICY, OUT_OF_RANGE, NO_LINK]),
         Route::asks(
             POST,
+            "/api/v1/arm/near",
+            "Says which limits and keep-outs of the policy an arm at a place would be near to; nothing is sent",
+            |Body(place): Body<Place>| Request::Near {
+                x_mm: place.x_mm,
+                y_mm: place.y_mm,
+                z_mm: place.z_mm,
+                rotation_deg: place.rotation_deg,
+            },
+        )
+        .example(r#"{"x_mm": 200, "y_mm": 0, "z_mm": 130, "rotation_deg": 0}"#)
+        .gives::<Reply>(200, "what it would be near to, by 20 mm or 5 degrees")
+        .problems(&[POLICY]),
+        Route::asks(
+            POST,
             "/api/v1/jog",
             "Holds a jog button; it is released when this is not said again \
                 within the dead-man time (150 ms by default)",
@@ -66,6 +80,20 @@ pub(super) fn all() -> Vec<Route> {
         )
         .gives::<Reply>(200, "the button is released")
         .problems(&[NO_LEASE, LOCKED, SLOT]),
+        Route::asks(
+            POST,
+            "/api/v1/jog/step",
+            "Moves by one step of a jog button, from where the arm is when all that it was given is over; pump and \
+                gripper stay as they are",
+            |Body(new): Body<NewStep>| Request::Step {
+                button: new.button,
+                by: new.by,
+            },
+        )
+        .example(r#"{"button": {"frame": "linear", "axis": "x_plus"}, "by": 1}"#)
+        .gives::<Reply>(200, "the step waits for its turn")
+        .problems(MOVES)
+        .problems(&[MALFORMED]),
         Route::new(
             POST,
             STOP,
@@ -99,6 +127,20 @@ struct CheckCommand {
     command: Command,
 }
 
+/// A place of the tool.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Place {
+    /// Forward of the axis of the base, in mm.
+    x_mm: f64,
+    /// To the left of it, in mm.
+    y_mm: f64,
+    /// The height of the wrist, in mm.
+    z_mm: f64,
+    /// The rotation of the tool, in degrees.
+    rotation_deg: f64,
+}
+
 /// A command to be sent.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -116,6 +158,17 @@ struct NewCommand {
 struct HoldJog {
     /// Which one.
     jog: Jog,
+}
+
+/// A step.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct NewStep {
+    /// The button.
+    button: Button,
+    /// How far, in mm or degrees.
+    #[schemars(range(min = 0.01, max = 100.0))]
+    by: f32,
 }
 
 /// A stop.

@@ -7,9 +7,10 @@ use dobot_api::problem_kinds::{
 use dobot_api::{Notice, State};
 use dobot_safety::Policy;
 
-use super::{GET, PUT};
+use super::{GET, POST, PUT};
+use crate::http::arm_facts::ArmFacts;
 use crate::http::exchange::answer::Body;
-use crate::http::exchange::requester::PolicyText;
+use crate::http::exchange::requester::{EditPolicy, PolicyDraft, PolicyText};
 use crate::http::route::Route;
 use crate::http::{exchange::requester, live::socket};
 
@@ -39,6 +40,14 @@ pub(super) fn all() -> Vec<Route> {
             requester::state,
         )
         .gives::<State>(200, "the state"),
+        Route::new(
+            GET,
+            "/api/v1/arm",
+            "The facts of the arm: its lengths, tools, limits and periods, and what its dialect makes of mouse and gesture \
+                packets. They change with the policy and the dialect",
+            requester::arm,
+        )
+        .gives::<ArmFacts>(200, "the facts"),
         Route::new(
             GET,
             "/api/v1/notices",
@@ -72,6 +81,17 @@ pub(super) fn all() -> Vec<Route> {
         .gives::<Policy>(200, "the policy")
         .problems(&[BAD_POLICY, JOB_RUNNING, DETECTING, STILL_MOVING, POLICY_FILE]),
         Route::new(
+            POST,
+            "/api/v1/policy/keep-outs",
+            "Adds, replaces or removes a keep-out in the text of a draft; the rest keeps its comments and its form, and the policy \
+                that holds stays",
+            requester::edit_policy,
+        )
+        .brings::<Body<EditPolicy>>()
+        .example(EDIT_EXAMPLE)
+        .gives::<PolicyDraft>(200, "the text")
+        .problems(&[BAD_POLICY]),
+        Route::new(
             GET,
             "/api/v1/ws",
             "A WebSocket for states, notices and requests. The station sends \
@@ -86,3 +106,5 @@ pub(super) fn all() -> Vec<Route> {
         .problems(&[MALFORMED, UPGRADE, TOO_MANY_CLIENTS, ENDING]),
     ]
 }
+
+const EDIT_EXAMPLE: &str = r#"{"text": "[table]\nz_mm = -60\n", "edit": {"type": "add", "keep_out": {"box": {"x_mm": [200, 260], "y_mm": [80, 140], "z_mm": [-60, 0]}}}}"#;

@@ -52,3 +52,23 @@ async fn a_policy_may_be_looked_at_before_it_holds() {
     assert_ne!(policy["table"]["z_mm"], -60.0);
     assert!(!harness.app.policy_file.exists());
 }
+
+#[tokio::test]
+async fn a_keep_out_is_changed_in_a_draft_and_the_policy_that_holds_stays() {
+    let harness = Harness::near();
+    let keep_out = json!({"box": {"x_mm": [200, 260], "y_mm": [80, 140], "z_mm": [-60, 0]}});
+    let body = json!({"text": LOW, "edit": {"type": "add", "keep_out": keep_out}});
+    let path = "/api/v1/policy/keep-outs";
+    let answer = harness.json("POST", path, body.to_string()).await;
+    let text = answer.is(200).value()["text"].as_str().unwrap().to_owned();
+    assert!(text.starts_with(LOW), "{text}");
+    let policy = Policy::from_toml(&text).unwrap();
+    assert_eq!(policy.keep_out.len(), 1);
+    let held = harness.get("/api/v1/policy/text").await;
+    assert_eq!(held.body, Policy::DEFAULT_TOML);
+    let body = json!({"text": text, "edit": {"type": "remove", "name": "lamp"}});
+    let answer = harness.json("POST", path, body.to_string()).await;
+    let (kind, detail) = answer.is(422).problem();
+    assert_eq!(kind, "bad-policy");
+    assert_eq!(detail, "no keep-out is called \"lamp\"; there are zone_1");
+}

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use axum::body::Body;
-use dobot_api::{ClientId, News, Request};
-use dobot_wire::{Command, Dialect};
+use dobot_api::{Button, ClientId, News, Request};
+use dobot_wire::{Command, Dialect, JointJogAxis};
 
 use super::Harness;
 use crate::sample::{notice, state};
@@ -58,6 +58,18 @@ async fn a_command_waits_for_its_turn() {
     assert!(
         matches!(&harness.asked()[..], [Request::Command { command: Command::MoveTo(to) }] if to.x_mm == 200.0)
     );
+}
+
+#[tokio::test]
+async fn a_step_names_its_button_and_how_far() {
+    let harness = Harness::near();
+    let step = |body: &str| harness.json("POST", "/api/v1/jog/step", body.to_owned());
+    let body = r#"{"button": {"frame": "joint", "axis": "rear_minus"}, "by": 0.1}"#;
+    step(body).await.is(200);
+    let button = Button::Joint(JointJogAxis::RearMinus);
+    assert_eq!(harness.asked(), [Request::Step { button, by: 0.1 }]);
+    let other = r#"{"button": {"frame": "joint", "axis": "x_minus"}, "by": 0.1}"#;
+    step(other).await.is(422);
 }
 
 #[tokio::test]

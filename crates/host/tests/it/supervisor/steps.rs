@@ -1,0 +1,133 @@
+//! The steps of the jog buttons.
+
+use std::time::Duration;
+
+use dobot_api::{Button, ClientId, Reply, Request};
+use dobot_host::VirtualStation;
+use dobot_supervisor::Refusal;
+use dobot_wire::{JointJog, JointJogAxis, LinearJogAxis, MoveTo, MovingMode, Status};
+
+use super::releases::over;
+use super::strokes::PERSONALITIES;
+
+fn step(
+    it: &mut VirtualStation,
+    client: ClientId,
+    button: Button,
+    by: f32,
+) -> Result<Reply, Refusal> {
+    it.ask(client, Request::Step { button, by })
+}
+
+/// The status once all is over.
+fn rested(it: &mut VirtualStation) -> Status {
+    it.run_for(Duration::from_secs(10));
+    it.supervisor().state().arm.unwrap().status
+}
+
+const LEFT: Button = Button::Linear(LinearJogAxis::YPlus);
+
+#[test]
+fn a_second_step_begins_where_the_first_one_ends_also_one_of_the_other_jog() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        let before = rested(&mut it);
+        step(&mut it, anna, LEFT, 10.0).unwrap();
+        step(&mut it, anna, LEFT, 10.0).unwrap();
+        it.run_for(Duration::from_millis(400));
+        step(&mut it, anna, Button::Joint(JointJogAxis::ServoPlus), 5.0).unwrap();
+        let after = rested(&mut it);
+        let moved = [
+            after.x_mm - before.x_mm,
+            after.y_mm - before.y_mm - 20.0,
+            after.z_mm - before.z_mm,
+        ];
+        assert!(
+            moved.iter().all(|off| off.abs() < 0.1),
+            "{personality}: {moved:?}"
+        );
+        // The line keeps the direction of the tool, and the step turns it.
+        let turned = after.rotation_deg - before.rotation_deg;
+        assert!((turned - 5.0).abs() < 0.1, "{personality}: {turned}");
+    }
+}
+
+#[test]
+fn pump_and_gripper_stay_as_they_are_when_an_arm_moves_by_a_step() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        let holds = MoveTo {
+            suction: true,
+            gripper_deg: 30.0,
+            mode: MovingMode::MovJ,
+            ..MoveTo::to(220.0, 0.0, 20.0)
+        };
+        let command = holds.into();
+        it.ask(anna, Request::Command { command }).unwrap();
+        // Also while the command that switched it on is under way.
+        step(&mut it, anna, LEFT, 10.0).unwrap();
+        let mut status = rested(&mut it);
+        for button in [LEFT, Button::Joint(JointJogAxis::BaseMinus)] {
+            assert!(status.suction, "{personality}");
+            assert!((status.gripper_deg - 30.0).abs() < 0.1, "{personality}");
+            step(&mut it, anna, button, 1.0).unwrap();
+            status = rested(&mut it);
+        }
+        assert!(status.suction, "{personality}");
+    }
+}
+
+#[test]
+fn a_step_is_judged_by_the_policy_and_by_who_has_control() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        let packets = it.packets().len();
+        let far = step(&mut it, anna, LEFT, 100.0).and_then(|_| step(&mut it, anna, LEFT, 100.0));
+        let far = far.and_then(|_| step(&mut it, anna, LEFT, 100.0));
+        assert!(matches!(far, Err(Refusal::Policy(_))), "{far:?}");
+        let bert = it.client("Bert");
+        let refused = step(&mut it, bert, LEFT, 1.0);
+        assert!(
+            matches!(refused, Err(Refusal::NoLease { .. })),
+            "{refused:?}"
+        );
+        assert!(it.packets().len() <= packets + 2);
+    }
+}
+
+#[test]
+fn a_step_that_is_no_step_is_refused_with_what_is_allowed() {
+    let (mut it, anna) = over(PERSONALITIES[0], 0);
+    for by in [0.0, -1.0, 100.1, f32::NAN, f32::INFINITY] {
+        let refused = step(&mut it, anna, LEFT, by).unwrap_err();
+        assert!(
+            refused
+                .to_string()
+                .ends_with("allowed is 0.01 to 100 mm or degrees"),
+            "{refused}"
+        );
+    }
+    let switch = Button::Joint(JointJogAxis::SuctionOn);
+    let refused = step(&mut it, anna, switch, 1.0).unwrap_err();
+    assert_eq!(
+        refused.to_string(),
+        "the request cannot be understood: the button suction-on has no step; allowed are those of a joint, of an axis and of the servo"
+    );
+}
+
+#[test]
+fn a_step_behind_a_button_that_runs_down_is_refused_until_the_arm_rests() {
+    for personality in PERSONALITIES {
+        let (mut it, anna) = over(personality, 0);
+        let jog = dobot_api::Jog::Joint(JointJog::new(JointJogAxis::BasePlus, 50.0));
+        super::releases::hold(&mut it, anna, jog, 500);
+        it.ask(anna, Request::Release).unwrap();
+        let refused = step(&mut it, anna, LEFT, 1.0);
+        assert!(
+            matches!(refused, Err(Refusal::StillMoving { .. })),
+            "{refused:?}"
+        );
+        rested(&mut it);
+        step(&mut it, anna, LEFT, 1.0).unwrap();
+    }
+}

@@ -1,0 +1,77 @@
+//! The scale of a hand that an arm follows.
+
+use dobot_arm::Tool;
+use dobot_wire::Dialect;
+
+use super::followed::SAMPLES;
+
+/// The scale of the place of a hand in a gesture packet (state 8; note N18).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HandScale {
+    /// Along X.
+    pub x: HandAxis,
+    /// Along Y.
+    pub y: HandAxis,
+    /// Along Z.
+    pub z: HandAxis,
+}
+
+/// One axis of the place of a hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HandAxis {
+    /// The place that a packet with 0 means, in mm.
+    pub zero_mm: f64,
+    /// What a packet counts for each mm beyond that.
+    pub units_per_mm: f64,
+}
+
+impl HandScale {
+    /// That of an arm with this tool.
+    #[must_use]
+    pub const fn of(dialect: &Dialect, tool: Tool) -> Self {
+        const MM: HandAxis = HandAxis::new(0.0, 1.0);
+        if dialect.scales_gesture {
+            Self {
+                x: HandAxis::new(230.0, 2.0),
+                y: MM,
+                z: HandAxis::new(lowest_mm(tool) - 100.0, 2.0),
+            }
+        } else {
+            Self {
+                x: MM,
+                y: MM,
+                z: MM,
+            }
+        }
+    }
+
+    /// How often the same packet has to be sent until the arm is where the hand is: a stock arm averages it with those
+    /// before it.
+    #[must_use]
+    pub const fn samples(dialect: &Dialect) -> usize {
+        if dialect.scales_gesture { SAMPLES } else { 1 }
+    }
+}
+
+impl HandAxis {
+    const fn new(zero_mm: f64, units_per_mm: f64) -> Self {
+        Self {
+            zero_mm,
+            units_per_mm,
+        }
+    }
+
+    /// The place in mm that a packet means.
+    #[must_use]
+    pub fn place_mm(self, units: f32) -> f64 {
+        self.zero_mm + f64::from(units) / self.units_per_mm
+    }
+}
+
+/// The lowest height to which a stock arm follows, in mm.
+pub(crate) const fn lowest_mm(tool: Tool) -> f64 {
+    match tool {
+        Tool::SuctionCup | Tool::Laser => -30.0,
+        Tool::Gripper => 20.0,
+    }
+}

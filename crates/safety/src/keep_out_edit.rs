@@ -1,0 +1,113 @@
+//! Changes of the keep-outs in the text of a policy.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
+
+use crate::{Bounds, KeepOut, PolicyError};
+
+/// A change of a keep-out in the text of a policy.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub enum KeepOutEdit {
+    /// Adds a keep-out under the first free name: `zone_1`, `zone_2` and so on.
+    Add {
+        /// The new keep-out.
+        keep_out: KeepOut,
+    },
+    /// Puts another keep-out in the place of one.
+    Replace {
+        /// The name of the old one, which stays.
+        name: String,
+        /// The new one.
+        keep_out: KeepOut,
+    },
+    /// Removes a keep-out.
+    Remove {
+        /// Its name.
+        name: String,
+    },
+}
+
+impl KeepOutEdit {
+    /// The text of a policy with this change. All else stays as it is written, comments included.
+    ///
+    /// Only the form of the text has to be right, not its values: whoever moves a keep-out may type its bounds one after the
+    /// other.
+    ///
+    /// # Errors
+    ///
+    /// [`PolicyError`] where the text is no TOML, no keep-out has the name, or a number is not finite.
+    pub fn apply(&self, text: &str) -> Result<String, PolicyError> {
+        let parsed: Result<DocumentMut, _> = text.parse();
+        let mut document =
+            parsed.map_err(|error| PolicyError::reader(text, error.span(), error.message()))?;
+        let keep_outs = document
+            .entry("keep_out")
+            .or_insert_with(|| Item::Table(Table::new()))
+            .as_table_like_mut()
+            .ok_or_else(|| refused("keep_out is a value; a policy has a table there"))?;
+        match self {
+            Self::Add { keep_out } => {
+                let mut names = (1..).map(|number| format!("zone_{number}"));
+                let free = names.find(|name| !keep_outs.contains_key(name));
+                let name = free.expect("there are more numbers than keep-outs");
+                keep_outs.insert(&name, Item::Value(inline(keep_out)?));
+            }
+            Self::Replace { name, keep_out } => {
+                let mut new = inline(keep_out)?;
+                match named(keep_outs, name)? {
+                    Item::Value(old) => {
+                        *new.decor_mut() = old.decor().clone();
+                        *old = new;
+                    }
+                    old => *old = Item::Value(new),
+                }
+            }
+            Self::Remove { name } => {
+                named(keep_outs, name)?;
+                keep_outs.remove(name);
+            }
+        }
+        Ok(document.to_string())
+    }
+}
+
+fn named<'a>(keep_outs: &'a mut dyn TableLike, name: &str) -> Result<&'a mut Item, PolicyError> {
+    let names: Vec<String> = keep_outs.iter().map(|(name, _)| name.to_owned()).collect();
+    keep_outs.get_mut(name).ok_or_else(|| {
+        let there = if names.is_empty() {
+            "there are none".to_owned()
+        } else {
+            format!("there are {}", names.join(", "))
+        };
+        refused(&format!("no keep-out is called {name:?}; {there}"))
+    })
+}
+
+/// A keep-out in one line of a file.
+fn inline(keep_out: &KeepOut) -> Result<Value, PolicyError> {
+    let range = |Bounds { min, max }: Bounds| format!("[{min}, {max}]");
+    let text = match keep_out {
+        KeepOut::Box(area) => {
+            let [x, y, z] = area.axes().map(range);
+            format!("{{ box = {{ x_mm = {x}, y_mm = {y}, z_mm = {z} }} }}")
+        }
+        KeepOut::Cylinder(it) => format!(
+            "{{ cylinder = {{ x_mm = {}, y_mm = {}, radius_mm = {}, z_mm = {} }} }}",
+            it.x_mm,
+            it.y_mm,
+            it.radius_mm,
+            range(it.z_mm)
+        ),
+    };
+    text.parse()
+        .map_err(|_| refused(&format!("{text} has a number that is not finite")))
+}
+
+fn refused(reason: &str) -> PolicyError {
+    PolicyError {
+        line: None,
+        reason: reason.to_owned(),
+    }
+}
