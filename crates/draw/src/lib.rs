@@ -66,7 +66,7 @@ pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_reach};
 pub use copies::Grid;
 pub use cutting::Cutting;
-pub use estimate::{Estimate, PassFigures, ToolKind};
+pub use estimate::{Estimate, PassFigures};
 pub use export::{ExportFormat, export};
 pub use frame::{FrameShape, frame};
 pub use give_up::GiveUp;

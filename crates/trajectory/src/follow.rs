@@ -151,9 +151,9 @@ fn within_height(z_mm: f64, tool: Tool) -> f64 {
 
 /// The lowest height to which a stock arm follows.
 const fn lowest_mm(tool: Tool) -> f64 {
-    match tool {
-        Tool::SuctionCup | Tool::Laser => -30.0,
+    match tool.end_effector() {
         Tool::Gripper => 20.0,
+        _ => -30.0,
     }
 }
 

@@ -54,5 +54,5 @@ pub use laser::{LASER_OFF, burns};
 pub use model::Model;
 pub use place::ArmPlace;
 pub use segment::{Bend, Segment};
-pub use settings::{ArmSettings, tool_named};
+pub use settings::ArmSettings;
 pub use trajectory::Trajectory;

@@ -7,7 +7,6 @@ use dobot_wire::{
 
 use crate::followed::Followed;
 use crate::left_speed::LeftSpeed;
-use crate::settings::tool_named;
 use crate::{ArmPlace, ArmSettings, Button, JogTrajectory, Trajectory};
 
 /// What is believed of an arm: where it is and what it was told, before or after a command.
@@ -270,7 +269,7 @@ impl Model {
     fn configure(&mut self, configuration: &Configuration) {
         self.settings.configure(configuration);
         match configuration {
-            Configuration::EndEffector { tool } => self.tool = tool_named(*tool),
+            Configuration::EndEffector { tool } => self.tool = (*tool).into(),
             // From now on it says its true angles.
             Configuration::InitialAngles { .. } => {
                 self.calibration = self.calibration.without_zeros();
@@ -288,7 +287,7 @@ fn tool_of(place: &ArmPlace, believed: Tool) -> Tool {
     if off_mm(believed) <= SAME_REACH_MM {
         return believed;
     }
-    [Tool::SuctionCup, Tool::Laser]
+    Tool::END_EFFECTORS
         .into_iter()
         .find(|&tool| off_mm(tool) <= SAME_REACH_MM)
         .unwrap_or(believed)

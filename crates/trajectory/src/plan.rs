@@ -11,7 +11,6 @@ use crate::lifts::Lifts;
 use crate::model::Lines;
 use crate::motion::Motion;
 use crate::place::position;
-use crate::settings::tool_named;
 use crate::vector::vector;
 use crate::{ArmPlace, Button, JogTrajectory, Model, Trajectory, TrajectoryError};
 
@@ -200,7 +199,7 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory
                 ..Trajectory::moving(Motion::Still, place, model)
             });
         }
-        Configuration::EndEffector { tool } => ArmPlace::at_joints(joints, tool_named(tool)),
+        Configuration::EndEffector { tool } => ArmPlace::at_joints(joints, tool.into()),
         _ => model.place,
     };
     Ok(Trajectory::moving(Motion::Still, to, model))

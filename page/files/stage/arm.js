@@ -7,7 +7,7 @@ import { block, lay, pin, plate, solid, turned } from "./solid.js";
 import { createTool } from "./tools.js";
 
 /** @typedef {import("./view.js").Joints} Joints */
-/** @typedef {import("./view.js").ToolKind} ToolKind */
+/** @typedef {import("./view.js").Tool} Tool */
 /** @typedef {import("./tools.js").Materials} Materials */
 
 /** Where the foot stands below the pivot. */
@@ -27,12 +27,12 @@ export function createArm(materials, { foot }) {
   turning.add(turret(materials), ...Object.values(moving), wrist);
   arm.add(turning);
   wrist.add(servo);
-  /** @type {ToolKind} */ let kind = "suction_cup";
+  /** @type {Tool} */ let kind = "suction_cup";
   let tool = createTool(kind, 40, materials);
   const head = () => wrist.children.find((it) => it !== servo);
 
   /**
-   * @param {ToolKind} newKind
+   * @param {Tool} newKind
    * @param {number} length_mm
    */
   function mount(newKind, length_mm) {

@@ -6,7 +6,7 @@
 
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./view.js").Pose} Pose */
-/** @typedef {import("./view.js").ToolKind} ToolKind */
+/** @typedef {import("./view.js").Tool} Tool */
 /** @typedef {[number, number]} InPlane Reach and z. */
 
 /** From pivot to elbow, in mm. */
@@ -20,16 +20,16 @@ export const REAR_ROD_AT_MM = [-27, 22];
 /** From the elbow to where the front rod is held, and the same at the wrist. @type {InPlane} */
 export const FRONT_ROD_AT_MM = [20, 22];
 
-/** From the wrist to the tool's axis, level. @type {Record<ToolKind, number>} */
+/** From the wrist to the tool's axis, level. @type {Record<Tool, number>} */
 const BEYOND_MM = { suction_cup: 55.07, gripper: 55.07, pen: 55.07, laser: 49.57 };
 
-/** @param {ToolKind} kind */
+/** @param {Tool} kind */
 export const beyondWrist = (kind) => BEYOND_MM[kind];
 
 /**
  * All joints of the arm in its plane.
  * @param {Joints} joints
- * @param {ToolKind} kind
+ * @param {Tool} kind
  */
 export function links({ rear_deg, fore_deg }, kind) {
   const rear = rad(rear_deg), fore = rad(fore_deg);
@@ -52,7 +52,7 @@ export function links({ rear_deg, fore_deg }, kind) {
 /**
  * Where the joints bring the tool.
  * @param {Joints} joints
- * @param {ToolKind} kind
+ * @param {Tool} kind
  * @returns {Pose}
  */
 export function forward(joints, kind) {
@@ -64,7 +64,7 @@ export function forward(joints, kind) {
 /**
  * The joints that bring the tool to a pose, elbow up; nothing where the links are too short or too long. Limits are not looked at.
  * @param {Pose} pose
- * @param {ToolKind} kind
+ * @param {Tool} kind
  * @returns {Joints | null}
  */
 export function inverse({ x_mm, y_mm, z_mm, rotation_deg }, kind) {

@@ -4,7 +4,7 @@ import { forward } from "./links.js";
 
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {import("./view.js").Limits} Limits */
-/** @typedef {import("./view.js").ToolKind} ToolKind */
+/** @typedef {import("./view.js").Tool} Tool */
 /** @typedef {"base" | "rear" | "fore" | "servo" | "opening" | "x" | "y" | "z" | "reach"} Quantity */
 
 /**
@@ -17,7 +17,7 @@ export const NEAR_DEG = 5;
 
 /**
  * @param {Joints} joints
- * @param {ToolKind} kind
+ * @param {Tool} kind
  * @param {Limits} limits
  * @returns {Near[]}
  */

@@ -11,7 +11,7 @@
 //   element.addEventListener("shown", (event) => ...)   event.detail is "3d", or "2d" where WebGL is missing or lost
 //   stage.end();
 
-/** @typedef {"suction_cup" | "gripper" | "laser" | "pen"} ToolKind */
+/** @typedef {import("../api").components["schemas"]["Tool"]} Tool */
 /** @typedef {"iso" | "top" | "side" | "tool"} Preset */
 /** @typedef {[number, number]} Bounds The least and the most that is allowed. */
 /** @typedef {[number, number]} Place */
@@ -67,7 +67,7 @@
 /**
  * @typedef {object} View
  * @property {Reported | null} arm What is drawn solid; nothing where no arm has told anything.
- * @property {{ kind: ToolKind, length_mm: number }} tool
+ * @property {{ kind: Tool, length_mm: number }} tool
  * @property {"off" | "armed" | "burning"} laser
  * @property {number} table_z_mm
  * @property {{ from_mm: Place, to_mm: Place } | null} paper

@@ -130,7 +130,11 @@ fn check_joints(joints: [f32; 4]) -> Result<(), Unreachable> {
 }
 
 fn any_tool(check: impl Fn(Tool) -> Result<(), Unreachable>) -> Result<(), Unreachable> {
-    check(Tool::SuctionCup).or_else(|error| check(Tool::Laser).map_err(|_| error))
+    let [first, others @ ..] = Tool::ALL;
+    check(first).or_else(|error| {
+        let allows = |&tool: &Tool| check(tool).is_ok();
+        others.iter().any(allows).then_some(()).ok_or(error)
+    })
 }
 
 fn out_of_reach(error: Unreachable) -> Failure {
