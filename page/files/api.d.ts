@@ -2753,7 +2753,7 @@ export interface components {
             /** @constant */
             mode: "end_effector";
             /** @description The tool. */
-            tool: components["schemas"]["EndEffector"];
+            tool: components["schemas"]["Tool"];
         })) | {
             /** @constant */
             type: "playback_adjustment";
@@ -2781,8 +2781,8 @@ export interface components {
         WriteMode: "writing" | "laser";
         /** @description What a button of linear jog moves or switches (Table 2.5; note N14). */
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
-        /** @description What is mounted at the end of the arm (state 9, mode 4; Table 3.9). */
-        EndEffector: "suction_cup" | "gripper" | "laser";
+        /** @description What is mounted at the end of the arm. */
+        Tool: "suction_cup" | "gripper" | "pen" | "laser";
         /** @description The answer to a request that was granted. */
         Reply: {
             /** @constant */
@@ -4641,8 +4641,8 @@ export interface components {
             name: string;
             /** @description Red, green and blue, where the file tells a colour. */
             color?: number[] | null;
-            /** @description What draws. */
-            tool: components["schemas"]["ToolKind"];
+            /** @description What draws: `pen` or `laser`. */
+            tool: components["schemas"]["Tool"];
             /**
              * Format: uint
              * @description How many strokes, each as often as it is drawn.
@@ -4674,8 +4674,6 @@ export interface components {
              */
             error_mm: number;
         };
-        /** @description What draws. */
-        ToolKind: "pen" | "laser";
         /** @description What the tool does, one row for each. */
         Moves: {
             /** @description What the numbers in `kind` mean. */
@@ -4715,8 +4713,8 @@ export interface components {
         MaterialView: {
             /** @description Its name. */
             name: string;
-            /** @description What draws on it. */
-            tool: components["schemas"]["ToolKind"];
+            /** @description What draws on it: `pen` or `laser`. */
+            tool: components["schemas"]["Tool"];
         };
         /** @description A token, without its secret. */
         TokenView: {
@@ -4864,11 +4862,11 @@ export interface components {
              *     a spring, a cup is soft.
              */
             give_mm: number;
-            /** @description Which tool. */
-            kind: components["schemas"]["ToolKind2"];
+            /** @description Which tool it is, and how it acts on the scene. */
+            kind: components["schemas"]["ToolAction"];
         };
-        /** @description The tools. */
-        ToolKind2: {
+        /** @description How a tool acts on the scene. */
+        ToolAction: {
             /** @constant */
             type: "pen";
             /**

@@ -3,8 +3,6 @@
 use crate::Millimeters;
 
 /// What is mounted at the end of the arm.
-///
-/// With the feature `serde` it is its [`name`](Self::name).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
