@@ -2995,7 +2995,7 @@ export interface components {
             /** @constant */
             mode: "end_effector";
             /** @description The tool. */
-            tool: components["schemas"]["EndEffector"];
+            tool: components["schemas"]["Tool"];
         })) | {
             /** @constant */
             type: "playback_adjustment";
@@ -3023,8 +3023,8 @@ export interface components {
         WriteMode: "writing" | "laser";
         /** @description What a button of linear jog moves or switches (Table 2.5; note N14). */
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
-        /** @description What is mounted at the end of the arm (state 9, mode 4; Table 3.9). */
-        EndEffector: "suction_cup" | "gripper" | "laser";
+        /** @description What is mounted at the end of the arm. */
+        Tool: "suction_cup" | "gripper" | "pen" | "laser";
         /** @description The answer to a request that was granted. */
         Reply: {
             /** @constant */

@@ -395,7 +395,7 @@ pub(crate) const STATE: &str = r#"{
 mod tests {
     use crossterm::event::KeyModifiers;
     use dobot_api::Jog;
-    use dobot_wire::{Dialect, LinearJog, LinearJogAxis, MouseMove};
+    use dobot_wire::{Command, Dialect, LinearJog, LinearJogAxis, MouseMove};
 
     use super::*;
 

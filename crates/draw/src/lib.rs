@@ -52,7 +52,7 @@ pub use options::{
     Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PassesBy, PathOptions,
     PlaceOptions, Spacing, Subject, ToolOptions, WITHOUT_ARM_Z_MM,
 };
-pub use output::estimate::{Estimate, PassFigures, ToolKind};
+pub use output::estimate::{Estimate, PassFigures};
 pub use output::export::{ExportFormat, export};
 pub use output::ink::{InkLine, ink_seen};
 pub use output::picture::{Colors, Picture, PictureError, View};

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use dobot_api::{Folders, NearView, Notice, State, make_private};
-use dobot_arm::Millimeters;
-use dobot_model::{MountedTool, ToolKind};
+use dobot_arm::{Millimeters, Tool};
+use dobot_model::MountedTool;
 use dobot_record::{About, Limits, Record, Recorder, Topic};
 use dobot_safety::Policy;
 use dobot_session::Address;
@@ -191,12 +191,12 @@ fn about() -> About {
 /// The tools that may hang at an arm, as long as a policy says; none that no model could have.
 #[must_use]
 pub fn tools_of(policy: &Policy) -> Vec<MountedTool> {
-    let kinds = [ToolKind::SuctionCup, ToolKind::Gripper, ToolKind::Laser];
-    let tool = |kind: ToolKind| {
-        let length = Millimeters(policy.tool_length.of(kind.tool()));
-        MountedTool::new(kind, length).ok()
+    let mounted = |tool: Tool| {
+        let length = Millimeters(policy.tool_length.of(tool));
+        MountedTool::new(tool, length).ok()
     };
-    kinds.into_iter().filter_map(tool).collect()
+    let tools = Tool::END_EFFECTORS.into_iter();
+    tools.filter_map(mounted).collect()
 }
 
 /// Where the states of a station are recorded, and told live.

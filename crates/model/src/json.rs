@@ -29,7 +29,7 @@ impl Model {
             "pivot_above_table_mm": lengths.pivot_above_table_mm,
             "tool": self.tool.map(|it| json!({
                 "kind": it.kind().name(),
-                "reach_mm": it.kind().tool().reach().0,
+                "reach_mm": it.kind().reach().0,
                 "length_mm": it.length().0,
             })),
             "limits": limits(&self.limits),

@@ -6,10 +6,10 @@
 //! height of the wrist. `docs/models.md` tells what each format holds.
 //!
 //! ```
-//! use dobot_arm::Millimeters;
-//! use dobot_model::{Model, MountedTool, ToolKind};
+//! use dobot_arm::{Millimeters, Tool};
+//! use dobot_model::{Model, MountedTool};
 //!
-//! let pen = MountedTool::new(ToolKind::Pen, Millimeters(62.0))?;
+//! let pen = MountedTool::new(Tool::Pen, Millimeters(62.0))?;
 //! let model = Model::new(Some(pen));
 //! assert!(model.to_urdf().contains(r#"<link name="tool">"#));
 //! # Ok::<(), dobot_model::BadLength>(())
@@ -31,7 +31,7 @@ mod xml;
 
 pub use dimensions::Dimensions;
 pub use model::Model;
-pub use mounted_tool::{BadLength, MountedTool, ToolKind};
+pub use mounted_tool::{BadLength, MountedTool};
 #[cfg(feature = "options")]
 pub use options::{ToolOptions, ToolOptionsError};
 pub use tree::LinkFrame;

@@ -49,7 +49,7 @@ impl Model {
     /// The stock arm with a tool, or without one; then it ends at the wrist.
     #[must_use]
     pub fn new(tool: Option<MountedTool>) -> Self {
-        let servo_mm = tool.map(|it| it.kind().tool().reach().0);
+        let servo_mm = tool.map(|it| it.kind().reach().0);
         let mut parts = vec![
             part("base", part::base()),
             part("turret", part::turret()),
@@ -183,11 +183,10 @@ const PINS: [Pin; 3] = [
 
 #[cfg(test)]
 mod tests {
-    use dobot_arm::{Joints, Millimeters, Position, forward};
+    use dobot_arm::{Joints, Millimeters, Position, Tool, forward};
     use proptest::prelude::*;
 
     use super::*;
-    use crate::mounted_tool::ToolKind;
 
     /// Where a point of a part is, in the base frame; each joint turned on the way to its root.
     fn place(
@@ -229,10 +228,10 @@ mod tests {
     proptest! {
         #[test]
         fn the_tool_is_where_the_kinematics_bring_it(joints in joints()) {
-            for kind in ToolKind::ALL {
+            for kind in Tool::ALL {
                 let tool = MountedTool::new(kind, Millimeters(50.0)).expect("it is allowed");
                 let model = Model::new(Some(tool));
-                let expected = forward(&joints, kind.tool());
+                let expected = forward(&joints, kind);
                 let found = place(&model, "tool", ORIGIN, &joints);
                 prop_assert!(found.distance(expected.position).0 < 1e-9, "{found:?}, expected {expected:?}");
                 let tip = place(&model, "tip", ORIGIN, &joints);
@@ -257,7 +256,7 @@ mod tests {
 
     #[test]
     fn every_part_but_the_base_has_one_parent() {
-        let tool = MountedTool::new(ToolKind::Gripper, Millimeters(40.0)).expect("it is allowed");
+        let tool = MountedTool::new(Tool::Gripper, Millimeters(40.0)).expect("it is allowed");
         for model in [Model::new(None), Model::new(Some(tool))] {
             let names: Vec<_> = model.parts.iter().map(|it| it.name).collect();
             assert_eq!(names[0], "base");

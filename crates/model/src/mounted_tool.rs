@@ -5,23 +5,8 @@ use dobot_arm::{Millimeters, Tool};
 /// What is mounted at the end of the arm, and how long it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MountedTool {
-    kind: ToolKind,
+    kind: Tool,
     length: Millimeters,
-}
-
-/// The tools that were sold with the arm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "schema", derive(serde::Serialize, schemars::JsonSchema))]
-#[cfg_attr(feature = "schema", serde(rename_all = "snake_case"))]
-pub enum ToolKind {
-    /// The suction cup.
-    SuctionCup,
-    /// The gripper, whose fingers stand open.
-    Gripper,
-    /// A pen in its holder.
-    Pen,
-    /// The laser.
-    Laser,
 }
 
 /// Why a tool is refused.
@@ -48,7 +33,7 @@ impl MountedTool {
     /// # Errors
     ///
     /// [`BadLength`] for any other length.
-    pub fn new(kind: ToolKind, length: Millimeters) -> Result<Self, BadLength> {
+    pub fn new(kind: Tool, length: Millimeters) -> Result<Self, BadLength> {
         if length >= Self::SHORTEST && length <= Self::LONGEST {
             Ok(Self { kind, length })
         } else {
@@ -58,7 +43,7 @@ impl MountedTool {
 
     /// What it is.
     #[must_use]
-    pub const fn kind(self) -> ToolKind {
+    pub const fn kind(self) -> Tool {
         self.kind
     }
 
@@ -69,30 +54,6 @@ impl MountedTool {
     }
 }
 
-impl ToolKind {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::SuctionCup, Self::Gripper, Self::Pen, Self::Laser];
-
-    /// What the arm takes it for: a pen has the reach of the suction cup.
-    #[must_use]
-    pub const fn tool(self) -> Tool {
-        match self {
-            Self::SuctionCup | Self::Pen => Tool::SuctionCup,
-            Self::Gripper => Tool::Gripper,
-            Self::Laser => Tool::Laser,
-        }
-    }
-
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::SuctionCup => "suction_cup",
-            Self::Gripper => "gripper",
-            Self::Pen => "pen",
-            Self::Laser => "laser",
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -100,12 +61,11 @@ mod tests {
     #[test]
     fn a_tool_that_ends_within_the_servo_or_is_no_number_is_refused() {
         for found in [0.0, 19.9, 200.1, -40.0, f64::NAN, f64::INFINITY] {
-            let error =
-                MountedTool::new(ToolKind::Laser, Millimeters(found)).expect_err("it is bad");
+            let error = MountedTool::new(Tool::Laser, Millimeters(found)).expect_err("it is bad");
             assert!(error.to_string().contains("20 to 200 mm"), "{error}");
         }
         for good in [20.0, 38.0, 200.0] {
-            assert!(MountedTool::new(ToolKind::Laser, Millimeters(good)).is_ok());
+            assert!(MountedTool::new(Tool::Laser, Millimeters(good)).is_ok());
         }
     }
 }

@@ -1,14 +1,17 @@
 //! The options by which a program is told what is mounted.
 
+use std::iter;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use dobot_arm::{Millimeters, Tool};
 
-use crate::mounted_tool::{BadLength, MountedTool, ToolKind};
+use crate::mounted_tool::{BadLength, MountedTool};
 
 /// What is mounted, as the options of a program say it.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct ToolOptions {
     /// What is mounted
-    #[arg(long, value_enum, default_value_t = Mounted::Cup)]
+    #[arg(long, value_parser = values(), default_value = Tool::SuctionCup.short())]
     tool: Mounted,
     /// How far the tip of the tool hangs below the wrist, in mm: 20 to 200; else as in the default policy
     #[arg(long, value_name = "MM")]
@@ -48,34 +51,25 @@ impl ToolOptions {
         &self,
         usual: impl FnOnce(Tool) -> f64,
     ) -> Result<Option<MountedTool>, ToolOptionsError> {
-        let Some(kind) = self.tool.kind() else {
+        let Some(kind) = self.tool.0 else {
             return match self.length {
                 None => Ok(None),
                 Some(_) => Err(ToolOptionsError::NoTool),
             };
         };
-        let length = self.length.unwrap_or_else(|| usual(kind.tool()));
+        let length = self.length.unwrap_or_else(|| usual(kind));
         Ok(Some(MountedTool::new(kind, Millimeters(length))?))
     }
 }
 
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Mounted {
-    None,
-    Cup,
-    Gripper,
-    Pen,
-    Laser,
+/// A tool, or none.
+#[derive(Clone, Copy, Debug)]
+struct Mounted(Option<Tool>);
+
+/// The values of `--tool`.
+fn values() -> impl TypedValueParser<Value = Mounted> {
+    let names = iter::once(NONE).chain(Tool::ALL.map(Tool::short));
+    PossibleValuesParser::new(names).map(|name| Mounted(Tool::named(&name)))
 }
 
-impl Mounted {
-    const fn kind(self) -> Option<ToolKind> {
-        match self {
-            Self::None => None,
-            Self::Cup => Some(ToolKind::SuctionCup),
-            Self::Gripper => Some(ToolKind::Gripper),
-            Self::Pen => Some(ToolKind::Pen),
-            Self::Laser => Some(ToolKind::Laser),
-        }
-    }
-}
+const NONE: &str = "none";

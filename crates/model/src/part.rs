@@ -3,9 +3,9 @@
 //! The frame of a part is at the joint that carries it. At 0 degrees the rear arm and the rods beside it stand along Z, and
 //! the forearm and the rod beside it lie along X.
 
-use dobot_arm::{FOREARM, REAR_ARM};
+use dobot_arm::{FOREARM, REAR_ARM, Tool};
 
-use crate::mounted_tool::{MountedTool, ToolKind};
+use crate::mounted_tool::MountedTool;
 use crate::shape::Colour::{Accent, Dark, Metal};
 use crate::shape::{Shape, cuboid, pin, post};
 
@@ -167,11 +167,11 @@ pub(crate) fn tool(tool: MountedTool) -> Vec<Shape> {
     };
     let mut shapes = vec![horn];
     match tool.kind() {
-        ToolKind::SuctionCup => {
+        Tool::SuctionCup => {
             shapes.extend(down_to(tip + 12.0, 4.0, Metal));
             shapes.push(post(9.0, [tip, tip + 12.0], Dark));
         }
-        ToolKind::Gripper => {
+        Tool::Gripper => {
             shapes.push(cuboid(
                 [-10.0, -20.0, -HORN_MM - 6.0],
                 [10.0, 20.0, -HORN_MM],
@@ -187,11 +187,11 @@ pub(crate) fn tool(tool: MountedTool) -> Vec<Shape> {
                 ));
             }
         }
-        ToolKind::Pen => {
+        Tool::Pen => {
             shapes.extend(down_to(tip + 7.0, 4.8, Accent));
             shapes.push(post(1.4, [tip, tip + 7.0], Metal));
         }
-        ToolKind::Laser => {
+        Tool::Laser => {
             shapes.extend(down_to(tip + 7.0, 11.0, Dark));
             shapes.push(post(3.2, [tip, tip + 7.0], Metal));
         }

@@ -103,11 +103,11 @@ fn split(joint: &Joint) -> Vec<TreeJoint> {
 
 #[cfg(test)]
 mod tests {
-    use dobot_arm::{Millimeters, Position, forward};
+    use dobot_arm::{Millimeters, Position, Tool, forward};
     use proptest::prelude::*;
 
     use super::*;
-    use crate::mounted_tool::{MountedTool, ToolKind};
+    use crate::mounted_tool::MountedTool;
 
     /// A point of a link in the frame of the root.
     fn place(frames: &[LinkFrame], link: &str, mut point: [f64; 3]) -> [f64; 3] {
@@ -131,11 +131,11 @@ mod tests {
         fn the_frames_bring_the_tool_to_where_the_kinematics_do(
             base in -180.0..180.0, rear in -5.0..85.0, fore in -10.0..95.0, servo in -90.0..90.0,
         ) {
-            let tool = MountedTool::new(ToolKind::Gripper, Millimeters(50.0)).expect("it is allowed");
+            let tool = MountedTool::new(Tool::Gripper, Millimeters(50.0)).expect("it is allowed");
             let joints = Joints::new(base, rear, fore, servo);
             let frames = Model::new(Some(tool)).link_frames(&joints);
             let [x, y, z] = place(&frames, "tool", [0.0; 3]);
-            let expected = forward(&joints, ToolKind::Gripper.tool()).position;
+            let expected = forward(&joints, Tool::Gripper).position;
             let off = Position::new(x, y, z).distance(expected).0;
             prop_assert!(off < 1e-9, "{off} mm");
         }
@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn every_link_has_one_parent_and_only_the_tip_is_fixed() {
-        let tool = MountedTool::new(ToolKind::Pen, Millimeters(50.0)).expect("it is allowed");
+        let tool = MountedTool::new(Tool::Pen, Millimeters(50.0)).expect("it is allowed");
         let frames = Model::new(Some(tool)).link_frames(&Joints::default());
         for frame in &frames {
             let same = frames.iter().filter(|it| it.child == frame.child);

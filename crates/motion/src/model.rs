@@ -35,7 +35,7 @@ pub use self::jog::JogTrajectory;
 pub use self::laser::{LASER_OFF, burns};
 pub use self::place::ArmPlace;
 pub use self::segment::{Bend, Segment};
-pub use self::settings::{ArmSettings, tool_named};
+pub use self::settings::ArmSettings;
 pub use self::trajectory::Trajectory;
 
 /// What is believed of an arm: where it is and what it was told, before or after a command.
@@ -298,7 +298,7 @@ impl Model {
     fn configure(&mut self, configuration: &Configuration) {
         self.settings.configure(configuration);
         match configuration {
-            Configuration::EndEffector { tool } => self.tool = tool_named(*tool),
+            Configuration::EndEffector { tool } => self.tool = (*tool).into(),
             // From now on it says its true angles.
             Configuration::InitialAngles { .. } => {
                 self.calibration = self.calibration.without_zeros();
@@ -316,7 +316,7 @@ fn tool_of(place: &ArmPlace, believed: Tool) -> Tool {
     if off_mm(believed) <= SAME_REACH_MM {
         return believed;
     }
-    [Tool::SuctionCup, Tool::Laser]
+    Tool::END_EFFECTORS
         .into_iter()
         .find(|&tool| off_mm(tool) <= SAME_REACH_MM)
         .unwrap_or(believed)

@@ -1,10 +1,12 @@
-//! What draws: a pen or a laser.
+//! What draws: a pen or a laser, and how it is moved.
+
+use dobot_arm::Tool;
 
 use crate::error::{not_negative, positive};
 use crate::laser::laser_path::run_mm;
 use crate::{Machine, PlanError};
 
-/// What draws.
+/// What draws, and how it is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DrawingTool {
     /// A pen, lifted between strokes.
@@ -41,7 +43,7 @@ impl DrawingTool {
     /// Whether it is a laser.
     #[must_use]
     pub const fn burns(&self) -> bool {
-        matches!(self, Self::Laser(_))
+        self.tool().burns()
     }
 
     /// Whether it is a laser that cuts the material through.
@@ -96,18 +98,24 @@ impl DrawingTool {
         }
     }
 
-    /// What the arm carries for it: the laser is nearer to the arm than the pen.
+    /// The tool that has to be mounted for it.
     #[must_use]
-    pub const fn end_effector(&self) -> dobot_arm::Tool {
+    pub const fn tool(&self) -> Tool {
         match self {
-            Self::Pen(_) => dobot_arm::Tool::SuctionCup,
-            Self::Laser(_) => dobot_arm::Tool::Laser,
+            Self::Pen(_) => Tool::Pen,
+            Self::Laser(_) => Tool::Laser,
         }
+    }
+
+    /// The tool that the arm is configured for: the laser is nearer to the arm than the pen.
+    #[must_use]
+    pub const fn end_effector(&self) -> Tool {
+        self.tool().end_effector()
     }
 
     /// How far it reaches beyond the wrist, in mm.
     pub(super) const fn reach_mm(&self) -> f64 {
-        self.end_effector().reach().0
+        self.tool().reach().0
     }
 
     /// Its speeds by name, in mm/s.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use dobot_arm::Tool;
-use dobot_model::{LinkFrame, Model, MountedTool, ToolKind};
+use dobot_model::{LinkFrame, Model, MountedTool};
 use dobot_motion::ArmPlace;
 use dobot_wire::Status;
 use serde_json::{Value, json};
@@ -47,7 +47,7 @@ impl Frames {
 
     fn mounted(&self, tool: Tool) -> Option<MountedTool> {
         let mut tools = self.tools.iter().copied();
-        tools.find(|it| it.kind().tool() == tool)
+        tools.find(|it| it.kind() == tool.end_effector())
     }
 }
 
@@ -61,12 +61,7 @@ impl fmt::Debug for Frames {
 
 /// A tool for the frames up to its own, which do not depend on its length.
 fn of_any_length(tool: Tool) -> Option<MountedTool> {
-    let kind = match tool {
-        Tool::SuctionCup => ToolKind::SuctionCup,
-        Tool::Gripper => ToolKind::Gripper,
-        Tool::Laser => ToolKind::Laser,
-    };
-    MountedTool::new(kind, dobot_arm::Millimeters(ANY_MM)).ok()
+    MountedTool::new(tool, dobot_arm::Millimeters(ANY_MM)).ok()
 }
 
 fn transform(link: &LinkFrame, time: &Value) -> Value {
@@ -135,9 +130,9 @@ mod tests {
             base in -130.0..130.0, rear in -5.0..85.0, fore in -10.0..95.0, servo in -90.0..90.0,
         ) {
             let mut frames = Frames::default();
-            let laser = MountedTool::new(ToolKind::Laser, Millimeters(40.0)).unwrap();
+            let laser = MountedTool::new(Tool::Laser, Millimeters(40.0)).unwrap();
             frames.set_tools(&[laser]);
-            for tool in [Tool::SuctionCup, Tool::Gripper, Tool::Laser] {
+            for tool in Tool::END_EFFECTORS {
                 let status = ArmPlace::at_joints(Joints::new(base, rear, fore, servo), tool).status();
                 let joints = ArmPlace::of_status(&status).joints;
                 let position = forward(&joints, tool).position;
@@ -162,7 +157,7 @@ mod tests {
     #[test]
     fn the_frames_are_the_links_of_the_urdf() {
         let mut frames = Frames::default();
-        let cup = MountedTool::new(ToolKind::SuctionCup, Millimeters(60.0)).unwrap();
+        let cup = MountedTool::new(Tool::SuctionCup, Millimeters(60.0)).unwrap();
         frames.set_tools(&[cup]);
         let transforms = frames.transforms(&Status::AT_ZERO, Tool::SuctionCup, &json!({}));
         let urdf = Model::new(Some(cup)).to_urdf();

@@ -86,13 +86,13 @@ pub(crate) fn metres(mm: f64) -> f64 {
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_arm::Millimeters;
-    use dobot_model::{MountedTool, ToolKind};
+    use dobot_arm::{Millimeters, Tool};
+    use dobot_model::MountedTool;
 
     use super::*;
 
     fn model() -> Model {
-        let tool = MountedTool::new(ToolKind::Pen, Millimeters(62.0)).expect("it is allowed");
+        let tool = MountedTool::new(Tool::Pen, Millimeters(62.0)).expect("it is allowed");
         Model::new(Some(tool))
     }
 

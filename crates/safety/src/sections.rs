@@ -67,11 +67,11 @@ section! {
     /// How far the tip of each tool hangs below the wrist, in mm: 0 to 200.
     ToolLengths {
         /// The suction cup; the pen too.
-        suction_cup_mm: f64 = 40.0,
+        suction_cup_mm: f64 = Tool::SuctionCup.default_length().0,
         /// The gripper.
-        gripper_mm: f64 = 40.0,
+        gripper_mm: f64 = Tool::Gripper.default_length().0,
         /// The laser.
-        laser_mm: f64 = 38.0,
+        laser_mm: f64 = Tool::Laser.default_length().0,
     }
 }
 
@@ -172,10 +172,7 @@ impl ToolLengths {
     /// How far the tip of this tool hangs below the wrist, in mm.
     #[must_use]
     pub const fn of(&self, tool: Tool) -> f64 {
-        match tool {
-            Tool::SuctionCup => self.suction_cup_mm,
-            Tool::Gripper => self.gripper_mm,
-            Tool::Laser => self.laser_mm,
-        }
+        // In the order of `Tool::END_EFFECTORS`.
+        [self.suction_cup_mm, self.gripper_mm, self.laser_mm][tool.code() as usize]
     }
 }

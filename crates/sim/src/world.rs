@@ -59,7 +59,7 @@ pub use self::marks::{Burn, Hole, Stroke};
 pub use self::object::{Object, Shape};
 pub use self::scene::{Paper, Scene, SceneError};
 pub use self::state::{ArmState, WorldState};
-pub use self::tool::{Tool, ToolKind};
+pub use self::tool::{Tool, ToolAction};
 pub use dobot_geometry::Point;
 
 /// The world around an arm.
@@ -164,8 +164,8 @@ impl World {
     #[must_use]
     pub fn state(&self) -> WorldState {
         let name = |object: usize| self.scene.objects[object].name.clone();
-        let power_w = match self.scene.tool.kind {
-            ToolKind::Laser { power_w, .. } => power_w,
+        let power_w = match self.scene.tool.action {
+            ToolAction::Laser { power_w, .. } => power_w,
             _ => 0.0,
         };
         WorldState {
@@ -193,9 +193,9 @@ impl World {
     /// Goes a short way, on which everything changes evenly.
     fn advance(&mut self, from: &ArmMoment, to: &ArmMoment) {
         self.grip.carry(&mut self.scene.objects, &to.tip);
-        match self.scene.tool.kind {
-            ToolKind::Pen { .. } => self.draw(from, to),
-            ToolKind::Laser {
+        match self.scene.tool.action {
+            ToolAction::Pen { .. } => self.draw(from, to),
+            ToolAction::Laser {
                 focus_mm,
                 depth_mm,
                 power_w,
@@ -204,8 +204,8 @@ impl World {
                 let power_w = (to.actuators.laser && off_focus_mm <= depth_mm).then_some(power_w);
                 self.burn(from, to, power_w);
             }
-            ToolKind::SuctionCup { diameter_mm, .. } => self.suck(to, diameter_mm / 2.0),
-            ToolKind::Gripper { .. } => self.grasp(from, to),
+            ToolAction::SuctionCup { diameter_mm, .. } => self.suck(to, diameter_mm / 2.0),
+            ToolAction::Gripper { .. } => self.grasp(from, to),
         }
         self.touch(to);
     }

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use dobot_wire::{EndEffector, MovingMode};
+use dobot_arm::Tool;
+use dobot_wire::MovingMode;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Spanned;
@@ -123,8 +124,8 @@ pub enum Times {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MountedTool {
-    /// Which kind: `suction_cup` (also for the pen holder), `gripper` or `laser`.
-    pub kind: EndEffector,
+    /// Which kind: `suction_cup`, `gripper`, `pen` or `laser`.
+    pub kind: Tool,
     /// How far its tip hangs below the wrist, 0 to 200 mm: points with x, y and z say where the tip goes. With
     /// 0, as without it, they say where the wrist goes, as the arm's statuses do.
     #[serde(default, skip_serializing_if = "is_zero", deserialize_with = "finite")]

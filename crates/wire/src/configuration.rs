@@ -1,5 +1,7 @@
 //! Configuration.
 
+use dobot_arm::Tool;
+
 use crate::table::Table;
 use crate::{Dialect, Frame, ParseError};
 
@@ -61,6 +63,7 @@ pub enum Configuration {
     /// What is mounted (mode 4).
     EndEffector {
         /// The tool.
+        #[cfg_attr(feature = "schema", schemars(with = "Tool"))]
         tool: EndEffector,
     },
 }
@@ -182,32 +185,36 @@ impl Dialect {
     }
 }
 
-/// What is mounted at the end of the arm (state 9, mode 4; Table 3.9).
+/// The tool for which the arm is configured (state 9, mode 4; Table 3.9).
+///
+/// The protocol knows three; any other tool becomes the one that [`Tool::end_effector`] says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-#[repr(u8)]
-pub enum EndEffector {
-    /// The suction cup.
-    SuctionCup = 0,
-    /// The gripper.
-    Gripper = 1,
-    /// The laser.
-    Laser = 2,
-}
+#[cfg_attr(feature = "serde", serde(from = "Tool", into = "Tool"))]
+pub struct EndEffector(Tool);
 
 impl EndEffector {
     fn parse(frame: &Frame) -> Result<Self, ParseError> {
-        let choices = [Self::SuctionCup, Self::Gripper, Self::Laser];
         let allowed = "0 (suction cup), 1 (gripper) or 2 (laser)";
         TABLE
             .float(frame, 3, "end effector")
-            .code(&choices, allowed)
+            .code(&Tool::END_EFFECTORS.map(Self), allowed)
     }
 
     fn emit(self) -> f32 {
-        f32::from(self as u8)
+        f32::from(self.0.code())
+    }
+}
+
+impl From<Tool> for EndEffector {
+    fn from(tool: Tool) -> Self {
+        Self(tool.end_effector())
+    }
+}
+
+impl From<EndEffector> for Tool {
+    fn from(EndEffector(tool): EndEffector) -> Self {
+        tool
     }
 }
 

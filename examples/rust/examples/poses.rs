@@ -6,14 +6,12 @@ use dobot_arm::{Joints, Limits, Span, Tool, forward};
 use dobot_geometry::Random;
 
 fn main() {
-    let tool = match std::env::args().nth(1).as_deref() {
-        None | Some("cup" | "pen") => Tool::SuctionCup,
-        Some("gripper") => Tool::Gripper,
-        Some("laser") => Tool::Laser,
-        Some(other) => {
-            eprintln!("error: the tool is `{other}`; allowed are cup, gripper, pen and laser");
-            std::process::exit(2);
-        }
+    let name = std::env::args().nth(1);
+    let name = name.as_deref().unwrap_or(Tool::SuctionCup.short());
+    let Some(tool) = Tool::named(name) else {
+        let allowed = Tool::ALL.map(Tool::short).join(", ");
+        eprintln!("error: the tool is `{name}`; allowed are {allowed}");
+        std::process::exit(2);
     };
     println!("base_deg,rear_deg,fore_deg,servo_deg,x_mm,y_mm,z_mm,rotation_deg,allowed");
     let mut random = Random::new(1);

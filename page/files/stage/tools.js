@@ -4,7 +4,7 @@ import { CylinderGeometry, Group, Mesh, MeshBasicMaterial } from "../vendor/thre
 import { block, box, pin, solid, turned } from "./solid.js";
 
 /** @typedef {import("../vendor/three/three.js").Material} Material */
-/** @typedef {import("./view.js").ToolKind} ToolKind */
+/** @typedef {import("./view.js").Tool} Tool */
 /** @typedef {{ metal: Material, dark: Material, accent: Material, pin: Material, rubber: Material }} Materials */
 
 /** Where the servo's horn ends. */
@@ -13,7 +13,7 @@ const HORN_MM = 13;
 const FINGERS_MM = 30;
 
 /**
- * @param {ToolKind} kind
+ * @param {Tool} kind
  * @param {number} length_mm from the wrist's height to the tip
  * @param {Materials} materials
  */
@@ -29,7 +29,7 @@ export function createTool(kind, length_mm, materials) {
   return { group, open: made.open };
 }
 
-/** @type {Record<ToolKind, (long: number, materials: Materials) => { group: Group, open?: (gripper_deg: number) => void }>} */
+/** @type {Record<Tool, (long: number, materials: Materials) => { group: Group, open?: (gripper_deg: number) => void }>} */
 const TOOLS = {
   suction_cup(long, { metal, rubber, dark }) {
     const cup = turned([

@@ -11,7 +11,7 @@
 //   element.addEventListener("shown", (event) => ...)   event.detail is "3d", or "2d" where WebGL is missing or lost
 //   stage.end();
 
-/** @typedef {"suction_cup" | "gripper" | "laser" | "pen"} ToolKind */
+/** @typedef {import("../api").components["schemas"]["Tool"]} Tool */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** The bounds and keep-outs that arm or ghost are near to, and how near: above 0, and 1 at them or beyond. @typedef {{ limits: readonly Schemas["NearLimit"][], keep_outs: Readonly<Record<string, number>> }} Near */
 /** @typedef {"iso" | "top" | "side" | "tool"} Preset */
@@ -73,7 +73,7 @@
  * @property {ArmShape | null} shape Without it there is no arm, and no ghost.
  * @property {number} status_s From one status of the arm to the next.
  * @property {Reported | null} arm What is drawn solid; nothing where no arm has told anything.
- * @property {{ kind: ToolKind, length_mm: number }} tool
+ * @property {{ kind: Tool, length_mm: number }} tool
  * @property {"off" | "armed" | "burning"} laser
  * @property {number} table_z_mm
  * @property {{ from_mm: Place, to_mm: Place } | null} paper

@@ -130,7 +130,10 @@ fn check_joints(joints: [f32; 4]) -> Result<(), Unreachable> {
 }
 
 fn any_tool(check: impl Fn(Tool) -> Result<(), Unreachable>) -> Result<(), Unreachable> {
-    check(Tool::SuctionCup).or_else(|error| check(Tool::Laser).map_err(|_| error))
+    if Tool::ALL.into_iter().any(|tool| check(tool).is_ok()) {
+        return Ok(());
+    }
+    check(Tool::default())
 }
 
 fn out_of_reach(error: Unreachable) -> Failure {

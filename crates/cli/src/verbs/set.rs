@@ -1,8 +1,10 @@
 //! `dobot set`: configuration (states 9 and 10).
 
-use clap::{Subcommand, ValueEnum};
+use clap::Subcommand;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use dobot_arm::Tool;
 use dobot_host::StationClient;
-use dobot_wire::{Command, Configuration, EndEffector, PlaybackAdjustment};
+use dobot_wire::{Command, Configuration, PlaybackAdjustment};
 
 use crate::connect::To;
 use crate::control::{self, carry_out, take_control};
@@ -41,6 +43,7 @@ enum Group {
     /// The end effector (state 9, mode 4)
     Tool {
         /// What is mounted
+        #[arg(value_parser = tool())]
         tool: Tool,
     },
     /// Speeds of jogging (state 9, mode 0)
@@ -119,11 +122,10 @@ enum Group {
     },
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Tool {
-    SuctionCup,
-    Gripper,
-    Laser,
+/// A tool by its name.
+fn tool() -> impl TypedValueParser<Value = Tool> {
+    let names = PossibleValuesParser::new(Tool::ALL.map(Tool::option));
+    names.map(|name| Tool::named(&name).expect("each of the names is that of a tool"))
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
@@ -140,14 +142,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 
 fn command(group: &Group) -> Command {
     match *group {
-        Group::Tool { tool } => Configuration::EndEffector {
-            tool: match tool {
-                Tool::SuctionCup => EndEffector::SuctionCup,
-                Tool::Gripper => EndEffector::Gripper,
-                Tool::Laser => EndEffector::Laser,
-            },
-        }
-        .into(),
+        Group::Tool { tool } => Configuration::EndEffector { tool: tool.into() }.into(),
         Group::Jog {
             joint_speed,
             joint_acceleration,

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use anyhow::{Context, anyhow};
 use dobot_sim::DEFAULT_WORLD;
-use dobot_sim::world::{Object, Scene, ToolKind, WorldState};
+use dobot_sim::world::{Object, Scene, ToolAction, WorldState};
 use tokio::io::AsyncReadExt;
 use tokio::net::TcpStream;
 use tokio::time::timeout;
@@ -114,16 +114,16 @@ fn summary(state: &WorldState) -> Vec<String> {
     let mut lines = vec![fact("time", &format!("{:.2} s", state.time_s))];
     if let Some(arm) = &state.arm {
         lines.push(fact(
-            state.tool.name(),
+            state.tool.tool().label(),
             &format!(
                 "x {:.2}  y {:.2}  z {:.2} mm  turn {:.2}°, {:.2} mm above the table",
                 arm.x_mm, arm.y_mm, arm.z_mm, arm.rotation_deg, arm.tip_mm
             ),
         ));
     }
-    match state.tool.kind {
-        ToolKind::Pen { .. } => lines.push(fact("strokes", &state.strokes.len().to_string())),
-        ToolKind::Laser { .. } => {
+    match state.tool.action {
+        ToolAction::Pen { .. } => lines.push(fact("strokes", &state.strokes.len().to_string())),
+        ToolAction::Laser { .. } => {
             lines.push(fact("burns", &state.burns.len().to_string()));
             lines.push(fact("holes", &state.holes.len().to_string()));
         }

@@ -1,9 +1,8 @@
 //! A job that burns, and the end of that.
 
 use dobot_api::{JobKind, JobProgram, NewJob};
-use dobot_wire::{
-    Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, WriteVector,
-};
+use dobot_arm::Tool;
+use dobot_wire::{Command, Configuration, JointJog, JointJogAxis, MoveTo, WriteVector};
 
 /// What is said first to an arm, and last.
 pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAxis::LaserOff, 0.0));
@@ -12,7 +11,7 @@ pub(crate) const LASER_OFF: Command = Command::JointJog(JointJog::new(JointJogAx
 pub(crate) fn spiral() -> NewJob {
     let mut commands: Vec<Command> = vec![
         Configuration::EndEffector {
-            tool: EndEffector::Laser,
+            tool: Tool::Laser.into(),
         }
         .into(),
         MoveTo::to(220.0, 0.0, -20.0).into(),

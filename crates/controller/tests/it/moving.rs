@@ -1,8 +1,8 @@
 //! States 1, 3, 5, 6, 8, 9 and 10: going somewhere.
 
+use dobot_arm::Tool;
 use dobot_wire::{
-    Configuration, EndEffector, Gesture, MouseMove, MoveJoints, MoveTo, MovingMode,
-    PlaybackAdjustment, Voice,
+    Configuration, Gesture, MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice,
 };
 
 use crate::lab::Lab;
@@ -182,7 +182,7 @@ fn a_voice_moves_by_the_millimetres_that_it_says() {
 #[test]
 fn another_tool_moves_the_position_and_no_joint() {
     let laser = Configuration::EndEffector {
-        tool: EndEffector::Laser,
+        tool: Tool::Laser.into(),
     };
     let lab = Lab::power_up();
     let from = lab.position();

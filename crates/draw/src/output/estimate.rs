@@ -1,6 +1,7 @@
 //! The figures of a plan as a virtual arm carried it out.
 
-use dobot_plan::{DrawingTool, PlannedPass};
+use dobot_arm::Tool;
+use dobot_plan::PlannedPass;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -33,8 +34,8 @@ pub struct PassFigures {
     pub name: String,
     /// Red, green and blue, where the file tells a colour.
     pub color: Option<[u8; 3]>,
-    /// What draws.
-    pub tool: ToolKind,
+    /// What draws: `pen` or `laser`.
+    pub tool: Tool,
     /// How many strokes, each as often as it is drawn.
     pub strokes: usize,
     /// How many vectors, and so packets.
@@ -47,24 +48,6 @@ pub struct PassFigures {
     pub time_s: f64,
     /// How far its ink lies from the wanted path at most, in mm.
     pub error_mm: f64,
-}
-
-/// What draws.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum ToolKind {
-    /// A pen.
-    Pen,
-    /// A laser.
-    Laser,
-}
-
-impl ToolKind {
-    /// What this is.
-    #[must_use]
-    pub const fn of(tool: &DrawingTool) -> Self {
-        if tool.burns() { Self::Laser } else { Self::Pen }
-    }
 }
 
 impl Trace<'_> {
@@ -117,7 +100,7 @@ impl PassFigures {
         Self {
             name: pass.name.clone(),
             color: pass.color,
-            tool: ToolKind::of(&pass.tool),
+            tool: pass.tool.tool(),
             strokes: 0,
             vectors: 0,
             ink_mm: 0.0,

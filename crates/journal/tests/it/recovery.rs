@@ -2,13 +2,11 @@
 
 use crate::lab::program::{self, LIFT_MM, lifted};
 use crate::lab::vector;
-use dobot_arm::Position;
+use dobot_arm::{Position, Tool};
 use dobot_journal::{
     Located, NEAR_MM, SPACING_MM, Unclear, Window, locate, model_at, prelude, window_end,
 };
-use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, JointJog, JointJogAxis, PlaybackAdjustment,
-};
+use dobot_wire::{Command, Configuration, Dialect, JointJog, JointJogAxis, PlaybackAdjustment};
 use proptest::prelude::*;
 
 #[test]
@@ -135,7 +133,7 @@ fn a_jog_is_given_alone() {
 #[test]
 fn settings_are_told_again_once_each_and_initial_angles_never() {
     let writing = |acceleration_mm_s2| Command::from(Configuration::Writing { acceleration_mm_s2 });
-    let tool = |tool| Command::from(Configuration::EndEffector { tool });
+    let tool = |tool: Tool| Command::from(Configuration::EndEffector { tool: tool.into() });
     let percent = |speed_percent| {
         Command::from(PlaybackAdjustment {
             speed_percent,
@@ -149,15 +147,15 @@ fn settings_are_told_again_once_each_and_initial_angles_never() {
     });
     let commands = [
         writing(10.0),
-        tool(EndEffector::Laser),
+        tool(Tool::Laser),
         percent(10.0),
         angles,
         vector(1.0, 0.0, 0.0),
         writing(20.0),
         percent(20.0),
-        tool(EndEffector::Gripper),
+        tool(Tool::Gripper),
     ];
-    let wanted = [tool(EndEffector::Laser), writing(20.0), percent(20.0)];
+    let wanted = [tool(Tool::Laser), writing(20.0), percent(20.0)];
     assert_eq!(prelude(&commands[..7]), wanted);
     assert_eq!(prelude(&[]), []);
 }

@@ -70,8 +70,8 @@ impl HandAxis {
 
 /// The lowest height to which a stock arm follows, in mm.
 pub(crate) const fn lowest_mm(tool: Tool) -> f64 {
-    match tool {
-        Tool::SuctionCup | Tool::Laser => -30.0,
+    match tool.end_effector() {
         Tool::Gripper => 20.0,
+        _ => -30.0,
     }
 }

@@ -11,7 +11,6 @@ use super::follow::{gestured, moused};
 use super::lifts::Lifts;
 use super::motion::Motion;
 use super::place::position;
-use super::settings::tool_named;
 use super::vector::vector;
 use crate::{ArmPlace, Button, JogTrajectory, Model, Trajectory, TrajectoryError};
 
@@ -200,7 +199,7 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory
                 ..Trajectory::moving(Motion::Still, place, model)
             });
         }
-        Configuration::EndEffector { tool } => ArmPlace::at_joints(joints, tool_named(tool)),
+        Configuration::EndEffector { tool } => ArmPlace::at_joints(joints, tool.into()),
         _ => model.place,
     };
     Ok(Trajectory::moving(Motion::Still, to, model))

@@ -1,8 +1,8 @@
 //! What configuration has told an arm.
 
 use crate::Speeds;
-use dobot_arm::{Millimeters, Tool};
-use dobot_wire::{Configuration, Dialect, EndEffector, PlaybackAdjustment};
+use dobot_arm::Millimeters;
+use dobot_wire::{Configuration, Dialect, PlaybackAdjustment};
 
 /// What configuration has told an arm so far (states 9 and 10; Table 3.9).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,16 +86,6 @@ impl ArmSettings {
         self.playback.servo_deg_s = FOLLOW_DEG_S;
         self.playback.joint_deg_s2 = acceleration_deg_s2;
         self.playback.servo_deg_s2 = acceleration_deg_s2;
-    }
-}
-
-/// The tool that a configuration names.
-#[must_use]
-pub const fn tool_named(tool: EndEffector) -> Tool {
-    match tool {
-        EndEffector::SuctionCup => Tool::SuctionCup,
-        EndEffector::Gripper => Tool::Gripper,
-        EndEffector::Laser => Tool::Laser,
     }
 }
 

@@ -3,9 +3,9 @@
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_motion::{ArmPlace, JogAxis, Model, Trajectory, TrajectoryError};
 use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog,
-    LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Status, Voice,
-    WriteMode, WriteVector,
+    Command, Configuration, Dialect, Gesture, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
+    MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Status, Voice, WriteMode,
+    WriteVector,
 };
 use proptest::prelude::*;
 
@@ -407,7 +407,7 @@ fn a_laser_vector_goes_on_without_the_laser_as_fast_as_it_burned() {
 #[test]
 fn a_tool_moves_the_position_and_not_the_angles() {
     let laser = Configuration::EndEffector {
-        tool: EndEffector::Laser,
+        tool: Tool::Laser.into(),
     };
     let model = after(&model(DOCUMENT), laser);
     close("x", model.place.pose.position.x.0, 220.0 - 5.5, 1e-9);

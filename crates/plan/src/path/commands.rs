@@ -2,8 +2,7 @@
 
 use dobot_arm::Limits;
 use dobot_wire::{
-    Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, WriteMode, WriteVector,
-    single,
+    Command, Configuration, JointJog, JointJogAxis, MoveTo, WriteMode, WriteVector, single,
 };
 
 use crate::{MoveKind, Plan, PlannedVector};
@@ -36,11 +35,7 @@ impl Plan {
 /// What has to be told before the arm goes to the start.
 pub(crate) fn approach(plan: &Plan) -> [Command; APPROACH_LEN] {
     let tool = Configuration::EndEffector {
-        tool: if plan.burns() {
-            EndEffector::Laser
-        } else {
-            EndEffector::SuctionCup
-        },
+        tool: plan.passes[0].tool.tool().into(),
     };
     let acceleration = Configuration::Writing {
         acceleration_mm_s2: single(plan.machine().acceleration_mm_s2),

@@ -3,7 +3,7 @@
 use dobot_arm::{Calibration, Plane, Tool};
 use dobot_motion::{ArmPlace, Model};
 use dobot_wire::{
-    Configuration, Dialect, EndEffector, Gesture, MouseMove,
+    Configuration, Dialect, Gesture, MouseMove,
     MovingMode::{Jump, MovJ, MovL},
     Voice,
 };
@@ -277,7 +277,7 @@ fn mouse_gesture_and_voice_are_looked_at_in_both_dialects() {
 fn a_tool_that_would_stand_in_the_table_may_not_be_set() {
     let policy = "[tool_length]\nlaser_mm = 100";
     let tool = Configuration::EndEffector {
-        tool: EndEffector::Laser,
+        tool: Tool::Laser.into(),
     };
     Desk::at(200.0, 0.0, 20.0).under(policy).allows(tool);
     let violation = Desk::at(200.0, 0.0, -20.0)
@@ -309,4 +309,12 @@ fn what_the_arm_would_get_lost_in_is_refused_as_its_own_rule() {
     let stock = desk.speaking(Dialect::FIRMWARE_1_1);
     let here = stock.refuses("arm", go(MovL, 200.0, 0.0, 0.0));
     assert!(here.to_string().contains("lose its pose"), "{here}");
+}
+
+#[test]
+fn each_tool_has_the_length_that_the_policy_gives_it_and_a_pen_that_of_the_cup() {
+    let policy = "[tool_length]\nsuction_cup_mm = 51\ngripper_mm = 52\nlaser_mm = 53";
+    let lengths = dobot_safety::Policy::from_toml(policy).unwrap().tool_length;
+    let tools = [Tool::SuctionCup, Tool::Gripper, Tool::Laser, Tool::Pen];
+    assert_eq!(tools.map(|tool| lengths.of(tool)), [51.0, 52.0, 53.0, 51.0]);
 }

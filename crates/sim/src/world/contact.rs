@@ -100,7 +100,7 @@ impl Scenery<'_> {
     fn event(&self, &(what, with, depth_mm): &(Mover, Obstacle, f64)) -> Event {
         let name = |object: usize| self.objects[object].name.clone();
         let what = match what {
-            Mover::Tool => format!("the {}", self.tool.name()),
+            Mover::Tool => format!("the {}", self.tool.tool().label()),
             Mover::Object(object) => name(object),
         };
         let with = match with {

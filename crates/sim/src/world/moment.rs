@@ -75,7 +75,7 @@ impl ArmMoment {
     }
 
     pub(crate) fn state(&self, tool: &Tool, held_mm: f64) -> ArmState {
-        let Pose { position, rotation } = forward(&self.joints, tool.mounting());
+        let Pose { position, rotation } = forward(&self.joints, tool.tool());
         ArmState {
             base_deg: rounded(self.joints.base.0),
             rear_deg: rounded(self.joints.rear.0),

@@ -17,7 +17,7 @@ pub(crate) struct Tip {
 
 impl Tip {
     pub(crate) fn of(joints: &Joints, tool: &Tool) -> Self {
-        let pose = forward(joints, tool.mounting());
+        let pose = forward(joints, tool.tool());
         Self {
             at: Point::new(pose.position.x.0, pose.position.y.0),
             height_mm: pose.position.z.0 - tool.down_z_mm,

@@ -16,14 +16,15 @@ pub struct Tool {
     /// How far the tip may be pressed into something before that counts as a collision: a pen has
     /// a spring, a cup is soft.
     pub give_mm: f64,
-    /// Which tool.
-    pub kind: ToolKind,
+    /// Which tool it is, and how it acts on the scene.
+    #[serde(rename = "kind")]
+    pub action: ToolAction,
 }
 
-/// The tools.
+/// How a tool acts on the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "snake_case")]
-pub enum ToolKind {
+pub enum ToolAction {
     /// A pen.
     Pen {
         /// How wide its line is.
@@ -57,24 +58,14 @@ pub enum ToolKind {
 }
 
 impl Tool {
-    /// What it is called in texts.
+    /// Which of the arm's tools it is.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self.kind {
-            ToolKind::Pen { .. } => "pen",
-            ToolKind::Laser { .. } => "laser",
-            ToolKind::SuctionCup { .. } => "suction cup",
-            ToolKind::Gripper { .. } => "gripper",
-        }
-    }
-
-    /// The tool as the kinematics know it; the pen holder has the reach of the cup.
-    #[must_use]
-    pub const fn mounting(&self) -> dobot_arm::Tool {
-        match self.kind {
-            ToolKind::Pen { .. } | ToolKind::SuctionCup { .. } => dobot_arm::Tool::SuctionCup,
-            ToolKind::Laser { .. } => dobot_arm::Tool::Laser,
-            ToolKind::Gripper { .. } => dobot_arm::Tool::Gripper,
+    pub const fn tool(&self) -> dobot_arm::Tool {
+        match self.action {
+            ToolAction::Pen { .. } => dobot_arm::Tool::Pen,
+            ToolAction::Laser { .. } => dobot_arm::Tool::Laser,
+            ToolAction::SuctionCup { .. } => dobot_arm::Tool::SuctionCup,
+            ToolAction::Gripper { .. } => dobot_arm::Tool::Gripper,
         }
     }
 
@@ -82,8 +73,8 @@ impl Tool {
     /// no farther: there they stand against their stops. 0 where there are none.
     #[must_use]
     pub fn opening_mm(&self, gripper_deg: f64) -> f64 {
-        match self.kind {
-            ToolKind::Gripper {
+        match self.action {
+            ToolAction::Gripper {
                 open_mm, closed_mm, ..
             } => open_mm + (closed_mm - open_mm) * (gripper_deg / 90.0).clamp(0.0, 1.0),
             _ => 0.0,
@@ -92,8 +83,8 @@ impl Tool {
 
     /// The heaviest load; nothing where it holds nothing.
     pub(crate) const fn lifts_g(&self) -> f64 {
-        match self.kind {
-            ToolKind::SuctionCup { lifts_g, .. } | ToolKind::Gripper { lifts_g, .. } => lifts_g,
+        match self.action {
+            ToolAction::SuctionCup { lifts_g, .. } | ToolAction::Gripper { lifts_g, .. } => lifts_g,
             _ => 0.0,
         }
     }

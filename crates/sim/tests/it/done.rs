@@ -7,13 +7,14 @@ mod pauses;
 use std::time::Duration;
 
 use crate::common::{button, move_to, ms, playback};
+use dobot_arm::Tool;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_geometry::Random;
 use dobot_session::{CommandId, Connection, Event, SendError};
 use dobot_sim::{InProcess, SerialLine, VirtualArm};
 use dobot_wire::{
-    Command, Configuration, EndEffector, Gesture, JointJog, JointJogAxis, LinearJog, LinearJogAxis,
-    MouseMove, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice, WriteVector,
+    Command, Configuration, Gesture, JointJog, JointJogAxis, LinearJog, LinearJogAxis, MouseMove,
+    MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, Voice, WriteVector,
 };
 
 use self::late::Late;
@@ -146,7 +147,7 @@ impl Dice {
                 fore_deg: self.between(40.0, 50.0),
             }),
             CommandKind::Tool => Command::from(Configuration::EndEffector {
-                tool: self.one_of(&[EndEffector::SuctionCup, EndEffector::Laser]),
+                tool: self.one_of(&[Tool::SuctionCup, Tool::Laser]).into(),
             }),
             CommandKind::Percent => Command::from(PlaybackAdjustment {
                 speed_percent: self.between(30.0, 100.0),

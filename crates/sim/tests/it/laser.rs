@@ -2,13 +2,12 @@
 
 use std::time::Duration;
 
+use dobot_arm::Tool;
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_session::{Connection, LinkError, SendError};
 use dobot_sim::world::{Scene, World};
 use dobot_sim::{InProcess, RECORDING_PERIOD, SerialLine, VirtualArm};
-use dobot_wire::{
-    Command, Configuration, EndEffector, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector,
-};
+use dobot_wire::{Command, Configuration, JointJog, JointJogAxis, MoveTo, MovingMode, WriteVector};
 
 use crate::light::longest_stand_s;
 
@@ -136,7 +135,7 @@ async fn burned(personality: Personality) -> [[f64; 2]; 2] {
     let mut connection = Connection::over_peer(arm.clone(), Some(personality.dialect()));
     connection.next_status().await.unwrap();
     let tool = Configuration::EndEffector {
-        tool: EndEffector::Laser,
+        tool: Tool::Laser.into(),
     };
     let even = |it: WriteVector| WriteVector {
         start_speed_mm_s: 40.0,

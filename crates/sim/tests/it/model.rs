@@ -2,12 +2,11 @@
 
 use std::time::Duration;
 
-use dobot_arm::{Position, TICK};
+use dobot_arm::{Position, TICK, Tool};
 use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_motion::{Model, TrajectoryError};
 use dobot_wire::{
-    Command, Configuration, EndEffector, MoveTo, MovingMode, PlaybackAdjustment, Status, WriteMode,
-    WriteVector,
+    Command, Configuration, MoveTo, MovingMode, PlaybackAdjustment, Status, WriteMode, WriteVector,
 };
 use proptest::prelude::*;
 
@@ -88,8 +87,8 @@ fn command() -> impl Strategy<Value = Command> {
             teach_speed_percent: 50.0,
         })
     });
-    let tool = prop_oneof![Just(EndEffector::SuctionCup), Just(EndEffector::Laser)]
-        .prop_map(|tool| Command::from(Configuration::EndEffector { tool }));
+    let tool = prop_oneof![Just(Tool::SuctionCup), Just(Tool::Laser)]
+        .prop_map(|tool| Command::from(Configuration::EndEffector { tool: tool.into() }));
     prop_oneof![4 => target, 3 => vector, 1 => percent, 1 => tool]
 }
 

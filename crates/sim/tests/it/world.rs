@@ -96,7 +96,7 @@ impl WorldTest {
             position: Position::new(x, y, height + self.scene.tool.down_z_mm),
             rotation: Degrees(turn),
         };
-        let joints = inverse(&pose, self.scene.tool.mounting()).unwrap();
+        let joints = inverse(&pose, self.scene.tool.tool()).unwrap();
         self.world.handle_arm(self.now, &joints, self.actuators);
         while let Some(happened) = self.world.poll_event() {
             self.events.push(happened.event.to_string());

@@ -1,9 +1,9 @@
 //! The facts of the arm that a client draws it by and computes with.
 
 use dobot_api::State;
-use dobot_arm::TICK_S;
+use dobot_arm::{TICK_S, Tool};
 use dobot_host::Rules;
-use dobot_model::{Dimensions, ToolKind};
+use dobot_model::Dimensions;
 use dobot_motion::{HandAxis, HandScale};
 use dobot_safety::{JointLimits, Policy, Workspace};
 use dobot_wire::{Dialect, PACKET_GAP};
@@ -35,7 +35,7 @@ pub(super) struct ArmFacts {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 struct ToolFacts {
     /// What it is.
-    kind: ToolKind,
+    kind: Tool,
     /// From the wrist to the axis of the tool, level, in mm.
     reach_mm: f64,
     /// From the height of the wrist down to the tip, by the policy that holds, in mm.
@@ -83,7 +83,7 @@ impl ArmFacts {
         let period = dialect.unwrap_or(&Dialect::SPECIFICATION).status_period();
         Self {
             dimensions: Dimensions::STOCK,
-            tools: ToolKind::ALL.map(|kind| ToolFacts::of(kind, policy, dialect)),
+            tools: Tool::ALL.map(|kind| ToolFacts::of(kind, policy, dialect)),
             joints: policy.joints,
             workspace: policy.workspace,
             status_period_s: period.as_secs_f64(),
@@ -99,13 +99,12 @@ impl ArmFacts {
 }
 
 impl ToolFacts {
-    fn of(kind: ToolKind, policy: &Policy, dialect: Option<&Dialect>) -> Self {
-        let tool = kind.tool();
+    fn of(kind: Tool, policy: &Policy, dialect: Option<&Dialect>) -> Self {
         Self {
             kind,
-            reach_mm: tool.reach().0,
-            length_mm: policy.tool_length.of(tool),
-            gesture: dialect.map(|dialect| HandScale::of(dialect, tool).into()),
+            reach_mm: kind.reach().0,
+            length_mm: policy.tool_length.of(kind),
+            gesture: dialect.map(|dialect| HandScale::of(dialect, kind).into()),
         }
     }
 }

@@ -50,5 +50,6 @@ pub(super) fn laser(on: bool) -> Command {
 
 /// Says what is mounted (state 9, mode 4).
 pub(super) fn mounted(tool: &MountedTool) -> Command {
-    Configuration::EndEffector { tool: tool.kind }.into()
+    let tool = tool.kind.into();
+    Configuration::EndEffector { tool }.into()
 }

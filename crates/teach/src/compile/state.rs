@@ -1,7 +1,7 @@
 //! What the arm was told so far.
 
 use dobot_arm::{Degrees, Joints, Pose, Position, Tool};
-use dobot_motion::{Speeds, tool_named};
+use dobot_motion::Speeds;
 use dobot_wire::{Command, Configuration, MovingMode, PlaybackAdjustment, single};
 
 use super::resolve::Spot;
@@ -50,7 +50,7 @@ impl State {
     }
 
     pub(super) fn mount(&mut self, tool: &MountedTool) {
-        self.tool = tool_named(tool.kind);
+        self.tool = tool.kind;
         self.length_mm = tool.length;
     }
 

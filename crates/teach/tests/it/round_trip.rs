@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use dobot_arm::Tool;
 use dobot_teach::{
     Action, Arc, Frame, Go, Grid, Here, MountedTool, NoFiles, Offset, Place, Point, Program, Speed,
     Steps, Times,
 };
-use dobot_wire::{EndEffector, MovingMode};
+use dobot_wire::MovingMode;
 use proptest::prelude::*;
 
 fn offset() -> impl Strategy<Value = Offset> {
@@ -105,7 +106,7 @@ fn program() -> impl Strategy<Value = Program> {
                 let [origin, x, y] = [[200.0, 0.0], [230.0, 0.0], [200.0, 30.0]]
                     .map(|[x, y]| Point::xyz(x, y, 0.0).into());
                 let tool = MountedTool {
-                    kind: EndEffector::Gripper,
+                    kind: Tool::Gripper,
                     length,
                 };
                 let grid = Grid {

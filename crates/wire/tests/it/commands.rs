@@ -1,5 +1,6 @@
 //! What holds for every command: it reads back what it wrote, and knows where dialects part.
 
+use dobot_arm::Tool;
 use dobot_wire::{
     Command, Configuration, Dialect, EndEffector, Frame, Gesture, JointJog, JointJogAxis,
     LinearJog, LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, Packet,
@@ -225,13 +226,7 @@ fn write_vector() -> impl Strategy<Value = Command> {
 
 /// The rear angles are multiples of 1/64 degree: 90 minus them is exact in single precision.
 fn configuration() -> impl Strategy<Value = Configuration> {
-    let tool = prop::sample::select(
-        &[
-            EndEffector::SuctionCup,
-            EndEffector::Gripper,
-            EndEffector::Laser,
-        ][..],
-    );
+    let tool = prop::sample::select(&Tool::END_EFFECTORS[..]).prop_map(EndEffector::from);
     prop_oneof![
         speeds().prop_map(Configuration::teach),
         (speeds(), prop_oneof![Just(0.0), 0.0_f32..655.0], positive()).prop_map(
@@ -266,4 +261,43 @@ fn percent() -> impl Strategy<Value = f32> {
 
 fn positive() -> impl Strategy<Value = f32> {
     0.001_f32..1000.0
+}
+
+#[test]
+fn an_end_effector_has_the_value_of_table_3_9() {
+    let values = [
+        (Tool::SuctionCup, 0.0),
+        (Tool::Gripper, 1.0),
+        (Tool::Laser, 2.0),
+        // Its holder takes the place of the suction cup.
+        (Tool::Pen, 0.0),
+    ];
+    for (tool, value) in values {
+        let tool = EndEffector::from(tool);
+        let frame = Configuration::EndEffector { tool }.emit(&Dialect::SPECIFICATION);
+        assert_eq!(frame.float(3), value, "{tool:?}");
+    }
+}
+
+#[test]
+fn every_tool_is_read_back_as_the_end_effector_that_was_written() {
+    for tool in Tool::ALL.map(EndEffector::from) {
+        let written = Configuration::EndEffector { tool };
+        let frame = written.emit(&Dialect::SPECIFICATION);
+        let read = Configuration::parse(&frame, &Dialect::SPECIFICATION);
+        assert_eq!(read, Ok(written));
+    }
+}
+
+#[cfg(feature = "serde")]
+#[test]
+fn a_pen_in_json_is_the_suction_cup_for_the_arm() {
+    let read = |tool: &str| {
+        let json = format!(r#"{{"mode": "end_effector", "tool": "{tool}"}}"#);
+        serde_json::from_str::<Configuration>(&json)
+    };
+    assert_eq!(read("pen").unwrap(), read("suction_cup").unwrap());
+    assert_ne!(read("laser").unwrap(), read("suction_cup").unwrap());
+    let error = read("brush").unwrap_err().to_string();
+    assert!(error.contains("`pen`"), "{error}");
 }

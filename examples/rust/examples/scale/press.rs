@@ -4,9 +4,10 @@ use std::error::Error;
 use std::time::{Duration, Instant};
 
 use dobot_api::{JobKind, JobProgram, MemberAnswer, NewJob, Reply, Request, State, StationAddress};
+use dobot_arm::Tool;
 use dobot_host::{Client, Handle, PassedPacket};
 use dobot_motion::LASER_OFF;
-use dobot_wire::{Command, Configuration, Dialect, EndEffector, MoveTo, MovingMode, WriteVector};
+use dobot_wire::{Command, Configuration, Dialect, MoveTo, MovingMode, WriteVector};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 use tokio::sync::broadcast::Receiver;
@@ -198,7 +199,7 @@ async fn until(
 /// Ten minutes of light.
 fn zigzag() -> NewJob {
     let tool = Configuration::EndEffector {
-        tool: EndEffector::Laser,
+        tool: Tool::Laser.into(),
     };
     let start = MoveTo::to(200.0, 0.0, 50.0).with_mode(MovingMode::MovJ);
     let ways = [[20.0, 1.0], [-20.0, 1.0], [20.0, -1.0], [-20.0, -1.0]];

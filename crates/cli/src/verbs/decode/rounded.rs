@@ -17,7 +17,7 @@ pub(super) fn rounded(frame: &Frame) -> Option<f64> {
     let (told_step, angle_step) = (step([1, 2, 3, 4]), step([5, 6, 7, 8]));
     let [base, rear, fore, servo] = [5, 6, 7, 8].map(float);
     let turned = (float(4) - base - servo).abs();
-    let off_mm = [Tool::SuctionCup, Tool::Laser]
+    let off_mm = Tool::END_EFFECTORS
         .map(|tool| forward(&Joints::new(base, rear, fore, servo), tool).position)
         .map(|it| [float(1) - it.x.0, float(2) - it.y.0, float(3) - it.z.0])
         .map(|off| {

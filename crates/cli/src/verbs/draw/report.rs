@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_draw::{Estimate, PassFigures, Prepared, SheetPlace, ToolKind};
+use dobot_draw::{Estimate, PassFigures, Prepared, SheetPlace};
 use dobot_geometry::{Stroke, bounds};
 use dobot_import::Warning;
 use dobot_plan::Pass;
@@ -262,10 +262,7 @@ fn print_defaults(defaults: &DefaultsLine) -> std::io::Result<()> {
 }
 
 fn pass_line(pass: &PassFigures) -> String {
-    let ink = match pass.tool {
-        ToolKind::Pen => "drawn",
-        ToolKind::Laser => "burned",
-    };
+    let ink = if pass.tool.burns() { "burned" } else { "drawn" };
     format!(
         "  {:<16} {} strokes, {} vectors, {:.0} mm {ink}, {}",
         pass.name,

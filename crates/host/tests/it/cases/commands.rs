@@ -1,17 +1,14 @@
 //! The commands that jobs are made of, in short.
 
-use dobot_wire::{Command, Configuration, EndEffector, MoveTo, WriteVector};
+use dobot_arm::Tool;
+use dobot_wire::{Command, Configuration, MoveTo, WriteVector};
 
 /// What a drawing begins with: its tool, and how fast it accelerates.
 pub(crate) fn settings(burns: bool) -> [Command; 2] {
-    let tool = if burns {
-        EndEffector::Laser
-    } else {
-        EndEffector::SuctionCup
-    };
+    let tool = if burns { Tool::Laser } else { Tool::SuctionCup };
     let acceleration_mm_s2 = 100.0;
     [
-        Configuration::EndEffector { tool }.into(),
+        Configuration::EndEffector { tool: tool.into() }.into(),
         Configuration::Writing { acceleration_mm_s2 }.into(),
     ]
 }

@@ -3,10 +3,11 @@
 use std::time::Duration;
 
 use dobot_api::{ClientId, Reply, Request};
+use dobot_arm::Tool;
 use dobot_controller::Personality;
 use dobot_host::VirtualStation;
 use dobot_supervisor::Refusal;
-use dobot_wire::{Command, Configuration, EndEffector, MoveTo, WriteMode, WriteVector};
+use dobot_wire::{Command, Configuration, MoveTo, WriteMode, WriteVector};
 
 use super::drawing::{burnt_spiral, virtual_station};
 
@@ -151,7 +152,7 @@ fn a_stop_keeps_its_time_on_an_arm_that_a_detection_left_slow() {
         };
         let commands: [Command; 3] = [
             Configuration::EndEffector {
-                tool: EndEffector::Laser,
+                tool: Tool::Laser.into(),
             }
             .into(),
             vector.into(),

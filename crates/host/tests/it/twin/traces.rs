@@ -1,8 +1,8 @@
 //! What was carried out, told in figures and in time.
 
-use dobot_arm::Position;
+use dobot_arm::{Position, Tool};
 use dobot_controller::Personality;
-use dobot_draw::{Estimate, Timeline, ToolKind, Trace, ink_seen};
+use dobot_draw::{Estimate, Timeline, Trace, ink_seen};
 use dobot_geometry::Stroke;
 use dobot_plan::{Pass, Plan};
 
@@ -53,7 +53,7 @@ async fn the_figures_are_those_of_the_run() {
         let longer = time_s - plan.duration_s();
         assert!((-0.2..0.5).contains(&longer), "{personality:?}: {longer}");
         let counts: Vec<_> = passes.iter().map(|it| (it.strokes, it.tool)).collect();
-        assert_eq!(counts, [(1, ToolKind::Pen), (2, ToolKind::Pen)]);
+        assert_eq!(counts, [(1, Tool::Pen), (2, Tool::Pen)]);
         let times: f64 = passes.iter().map(|it| it.time_s).sum();
         assert!((times - time_s).abs() < 1e-9);
     }

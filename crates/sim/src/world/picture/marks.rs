@@ -5,12 +5,12 @@ use dobot_lettering::{ShapeStyle, Sheet};
 use dobot_geometry::Point;
 
 use super::{INK, mix};
-use crate::world::{Burn, Hole, ToolKind, WorldState};
+use crate::world::{Burn, Hole, ToolAction, WorldState};
 
 /// All ink and all burns, from above.
 pub(super) fn marks(sheet: &mut Sheet, state: &WorldState) {
-    let width_mm = match state.tool.kind {
-        ToolKind::Pen { width_mm } => width_mm,
+    let width_mm = match state.tool.action {
+        ToolAction::Pen { width_mm } => width_mm,
         _ => 0.5,
     };
     let strokes = state.strokes.iter().map(|it| seen(&it.points_mm));

@@ -5,7 +5,7 @@ use dobot_geometry::{Point, Vec2, direction};
 use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 
 use super::{INK, MUTED, PAPER, REACH_MM, ROD, STEEL, WARM, edge, fill};
-use crate::world::{ArmState, Object, ToolKind, WorldState};
+use crate::world::{ArmState, Object, ToolAction, WorldState};
 
 /// Below the view from above, half as wide as that.
 pub(super) fn bounds(state: &WorldState, top: &Rectangle, unit: f64) -> Rectangle {
@@ -85,7 +85,7 @@ fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
     let (rear, fore) = (arm.rear_deg.to_radians(), arm.fore_deg.to_radians());
     let elbow = Point::new(REAR_ARM.0 * rear.sin(), -REAR_ARM.0 * rear.cos());
     let wrist = elbow + Vec2::new(FOREARM.0 * fore.cos(), FOREARM.0 * fore.sin());
-    let tool = wrist + Vec2::new(state.tool.mounting().reach().0, 0.0);
+    let tool = wrist + Vec2::new(state.tool.tool().reach().0, 0.0);
     let [shoulder, elbow, wrist, tool] =
         [Point::default(), elbow, wrist, tool].map(|it| [it.x, it.y]);
     for (from, to, wide) in [
@@ -109,21 +109,21 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
         let rod = Rectangle::between([reach - half, top], [reach + half, to]);
         sheet.rect(&rod, 0.0, &ShapeStyle::area(ROD));
     };
-    match state.tool.kind {
-        ToolKind::Pen { .. } => {
+    match state.tool.action {
+        ToolAction::Pen { .. } => {
             let (left, right, shoulder) = (reach - 3.0, reach + 3.0, tip - 8.0);
             rod(sheet, 3.0, shoulder);
             let nib = [[left, shoulder], [right, shoulder], [reach, tip]];
             sheet.area(&nib, &ShapeStyle::area(INK));
         }
-        ToolKind::Laser { focus_mm, .. } => {
+        ToolAction::Laser { focus_mm, .. } => {
             rod(sheet, 8.0, tip);
             if arm.laser {
                 let beam = ShapeStyle::line("#e0402e", 1.4);
                 sheet.line([reach, tip], [reach, tip + focus_mm], &beam);
             }
         }
-        ToolKind::SuctionCup { diameter_mm, .. } => {
+        ToolAction::SuctionCup { diameter_mm, .. } => {
             let (half, bell) = (diameter_mm / 2.0, tip - 6.0);
             rod(sheet, 2.5, bell);
             let cup = [
@@ -134,7 +134,7 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
             ];
             sheet.area(&cup, &ShapeStyle::area(if arm.pump { WARM } else { INK }));
         }
-        ToolKind::Gripper { .. } => {
+        ToolAction::Gripper { .. } => {
             let turn = (arm.rotation_deg - arm.base_deg + 90.0).to_radians();
             let half = (arm.opening_mm / 2.0 * turn.cos()).abs();
             let palm = tip - 30.0;

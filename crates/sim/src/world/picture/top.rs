@@ -9,7 +9,7 @@ use dobot_lettering::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 use super::marks::marks;
 use super::{INK, MUTED, PAPER, REACH_MM, ROD, STEEL, WARM, contrast, edge, fill};
 use crate::world::footprint::Footprint;
-use crate::world::{ArmState, Object, ToolKind, WorldState};
+use crate::world::{ArmState, Object, ToolAction, WorldState};
 
 /// What is shown: the arm and what it reaches before it, and whatever else there is.
 pub(super) fn bounds(state: &WorldState) -> Rectangle {
@@ -186,7 +186,7 @@ fn name(sheet: &mut Sheet, object: &Object, state: &WorldState, unit: f64) {
 fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
     let elbow = REAR_ARM.0 * arm.rear_deg.to_radians().sin();
     let wrist = elbow + FOREARM.0 * arm.fore_deg.to_radians().cos();
-    let tool = wrist + state.tool.mounting().reach().0;
+    let tool = wrist + state.tool.tool().reach().0;
     for (from, to, wide) in [
         (wrist, tool, 12.0),
         (elbow, wrist, 20.0),
@@ -208,13 +208,13 @@ fn links(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
 /// The tool, as seen from above.
 fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
     let (middle, cross) = ([0.0, 0.0], "M-2.5 0H2.5M0 -2.5V2.5");
-    match state.tool.kind {
-        ToolKind::Pen { .. } => {
+    match state.tool.action {
+        ToolAction::Pen { .. } => {
             sheet.circle(middle, 5.0, &ShapeStyle::area(PAPER).faded(0.5));
             sheet.circle(middle, 5.0, &ShapeStyle::line(INK, 0.8));
             sheet.circle(middle, 0.9, &ShapeStyle::area(INK));
         }
-        ToolKind::Laser { .. } => {
+        ToolAction::Laser { .. } => {
             let housing = Rectangle::between([-9.0, -9.0], [9.0, 9.0]);
             sheet.rect(&housing, 0.0, &ShapeStyle::area(PAPER).faded(0.3));
             sheet.rect(&housing, 0.0, &ShapeStyle::line(INK, 0.8));
@@ -223,7 +223,7 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
                 sheet.circle(middle, 1.6, &ShapeStyle::area("#e0402e"));
             }
         }
-        ToolKind::SuctionCup { diameter_mm, .. } => {
+        ToolAction::SuctionCup { diameter_mm, .. } => {
             let edge = ShapeStyle::line(if arm.pump { WARM } else { INK }, 0.8);
             sheet.circle(
                 middle,
@@ -233,7 +233,7 @@ fn tool(sheet: &mut Sheet, state: &WorldState, arm: &ArmState) {
             sheet.circle(middle, diameter_mm / 2.0, &edge);
             sheet.path(cross, &edge);
         }
-        ToolKind::Gripper { .. } => {
+        ToolAction::Gripper { .. } => {
             let half = arm.opening_mm / 2.0;
             for left in [-half - 4.0, half] {
                 let finger = Rectangle::between([left, -5.0], [left + 4.0, 5.0]);

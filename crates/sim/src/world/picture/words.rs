@@ -5,7 +5,7 @@ use dobot_lettering::{Anchor, Rectangle, Sheet, TextStyle};
 use super::{INK, MUTED, WARM};
 use crate::world::marks::{WRITES_MM, ink_mm};
 use crate::world::track::length_mm;
-use crate::world::{Event, ToolKind, WorldState};
+use crate::world::{Event, ToolAction, WorldState};
 
 /// Above the views: what it is on the left, what the tool is about on the right.
 pub(super) fn head(sheet: &mut Sheet, state: &WorldState, top: &Rectangle, unit: f64) {
@@ -18,20 +18,21 @@ pub(super) fn head(sheet: &mut Sheet, state: &WorldState, top: &Rectangle, unit:
 }
 
 fn doing(state: &WorldState) -> String {
-    let name = state.tool.name();
+    let name = state.tool.tool().label();
     let Some(arm) = &state.arm else {
         return name.to_owned();
     };
-    match (state.tool.kind, state.held.first()) {
-        (_, Some(held)) => format!("{name}, holds {held}"),
-        (ToolKind::Pen { .. }, _) if arm.tip_mm <= WRITES_MM => "pen, down".to_owned(),
-        (ToolKind::Pen { .. }, _) => "pen, up".to_owned(),
-        (ToolKind::Laser { .. }, _) if arm.laser => "laser, on".to_owned(),
-        (ToolKind::Laser { .. }, _) => "laser, off".to_owned(),
-        (ToolKind::SuctionCup { .. }, _) if arm.pump => "suction cup, pump on".to_owned(),
-        (ToolKind::SuctionCup { .. }, _) => "suction cup, pump off".to_owned(),
-        (ToolKind::Gripper { .. }, _) => format!("gripper, {:.1} mm open", arm.opening_mm),
-    }
+    let doing = match (state.tool.action, state.held.first()) {
+        (_, Some(held)) => format!("holds {held}"),
+        (ToolAction::Pen { .. }, _) if arm.tip_mm <= WRITES_MM => "down".to_owned(),
+        (ToolAction::Pen { .. }, _) => "up".to_owned(),
+        (ToolAction::Laser { .. }, _) if arm.laser => "on".to_owned(),
+        (ToolAction::Laser { .. }, _) => "off".to_owned(),
+        (ToolAction::SuctionCup { .. }, _) if arm.pump => "pump on".to_owned(),
+        (ToolAction::SuctionCup { .. }, _) => "pump off".to_owned(),
+        (ToolAction::Gripper { .. }, _) => format!("{:.1} mm open", arm.opening_mm),
+    };
+    format!("{name}, {doing}")
 }
 
 /// What happened last, the latest at the bottom.

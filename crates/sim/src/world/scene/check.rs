@@ -9,7 +9,7 @@ use toml::Spanned;
 
 use super::file::{self, File, line};
 use super::{Paper, Scene, SceneError};
-use crate::world::{Tool, ToolKind};
+use crate::world::{Tool, ToolAction};
 
 pub(super) fn scene(file: &File, text: &str) -> Result<Scene, SceneError> {
     let check = SceneCheck { text };
@@ -83,8 +83,8 @@ impl SceneCheck<'_> {
             width_mm,
         } = pen.get_ref();
         let width_mm = self.optional(width_mm.as_ref(), "width_mm of [pen]", 0.05..=10.0, 0.5)?;
-        let kind = ToolKind::Pen { width_mm };
-        self.mounted("pen", [down_z_mm, give_mm], [-40.0, 2.0], kind)
+        let action = ToolAction::Pen { width_mm };
+        self.mounted("pen", [down_z_mm, give_mm], [-40.0, 2.0], action)
     }
 
     fn laser(&self, laser: &Spanned<file::Laser>) -> Result<Tool, SceneError> {
@@ -92,18 +92,18 @@ impl SceneCheck<'_> {
         let optional = |number: &Option<Spanned<f64>>, what, range, default| {
             self.optional(number.as_ref(), what, range, default)
         };
-        let kind = ToolKind::Laser {
+        let action = ToolAction::Laser {
             focus_mm: optional(&it.focus_mm, "focus_mm of [laser]", 1.0..=200.0, 25.0)?,
             depth_mm: optional(&it.depth_mm, "depth_mm of [laser]", 0.1..=50.0, 3.0)?,
             power_w: optional(&it.power_w, "power_w of [laser]", 0.001..=100.0, 0.5)?,
         };
-        self.mounted("laser", [&it.down_z_mm, &it.give_mm], [-65.0, 0.5], kind)
+        self.mounted("laser", [&it.down_z_mm, &it.give_mm], [-65.0, 0.5], action)
     }
 
     fn suction_cup(&self, cup: &Spanned<file::SuctionCup>) -> Result<Tool, SceneError> {
         let it = cup.get_ref();
         let (diameter, lifts) = ("diameter_mm of [suction-cup]", "lifts_g of [suction-cup]");
-        let kind = ToolKind::SuctionCup {
+        let action = ToolAction::SuctionCup {
             diameter_mm: self.optional(it.diameter_mm.as_ref(), diameter, 1.0..=100.0, 20.0)?,
             lifts_g: self.optional(it.lifts_g.as_ref(), lifts, 1.0..=MOST_G, 500.0)?,
         };
@@ -111,7 +111,7 @@ impl SceneCheck<'_> {
             "suction-cup",
             [&it.down_z_mm, &it.give_mm],
             [-40.0, 3.0],
-            kind,
+            action,
         )
     }
 
@@ -135,12 +135,17 @@ impl SceneCheck<'_> {
             0.0..=open_mm,
             0.0,
         )?;
-        let kind = ToolKind::Gripper {
+        let action = ToolAction::Gripper {
             open_mm,
             closed_mm,
             lifts_g,
         };
-        self.mounted("gripper", [&it.down_z_mm, &it.give_mm], [-40.0, 1.0], kind)
+        self.mounted(
+            "gripper",
+            [&it.down_z_mm, &it.give_mm],
+            [-40.0, 1.0],
+            action,
+        )
     }
 
     /// What all tools have: the height of the wrist when the tip is down, and how far it gives.
@@ -149,7 +154,7 @@ impl SceneCheck<'_> {
         name: &str,
         [down_z, give]: [&Option<Spanned<f64>>; 2],
         [down_z_mm, give_mm]: [f64; 2],
-        kind: ToolKind,
+        action: ToolAction,
     ) -> Result<Tool, SceneError> {
         let what = |key: &str| format!("{key} of [{name}]");
         Ok(Tool {
@@ -160,7 +165,7 @@ impl SceneCheck<'_> {
                 down_z_mm,
             )?,
             give_mm: self.optional(give.as_ref(), &what("give_mm"), 0.1..=20.0, give_mm)?,
-            kind,
+            action,
         })
     }
 

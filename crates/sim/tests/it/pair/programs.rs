@@ -1,7 +1,6 @@
 //! Random programs within reach, against a model of where they lead.
 
 use dobot_arm::{Joints, Limits, Pose, Tool, forward};
-use dobot_motion::tool_named;
 use dobot_wire::single;
 use proptest::prelude::*;
 
@@ -93,11 +92,7 @@ fn step() -> impl Strategy<Value = Step> {
         Just(LinearJogAxis::ZPlus),
         Just(LinearJogAxis::ZMinus),
     ];
-    let tool = prop_oneof![
-        Just(EndEffector::SuctionCup),
-        Just(EndEffector::Gripper),
-        Just(EndEffector::Laser)
-    ];
+    let tool = prop::sample::select(Tool::END_EFFECTORS.to_vec()).prop_map(EndEffector::from);
     prop_oneof![
         6 => (place(), mode(), prop_oneof![Just(0.0), 0.0..2.0_f32])
             .prop_map(|(to, mode, pause_s)| Step::Go { to, mode, pause_s }),
@@ -245,7 +240,7 @@ impl Model {
             }
             Step::Tool(tool) => {
                 let joints = self.joints();
-                self.tool = tool_named(tool);
+                self.tool = tool.into();
                 self.pose = forward(&joints, self.tool);
                 Configuration::EndEffector { tool }.into()
             }

@@ -7,8 +7,9 @@ use std::time::Duration;
 use axum::body::Bytes;
 use dobot_api::problem_kinds::{BAD_DRAWING, DRAWING_PHASE, NO_SUCH_DRAWING, TOO_MANY};
 use dobot_api::{NewJob, Problem};
+use dobot_arm::Tool;
 use dobot_draw::{
-    DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline, ToolKind,
+    DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline,
     WITHOUT_ARM_Z_MM, frame,
 };
 use dobot_host::{PlannedFor, drawing_job};
@@ -98,8 +99,8 @@ pub(crate) enum DrawingPart {
 pub(crate) struct MaterialView {
     /// Its name.
     name: String,
-    /// What draws on it.
-    tool: ToolKind,
+    /// What draws on it: `pen` or `laser`.
+    tool: Tool,
 }
 
 /// All drawings that are kept.
@@ -467,7 +468,7 @@ pub(crate) fn materials() -> Vec<MaterialView> {
     let all = Materials::built_in();
     let view = |(name, material): (&str, &dobot_draw::Material)| MaterialView {
         name: name.to_owned(),
-        tool: ToolKind::of(&material.tool),
+        tool: material.tool.tool(),
     };
     all.iter().map(view).collect()
 }

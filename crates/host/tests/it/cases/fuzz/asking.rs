@@ -3,12 +3,12 @@
 use std::time::Duration;
 
 use dobot_api::{ClientId, Jog, NewJob, Request};
-use dobot_arm::Position;
+use dobot_arm::{Position, Tool};
 use dobot_host::VirtualStation;
 use dobot_wire::{
-    Command, Configuration, Dialect, EndEffector, Frame, Gesture, JointJog, JointJogAxis,
-    LinearJog, LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, Packet,
-    PlaybackAdjustment, Voice, WriteMode, WriteVector,
+    Command, Configuration, Dialect, Frame, Gesture, JointJog, JointJogAxis, LinearJog,
+    LinearJogAxis, MouseMove, MoveJoints, MoveTo, MovingMode, Packet, PlaybackAdjustment, Voice,
+    WriteMode, WriteVector,
 };
 
 use super::super::chance::Chance;
@@ -286,14 +286,9 @@ fn vector(chance: &mut Chance) -> Command {
 
 /// All but initial angles, with which anybody can tell the arm a lie.
 fn configuration(chance: &mut Chance) -> Command {
-    let tools = [
-        EndEffector::SuctionCup,
-        EndEffector::Gripper,
-        EndEffector::Laser,
-    ];
     match chance.below(4) {
         0 => Configuration::EndEffector {
-            tool: chance.one(&tools),
+            tool: chance.one(&Tool::END_EFFECTORS).into(),
         },
         1 => Configuration::Writing {
             acceleration_mm_s2: chance.one(&[100.0, 200.0, 20.0, 500.0, 0.0, 1e-20, 1e20]),
