@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use dobot_draw::{
-    Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared, Settings, Subject,
-    View, WITHOUT_ARM_Z_MM,
+    Colors, DrawingRequest, FORMATS, InkLine, Materials, Options, Picture, Prepared, Settings,
+    Subject, View, WITHOUT_ARM_Z_MM,
 };
 use dobot_geometry::Point;
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -12,6 +12,13 @@ use pyo3::prelude::*;
 use serde_json::{Map, Value};
 
 use crate::failure::value_error;
+
+/// The formats of files that can be drawn: the name and the extensions of each.
+#[pyfunction]
+pub(crate) fn drawing_formats() -> Vec<(&'static str, Vec<&'static str>)> {
+    let row = |format: &'static dobot_draw::Format| (format.name, format.extensions.to_vec());
+    FORMATS.iter().map(row).collect()
+}
 
 /// A drawing, planned for any arm; for the one that draws it, it is planned anew.
 #[pyclass(frozen)]

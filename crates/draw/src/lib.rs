@@ -66,6 +66,7 @@ pub use card::{Card, CardError};
 pub use clip::{Clipped, clip_to_reach};
 pub use copies::Grid;
 pub use cutting::Cutting;
+pub use dobot_source::{FORMATS, Format};
 pub use estimate::{Estimate, PassFigures, ToolKind};
 pub use export::{ExportFormat, export};
 pub use frame::{FrameShape, frame};

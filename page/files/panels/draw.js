@@ -4,7 +4,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
-import { DRAWN, hasSubject, wrongField } from "../state/draw.js";
+import { accepted, formatNames, hasSubject, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
 import { hindrance, isVirtual } from "../state/select.js";
 import { sentence } from "../views/banners.js";
@@ -27,7 +27,7 @@ const checked = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ 
 
 /** @param {Context} context */
 function subject({ page, say, act }) {
-  const { what, file, text } = page.draw;
+  const { what, file, text, formats } = page.draw;
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) act.takeFile(input.files[0]);
@@ -43,8 +43,8 @@ function subject({ page, say, act }) {
       </fieldset>
       ${what === "text" ? html`<textarea id="draw-text" rows="2" aria-label=${say("draw.text")} .value=${live(text)} @input=${(/** @type {Event} */ event) => act.send({ type: "draw_text", text: value(event) })}></textarea>` : html`
         <div class="drop">
-          <p>${file ? html`<strong id="draw-name">${file.name}</strong>` : say("draw.drop")}</p>
-          <input id="draw-file" type="file" accept=${`${DRAWN},.json`} aria-label=${say("draw.choose")} @change=${chosen}>
+          <p>${file ? html`<strong id="draw-name">${file.name}</strong>` : say("draw.drop", { formats: formatNames(formats) })}</p>
+          <input id="draw-file" type="file" accept=${accepted(formats)} aria-label=${say("draw.choose")} @change=${chosen}>
           <label for="draw-file" class="button">${say(file ? "draw.another" : "draw.choose")}</label>
         </div>`}
     </section>`;

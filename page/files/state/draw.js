@@ -5,6 +5,7 @@ import { paperOf } from "./paper.js";
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {Schemas["DrawingPlan"]} Plan */
+/** What can be drawn, as the station says. @typedef {readonly Schemas["Format"][]} Formats */
 /** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place What stands in the fields; an empty one is as the station has it. */
 /** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
 /** @typedef {Place & Way} Settings */
@@ -24,12 +25,15 @@ import { paperOf } from "./paper.js";
  * @property {{ timeline: import("../preview/timeline.js").Timeline } | null} timeline What is shown in time: of the plan, or of a file.
  * @property {Schemas["PaperPlane"] | null} paper How the paper lies, where it was touched.
  * @property {readonly Schemas["MaterialView"][]} materials
+ * @property {Formats} formats
  */
 
 /** Where drawings lie unless told otherwise. */
 export const MIDDLE = { x_mm: 210, y_mm: 0 };
-/** The endings of what can be drawn, as a field for files takes them. */
-export const DRAWN = ".svg,.dxf,.lbrn,.lbrn2,.gcode,.gco,.nc,.ngc,.hpgl,.plt,.png,.jpg,.jpeg,.gif,.webp,.bmp,.tiff,.csv";
+/** The extensions of what can be drawn, as a field for files takes them. @param {Formats} formats */
+export const accepted = (formats) => formats.flatMap(({ extensions }) => extensions.map((extension) => `.${extension}`)).join(",");
+/** What can be drawn, for people. @param {Formats} formats */
+export const formatNames = (formats) => formats.map(({ name }) => name).join(", ");
 /** How large a file may be; in Base64 it is a third larger. */
 export const MOST_BYTES = 24_000_000;
 /** What takes a number. @type {readonly (keyof Settings)[]} */
@@ -49,6 +53,7 @@ export const NO_DRAW = {
   timeline: null,
   paper: null,
   materials: [],
+  formats: [],
 };
 
 /** @typedef {{ type: "draw_file", file: File }
@@ -60,7 +65,8 @@ export const NO_DRAW = {
  * | { type: "draw_timeline", timeline: import("../preview/timeline.js").Timeline }
  * | { type: "draw_failed", asked: number, problem: Problem }
  * | { type: "draw_given_up" }
- * | { type: "materials", materials: Draw["materials"] }} DrawMessage */
+ * | { type: "materials", materials: Draw["materials"] }
+ * | { type: "formats", formats: Formats }} DrawMessage */
 
 /** @param {string} text */
 const numberOf = (text) => (text.trim() === "" ? null : Number(text));
@@ -146,6 +152,8 @@ export function reduceDraw(draw, message) {
     }
     case "materials":
       return { ...draw, materials: message.materials };
+    case "formats":
+      return { ...draw, formats: message.formats };
     default:
       return draw;
   }

@@ -1,6 +1,8 @@
 //! Checks that the options fit the source and each other. An option that would do nothing is refused.
 
-use dobot_source::{Shading, ShadingStyle, Source};
+use std::fmt;
+
+use dobot_source::{Contents, Format, Shading, ShadingStyle, Source};
 
 use super::{Options, OptionsError, PlaceOptions};
 use crate::prepare::NamedSource;
@@ -34,21 +36,17 @@ pub(super) fn check(
     }
     let misfit = given(options)
         .into_iter()
-        .find(|(_, given, Purpose(fitting, _))| {
-            *given && !kinds.iter().any(|it| fitting.contains(it))
-        });
-    let Some((option, _, Purpose(_, fits))) = misfit else {
+        .find(|(_, given, purpose)| *given && !kinds.iter().any(|it| purpose.fits(*it)));
+    let Some((option, _, purpose)) = misfit else {
         return Ok(());
     };
     Err(OptionsError::Misfit {
         option,
-        fits,
+        fits: purpose.to_string(),
         is: match kinds[..] {
-            [SourceKind::Svg] => format!("{title} is an SVG file"),
-            [SourceKind::Dxf] => format!("{title} is a DXF file"),
-            [SourceKind::Hpgl] => format!("{title} is an HP-GL file"),
-            [SourceKind::Lines] => format!("{title} is a file of lines"),
-            [SourceKind::Picture] => format!("{title} is a picture"),
+            [SourceKind::File(format)] if format.is_picture() => format!("{title} is a picture"),
+            [SourceKind::File(format)] => format!("{title} is in {} format", format.name),
+            [SourceKind::Lines] => format!("{title} has lines"),
             [SourceKind::Text] => "this is a text".to_owned(),
             [SourceKind::Card] => "this is a test card".to_owned(),
             _ => "none of these is one".to_owned(),
@@ -241,17 +239,11 @@ fn together(options: &Options) -> Result<(), OptionsError> {
 }
 
 /// What kind of thing is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 enum SourceKind {
-    /// An SVG file: lines and areas on a page, painted over each other.
-    Svg,
-    /// A DXF file: lines and areas, painted over each other.
-    Dxf,
-    /// An HP-GL file: lines and areas, painted over each other.
-    Hpgl,
-    /// Another file of lines and areas.
+    File(&'static Format),
+    /// Lines that a program has calculated.
     Lines,
-    Picture,
     Text,
     Card,
 }
@@ -259,61 +251,85 @@ enum SourceKind {
 impl SourceKind {
     const fn of(source: &Source) -> Self {
         match source {
-            Source::Svg(_) => Self::Svg,
-            Source::Dxf(_) => Self::Dxf,
-            Source::Hpgl(_) => Self::Hpgl,
+            Source::File { format, .. } => Self::File(format),
+            Source::Lines(_) => Self::Lines,
             Source::Text(_) => Self::Text,
-            Source::Picture(_) => Self::Picture,
-            _ => Self::Lines,
+        }
+    }
+
+    const fn contents(self) -> Option<Contents> {
+        match self {
+            Self::File(format) => Some(format.contents),
+            Self::Lines => Some(Contents::Lines),
+            Self::Text | Self::Card => None,
         }
     }
 }
 
-/// What an option is for: the kinds of sources, and how a person calls them.
-struct Purpose(&'static [SourceKind], &'static str);
+/// What an option is for.
+#[derive(Clone, Copy, Debug)]
+enum Purpose {
+    Pictures,
+    /// Pictures and the test card.
+    Lined,
+    Texts,
+    Cards,
+    /// The areas of drawings and texts.
+    Areas,
+    /// Shapes that are painted over each other.
+    Painted,
+    Pages,
+    /// The layers of drawings.
+    Layers,
+    /// All but the test card.
+    Drawings,
+}
 
-const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "pictures");
-const LINED: Purpose = Purpose(
-    &[SourceKind::Picture, SourceKind::Card],
-    "pictures and the test card",
-);
-const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
-const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
-const AREAS: Purpose = Purpose(
-    &[
-        SourceKind::Svg,
-        SourceKind::Dxf,
-        SourceKind::Hpgl,
-        SourceKind::Lines,
-        SourceKind::Text,
-    ],
-    "the areas of drawings and texts (`--shade hatch` is for pictures)",
-);
-const PAINTED: Purpose = Purpose(
-    &[SourceKind::Svg, SourceKind::Dxf, SourceKind::Hpgl],
-    "SVG, DXF and HP-GL files",
-);
-const SVG_FILES: Purpose = Purpose(&[SourceKind::Svg], "SVG files");
-const LAYERS: Purpose = Purpose(
-    &[
-        SourceKind::Svg,
-        SourceKind::Dxf,
-        SourceKind::Hpgl,
-        SourceKind::Lines,
-    ],
-    "the layers of drawings",
-);
-const DRAWINGS: Purpose = Purpose(
-    &[
-        SourceKind::Svg,
-        SourceKind::Dxf,
-        SourceKind::Hpgl,
-        SourceKind::Lines,
-        SourceKind::Picture,
-        SourceKind::Text,
-    ],
-    "drawings, pictures and texts",
-);
+impl Purpose {
+    const fn fits(self, kind: SourceKind) -> bool {
+        let is_picture = matches!(kind.contents(), Some(Contents::Picture));
+        let is_drawing = kind.contents().is_some() && !is_picture;
+        match self {
+            Self::Pictures => is_picture,
+            Self::Lined => is_picture || matches!(kind, SourceKind::Card),
+            Self::Texts => matches!(kind, SourceKind::Text),
+            Self::Cards => matches!(kind, SourceKind::Card),
+            Self::Areas => is_drawing || matches!(kind, SourceKind::Text),
+            Self::Painted | Self::Pages => match kind {
+                SourceKind::File(format) => self.fits_format(format),
+                _ => false,
+            },
+            Self::Layers => is_drawing,
+            Self::Drawings => !matches!(kind, SourceKind::Card),
+        }
+    }
+
+    /// Whether it is for files of this format, for what only some formats have.
+    const fn fits_format(self, format: &Format) -> bool {
+        match self {
+            Self::Painted => matches!(format.contents, Contents::Page | Contents::Shapes),
+            _ => matches!(format.contents, Contents::Page),
+        }
+    }
+}
+
+impl fmt::Display for Purpose {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Pictures => "pictures",
+            Self::Lined => "pictures and the test card",
+            Self::Texts => "the letters of --text",
+            Self::Cards => "the test card of --card",
+            Self::Areas => "the areas of drawings and texts (`--shade hatch` is for pictures)",
+            Self::Painted | Self::Pages => {
+                let names = Format::names(|format| self.fits_format(format), "and");
+                return write!(f, "{names} files");
+            }
+            Self::Layers => "the layers of drawings",
+            Self::Drawings => "drawings, pictures and texts",
+        })
+    }
+}
 
 /// Each option, whether it was given, and what it is for. What a material sets does not count.
 fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
@@ -321,38 +337,42 @@ fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
         what, place, tool, ..
     } = options;
     [
-        ("--shade", what.shade.is_some(), PICTURES),
-        ("--spacing", what.spacing.is_some(), LINED),
-        ("--invert", what.invert, PICTURES),
-        ("--brightness", what.brightness != 0.0, PICTURES),
-        ("--contrast", what.contrast != 0.0, PICTURES),
-        ("--gamma", what.gamma != 1.0, PICTURES),
-        ("--threshold", what.threshold.is_some(), PICTURES),
-        ("--levels", what.levels.is_some(), PICTURES),
-        ("--font", what.font.is_some(), TEXTS),
-        ("--height", what.height.is_some(), TEXTS),
-        ("--align", what.align.is_some(), TEXTS),
-        ("--card-passes", what.card_passes.is_some(), CARDS),
-        ("--card-size", what.card_size.is_some(), CARDS),
-        ("--card-gap", what.card_gap.is_some(), CARDS),
-        ("--card-label", what.card_label.is_some(), CARDS),
-        ("--hatch", what.hatch.is_some(), AREAS),
-        ("--layers", what.layers.is_some(), LAYERS),
-        ("--no-crop", what.no_crop, SVG_FILES),
-        ("--hide", what.hide, PAINTED),
-        ("--fit", place.fit, DRAWINGS),
-        ("--paper-size", place.paper_size.is_some(), DRAWINGS),
-        ("--mirror", place.mirror, DRAWINGS),
-        ("--grid", place.grid.is_some(), DRAWINGS),
-        ("--scale", place.scale.is_some(), DRAWINGS),
-        ("--rotate", place.rotate != 0.0, DRAWINGS),
-        ("--margin", place.margin != 0.0, DRAWINGS),
-        ("--clip", place.clip, DRAWINGS),
-        ("--speed", tool.speed.is_some(), DRAWINGS),
-        ("--passes", tool.passes.is_some(), DRAWINGS),
-        ("--kerf", tool.kerf != 0.0, DRAWINGS),
-        ("--lead-in", tool.lead_in != 0.0, DRAWINGS),
-        ("--tabs", tool.tabs != 0, DRAWINGS),
+        ("--shade", what.shade.is_some(), Purpose::Pictures),
+        ("--spacing", what.spacing.is_some(), Purpose::Lined),
+        ("--invert", what.invert, Purpose::Pictures),
+        ("--brightness", what.brightness != 0.0, Purpose::Pictures),
+        ("--contrast", what.contrast != 0.0, Purpose::Pictures),
+        ("--gamma", what.gamma != 1.0, Purpose::Pictures),
+        ("--threshold", what.threshold.is_some(), Purpose::Pictures),
+        ("--levels", what.levels.is_some(), Purpose::Pictures),
+        ("--font", what.font.is_some(), Purpose::Texts),
+        ("--height", what.height.is_some(), Purpose::Texts),
+        ("--align", what.align.is_some(), Purpose::Texts),
+        ("--card-passes", what.card_passes.is_some(), Purpose::Cards),
+        ("--card-size", what.card_size.is_some(), Purpose::Cards),
+        ("--card-gap", what.card_gap.is_some(), Purpose::Cards),
+        ("--card-label", what.card_label.is_some(), Purpose::Cards),
+        ("--hatch", what.hatch.is_some(), Purpose::Areas),
+        ("--layers", what.layers.is_some(), Purpose::Layers),
+        ("--no-crop", what.no_crop, Purpose::Pages),
+        ("--hide", what.hide, Purpose::Painted),
+        ("--fit", place.fit, Purpose::Drawings),
+        (
+            "--paper-size",
+            place.paper_size.is_some(),
+            Purpose::Drawings,
+        ),
+        ("--mirror", place.mirror, Purpose::Drawings),
+        ("--grid", place.grid.is_some(), Purpose::Drawings),
+        ("--scale", place.scale.is_some(), Purpose::Drawings),
+        ("--rotate", place.rotate != 0.0, Purpose::Drawings),
+        ("--margin", place.margin != 0.0, Purpose::Drawings),
+        ("--clip", place.clip, Purpose::Drawings),
+        ("--speed", tool.speed.is_some(), Purpose::Drawings),
+        ("--passes", tool.passes.is_some(), Purpose::Drawings),
+        ("--kerf", tool.kerf != 0.0, Purpose::Drawings),
+        ("--lead-in", tool.lead_in != 0.0, Purpose::Drawings),
+        ("--tabs", tool.tabs != 0, Purpose::Drawings),
     ]
 }
 
@@ -376,7 +396,7 @@ mod tests {
         for (json, told) in [
             (
                 r#"{"what": {"shade": "lines"}}"#,
-                "--shade is for pictures, and a.svg is an SVG file",
+                "--shade is for pictures, and a.svg is in SVG format",
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,
@@ -438,20 +458,20 @@ mod tests {
     #[test]
     fn hidden_lines_are_left_out_where_shapes_are_painted_over_each_other() {
         let options: Options = serde_json::from_str(r#"{"what": {"hide": true}}"#).unwrap();
-        let of = |name: &str, source| {
+        let of = |name: &str| {
             let file = NamedSource {
                 name: name.to_owned(),
-                source,
+                source: Source::of_file(name, Vec::new()).unwrap(),
             };
             check(&options, &[file], name)
         };
-        of("a.dxf", Source::Dxf(Vec::new())).unwrap();
-        of("a.svg", Source::from("<svg/>")).unwrap();
-        of("a.plt", Source::Hpgl(Vec::new())).unwrap();
-        let refused = of("a.gcode", Source::Gcode(Vec::new())).unwrap_err();
+        of("a.dxf").unwrap();
+        of("a.svg").unwrap();
+        of("a.plt").unwrap();
+        let refused = of("a.gcode").unwrap_err();
         assert_eq!(
             refused.to_string(),
-            "--hide is for SVG, DXF and HP-GL files, and a.gcode is a file of lines"
+            "--hide is for SVG, DXF and HP-GL files, and a.gcode is in G-code format"
         );
     }
 

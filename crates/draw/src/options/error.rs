@@ -37,7 +37,7 @@ pub enum OptionsError {
         /// The option.
         option: &'static str,
         /// What it is for.
-        fits: &'static str,
+        fits: String,
         /// What there is.
         is: String,
     },

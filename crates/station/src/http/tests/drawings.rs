@@ -230,6 +230,19 @@ async fn the_pens_and_materials_are_told_by_name() {
 }
 
 #[tokio::test]
+async fn the_formats_are_listed_with_their_extensions_and_mime_types() {
+    let all = Harness::near()
+        .bare("GET", "/api/v1/formats")
+        .await
+        .is(200)
+        .value();
+    let dxf = json!({
+        "name": "DXF", "extensions": ["dxf"], "mime_type": "image/vnd.dxf", "contents": "shapes",
+    });
+    assert!(all.as_array().unwrap().contains(&dxf), "{all}");
+}
+
+#[tokio::test]
 async fn who_may_queue_jobs_plans_drawings_and_who_only_watches_does_not() {
     let harness = Harness::far();
     let body = json!({"options": {"what": {"text": "Hi"}, "place": {"pen_down": -30}}});
