@@ -128,7 +128,7 @@ pub(super) struct Body<T, const LIMIT: usize = BODY>(pub(super) T);
 
 impl<T, const LIMIT: usize> FromRequest<Arc<App>> for Body<T, LIMIT>
 where
-    T: DeserializeOwned + Send + 'static,
+    T: DeserializeOwned + JsonSchema + Send + 'static,
 {
     type Rejection = NotDone;
 
@@ -144,7 +144,7 @@ pub(super) struct Maybe<T>(pub(super) T);
 
 impl<T> FromRequest<Arc<App>> for Maybe<T>
 where
-    T: DeserializeOwned + Default + Send + 'static,
+    T: DeserializeOwned + JsonSchema + Default + Send + 'static,
 {
     type Rejection = NotDone;
 
@@ -224,7 +224,9 @@ fn check_type(parts: &Parts) -> Result<(), Problem> {
     ))
 }
 
-async fn read<T: DeserializeOwned + Send + 'static>(text: Bytes) -> Result<T, Problem> {
+async fn read<T: DeserializeOwned + JsonSchema + Send + 'static>(
+    text: Bytes,
+) -> Result<T, Problem> {
     read_beside(text, strict_json::read).await?
 }
 

@@ -28,8 +28,6 @@ use dobot_api::problem_kinds::{
     NO_LINK, NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, SLOT, STILL_MOVING, STOPPED, TOO_MANY,
 };
 
-pub(super) use self::calibration::{NewTouches, PaperTouches};
-pub(super) use self::virtual_arm::NewFaults;
 use super::app::App;
 use super::route::Route;
 use super::{auth, calls, page};
