@@ -76,8 +76,9 @@ pub use ink::{InkLine, ink_seen};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use merge::merge;
 pub use options::{
-    Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PassesBy, PathOptions,
-    PlaceOptions, Spacing, Subject, ToolOptions, WITHOUT_ARM_Z_MM,
+    Auto, ContentOptions, DrawingRequest, LayerTool, OPTION_RANGES, OptionRange, Options,
+    OptionsError, PassesBy, PathOptions, PlaceOptions, Spacing, Subject, ToolOptions,
+    WITHOUT_ARM_Z_MM,
 };
 pub use order::{Search, Travel, order};
 pub use picture::{Colors, Picture, PictureError, View};

@@ -290,7 +290,7 @@ impl<'a> Drawing<'a> {
 
     fn picture(&self, file: &Path, ink: &[InkLine], report: &Report) -> Result<Vec<u8>, Failure> {
         let results = &self.args.result;
-        let tolerance_mm = self.args.options.way.tolerance;
+        let tolerance_mm = self.args.options.0.way.tolerance;
         let picture = Picture {
             title: &self.title,
             figures: &report.figures(),

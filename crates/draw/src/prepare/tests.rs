@@ -754,7 +754,7 @@ fn an_outline_with_gaps_is_told_with_what_closes_it() {
     };
     let warning = told(true, None);
     assert!(
-        warning.contains("1 open outline") && warning.contains("--join 0.5"),
+        warning.contains("1 open outline") && warning.contains("way.join 0.5"),
         "{warning}"
     );
     assert_eq!(told(true, Some(0.5)), "");

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use dobot_draw::{ExportFormat, Options};
+use dobot_draw::ExportFormat;
 use dobot_source::Format;
 
 use super::defaults::{self, Defaults};
 use crate::connect::To;
+use crate::drawing_options::DrawingOptions;
 use crate::verbs::jog::laser_seconds;
 
 /// Draw a file, a picture or a text, or burn it with the laser
@@ -21,7 +22,7 @@ pub(crate) struct Args {
     #[arg(value_name = "FILE", required_unless_present_any = ["text", "card"], conflicts_with = "card")]
     pub(crate) files: Vec<PathBuf>,
     #[command(flatten)]
-    pub(crate) options: Options,
+    pub(crate) options: DrawingOptions,
     #[command(flatten, next_help_heading = "Run")]
     pub(crate) to: To,
     /// A TOML file with more pens and materials; `dobot materials` prints those that are known
@@ -171,6 +172,7 @@ When a station runs, the drawing becomes a job of it: Ctrl-C pauses it, and `dob
 #[cfg(test)]
 mod tests {
     use clap::Parser;
+    use dobot_draw::Options;
     use serde_json::json;
 
     use super::*;
@@ -187,6 +189,7 @@ mod tests {
             .expect("they are allowed")
             .args
             .options
+            .0
     }
 
     #[test]

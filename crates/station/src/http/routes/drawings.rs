@@ -34,7 +34,7 @@ pub(super) fn all() -> Vec<Route> {
         .brings::<Body<NewDrawing, FILE>>()
         .example(EXAMPLE)
         .gives::<DrawingView>(202, "it is being planned; the header Location names it")
-        .problems(&[TOO_MANY]),
+        .problems(&[BAD_DRAWING, TOO_MANY]),
         Route::new(
             GET,
             "/api/v1/drawings/{id}",
