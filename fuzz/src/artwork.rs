@@ -1,6 +1,6 @@
 //! Drawings that were read.
 
-use dobot_import::{Artwork, ReadOptions, Source};
+use dobot_import::{Artwork, Format, ReadOptions, Source};
 
 /// Reads a source: what comes back lies within the limits of a drawing.
 pub(crate) fn read(source: &Source) -> Option<Artwork> {
@@ -9,6 +9,15 @@ pub(crate) fn read(source: &Source) -> Option<Artwork> {
     // Twice as far as allowed from the origin: the page begins at the ink.
     lies_on(&artwork, [2e6, 2e6]);
     Some(artwork)
+}
+
+/// A file with this extension, whatever it holds.
+pub(crate) fn file(extension: &str, bytes: impl Into<Vec<u8>>) -> Source {
+    let format = Format::of_name(&format!("a.{extension}"));
+    Source::File {
+        format: format.expect("a format has this extension"),
+        bytes: bytes.into(),
+    }
 }
 
 /// The ink lies on a page of this width and height.

@@ -1,5 +1,3 @@
-use dobot_import::Source;
-
 /// DXF of any kind: an error, or ink within the limits, but never a panic.
 pub fn dxf(input: &[u8]) {
     let mut text = crate::spelled(input, WORDS);
@@ -8,7 +6,7 @@ pub fn dxf(input: &[u8]) {
         text.splice(..0, BEGIN.iter().copied());
         text.extend_from_slice(END);
     }
-    crate::read(&Source::Dxf(text));
+    crate::read(&crate::file("dxf", text));
 }
 
 const BEGIN: &[u8] = b"0\nSECTION\n2\nENTITIES\n";

@@ -1,8 +1,6 @@
-use dobot_import::Source;
-
 /// G-code of any kind: an error, or ink within the limits, but never a panic.
 pub fn gcode(input: &[u8]) {
-    crate::read(&Source::Gcode(crate::spelled(input, WORDS)));
+    crate::read(&crate::file("gcode", crate::spelled(input, WORDS)));
 }
 
 const WORDS: &[&str] = &[

@@ -1,8 +1,6 @@
-use dobot_import::Source;
-
 /// Plots of any kind: an error, or ink within the limits, but never a panic.
 pub fn hpgl(input: &[u8]) {
-    crate::read(&Source::Hpgl(crate::spelled(input, WORDS)));
+    crate::read(&crate::file("plt", crate::spelled(input, WORDS)));
 }
 
 const WORDS: &[&str] = &[

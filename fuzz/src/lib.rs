@@ -46,7 +46,7 @@ pub use svg::svg;
 pub use texts::texts;
 pub use vendor_files::vendor_files;
 
-use artwork::{lies_on, read};
+use artwork::{file, lies_on, read};
 use controller::drive;
 use words::spelled;
 

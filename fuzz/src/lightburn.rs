@@ -1,12 +1,10 @@
-use dobot_import::Source;
-
 /// Projects of `LightBurn` of any kind: an error, or ink within the limits, but never a panic.
 pub fn lightburn(input: &[u8]) {
     let spelled = crate::spelled(input, WORDS);
     let inside = String::from_utf8_lossy(&spelled);
     // Most of what is spelled is in a project, and much of that in a path, so that it is looked at.
     let [begin, end] = FRAMES[usize::from(input.first().copied().unwrap_or(0)) % FRAMES.len()];
-    crate::read(&Source::LightBurn(format!("{begin}{inside}{end}")));
+    crate::read(&crate::file("lbrn2", format!("{begin}{inside}{end}")));
 }
 
 const FRAMES: [[&str; 2]; 4] = [

@@ -53,11 +53,11 @@ pub fn pictures(input: &[u8]) {
     };
     let source = if is_packed {
         match Source::of_file("-", file) {
-            Ok(source @ Source::Picture(_)) => source,
+            Ok(source) if !source.has_size() => source,
             _ => return,
         }
     } else {
-        Source::Picture(file)
+        crate::file("png", file)
     };
     let page = source.picture_page();
     if let Ok((artwork, _)) = source.read(&options) {

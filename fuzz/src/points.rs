@@ -1,11 +1,9 @@
-use dobot_import::Source;
-
 /// Points in CSV and JSON: an error, or ink within the limits, but never a panic.
 pub fn points(input: &[u8]) {
     let text = crate::spelled(input, WORDS);
     let text = String::from_utf8_lossy(&text).into_owned();
-    crate::read(&Source::Csv(text.clone()));
-    crate::read(&Source::Json(text));
+    crate::read(&crate::file("csv", text.clone()));
+    crate::read(&crate::file("json", text));
 }
 
 const WORDS: &[&str] = &[

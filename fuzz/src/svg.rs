@@ -1,5 +1,3 @@
-use dobot_import::Source;
-
 /// SVG of any kind: an error, or ink on the file's page, but never a panic.
 pub fn svg(input: &[u8]) {
     let text = crate::spelled(input, WORDS);
@@ -8,7 +6,7 @@ pub fn svg(input: &[u8]) {
     if input.first().is_some_and(|kind| kind % 4 == 1) {
         text = format!("{BEGIN}{text}</svg>");
     }
-    if let Some(artwork) = crate::read(&Source::Svg(text)) {
+    if let Some(artwork) = crate::read(&crate::file("svg", text)) {
         crate::lies_on(&artwork, [artwork.width_mm, artwork.height_mm]);
     }
 }

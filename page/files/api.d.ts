@@ -1084,6 +1084,23 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/formats": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The formats of files that can be drawn */
+        get: operations["get_formats"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/tokens": {
         parameters: {
             query?: never;
@@ -4459,19 +4476,19 @@ export interface components {
              */
             text: string | null;
             /**
-             * @description The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font
+             * @description The letters of `what.text`: a single-line font (sans, script, serif, gothic), or any installed font
              *     (default: sans)
              * @default null
              */
             font: string | null;
             /**
              * Format: double
-             * @description How tall the capitals of --text are, in mm (default: 10)
+             * @description How tall the capitals of `what.text` are, in mm (default: 10)
              * @default null
              */
             height: number | null;
             /**
-             * @description Where the lines of --text meet: left, center or right (default: left)
+             * @description Where the lines of `what.text` meet: left, center or right (default: left)
              * @default null
              */
             align: components["schemas"]["Align"] | null;
@@ -4515,7 +4532,7 @@ export interface components {
              */
             layer: components["schemas"]["LayerTool"][];
             /**
-             * @description Draw these layers only, by name: several with commas between them, or one for each --only
+             * @description Draw these layers only, by name: several with commas between them, or one for each `what.only`
              * @default []
              */
             only: string[];
@@ -4525,7 +4542,7 @@ export interface components {
              */
             no_crop: boolean;
             /**
-             * @description Leave out what lies under the filled shapes of an SVG, DXF or HP-GL file, white ones too, as in a picture
+             * @description Leave out what lies under filled shapes that are painted over it, white ones too, as in a picture
              * @default false
              */
             hide: boolean;
@@ -4594,7 +4611,7 @@ export interface components {
             threshold: number | null;
             /**
              * Format: uint8
-             * @description How many tones beside white --shade outline and hatch tell apart, from 1 to 8 (default: 4)
+             * @description How many tones beside white the styles outline and hatch tell apart, from 1 to 8 (default: 4)
              * @default null
              */
             levels: number | null;
@@ -4672,7 +4689,7 @@ export interface components {
             grid: components["schemas"]["Grid"] | null;
             /**
              * Format: double
-             * @description How far the copies or files of --grid lie apart, and how far --text stands below a file, in mm of the file
+             * @description How far the copies or files of `place.grid` lie apart, and how far `what.text` stands below a file, in mm of the file
              * @default 5
              */
             gap: number;
@@ -4700,7 +4717,7 @@ export interface components {
              */
             pen_down: number | null;
             /**
-             * @description Three points of the paper that the pen has touched, for paper that is not level; with --paper-size
+             * @description Three points of the paper that the pen has touched, for paper that is not level; with `place.paper_size`
              *     first the lower left corner of the sheet, then another place on its lower edge
              * @default null
              */
@@ -5008,6 +5025,19 @@ export interface components {
             /** @description What draws on it. */
             tool: components["schemas"]["ToolKind2"];
         };
+        /** @description A format of files that can be drawn. */
+        Format: {
+            /** @description The name, as in `HP-GL`. */
+            name: string;
+            /** @description The extensions of its files in lower case, without dots; the usual one first. */
+            extensions: string[];
+            /** @description The MIME type. */
+            mime_type: string;
+            /** @description What its files hold. */
+            contents: components["schemas"]["Contents"];
+        };
+        /** @description What the files of a format hold. */
+        Contents: "page" | "shapes" | "lines" | "picture";
         /** @description A token, without its secret. */
         TokenView: {
             /** @description Who it is for: 1 to 40 letters, digits, dots, dashes and spaces. */
@@ -14597,7 +14627,10 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description - `invalid`: a field is not as it has to be */
+            /**
+             * @description - `bad-drawing`: it cannot be drawn
+             *     - `invalid`: a field is not as it has to be
+             */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -14960,6 +14993,69 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["MaterialView"][];
+                };
+            };
+            /** @description - `malformed`: the request cannot be understood */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `unauthorised`: this takes a token */
+            401: {
+                headers: {
+                    /** @description How to send a token */
+                    "WWW-Authenticate"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /**
+             * @description - `forbidden-host`: the station does not go by this name
+             *     - `forbidden-origin`: another site's page may not do this
+             */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description - `too-many-requests`: too many requests */
+            429: {
+                headers: {
+                    /** @description How long to wait, in seconds */
+                    "Retry-After"?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_formats: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description the formats */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Format"][];
                 };
             };
             /** @description - `malformed`: the request cannot be understood */

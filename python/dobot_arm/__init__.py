@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .arm import Arm, Jog, connect
-from .drawing import Plan, Progress, bar, plan
+from .drawing import Plan, Progress, bar, formats, plan
 from .errors import Closed, Error, Failed, Kind, LinkLost, Paused, Refused, Stopped, kinds
 from .operations import Button, Path
 from .programs import Point, Program, ProgramProblem, ProgramReport, ProgramStep, Step, program, program_bar
@@ -30,7 +30,7 @@ __all__ = [
     "LinkLost", "Object", "Path", "Paused", "Plan", "Point", "Program", "ProgramProblem", "ProgramReport",
     "ProgramStep", "Progress", "Recording", "Refused", "SHEET", "Served", "Simulation", "Status", "Step",
     "Stopped", "Table", "Touch", "World", "aconnect", "assert_ink", "assert_object", "bar", "calibrate",
-    "connect", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
+    "connect", "formats", "kinds", "log", "plan", "program", "program_bar", "serve", "simulate",
 ]
 
 _LATER = {

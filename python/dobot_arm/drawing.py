@@ -10,7 +10,7 @@ from itertools import islice
 from struct import Struct
 from typing import TYPE_CHECKING, Any
 
-from ._core import Drawing, Lines
+from ._core import Drawing, Lines, drawing_formats
 
 if TYPE_CHECKING:
     import numpy as np
@@ -73,11 +73,16 @@ class Plan:
         return f"<Plan {self.title!r}: {self.vectors} vectors, {self.duration_s:.0f} s>"
 
 
+def formats() -> dict[str, list[str]]:
+    """The formats of files that can be drawn: the extensions of each, as in ``{"DXF": ["dxf"], ...}``."""
+    return dict(drawing_formats())
+
+
 def plan(
     file: str | os.PathLike[str] | None = None, *, lines: Iterable[Points] | None = None, **options: object
 ) -> Plan:
-    """Plans a drawing: a file (SVG, DXF, LightBurn, HP-GL, G-code, a picture, points), ``lines=[...]``, ``text="..."``,
-    or one of the first with a text below.
+    """Plans a drawing: a file in one of the :func:`formats`, ``lines=[...]``, ``text="..."``, or one of the first with
+    a text below.
 
     ``lines`` are arrays of shape (n, 2), or sequences of pairs: x to the right and y down, in millimetres, as on a page.
 

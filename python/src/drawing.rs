@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use dobot_draw::{
-    Colors, DrawingRequest, InkLine, Materials, Options, Picture, Prepared, Settings, Subject,
-    View, WITHOUT_ARM_Z_MM,
+    Colors, DrawingRequest, FORMATS, InkLine, Materials, Options, OptionsError, Picture, Prepared,
+    Settings, Subject, View, WITHOUT_ARM_Z_MM,
 };
 use dobot_geometry::Point;
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -12,6 +12,13 @@ use pyo3::prelude::*;
 use serde_json::{Map, Value};
 
 use crate::failure::value_error;
+
+/// The formats of files that can be drawn: the name and the extensions of each.
+#[pyfunction]
+pub(crate) fn drawing_formats() -> Vec<(&'static str, Vec<&'static str>)> {
+    let row = |format: &'static dobot_draw::Format| (format.name, format.extensions.to_vec());
+    FORMATS.iter().map(row).collect()
+}
 
 /// A drawing, planned for any arm; for the one that draws it, it is planned anew.
 #[pyclass(frozen)]
@@ -87,10 +94,10 @@ impl Drawing {
         };
         py.detach(|| {
             let request = DrawingRequest::new(options, subject, &Materials::built_in());
-            let request = request.map_err(|it| value_error(&it))?;
+            let request = request.map_err(|it| refused(&it))?;
             let (prepared, settings) = request
                 .prepare(None, WITHOUT_ARM_Z_MM)
-                .map_err(|it| value_error(&it))?;
+                .map_err(|it| refused(&it))?;
             Ok(Self {
                 request,
                 prepared,
@@ -121,10 +128,9 @@ impl Drawing {
 
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.prepared
-            .warnings
-            .iter()
-            .map(ToString::to_string)
+        let warnings = self.prepared.warnings.iter().map(ToString::to_string);
+        warnings
+            .map(|warning| Options::rename_fields(&warning, str::to_owned))
             .collect()
     }
 
@@ -160,18 +166,15 @@ impl Drawing {
     }
 }
 
-/// The names of all options, those of a group together.
-fn groups() -> PyResult<Map<String, Value>> {
-    match serde_json::to_value(Options::default()) {
-        Ok(Value::Object(groups)) => Ok(groups),
-        other => Err(PyValueError::new_err(format!("the options are {other:?}"))),
-    }
+/// What is wrong with options, by the names that they have in Python.
+fn refused(why: &OptionsError) -> PyErr {
+    value_error(&Options::rename_fields(&why.to_string(), str::to_owned))
 }
 
 /// The options of `dobot draw` under their own names, as Python has them: without groups.
 fn grouped(json: &str) -> PyResult<Options> {
     let flat: Map<String, Value> = serde_json::from_str(json).map_err(|it| value_error(&it))?;
-    let known = groups()?;
+    let known = Options::fields();
     let mut asked = Map::new();
     for (name, value) in flat {
         let group = known.iter().find(|(_, it)| it.get(&name).is_some());

@@ -20,7 +20,7 @@ use pyo3::prelude::*;
 
 use crate::arm::Core;
 use crate::calibrate::{Calibrated, sheet_points};
-use crate::drawing::{Drawing, Lines};
+use crate::drawing::{Drawing, Lines, drawing_formats};
 use crate::failure::kinds;
 use crate::log::Log;
 use crate::pending::{Pending, Statuses};
@@ -33,6 +33,7 @@ use crate::virtual_arm::{ink_deviation, world_svg};
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Drawing>()?;
     module.add_class::<Lines>()?;
+    module.add_function(wrap_pyfunction!(drawing_formats, module)?)?;
     module.add_class::<Pending>()?;
     module.add_class::<Statuses>()?;
     module.add_class::<Taught>()?;

@@ -49,6 +49,74 @@ pub struct State {
     pub clients: usize,
 }
 
+impl State {
+    /// An arm at rest that nobody controls, for tests and documentation: a minute after the station started, over a serial
+    /// port, in the dialect of the specification.
+    ///
+    /// ```
+    /// use dobot_api::State;
+    ///
+    /// let state = State { clients: 2, ..State::sample() };
+    /// assert!(state.trust.trusted && state.stop.is_none());
+    /// ```
+    #[must_use]
+    pub fn sample() -> Self {
+        Self {
+            at_s: 61.0,
+            link: LinkView {
+                address: Some("serial:/dev/ttyUSB0@9600".to_owned()),
+                phase: LinkPhase::Up,
+                problem: None,
+                bluetooth: false,
+                statuses_per_s: 12.5,
+                lost_statuses: 0,
+                damaged_bytes: 0,
+                latency_ms: Some(46.0),
+            },
+            arm: Some(ArmView {
+                status: Status {
+                    x_mm: 220.0,
+                    y_mm: 0.0,
+                    z_mm: 30.0,
+                    rotation_deg: 15.0,
+                    base_deg: 0.0,
+                    rear_deg: 40.0,
+                    fore_deg: 45.0,
+                    servo_deg: 15.0,
+                    suction: true,
+                    gripper_deg: 12.0,
+                },
+                told: None,
+                moving: false,
+                near: NearView::default(),
+            }),
+            calibrated: None,
+            dialect: Some(Dialect::SPECIFICATION),
+            trust: TrustView {
+                trusted: true,
+                reason: None,
+            },
+            queue: QueueView {
+                waiting: 0,
+                under_way: 0,
+                ahead_s: 0.0,
+            },
+            lease: None,
+            lock: None,
+            slots: None,
+            stop: None,
+            fleet_stops: Vec::new(),
+            laser: LaserView {
+                armed_for_s: 0.0,
+                on: false,
+            },
+            job: None,
+            jobs_missing: None,
+            clients: 1,
+        }
+    }
+}
+
 /// The way to the arm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LinkView {

@@ -7,6 +7,7 @@ use dobot_draw::OptionsError;
 use dobot_host::{NoArm, OpenArmError};
 use dobot_session::{LinkError, OpenError, SendError};
 
+use crate::drawing_options::with_option_names;
 use crate::logging::LogFormat;
 
 /// What went wrong.
@@ -33,13 +34,14 @@ impl Failure {
 
     /// What went wrong, in one line.
     pub(crate) fn detail(&self) -> String {
-        format!("{:#}", self.error)
+        with_option_names(&format!("{:#}", self.error))
     }
 
     /// What to do about it.
     pub(crate) fn hint(&self) -> Option<String> {
         let causes = self.error.chain().find_map(known_hint);
-        self.hint.clone().or(causes)
+        let hint = self.hint.clone().or(causes);
+        hint.map(|hint| with_option_names(&hint))
     }
 
     /// Tells the person, and gives the exit code. Output that nobody wants to read any more, as
@@ -60,7 +62,7 @@ impl Failure {
                 hint.inspect(|it| eprintln!("hint: {it}"));
             }
             LogFormat::Json => {
-                tracing::error!(hint, "{:#}", self.error);
+                tracing::error!(hint, "{}", self.detail());
                 crate::stderr::flush();
             }
         }

@@ -3,6 +3,7 @@
 mod bounded;
 mod connect;
 mod control;
+mod drawing_options;
 mod failure;
 mod follow;
 mod interrupt;

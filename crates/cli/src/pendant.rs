@@ -367,29 +367,6 @@ impl Question {
 /// How far a press moves the arm, in mm or degrees: the second to touch a point.
 const STEPS: [f32; 2] = [1.0, 0.1];
 
-/// An arm at rest, for tests.
-#[cfg(test)]
-pub(crate) const STATE: &str = r#"{
-    "at_s": 61.0,
-    "link": {
-        "address": "serial:/dev/ttyUSB0@9600", "phase": "up", "problem": null,
-        "statuses_per_s": 12.5, "lost_statuses": 0, "damaged_bytes": 0, "latency_ms": 46.0
-    },
-    "arm": {
-        "x_mm": 220.0, "y_mm": 0.0, "z_mm": 30.0, "rotation_deg": 15.0,
-        "base_deg": 0.0, "rear_deg": 40.0, "fore_deg": 45.0, "servo_deg": 15.0,
-        "suction": true, "gripper_deg": 12.0, "moving": false
-    },
-    "dialect": "specification",
-    "trust": {"trusted": true, "reason": null},
-    "queue": {"waiting": 0, "under_way": 0, "ahead_s": 0.0},
-    "lease": null,
-    "stop": null,
-    "laser": {"armed_for_s": 0.0, "on": false},
-    "job": null,
-    "clients": 1
-}"#;
-
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]
 mod tests {
@@ -417,10 +394,6 @@ mod tests {
     fn keyed(it: &mut Pendant, now: Duration, code: KeyCode) -> Vec<Request> {
         it.handle_event(now, &press(code));
         asked(it, now)
-    }
-
-    fn state() -> State {
-        serde_json::from_str(STATE).unwrap()
     }
 
     fn forward(speed_percent: f32) -> Request {
@@ -462,7 +435,7 @@ mod tests {
     #[test]
     fn steps_move_the_arm_once_by_each_press_and_a_moving_arm_not_at_all() {
         let mut it = pendant(Drive::Jog);
-        it.handle_state(state());
+        it.handle_state(State::sample());
         keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
         keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
         let down = Button::Linear(LinearJogAxis::ZMinus);
@@ -485,12 +458,12 @@ mod tests {
                 by: 0.1
             }]
         );
-        let mut moving = state();
+        let mut moving = State::sample();
         moving.arm.as_mut().unwrap().moving = true;
         it.handle_state(moving);
         assert_eq!(keyed(&mut it, Duration::ZERO, KeyCode::Left), []);
         // The third press ends it.
-        it.handle_state(state());
+        it.handle_state(State::sample());
         keyed(&mut it, Duration::ZERO, KeyCode::Char('.'));
         let asked = keyed(&mut it, Duration::ZERO, KeyCode::Left);
         assert!(matches!(asked[..], [Request::Jog { .. }]), "{asked:?}");
@@ -536,7 +509,7 @@ mod tests {
     #[test]
     fn the_arm_moves_again_only_after_a_yes_to_the_question() {
         let mut it = pendant(Drive::Jog);
-        let mut lost = state();
+        let mut lost = State::sample();
         lost.trust.trusted = false;
         it.handle_state(lost);
         let now = Duration::ZERO;
@@ -609,7 +582,7 @@ mod tests {
     #[test]
     fn a_mouse_has_two_packets_under_way_at_the_most() {
         let mut it = pendant(Drive::Mouse(Mouse::new()));
-        it.handle_state(state());
+        it.handle_state(State::sample());
         let beat = |at: u32| DEAD_MAN / 3 * at;
         for at in 0..2 {
             let packet = mouse_packet(&keyed(&mut it, beat(at), KeyCode::Up));
@@ -640,7 +613,7 @@ mod tests {
     fn left_is_left_with_a_mouse_whatever_the_dialect() {
         let mut it = pendant(Drive::Mouse(Mouse::new()));
         for (dialect, y) in [(Dialect::SPECIFICATION, 2.5), (Dialect::FIRMWARE_1_1, -2.5)] {
-            let mut state = state();
+            let mut state = State::sample();
             state.dialect = Some(dialect);
             it.handle_state(state);
             it.handle_event(Duration::ZERO, &Event::FocusLost);

@@ -41,6 +41,7 @@ mod strokes;
 
 pub use arm::calibrated::known_paper;
 pub use arm::resume_point::{StartError, StartFrom};
+pub use dobot_import::{FORMATS, Format};
 pub use layout::clip::{Clipped, clip_to_reach};
 pub use layout::copies::Grid;
 pub use layout::frame::{FrameShape, frame};
@@ -49,8 +50,9 @@ pub use layout::sheet::{PaperSize, SheetPlace};
 pub use layout::test_card::{Card, CardError};
 pub use material::{Material, MaterialError, Materials, UnknownMaterial};
 pub use options::{
-    Auto, ContentOptions, DrawingRequest, LayerTool, Options, OptionsError, PassesBy, PathOptions,
-    PlaceOptions, Spacing, Subject, ToolOptions, WITHOUT_ARM_Z_MM,
+    Auto, ContentOptions, DrawingRequest, LayerTool, OPTION_RANGES, OptionRange, Options,
+    OptionsError, PassesBy, PathOptions, PlaceOptions, Spacing, Subject, ToolOptions,
+    WITHOUT_ARM_Z_MM,
 };
 pub use output::estimate::{Estimate, PassFigures};
 pub use output::export::{ExportFormat, export};

@@ -1,9 +1,11 @@
-//! What a person asks for: the options of `dobot draw`, in JSON under the same names.
+//! What a person asks for: the options of `dobot draw`, in JSON under the same names. The documentation of a field is its
+//! help on the command line and its description in the API.
 
 mod asked;
 mod check;
 mod content;
 mod error;
+mod fields;
 mod path;
 mod place;
 mod tool;
@@ -14,6 +16,7 @@ use serde::{Deserialize, Serialize};
 pub use self::asked::{DrawingRequest, Subject, WITHOUT_ARM_Z_MM};
 pub use self::content::{Auto, ContentOptions, LayerTool, Spacing};
 pub use self::error::OptionsError;
+pub use self::fields::{OPTION_RANGES, OptionRange};
 pub use self::path::PathOptions;
 pub use self::place::PlaceOptions;
 pub use self::tool::{PassesBy, ToolOptions};
@@ -33,24 +36,29 @@ pub use self::tool::{PassesBy, ToolOptions};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "options", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Options {
     /// What is drawn.
-    #[cfg_attr(feature = "options", command(flatten))]
     pub what: ContentOptions,
     /// Where it goes.
-    #[cfg_attr(feature = "options", command(flatten))]
     pub place: PlaceOptions,
     /// With what it is drawn.
-    #[cfg_attr(feature = "options", command(flatten))]
     pub tool: ToolOptions,
     /// How it is drawn.
-    #[cfg_attr(feature = "options", command(flatten))]
     pub way: PathOptions,
 }
 
 impl Options {
+    /// Whether each of them is allowed by itself and fits the others, whatever is drawn.
+    ///
+    /// # Errors
+    ///
+    /// [`OptionsError`]: the first field that is out of its range, that another one excludes, or that does nothing
+    /// without another one.
+    pub fn check_values(&self) -> Result<(), OptionsError> {
+        check::check_values(self)
+    }
+
     /// Whether they fit what is drawn, and each other.
     ///
     /// # Errors

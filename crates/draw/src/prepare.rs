@@ -14,7 +14,7 @@ use thiserror::Error;
 use self::passes::passes;
 use self::read::read;
 pub use self::settings::Settings;
-pub(crate) use self::settings::TRIES;
+pub(crate) use self::settings::{TOLERANCE_MM, TRIES};
 use self::vectors::{Trials, simplified};
 use crate::arm::backlash::{most_mm, taken_up};
 use crate::arm::calibrated::told_passes;
@@ -207,7 +207,7 @@ pub enum PrepareError {
     Place(#[from] PlaceError),
     /// Nothing of it is on the sheet and within reach.
     #[error(
-        "nothing is left of the drawing: all of it is beyond the sheet or out of the arm's reach; place it elsewhere, or make it smaller with --fit"
+        "nothing is left of the drawing: all of it is beyond the sheet or out of the arm's reach; place it elsewhere, or make it smaller with place.fit"
     )]
     AllCutOff,
     /// Its areas cannot be hatched like that.

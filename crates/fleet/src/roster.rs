@@ -321,7 +321,6 @@ mod tests {
     use crate::Credentials;
     use crate::identity::Identity;
     use crate::telling::Teller;
-    use crate::telling::tests::state;
 
     fn key(name: &str, digit: char) -> MemberKey {
         MemberKey {
@@ -459,7 +458,10 @@ mod tests {
         let mut roster = roster();
         came(&mut roster, key("desk-2", 'b'), 2.0);
         for at_s in [-1e9, 1e12] {
-            let state = State { at_s, ..state() };
+            let state = State {
+                at_s,
+                ..State::sample()
+            };
             let told = Told {
                 about: MemberAbout::default(),
                 state: Some(Box::new(state)),

@@ -163,50 +163,10 @@ fn is_like(one: &State, other: &State) -> bool {
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
-pub(crate) mod tests {
-    use dobot_api::{LaserView, LinkPhase, LinkView, QueueView, StopView, TrustView};
+mod tests {
+    use dobot_api::StopView;
 
     use super::*;
-
-    pub(crate) fn state() -> State {
-        State {
-            at_s: 1.0,
-            link: LinkView {
-                address: None,
-                phase: LinkPhase::Up,
-                problem: None,
-                bluetooth: false,
-                statuses_per_s: 12.5,
-                lost_statuses: 0,
-                damaged_bytes: 0,
-                latency_ms: None,
-            },
-            arm: None,
-            calibrated: None,
-            dialect: None,
-            trust: TrustView {
-                trusted: true,
-                reason: None,
-            },
-            queue: QueueView {
-                waiting: 0,
-                under_way: 0,
-                ahead_s: 0.0,
-            },
-            lease: None,
-            lock: None,
-            slots: None,
-            stop: None,
-            fleet_stops: Vec::new(),
-            laser: LaserView {
-                armed_for_s: 0.0,
-                on: false,
-            },
-            job: None,
-            jobs_missing: None,
-            clients: 0,
-        }
-    }
 
     #[test]
     fn what_is_no_name_and_no_link_is_left_out_and_nothing_reaches_the_terminal() {
@@ -230,7 +190,7 @@ pub(crate) mod tests {
                     delivered: true,
                     of_fleet: false,
                 }),
-                ..state()
+                ..State::sample()
             })),
         };
         let told = serde_json::to_vec(&told).unwrap();
@@ -273,10 +233,10 @@ pub(crate) mod tests {
     fn a_stop_is_told_at_once_and_a_resting_arm_every_second() {
         let at = Duration::from_millis;
         let mut pace = Pace::default();
-        assert!(pace.is_due(at(0), &state()));
+        assert!(pace.is_due(at(0), &State::sample()));
         let later = State {
             at_s: 1.2,
-            ..state()
+            ..State::sample()
         };
         assert!(!pace.is_due(at(200), &later));
         assert!(pace.is_due(at(1000), &later));

@@ -239,57 +239,17 @@ const STATE_PERIOD: Duration = Duration::from_secs(10);
 
 #[cfg(test)]
 mod tests {
-    use dobot_api::{ArmView, LaserView, LinkPhase, LinkView, QueueView, TrustView};
-
     use super::*;
 
     /// A state of an arm at rest: clock and figures run on.
     fn state(at_s: f64) -> State {
-        State {
-            calibrated: None,
+        let mut state = State {
             at_s,
-            link: LinkView {
-                address: Some("virtual:".into()),
-                phase: LinkPhase::Up,
-                problem: None,
-                bluetooth: false,
-                statuses_per_s: 12.5 + at_s / 1e6,
-                lost_statuses: 0,
-                damaged_bytes: 0,
-                latency_ms: None,
-            },
-            arm: Some(ArmView {
-                told: None,
-                status: Status {
-                    x_mm: 200.0,
-                    ..REST
-                },
-                moving: false,
-                near: NearView::default(),
-            }),
             dialect: None,
-            trust: TrustView {
-                trusted: true,
-                reason: None,
-            },
-            queue: QueueView {
-                waiting: 0,
-                under_way: 0,
-                ahead_s: 0.0,
-            },
-            lease: None,
-            lock: None,
-            slots: None,
-            stop: None,
-            fleet_stops: Vec::new(),
-            laser: LaserView {
-                armed_for_s: 0.0,
-                on: false,
-            },
-            job: None,
-            jobs_missing: None,
-            clients: 1,
-        }
+            ..State::sample()
+        };
+        state.link.statuses_per_s += at_s / 1e6;
+        state
     }
 
     /// How many states of those are recorded, one each 80 ms.

@@ -9,6 +9,7 @@ use thiserror::Error;
 pub use self::picture::ImageError;
 pub use self::svg::SvgError;
 pub use self::text::TextError;
+use crate::formats::extensions;
 use crate::place::{Place, excerpt, place};
 
 /// Why a source cannot be drawn.
@@ -27,7 +28,8 @@ pub enum SourceError {
     },
     /// Neither name nor contents tell what it is.
     #[error(
-        "{name:?} is of no kind that can be drawn; known are .svg, .svgz, .png, .jpg, .gif, .webp, .bmp, .tif, .gcode, .plt, .dxf, .lbrn, .lbrn2, .csv and .json files"
+        "{name:?} is of no kind that can be drawn; known are {} files",
+        extensions()
     )]
     UnknownKind {
         /// The file's name.

@@ -81,5 +81,14 @@ fn run<'a>(
 /// Those of as many lines as a drawing may have, and travels: all are looked at before the first is drawn.
 const MOST_MOVES: usize = MAX_SEGMENTS / 2 * 3;
 
+/// A word such as `G21`, or what may stand before the first.
+pub(crate) fn is_likely(start: &str) -> bool {
+    let mut letters = start.chars();
+    let first = letters.next().unwrap_or_default().to_ascii_uppercase();
+    let second = letters.find(|it| *it != ' ').unwrap_or_default();
+    "%(;$/".contains(first)
+        || ("FGMNSTXYZ".contains(first) && (second.is_ascii_digit() || "-.".contains(second)))
+}
+
 #[cfg(test)]
 mod tests;

@@ -34,5 +34,19 @@ pub(crate) fn read(
         .finish(Y::Up, "no command draws with a pen down")
 }
 
+/// A plotter's escape sequence, or a command that plots begin with, and not with other letters.
+pub(crate) fn is_likely(start: &str) -> bool {
+    let start = start.trim_start_matches(';');
+    let name = start.get(..2).unwrap_or_default().to_ascii_uppercase();
+    let next = start.get(2..).unwrap_or_default();
+    let is_first = [
+        "BP", "DF", "IN", "IP", "PA", "PD", "PR", "PU", "RO", "SC", "SP", "VS",
+    ]
+    .contains(&name.as_str());
+    let is_word = next.starts_with(|c: char| c.is_ascii_lowercase())
+        && !start.starts_with(|c: char| c.is_ascii_lowercase());
+    start.starts_with('\u{1b}') || (is_first && !is_word)
+}
+
 #[cfg(test)]
 mod tests;

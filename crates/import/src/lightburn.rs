@@ -42,6 +42,12 @@ pub(crate) fn read(
     sketch.finish(y, "no shapes that are output")
 }
 
+/// Whether a file that begins so is a project of `LightBurn`, whatever its name says.
+pub(crate) fn is_certain(start: &[u8]) -> bool {
+    let mark = b"<LightBurnProject";
+    start.windows(mark.len()).any(|window| window == mark)
+}
+
 const ROOT: &str = "LightBurnProject";
 /// How a project says that an axis is mirrored.
 const TRUE: &str = "True";

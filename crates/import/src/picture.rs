@@ -23,7 +23,7 @@ mod stipple;
 mod tone;
 mod waves;
 
-pub(super) use self::decode::is_picture;
+pub(super) use self::decode::format;
 use self::decode::{Header, header, pixels};
 pub use self::shading::{Shading, ShadingStyle};
 use self::tone::{Tone, count};
@@ -32,6 +32,7 @@ use crate::error::{ImageError, SourceError};
 use crate::options::ReadOptions;
 use crate::warning::Warning;
 use dobot_geometry::{Point, Stroke};
+pub(super) use image::ImageFormat;
 
 /// Reads a picture as lines or dots, all on its page: 96 pixels to the inch, or what a PNG file
 /// says itself.

@@ -4,7 +4,7 @@ mod csv;
 mod json;
 mod lines;
 
-pub(crate) use self::csv::read as read_csv;
+pub(crate) use self::csv::{is_likely as is_likely_csv, read as read_csv};
 pub(crate) use self::json::read as read_json;
 pub(crate) use self::lines::read as read_lines;
 

@@ -4,40 +4,31 @@ use dobot_geometry::Point;
 
 use crate::artwork::Artwork;
 use crate::error::SourceError;
+use crate::formats::{Contents, FORMATS, Format};
 use crate::limits::{MOST_BYTES, MOST_PICTURE_BYTES};
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
-use crate::{dxf, encoding, gcode, hpgl, kind, lightburn, packed, picture, points, svg};
+use crate::{encoding, kind, packed, picture, points};
 
 /// Something to be drawn, not yet read.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {
-    /// An SVG file.
-    Svg(String),
-    /// A PNG, JPEG, GIF, WebP, BMP or TIFF file.
-    Picture(Vec<u8>),
-    /// G-code: of a laser, a plotter or a mill. Bytes, for its comments may hold anything.
-    Gcode(Vec<u8>),
-    /// HP-GL: a plot. Bytes, for its letters may be packed numbers.
-    Hpgl(Vec<u8>),
-    /// DXF in text. Bytes, for older ones are no UTF-8.
-    Dxf(Vec<u8>),
-    /// A project of `LightBurn` (`.lbrn`, `.lbrn2`).
-    LightBurn(String),
-    /// Points in lines: x to the right, y down, in mm.
-    Csv(String),
+    /// A file.
+    File {
+        /// Its format.
+        format: &'static Format,
+        /// What it holds, unpacked.
+        bytes: Vec<u8>,
+    },
     /// Lines of points that a program has calculated: x to the right, y down, in mm.
     Lines(Vec<Vec<Point>>),
-    /// Points in JSON: lists of strokes, which are lists of points, in mm.
-    Json(String),
     /// Text, in letters of single lines or outlines.
     Text(Text),
 }
 
 impl Source {
-    /// Takes the contents of a file, which may be packed with gzip, for what its name says or its first
-    /// bytes: SVG files, projects of `LightBurn` and pictures are known by these whatever they are called.
+    /// A file, which may be packed with gzip, of the format that its beginning or its name tells ([`Format::of_file`]).
     ///
     /// # Errors
     ///
@@ -48,30 +39,19 @@ impl Source {
         let bytes = packed::unpacked(Self::checked_size(bytes)?)?;
         let bytes = encoding::in_utf8(Self::checked_size(bytes)?)?;
         kind::refuse_foreign(&bytes)?;
-        let unpacked = name.strip_suffix(".gz").unwrap_or(name);
-        let ending = unpacked.rsplit_once('.').map_or("", |(_, ending)| ending);
-        match ending.to_ascii_lowercase().as_str() {
-            _ if kind::is_svg(&bytes) => Ok(Self::Svg(kind::text(bytes)?)),
-            _ if picture::is_picture(&bytes) => Ok(Self::Picture(bytes)),
-            _ if kind::is_lightburn(&bytes) => Ok(Self::LightBurn(kind::text(bytes)?)),
-            "svg" | "svgz" => Ok(Self::Svg(kind::text(bytes)?)),
-            "png" | "jpg" | "jpeg" | "gif" | "webp" | "bmp" | "tif" | "tiff" => {
-                Ok(Self::Picture(bytes))
-            }
-            "gcode" | "gco" | "g" | "nc" | "ngc" | "tap" | "cnc" => Ok(Self::Gcode(bytes)),
-            "hpgl" | "hpg" | "hgl" | "plt" => Ok(Self::Hpgl(bytes)),
-            "dxf" => Ok(Self::Dxf(bytes)),
-            "lbrn" | "lbrn2" => Ok(Self::LightBurn(kind::text(bytes)?)),
-            "csv" => Ok(Self::Csv(kind::text(bytes)?)),
-            "json" => Ok(Self::Json(kind::text(bytes)?)),
-            _ => Self::of_contents(name, bytes),
-        }
+        let Some(format) = Format::of_file(name, &bytes) else {
+            return Err(SourceError::UnknownKind {
+                name: name.to_owned(),
+            });
+        };
+        format.check(&bytes)?;
+        Ok(Self::File { format, bytes })
     }
 
     /// How many bytes a file may have that begins like this: who reads it need not read more of them.
     #[must_use]
     pub fn most_bytes(start: &[u8]) -> u64 {
-        if picture::is_picture(start) {
+        if picture::format(start).is_some() {
             MOST_PICTURE_BYTES
         } else {
             MOST_BYTES
@@ -80,8 +60,8 @@ impl Source {
 
     /// Whether it says how large it is to be drawn; otherwise it fills the paper.
     #[must_use]
-    pub const fn has_size(&self) -> bool {
-        !matches!(self, Self::Picture(_))
+    pub fn has_size(&self) -> bool {
+        self.picture().is_none()
     }
 
     /// Whether it becomes the same however large it is drawn: it has no curves that would be read more finely.
@@ -94,7 +74,10 @@ impl Source {
     #[must_use]
     pub fn needs_fonts(&self) -> bool {
         match self {
-            Self::Svg(svg) => svg.contains("<text") || svg.contains(":text"),
+            Self::File { format, bytes } if format.contents == Contents::Page => {
+                let has = |mark: &[u8]| bytes.windows(mark.len()).any(|window| window == mark);
+                has(b"<text") || has(b":text")
+            }
             Self::Text(text) => matches!(text.font, Font::Outline(_)),
             _ => false,
         }
@@ -108,15 +91,6 @@ impl Source {
         Ok(bytes)
     }
 
-    fn of_contents(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
-        match kind::TextKind::of_start(&bytes) {
-            Some(kind) => kind.source(bytes),
-            None => Err(SourceError::UnknownKind {
-                name: name.to_owned(),
-            }),
-        }
-    }
-
     /// Reads it as layers of lines and areas, with what a pen cannot show as warnings.
     ///
     /// # Errors
@@ -124,16 +98,17 @@ impl Source {
     /// [`SourceError`] with the place, what was found there and what is allowed.
     pub fn read(&self, options: &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError> {
         match self {
-            Self::Svg(text) => svg::read(text, options),
+            Self::File { format, bytes } => format.read(bytes, options),
             Self::Text(text) => text.read(options),
-            Self::Gcode(text) => gcode::read(text, options),
-            Self::Hpgl(text) => hpgl::read(text, options),
-            Self::Dxf(text) => dxf::read(text, options),
-            Self::LightBurn(text) => lightburn::read(text, options),
-            Self::Csv(text) => points::read_csv(text, options),
-            Self::Json(text) => points::read_json(text, options),
             Self::Lines(lines) => points::read_lines(lines, options),
-            Self::Picture(bytes) => picture::read(bytes, options),
+        }
+    }
+
+    /// The bytes of a picture.
+    fn picture(&self) -> Option<&[u8]> {
+        match self {
+            Self::File { format, bytes } if format.is_picture() => Some(bytes),
+            _ => None,
         }
     }
 
@@ -144,16 +119,16 @@ impl Source {
     ///
     /// [`SourceError::Picture`] where the file is damaged or too large.
     pub fn picture_page(&self) -> Result<Option<Point>, SourceError> {
-        match self {
-            Self::Picture(bytes) => picture::page(bytes).map(Some),
-            _ => Ok(None),
-        }
+        self.picture().map(picture::page).transpose()
     }
 }
 
 impl From<&str> for Source {
     fn from(svg: &str) -> Self {
-        Self::Svg(svg.to_owned())
+        Self::File {
+            format: &FORMATS[0],
+            bytes: svg.into(),
+        }
     }
 }
 

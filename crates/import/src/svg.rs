@@ -68,6 +68,16 @@ pub(crate) fn read(
     Ok((artwork, warnings))
 }
 
+/// Whether a text that begins so is an SVG file, whatever its name says.
+pub(crate) fn is_certain(start: &str) -> bool {
+    start.starts_with("<svg") || (start.starts_with("<?xml") && start.contains("<svg"))
+}
+
+/// Whether a text that begins so is an SVG file if its name says nothing.
+pub(crate) fn is_likely(start: &str) -> bool {
+    start.contains("<svg") || start.starts_with("<?xml")
+}
+
 fn draw(
     text: &str,
     options: &ReadOptions,

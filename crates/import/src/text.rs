@@ -37,6 +37,9 @@ pub struct Text {
 }
 
 impl Text {
+    /// How tall capitals may be, in mm.
+    pub const HEIGHT_MM: [f64; 2] = [0.1, 1000.0];
+
     /// Text in plain single-stroke letters, 10 mm tall, its lines 1.75 heights apart.
     #[must_use]
     pub fn new(text: impl Into<String>) -> Self {
@@ -73,7 +76,7 @@ impl Text {
                 limit: MAX_CHARACTERS,
             });
         }
-        if !is_in(self.height_mm, HEIGHT_MM) {
+        if !is_in(self.height_mm, Self::HEIGHT_MM) {
             return Err(TextError::Height {
                 found_mm: self.height_mm,
             });
@@ -205,7 +208,6 @@ fn layer(text: &str) -> Layer {
 
 /// Some ten pages: the arm writes them in days.
 const MAX_CHARACTERS: usize = 20_000;
-const HEIGHT_MM: [f64; 2] = [0.1, 1000.0];
 const LINE_SPACING: [f64; 2] = [0.5, 10.0];
 
 #[cfg(test)]

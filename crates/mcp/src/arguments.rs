@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use dobot_api::problem_kinds::OUT_OF_RANGE;
-use dobot_draw::Options;
+use dobot_draw::{Format, Options};
 use dobot_host::{Target, TargetPlace};
 use dobot_wire::{MovingMode, single};
 use rmcp::model::JsonObject;
@@ -173,11 +173,17 @@ pub(crate) struct NewDrawing {
     pub(crate) text: Option<String>,
     /// A whole SVG document.
     pub(crate) svg: Option<String>,
-    /// A file of the folder for agents: SVG, G-code, HPGL, DXF, a `LightBurn` project, a picture, or points as CSV or JSON.
+    /// A file of the folder for agents.
+    #[schemars(description = file_description())]
     pub(crate) file: Option<String>,
     /// How it is drawn, as the arguments of `dobot draw`.
     #[serde(default)]
     pub(crate) options: Options,
+}
+
+fn file_description() -> String {
+    let formats = Format::names(|_| true, "or");
+    format!("A file of the folder for agents, in one of the formats {formats}")
 }
 
 /// A drawing that was planned.

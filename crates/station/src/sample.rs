@@ -1,8 +1,7 @@
 //! A state, a job and a notice for tests.
 
 use dobot_api::{
-    ArmView, JobKind, JobPhase, JobView, LaserView, LinkPhase, LinkView, NearView, News, Notice,
-    QueueView, State, TrustView,
+    ArmView, JobKind, JobPhase, JobView, LinkView, NearView, News, Notice, QueueView, State,
 };
 use dobot_wire::{Dialect, Status};
 
@@ -29,18 +28,13 @@ pub(crate) fn job(number: u64) -> JobView {
 
 /// An arm that draws it.
 pub(crate) fn state(at_s: f64) -> State {
+    let sample = State::sample();
     State {
-        calibrated: None,
         at_s,
         link: LinkView {
             address: Some("virtual:".into()),
-            phase: LinkPhase::Up,
-            problem: None,
-            bluetooth: false,
-            statuses_per_s: 12.5,
-            lost_statuses: 0,
-            damaged_bytes: 0,
             latency_ms: Some(84.0),
+            ..sample.link
         },
         arm: Some(ArmView {
             told: None,
@@ -60,27 +54,13 @@ pub(crate) fn state(at_s: f64) -> State {
             near: NearView::default(),
         }),
         dialect: Some(Dialect::FIRMWARE_1_1),
-        trust: TrustView {
-            trusted: true,
-            reason: None,
-        },
         queue: QueueView {
             waiting: 2,
             under_way: 1,
             ahead_s: 0.4,
         },
-        lease: None,
-        lock: None,
-        slots: None,
-        stop: None,
-        fleet_stops: Vec::new(),
-        laser: LaserView {
-            armed_for_s: 0.0,
-            on: false,
-        },
         job: Some(job(7)),
-        jobs_missing: None,
-        clients: 1,
+        ..sample
     }
 }
 

@@ -12,6 +12,7 @@ import { isThere } from "./members.js";
  * @typedef {object} Queue
  * @property {boolean} open
  * @property {readonly WorkView[] | null} all In the order in which it came; nothing where it is not known yet.
+ * @property {import("../state/draw.js").Formats} formats What can be drawn.
  * @property {Form} form
  * @property {boolean} submitting
  * @property {string | null} submitted What was submitted last.
@@ -22,6 +23,7 @@ import { isThere } from "./members.js";
 export const NO_QUEUE = {
   open: false,
   all: null,
+  formats: [],
   form: { what: "file", file: null, text: "", student: "", group: "", needs: [], down: "", fit: false },
   submitting: false,
   submitted: null,
@@ -30,6 +32,7 @@ export const NO_QUEUE = {
 
 /** @typedef {{ type: "queue_open", open: boolean }
  * | { type: "queue", all: readonly WorkView[] }
+ * | { type: "queue_formats", formats: Queue["formats"] }
  * | { type: "queue_form", form: Partial<Form> }
  * | { type: "queue_asked", work: string | null }
  * | { type: "queue_submitted", form: Form, title: string }
@@ -42,6 +45,8 @@ export function reduceQueue(queue, message) {
       return { ...queue, open: message.open };
     case "queue":
       return { ...queue, all: message.all };
+    case "queue_formats":
+      return { ...queue, formats: message.formats };
     case "queue_form":
       return { ...queue, form: { ...queue.form, ...message.form }, submitted: null };
     case "queue_asked":

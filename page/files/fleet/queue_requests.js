@@ -32,9 +32,15 @@ export function createQueueRequests(store, http) {
     timer = setTimeout(() => void read(), AGAIN_MS);
   }
 
+  async function readFormats() {
+    const formats = await http.json("api/v1/formats");
+    if (formats) send({ type: "queue_formats", formats });
+  }
+
   store.listen((_, { type }) => {
     if (type === "queue_form") key = newKey();
     if (type === "fleet" || type === "queue_open") void read();
+    if (type === "queue_open") void readFormats();
   });
 
   /** @param {string} work @param {"POST" | "DELETE"} method @param {string} path */

@@ -2,7 +2,7 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { DRAWN } from "../state/draw.js";
+import { accepted } from "../state/draw.js";
 import { arms, canSubmit, isWrongHeight, offers } from "./queue.js";
 import { groups } from "./members.js";
 import { list } from "./outcome.js";
@@ -43,7 +43,7 @@ const set = ({ act }, form) => act.send({ type: "queue_form", form });
 
 /** @param {Context} context */
 function subject(context) {
-  const { board: { queue: { form } }, say } = context;
+  const { board: { queue: { form, formats } }, say } = context;
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) set(context, { file: input.files[0] });
@@ -58,7 +58,7 @@ function subject(context) {
     ${form.what === "text" ? html`<textarea id="submit-text" rows="2" aria-label=${say("draw.text")} .value=${live(form.text)} @input=${(/** @type {Event} */ event) => set(context, { text: value(event) })}></textarea>` : html`
       <div class="drop">
         <p>${form.file ? html`<strong id="submit-name">${form.file.name}</strong>` : say("fleet.submit.drop")}</p>
-        <input id="submit-file" type="file" accept=${DRAWN} aria-label=${say("draw.choose")} @change=${chosen}>
+        <input id="submit-file" type="file" accept=${accepted(formats)} aria-label=${say("draw.choose")} @change=${chosen}>
         <label for="submit-file" class="button">${say(form.file ? "draw.another" : "draw.choose")}</label>
       </div>`}`;
 }

@@ -4,7 +4,7 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
-import { DRAWN, hasSubject, wrongField } from "../state/draw.js";
+import { accepted, formatNames, hasSubject, withFieldNames, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
 import { hindrance, isVirtual } from "../state/select.js";
 import { sentence } from "../views/banners.js";
@@ -27,7 +27,7 @@ const checked = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ 
 
 /** @param {Context} context */
 function subject({ page, say, act }) {
-  const { what, file, text } = page.draw;
+  const { what, file, text, formats } = page.draw;
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) act.takeFile(input.files[0]);
@@ -43,8 +43,8 @@ function subject({ page, say, act }) {
       </fieldset>
       ${what === "text" ? html`<textarea id="draw-text" rows="2" aria-label=${say("draw.text")} .value=${live(text)} @input=${(/** @type {Event} */ event) => act.send({ type: "draw_text", text: value(event) })}></textarea>` : html`
         <div class="drop">
-          <p>${file ? html`<strong id="draw-name">${file.name}</strong>` : say("draw.drop")}</p>
-          <input id="draw-file" type="file" accept=${`${DRAWN},.json`} aria-label=${say("draw.choose")} @change=${chosen}>
+          <p>${file ? html`<strong id="draw-name">${file.name}</strong>` : say("draw.drop", { formats: formatNames(formats) })}</p>
+          <input id="draw-file" type="file" accept=${accepted(formats)} aria-label=${say("draw.choose")} @change=${chosen}>
           <label for="draw-file" class="button">${say(file ? "draw.another" : "draw.choose")}</label>
         </div>`}
     </section>`;
@@ -111,6 +111,9 @@ function way(context) {
     </section>`;
 }
 
+/** What the station says of a drawing. @param {Context["say"]} say @param {string} text */
+const named = (say, text) => sentence(withFieldNames(say, text));
+
 /** What is said of the plan, and how. @param {Context} context @returns {[string, string]} */
 function told({ page, say }) {
   const { draw } = page;
@@ -121,7 +124,7 @@ function told({ page, say }) {
     case "planning":
       return [say("draw.planning"), "off"];
     case "failed":
-      return draw.problem ? [`${sentence(draw.problem.detail)}.${draw.problem.hint ? ` ${sentence(draw.problem.hint)}.` : ""}`, "bad"] : [say("draw.given_up"), "off"];
+      return draw.problem ? [[draw.problem.detail, draw.problem.hint].flatMap((it) => (it ? [`${named(say, it)}.`] : [])).join(" "), "bad"] : [say("draw.given_up"), "off"];
     case "planned": {
       const refused = draw.planned?.plan.refused;
       if (refused) return [`${sentence(refused.detail)}.`, "bad"];
@@ -148,7 +151,7 @@ function plan(context) {
     <section class="card" aria-labelledby="draw-plan">
       <h2 id="draw-plan">${say("draw.plan")}</h2>
       <p id="draw-told" class="told" role="status" data-tone=${tone}>${draw.phase === "planned" && why ? say(`hindrance.${why}`) : text}</p>
-      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_TOLD), (it) => it, (it) => html`<li>${sentence(it)}.</li>`)}${warnings.length > MOST_TOLD ? html`<li>${say("draw.more", { count: warnings.length - MOST_TOLD })}</li>` : nothing}</ul>` : nothing}
+      ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_TOLD), (it) => it, (it) => html`<li>${named(say, it)}.</li>`)}${warnings.length > MOST_TOLD ? html`<li>${say("draw.more", { count: warnings.length - MOST_TOLD })}</li>` : nothing}</ul>` : nothing}
       ${needsPen ? html`<p class="told" data-tone="warn">${say("draw.no_pen")} <button id="draw-pen" type="button" class="small" @click=${() => act.givePen()}>${say("draw.give_pen")}</button></p>` : nothing}
       <div class="row">
         <button id="draw-start" type="button" class="strong" ?disabled=${!ready} @click=${() => act.draw("whole")}>${say("draw.start")}</button>

@@ -5,6 +5,7 @@ import { paperOf } from "./paper.js";
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Schemas} Schemas */
 /** @typedef {Schemas["DrawingPlan"]} Plan */
+/** What can be drawn, as the station says. @typedef {readonly Schemas["Format"][]} Formats */
 /** @typedef {{ x: string, y: string, scale: string, rotate: string, down: string }} Place What stands in the fields; an empty one is as the station has it. */
 /** @typedef {{ tool: string, speed: string, tolerance: string, layers: "nothing" | "color" | "group", pens: Readonly<Record<string, string>>, hatch: boolean, clip: boolean, fit: boolean, height: string, font: string }} Way */
 /** @typedef {Place & Way} Settings */
@@ -24,14 +25,23 @@ import { paperOf } from "./paper.js";
  * @property {{ timeline: import("../preview/timeline.js").Timeline } | null} timeline What is shown in time: of the plan, or of a file.
  * @property {Schemas["PaperPlane"] | null} paper How the paper lies, where it was touched.
  * @property {readonly Schemas["MaterialView"][]} materials
+ * @property {Formats} formats
  */
 
 /** Where drawings lie unless told otherwise. */
 export const MIDDLE = { x_mm: 210, y_mm: 0 };
-/** The endings of what can be drawn, as a field for files takes them. */
-export const DRAWN = ".svg,.dxf,.lbrn,.lbrn2,.gcode,.gco,.nc,.ngc,.hpgl,.plt,.png,.jpg,.jpeg,.gif,.webp,.bmp,.tiff,.csv";
+/** The extensions of what can be drawn, as a field for files takes them. @param {Formats} formats */
+export const accepted = (formats) => formats.flatMap(({ extensions }) => extensions.map((extension) => `.${extension}`)).join(",");
+/** What can be drawn, for people. @param {Formats} formats */
+export const formatNames = (formats) => formats.map(({ name }) => name).join(", ");
 /** How large a file may be; in Base64 it is a third larger. */
 export const MOST_BYTES = 24_000_000;
+/** What the page calls the options of a drawing that it has fields for. @type {Readonly<Record<string, import("../words/words.js").Word>>} */
+const FIELD_NAMES = {
+  "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers",
+  "place.scale": "draw.scale", "place.rotate": "draw.rotate", "place.pen_down": "draw.down", "place.fit": "draw.fit", "place.clip": "draw.clip",
+  "tool.pen": "draw.tool", "tool.laser": "draw.tool", "tool.speed": "draw.speed", "way.tolerance": "draw.tolerance",
+};
 /** What takes a number. @type {readonly (keyof Settings)[]} */
 const NUMBERS = ["x", "y", "scale", "rotate", "down", "speed", "tolerance", "height"];
 
@@ -49,6 +59,7 @@ export const NO_DRAW = {
   timeline: null,
   paper: null,
   materials: [],
+  formats: [],
 };
 
 /** @typedef {{ type: "draw_file", file: File }
@@ -60,10 +71,14 @@ export const NO_DRAW = {
  * | { type: "draw_timeline", timeline: import("../preview/timeline.js").Timeline }
  * | { type: "draw_failed", asked: number, problem: Problem }
  * | { type: "draw_given_up" }
- * | { type: "materials", materials: Draw["materials"] }} DrawMessage */
+ * | { type: "materials", materials: Draw["materials"] }
+ * | { type: "formats", formats: Formats }} DrawMessage */
 
 /** @param {string} text */
 const numberOf = (text) => (text.trim() === "" ? null : Number(text));
+
+/** A text of the station with the names that the page has for the options in it. @param {import("../words/words.js").Say} say @param {string} text */
+export const withFieldNames = (say, text) => text.replace(/(?<![\w./])`?\b((?:what|place|tool|way)\.\w+)`?/g, (all, /** @type {string} */ field) => (FIELD_NAMES[field] ? `“${say(FIELD_NAMES[field])}”` : all));
 
 /** Whether there is something to draw. @param {Draw} draw */
 export const hasSubject = ({ what, file, text }) => (what === "file" ? file !== null : text.trim() !== "");
@@ -146,6 +161,8 @@ export function reduceDraw(draw, message) {
     }
     case "materials":
       return { ...draw, materials: message.materials };
+    case "formats":
+      return { ...draw, formats: message.formats };
     default:
       return draw;
   }

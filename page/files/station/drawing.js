@@ -67,13 +67,14 @@ export function followDrawing(store, http) {
     await follow(asked, drawing);
   }
 
-  async function readMaterials() {
-    const materials = await http.json("api/v1/materials");
+  async function readChoices() {
+    const [materials, formats] = await Promise.all([http.json("api/v1/materials"), http.json("api/v1/formats")]);
     if (materials) send({ type: "materials", materials });
+    if (formats) send({ type: "formats", formats });
   }
 
   store.listen(({ draw }, { type }) => {
-    if (type === "hello") void readMaterials();
+    if (type === "hello") void readChoices();
     if (draw.asked === seen) return;
     seen = draw.asked;
     clearTimeout(timer);

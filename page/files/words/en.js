@@ -164,7 +164,7 @@ export const en = {
   "draw.what": "From",
   "draw.file": "a file",
   "draw.text": "a text",
-  "draw.drop": "Drop an SVG, DXF, LightBurn, G-code, HP-GL or a picture here. The timeline of a drawing is shown.",
+  "draw.drop": "Drop a drawing or a picture here: {formats}. The timeline of a drawing is shown.",
   "draw.choose": "Choose a file…",
   "draw.another": "Choose another…",
   "draw.place": "Where it lies",

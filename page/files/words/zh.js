@@ -165,7 +165,7 @@ export const zh = {
   "draw.what": "来源",
   "draw.file": "文件",
   "draw.text": "文字",
-  "draw.drop": "把 SVG、DXF、LightBurn、G 代码、HP-GL 或图片拖到这里。绘图的时间轴文件可直接播放。",
+  "draw.drop": "把图画或图片拖到这里：{formats}。绘图的时间轴文件可直接播放。",
   "draw.choose": "选择文件…",
   "draw.another": "换一个文件…",
   "draw.place": "位置",

@@ -1,7 +1,7 @@
 //! The client of a station against hand-made ones.
 
 use dobot_api::{
-    ConnectError, Remote, RemoteError, Reply, Request, StationAddress, StationEvent, fetch,
+    ConnectError, Remote, RemoteError, Reply, Request, State, StationAddress, StationEvent, fetch,
     is_station,
 };
 use futures_util::{SinkExt, StreamExt};
@@ -63,22 +63,7 @@ async fn pair() -> (Remote, Fake) {
 }
 
 fn state(at_s: f64) -> Value {
-    json!({"state": {
-        "at_s": at_s,
-        "link": {
-            "address": "virtual:", "phase": "up", "problem": null, "statuses_per_s": 12.5,
-            "lost_statuses": 0, "damaged_bytes": 0, "latency_ms": null,
-        },
-        "arm": null,
-        "dialect": null,
-        "trust": {"trusted": true, "reason": null},
-        "queue": {"waiting": 0, "under_way": 0, "ahead_s": 0.0},
-        "lease": null,
-        "stop": null,
-        "laser": {"armed_for_s": 0.0, "on": false},
-        "job": null,
-        "clients": 1,
-    }})
+    json!({"state": State { at_s, ..State::sample() }})
 }
 
 fn notice(number: u64, news: &Value, text: &str) -> Value {

@@ -37,6 +37,7 @@ use self::planning::{Shown, shown};
 use self::rehearse::{Carried, Rehearsed, rehearse};
 use self::report::{Report, Times};
 use crate::control::{self, check_pose};
+use crate::drawing_options::with_option_names;
 use crate::failure::Failure;
 use crate::follow::{progress_bar, share_bar};
 use crate::output;
@@ -65,7 +66,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
         Shown::StepsAndHours,
     )?;
     for warning in &drawing.prepared.warnings {
-        eprintln!("warning: {warning}");
+        eprintln!("warning: {}", with_option_names(&warning.to_string()));
     }
     let hours = drawing.prepared.plan.duration_s() / 3600.0;
     if hours > LONG_HOURS {
@@ -290,7 +291,7 @@ impl<'a> Drawing<'a> {
 
     fn picture(&self, file: &Path, ink: &[InkLine], report: &Report) -> Result<Vec<u8>, Failure> {
         let results = &self.args.result;
-        let tolerance_mm = self.args.options.way.tolerance;
+        let tolerance_mm = self.args.options.0.way.tolerance;
         let picture = Picture {
             title: &self.title,
             figures: &report.figures(),

@@ -235,7 +235,11 @@ fn a_mistake_in_the_file_is_one_line_with_its_place_and_what_is_allowed() {
             "pen = \"markr\"",
             &["line 1: there is no material 'markr'; did you mean 'marker'?"],
         ),
-        ("tolerance = 0", &["tolerance", "`--no-defaults`"]),
+        (
+            "tolerance = 0",
+            &["line 1: --tolerance is 0 mm; it takes 0.02 to 10 mm"],
+        ),
+        ("margin = 200", &["margin", "`--no-defaults`"]),
     ] {
         let desk = Desk::with(text);
         let refused = desk.draw(&[&square]).fails(1, parts);

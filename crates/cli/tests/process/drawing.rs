@@ -395,7 +395,7 @@ fn an_option_that_does_not_fit_the_source_is_refused() {
         (
             square,
             &["--shade", "lines"][..],
-            ["pictures", "square.svg is an SVG file"],
+            ["pictures", "square.svg is in SVG format"],
         ),
         (square, &["--spacing", "2"], ["pictures", "square.svg"]),
         (square, &["--invert"], ["pictures", "square.svg"]),

@@ -47,7 +47,7 @@ fn plan_50_000_vectors(bencher: Bencher<'_, '_>) {
 /// Reading and flattening; before merging it has four times as many.
 #[divan::bench]
 fn read_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
-    let source = Source::Svg(waves());
+    let source = Source::from(waves().as_str());
     let options = ReadOptions::default();
     let (drawing, _) = source.read(&options).expect("a drawing");
     let strokes = &drawing.layers[0].strokes;
@@ -60,7 +60,7 @@ fn read_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
 /// The aim is below a second, so that the plan is there in two.
 #[divan::bench(args = [1, 65_535], sample_count = 5)]
 fn read_a_million_segments_in_paths(bencher: Bencher<'_, '_>, paths: u32) {
-    let source = Source::Svg(short_lines(1_000_000, paths));
+    let source = Source::from(short_lines(1_000_000, paths).as_str());
     bencher
         .counter(ItemsCount::new(1_000_000_usize))
         .bench_local(|| source.read(&ReadOptions::default()));
@@ -68,7 +68,7 @@ fn read_a_million_segments_in_paths(bencher: Bencher<'_, '_>, paths: u32) {
 
 #[divan::bench]
 fn read_10_000_dots(bencher: Bencher<'_, '_>) {
-    let source = Source::Svg(short_lines(0, 10_000));
+    let source = Source::from(short_lines(0, 10_000).as_str());
     bencher
         .counter(ItemsCount::new(10_000_usize))
         .bench_local(|| source.read(&ReadOptions::default()));
@@ -86,7 +86,7 @@ fn write_20_000_letters(bencher: Bencher<'_, '_>) {
 /// The whole way, from the text of the file to the plan.
 #[divan::bench(sample_count = 20)]
 fn prepare_a_drawing_of_50_000_vectors(bencher: Bencher<'_, '_>) {
-    let source = Source::Svg(waves());
+    let source = Source::from(waves().as_str());
     let mut settings = Settings::default();
     settings.placement.size = Size::Fit;
     let reach = |_| Ok::<(), String>(());

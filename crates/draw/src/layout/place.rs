@@ -272,7 +272,7 @@ pub enum PlaceError {
     },
     /// There are more files than a grid has room for.
     #[error(
-        "a grid of {cells} cell{} has no room for {files} files; give it a cell for each, as in --grid {files}x1",
+        "a grid of {cells} cell{} has no room for {files} files; give it a cell for each, as in place.grid {files}x1",
         if *cells == 1 { "" } else { "s" }
     )]
     Cells {
@@ -297,7 +297,7 @@ pub enum PlaceError {
     },
     /// The drawing does not fit on the sheet.
     #[error(
-        "the drawing goes {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or cut it there with --clip",
+        "the drawing goes {by_mm:.1} mm beyond the {} of the sheet, at x {x_mm:.1}, y {y_mm:.1}; make it smaller, or cut it there with place.clip",
         if *margin_mm > 0.0 { "margin" } else { "edge" }
     )]
     BeyondSheet {

@@ -41,6 +41,13 @@ pub struct Card {
 }
 
 impl Card {
+    /// How many passes the lowest row may have.
+    pub(crate) const PASSES: [f64; 2] = [1.0, 20.0];
+    /// How wide and high a square may be, in mm.
+    pub(crate) const CELL_MM: [f64; 2] = [3.0, 50.0];
+    /// How far squares may lie apart, in mm.
+    pub(crate) const GAP_MM: [f64; 2] = [1.0, 50.0];
+
     /// The labels and then each square, the one that burns least first: whoever sees it burn too
     /// much can stop.
     ///
@@ -85,7 +92,12 @@ impl Card {
     fn check(&self) -> Result<(), CardError> {
         let speeds = &self.speeds_mm_s;
         within("number of speeds", speeds.len(), 1..=20, "")?;
-        within("number of passes", self.most_passes, 1..=20, "")?;
+        within(
+            "number of passes",
+            self.most_passes.into(),
+            among(Self::PASSES),
+            "",
+        )?;
         for &speed in speeds {
             within("speed", speed, BURN_SPEED, " mm/s")?;
         }
@@ -96,8 +108,8 @@ impl Card {
                 allowed: "rising speeds".to_owned(),
             });
         }
-        within("cell", self.cell_mm, 3.0..=50.0, " mm")?;
-        within("gap", self.gap_mm, 1.0..=50.0, " mm")?;
+        within("cell", self.cell_mm, among(Self::CELL_MM), " mm")?;
+        within("gap", self.gap_mm, among(Self::GAP_MM), " mm")?;
         within("spacing", self.spacing_mm, 0.05..=5.0, " mm")?;
         within("travel speed", self.travel_speed_mm_s, SPEED, " mm/s")?;
         within("label speed", self.label_speed_mm_s, BURN_SPEED, " mm/s")
@@ -223,6 +235,10 @@ pub struct CardError {
     pub found: String,
     /// What it may be.
     pub allowed: String,
+}
+
+const fn among([least, most]: [f64; 2]) -> RangeInclusive<f64> {
+    least..=most
 }
 
 fn within<T: Copy + PartialOrd + Display>(

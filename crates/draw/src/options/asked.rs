@@ -77,7 +77,7 @@ impl Subject {
         let text = what.text.as_ref()?.replace("\\n", "\n");
         let mut lines = text.lines();
         let first = lines.find(|it| !it.trim().is_empty());
-        let title = shortened(first.unwrap_or("--text"));
+        let title = shortened(first.unwrap_or("text"));
         let text = Text {
             font: Font::of(what.font.as_deref().unwrap_or("sans")),
             height_mm: what.height.unwrap_or(10.0),
@@ -276,9 +276,9 @@ fn material(options: &ToolOptions, materials: &Materials) -> Result<Material, Un
 }
 
 fn with_options(tool: DrawingTool, options: &ToolOptions) -> Result<DrawingTool, OptionsError> {
-    let other_kind = |name: &str, is, option| {
+    let other_kind = |name: &str, is, field| {
         let name = name.to_owned();
-        Err(OptionsError::OtherKind { name, is, option })
+        Err(OptionsError::OtherKind { name, is, field })
     };
     match (tool, &options.laser) {
         (DrawingTool::Pen(pen), None) => Ok(DrawingTool::Pen(Pen {
@@ -294,9 +294,9 @@ fn with_options(tool: DrawingTool, options: &ToolOptions) -> Result<DrawingTool,
             times: options.passes.unwrap_or(laser.times),
             ..laser
         })),
-        (DrawingTool::Pen(_), Some(name)) => other_kind(name, "a pen", "--pen"),
+        (DrawingTool::Pen(_), Some(name)) => other_kind(name, "a pen", "tool.pen"),
         (DrawingTool::Laser(_), None) => {
-            other_kind(&options.pen, "burned with the laser", "--laser")
+            other_kind(&options.pen, "burned with the laser", "tool.laser")
         }
     }
 }

@@ -1,7 +1,10 @@
 //! Checks that the options fit the source and each other. An option that would do nothing is refused.
 
-use dobot_import::{Shading, ShadingStyle, Source};
+use std::fmt;
 
+use dobot_import::{Contents, Format, Shading, ShadingStyle, Source};
+
+use super::fields::OPTION_RANGES;
 use super::{Options, OptionsError, PlaceOptions};
 use crate::prepare::NamedSource;
 
@@ -12,43 +15,37 @@ pub(super) fn check(
     sources: &[NamedSource],
     title: &str,
 ) -> Result<(), OptionsError> {
-    counts(options)?;
-    ranges(options)?;
-    together(options)?;
+    check_values(options)?;
     let kinds: Vec<SourceKind> = match sources {
         [] => vec![SourceKind::Card],
         all => all.iter().map(|it| SourceKind::of(&it.source)).collect(),
     };
     if options.what.card.is_some() && !sources.is_empty() {
         return Err(OptionsError::Both {
-            option: "--card",
+            field: "what.card",
             other: "FILE",
         });
     }
     let apart = options.place.gap != PlaceOptions::default().gap;
     if apart && options.place.grid.is_none() && matches!(kinds[..], [SourceKind::Text]) {
         return Err(OptionsError::Alone {
-            option: "--gap",
-            needs: "--grid, or a file above the text",
+            field: "place.gap",
+            needs: "place.grid, or a file above the text",
         });
     }
     let misfit = given(options)
         .into_iter()
-        .find(|(_, given, Purpose(fitting, _))| {
-            *given && !kinds.iter().any(|it| fitting.contains(it))
-        });
-    let Some((option, _, Purpose(_, fits))) = misfit else {
+        .find(|(_, given, purpose)| *given && !kinds.iter().any(|it| purpose.fits(*it)));
+    let Some((field, _, purpose)) = misfit else {
         return Ok(());
     };
     Err(OptionsError::Misfit {
-        option,
-        fits,
+        field,
+        fits: purpose.to_string(),
         is: match kinds[..] {
-            [SourceKind::Svg] => format!("{title} is an SVG file"),
-            [SourceKind::Dxf] => format!("{title} is a DXF file"),
-            [SourceKind::Hpgl] => format!("{title} is an HP-GL file"),
-            [SourceKind::Lines] => format!("{title} is a file of lines"),
-            [SourceKind::Picture] => format!("{title} is a picture"),
+            [SourceKind::File(format)] if format.is_picture() => format!("{title} is a picture"),
+            [SourceKind::File(format)] => format!("{title} is in {} format", format.name),
+            [SourceKind::Lines] => format!("{title} has lines"),
             [SourceKind::Text] => "this is a text".to_owned(),
             [SourceKind::Card] => "this is a test card".to_owned(),
             _ => "none of these is one".to_owned(),
@@ -56,25 +53,32 @@ pub(super) fn check(
     })
 }
 
+/// Refuses the first option that no drawing can have, or that does not fit the others.
+pub(super) fn check_values(options: &Options) -> Result<(), OptionsError> {
+    counts(options)?;
+    ranges(options)?;
+    together(options)
+}
+
 /// Places have as many numbers as they need, and all are numbers.
 fn counts(options: &Options) -> Result<(), OptionsError> {
     let places = [
-        ("--at", &options.place.at, 2),
-        ("--corner", &options.place.corner, 2),
-        ("--paper", &options.place.paper, 9),
+        ("place.at", &options.place.at, 2),
+        ("place.corner", &options.place.corner, 2),
+        ("place.paper", &options.place.paper, 9),
     ];
-    for (option, numbers, allowed) in places {
+    for (field, numbers, allowed) in places {
         let found = numbers.as_ref().map_or(allowed, Vec::len);
         if found != allowed {
             return Err(OptionsError::Count {
-                option,
+                field,
                 found,
                 allowed,
             });
         }
         let mut numbers = numbers.iter().flatten();
         if let Some(&found) = numbers.find(|it| it.abs() > FARTHEST_MM || it.is_nan()) {
-            return Err(OptionsError::NoPlace { option, found });
+            return Err(OptionsError::NoPlace { field, found });
         }
     }
     Ok(())
@@ -82,55 +86,10 @@ fn counts(options: &Options) -> Result<(), OptionsError> {
 
 /// Numbers that no arm and no paper has.
 fn ranges(options: &Options) -> Result<(), OptionsError> {
-    let Options {
-        what,
-        place,
-        tool,
-        way,
-    } = options;
-    let numbers = [
-        ("--hatch-inset", Some(what.hatch_inset), 0.0, 20.0, "mm"),
-        (
-            "--brightness",
-            Some(what.brightness),
-            -100.0,
-            100.0,
-            "percent",
-        ),
-        ("--contrast", Some(what.contrast), -100.0, 100.0, "percent"),
-        ("--gamma", Some(what.gamma), 0.1, 10.0, ""),
-        ("--threshold", what.threshold, 0.01, 0.99, ""),
-        ("--speed", tool.speed, 0.0, 1000.0, "mm/s"),
-        ("--travel-speed", tool.travel_speed, 0.0, 1000.0, "mm/s"),
-        (
-            "--acceleration",
-            Some(tool.acceleration),
-            0.0,
-            10_000.0,
-            "mm/s2",
-        ),
-        ("--lift", tool.lift, 0.0, 200.0, "mm"),
-        ("--join", way.join, 0.0, 20.0, "mm"),
-        ("--gap", Some(place.gap), 0.0, 1000.0, "mm"),
-        ("--passes", tool.passes.map(f64::from), 1.0, 100.0, "times"),
-        ("--kerf", Some(tool.kerf), -5.0, 5.0, "mm"),
-        ("--lead-in", Some(tool.lead_in), 0.0, 20.0, "mm"),
-        ("--overcut", Some(tool.overcut), 0.0, 20.0, "mm"),
-        ("--tabs", Some(tool.tabs.into()), 0.0, 100.0, "tabs"),
-        ("--tab-width", Some(tool.tab_width), 0.1, 20.0, "mm"),
-        ("--offset", Some(place.offset), -100.0, 100.0, "mm"),
-        ("--pen-down", place.pen_down, -500.0, 500.0, "mm"),
-    ];
-    for (option, found, least, most, unit) in numbers {
-        let is_refused = |it: &f64| !(least..=most).contains(it);
-        if let Some(found) = found.filter(is_refused) {
-            return Err(OptionsError::Range {
-                option,
-                found,
-                least,
-                most,
-                unit,
-            });
+    for range in &OPTION_RANGES {
+        let is_refused = |found: &f64| !(range.least..=range.most).contains(found);
+        if let Some(found) = (range.value)(options).filter(is_refused) {
+            return Err(OptionsError::Range { found, range });
         }
     }
     Ok(())
@@ -156,31 +115,46 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let turned = what.hatch_angle != defaults.what.hatch_angle;
     let winds = what.hatch_style != defaults.what.hatch_style;
     let exclusive = [
-        ("--text", what.text.is_some(), "--card", what.card.is_some()),
-        ("--fit", place.fit, "--scale", place.scale.is_some()),
-        ("--pen-down", place.pen_down.is_some(), "--paper", touched),
-        ("--corner", cornered, "--at", place.at.is_some()),
-        ("--corner", cornered, "--paper", touched),
-        ("--pen", by_pen, "--laser", by_laser),
-        ("--keep-order", way.keep_order, "--tries", tries),
         (
-            "--keep-order",
+            "what.text",
+            what.text.is_some(),
+            "what.card",
+            what.card.is_some(),
+        ),
+        ("place.fit", place.fit, "place.scale", place.scale.is_some()),
+        (
+            "place.pen_down",
+            place.pen_down.is_some(),
+            "place.paper",
+            touched,
+        ),
+        ("place.corner", cornered, "place.at", place.at.is_some()),
+        ("place.corner", cornered, "place.paper", touched),
+        ("what.pen", by_pen, "tool.laser", by_laser),
+        ("way.keep_order", way.keep_order, "way.tries", tries),
+        (
+            "way.keep_order",
             way.keep_order,
-            "--shade tsp",
+            "what.shade tsp",
             what.shade == Some(ShadingStyle::Tsp),
         ),
-        ("--lift", tool.lift.is_some(), "--laser", by_laser),
+        ("tool.lift", tool.lift.is_some(), "tool.laser", by_laser),
         (
-            "--levels",
+            "what.levels",
             what.levels.is_some(),
-            "--threshold",
+            "what.threshold",
             what.threshold.is_some(),
         ),
-        ("--hatch-angle", turned && winds, "--hatch-style", winds),
-        ("--cross", what.cross, "--hatch-style", winds),
+        (
+            "what.hatch_angle",
+            turned && winds,
+            "what.hatch_style",
+            winds,
+        ),
+        ("what.cross", what.cross, "what.hatch_style", winds),
     ];
-    if let Some((option, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
-        return Err(OptionsError::Both { option, other });
+    if let Some((field, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
+        return Err(OptionsError::Both { field, other });
     }
     let mut names: Vec<&str> = what.layer.iter().map(|it| it.name.as_str()).collect();
     names.sort_unstable();
@@ -192,66 +166,70 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let shade = what.shade.unwrap_or(Shading::default().style);
     let apart = place.gap != defaults.place.gap;
     let dependent = [
-        ("--landscape", place.landscape, "--paper-size", sheet),
-        ("--corner", cornered, "--paper-size", sheet),
         (
-            "--gap",
+            "place.landscape",
+            place.landscape,
+            "place.paper_size",
+            sheet,
+        ),
+        ("place.corner", cornered, "place.paper_size", sheet),
+        (
+            "place.gap",
             apart,
-            "--grid or --text",
+            "place.grid or what.text",
             place.grid.is_some() || what.text.is_some(),
         ),
         (
-            "--levels",
+            "what.levels",
             what.levels.is_some(),
-            "--shade hatch or outline",
+            "what.shade hatch or outline",
             matches!(shade, ShadingStyle::Hatch | ShadingStyle::Outline),
         ),
-        ("--layer", !what.layer.is_empty(), "--layers", layered),
-        ("--only", !what.only.is_empty(), "--layers", layered),
-        ("--hatch-angle", turned, "--hatch", hatched),
-        ("--cross", what.cross, "--hatch", hatched),
+        ("what.layer", !what.layer.is_empty(), "what.layers", layered),
+        ("what.only", !what.only.is_empty(), "what.layers", layered),
+        ("what.hatch_angle", turned, "what.hatch", hatched),
+        ("what.cross", what.cross, "what.hatch", hatched),
         (
-            "--hatch-style",
+            "what.hatch_style",
             what.hatch_style != defaults.what.hatch_style,
-            "--hatch",
+            "what.hatch",
             hatched,
         ),
-        ("--hatch-inset", what.hatch_inset != 0.0, "--hatch", hatched),
         (
-            "--passes-by",
+            "what.hatch_inset",
+            what.hatch_inset != 0.0,
+            "what.hatch",
+            hatched,
+        ),
+        (
+            "tool.passes_by",
             tool.passes_by != defaults.tool.passes_by,
-            "--laser",
+            "tool.laser",
             by_laser,
         ),
-        ("--kerf", tool.kerf != 0.0, "--laser", by_laser),
-        ("--lead-in", tool.lead_in != 0.0, "--laser", by_laser),
-        ("--overcut", tool.overcut != 0.0, "--laser", by_laser),
-        ("--tabs", tool.tabs != 0, "--laser", by_laser),
+        ("tool.kerf", tool.kerf != 0.0, "tool.laser", by_laser),
+        ("tool.lead_in", tool.lead_in != 0.0, "tool.laser", by_laser),
+        ("tool.overcut", tool.overcut != 0.0, "tool.laser", by_laser),
+        ("tool.tabs", tool.tabs != 0, "tool.laser", by_laser),
         (
-            "--tab-width",
+            "tool.tab_width",
             tool.tab_width != defaults.tool.tab_width,
-            "--tabs",
+            "tool.tabs",
             tool.tabs != 0,
         ),
     ];
     match dependent.into_iter().find(|it| it.1 && !it.3) {
-        Some((option, _, needs, _)) => Err(OptionsError::Alone { option, needs }),
+        Some((field, _, needs, _)) => Err(OptionsError::Alone { field, needs }),
         None => Ok(()),
     }
 }
 
 /// What kind of thing is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 enum SourceKind {
-    /// An SVG file: lines and areas on a page, painted over each other.
-    Svg,
-    /// A DXF file: lines and areas, painted over each other.
-    Dxf,
-    /// An HP-GL file: lines and areas, painted over each other.
-    Hpgl,
-    /// Another file of lines and areas.
+    File(&'static Format),
+    /// Lines that a program has calculated.
     Lines,
-    Picture,
     Text,
     Card,
 }
@@ -259,100 +237,136 @@ enum SourceKind {
 impl SourceKind {
     const fn of(source: &Source) -> Self {
         match source {
-            Source::Svg(_) => Self::Svg,
-            Source::Dxf(_) => Self::Dxf,
-            Source::Hpgl(_) => Self::Hpgl,
+            Source::File { format, .. } => Self::File(format),
+            Source::Lines(_) => Self::Lines,
             Source::Text(_) => Self::Text,
-            Source::Picture(_) => Self::Picture,
-            _ => Self::Lines,
+        }
+    }
+
+    const fn contents(self) -> Option<Contents> {
+        match self {
+            Self::File(format) => Some(format.contents),
+            Self::Lines => Some(Contents::Lines),
+            Self::Text | Self::Card => None,
         }
     }
 }
 
-/// What an option is for: the kinds of sources, and how a person calls them.
-struct Purpose(&'static [SourceKind], &'static str);
+/// What an option is for.
+#[derive(Clone, Copy, Debug)]
+enum Purpose {
+    Pictures,
+    /// Pictures and the test card.
+    Lined,
+    Texts,
+    Cards,
+    /// The areas of drawings and texts.
+    Areas,
+    /// Shapes that are painted over each other.
+    Painted,
+    Pages,
+    /// The layers of drawings.
+    Layers,
+    /// All but the test card.
+    Drawings,
+}
 
-const PICTURES: Purpose = Purpose(&[SourceKind::Picture], "pictures");
-const LINED: Purpose = Purpose(
-    &[SourceKind::Picture, SourceKind::Card],
-    "pictures and the test card",
-);
-const TEXTS: Purpose = Purpose(&[SourceKind::Text], "the letters of --text");
-const CARDS: Purpose = Purpose(&[SourceKind::Card], "the test card of --card");
-const AREAS: Purpose = Purpose(
-    &[
-        SourceKind::Svg,
-        SourceKind::Dxf,
-        SourceKind::Hpgl,
-        SourceKind::Lines,
-        SourceKind::Text,
-    ],
-    "the areas of drawings and texts (`--shade hatch` is for pictures)",
-);
-const PAINTED: Purpose = Purpose(
-    &[SourceKind::Svg, SourceKind::Dxf, SourceKind::Hpgl],
-    "SVG, DXF and HP-GL files",
-);
-const SVG_FILES: Purpose = Purpose(&[SourceKind::Svg], "SVG files");
-const LAYERS: Purpose = Purpose(
-    &[
-        SourceKind::Svg,
-        SourceKind::Dxf,
-        SourceKind::Hpgl,
-        SourceKind::Lines,
-    ],
-    "the layers of drawings",
-);
-const DRAWINGS: Purpose = Purpose(
-    &[
-        SourceKind::Svg,
-        SourceKind::Dxf,
-        SourceKind::Hpgl,
-        SourceKind::Lines,
-        SourceKind::Picture,
-        SourceKind::Text,
-    ],
-    "drawings, pictures and texts",
-);
+impl Purpose {
+    const fn fits(self, kind: SourceKind) -> bool {
+        let is_picture = matches!(kind.contents(), Some(Contents::Picture));
+        let is_drawing = kind.contents().is_some() && !is_picture;
+        match self {
+            Self::Pictures => is_picture,
+            Self::Lined => is_picture || matches!(kind, SourceKind::Card),
+            Self::Texts => matches!(kind, SourceKind::Text),
+            Self::Cards => matches!(kind, SourceKind::Card),
+            Self::Areas => is_drawing || matches!(kind, SourceKind::Text),
+            Self::Painted | Self::Pages => match kind {
+                SourceKind::File(format) => self.fits_format(format),
+                _ => false,
+            },
+            Self::Layers => is_drawing,
+            Self::Drawings => !matches!(kind, SourceKind::Card),
+        }
+    }
 
-/// Each option, whether it was given, and what it is for. What a material sets does not count.
+    /// Whether it is for files of this format, for what only some formats have.
+    const fn fits_format(self, format: &Format) -> bool {
+        match self {
+            Self::Painted => matches!(format.contents, Contents::Page | Contents::Shapes),
+            _ => matches!(format.contents, Contents::Page),
+        }
+    }
+}
+
+impl fmt::Display for Purpose {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Pictures => "pictures",
+            Self::Lined => "pictures and the test card",
+            Self::Texts => "the letters of what.text",
+            Self::Cards => "the test card of what.card",
+            Self::Areas => "the areas of drawings and texts (`what.shade hatch` is for pictures)",
+            Self::Painted | Self::Pages => {
+                let names = Format::names(|format| self.fits_format(format), "and");
+                return write!(f, "{names} files");
+            }
+            Self::Layers => "the layers of drawings",
+            Self::Drawings => "drawings, pictures and texts",
+        })
+    }
+}
+
+/// Each field, whether it was given, and what it is for. What a material sets does not count.
 fn given(options: &Options) -> [(&'static str, bool, Purpose); 32] {
     let Options {
         what, place, tool, ..
     } = options;
     [
-        ("--shade", what.shade.is_some(), PICTURES),
-        ("--spacing", what.spacing.is_some(), LINED),
-        ("--invert", what.invert, PICTURES),
-        ("--brightness", what.brightness != 0.0, PICTURES),
-        ("--contrast", what.contrast != 0.0, PICTURES),
-        ("--gamma", what.gamma != 1.0, PICTURES),
-        ("--threshold", what.threshold.is_some(), PICTURES),
-        ("--levels", what.levels.is_some(), PICTURES),
-        ("--font", what.font.is_some(), TEXTS),
-        ("--height", what.height.is_some(), TEXTS),
-        ("--align", what.align.is_some(), TEXTS),
-        ("--card-passes", what.card_passes.is_some(), CARDS),
-        ("--card-size", what.card_size.is_some(), CARDS),
-        ("--card-gap", what.card_gap.is_some(), CARDS),
-        ("--card-label", what.card_label.is_some(), CARDS),
-        ("--hatch", what.hatch.is_some(), AREAS),
-        ("--layers", what.layers.is_some(), LAYERS),
-        ("--no-crop", what.no_crop, SVG_FILES),
-        ("--hide", what.hide, PAINTED),
-        ("--fit", place.fit, DRAWINGS),
-        ("--paper-size", place.paper_size.is_some(), DRAWINGS),
-        ("--mirror", place.mirror, DRAWINGS),
-        ("--grid", place.grid.is_some(), DRAWINGS),
-        ("--scale", place.scale.is_some(), DRAWINGS),
-        ("--rotate", place.rotate != 0.0, DRAWINGS),
-        ("--margin", place.margin != 0.0, DRAWINGS),
-        ("--clip", place.clip, DRAWINGS),
-        ("--speed", tool.speed.is_some(), DRAWINGS),
-        ("--passes", tool.passes.is_some(), DRAWINGS),
-        ("--kerf", tool.kerf != 0.0, DRAWINGS),
-        ("--lead-in", tool.lead_in != 0.0, DRAWINGS),
-        ("--tabs", tool.tabs != 0, DRAWINGS),
+        ("what.shade", what.shade.is_some(), Purpose::Pictures),
+        ("what.spacing", what.spacing.is_some(), Purpose::Lined),
+        ("what.invert", what.invert, Purpose::Pictures),
+        ("what.brightness", what.brightness != 0.0, Purpose::Pictures),
+        ("what.contrast", what.contrast != 0.0, Purpose::Pictures),
+        ("what.gamma", what.gamma != 1.0, Purpose::Pictures),
+        (
+            "what.threshold",
+            what.threshold.is_some(),
+            Purpose::Pictures,
+        ),
+        ("what.levels", what.levels.is_some(), Purpose::Pictures),
+        ("what.font", what.font.is_some(), Purpose::Texts),
+        ("what.height", what.height.is_some(), Purpose::Texts),
+        ("what.align", what.align.is_some(), Purpose::Texts),
+        (
+            "what.card_passes",
+            what.card_passes.is_some(),
+            Purpose::Cards,
+        ),
+        ("what.card_size", what.card_size.is_some(), Purpose::Cards),
+        ("what.card_gap", what.card_gap.is_some(), Purpose::Cards),
+        ("what.card_label", what.card_label.is_some(), Purpose::Cards),
+        ("what.hatch", what.hatch.is_some(), Purpose::Areas),
+        ("what.layers", what.layers.is_some(), Purpose::Layers),
+        ("what.no_crop", what.no_crop, Purpose::Pages),
+        ("what.hide", what.hide, Purpose::Painted),
+        ("place.fit", place.fit, Purpose::Drawings),
+        (
+            "place.paper_size",
+            place.paper_size.is_some(),
+            Purpose::Drawings,
+        ),
+        ("place.mirror", place.mirror, Purpose::Drawings),
+        ("place.grid", place.grid.is_some(), Purpose::Drawings),
+        ("place.scale", place.scale.is_some(), Purpose::Drawings),
+        ("place.rotate", place.rotate != 0.0, Purpose::Drawings),
+        ("place.margin", place.margin != 0.0, Purpose::Drawings),
+        ("place.clip", place.clip, Purpose::Drawings),
+        ("tool.speed", tool.speed.is_some(), Purpose::Drawings),
+        ("tool.passes", tool.passes.is_some(), Purpose::Drawings),
+        ("tool.kerf", tool.kerf != 0.0, Purpose::Drawings),
+        ("tool.lead_in", tool.lead_in != 0.0, Purpose::Drawings),
+        ("tool.tabs", tool.tabs != 0, Purpose::Drawings),
     ]
 }
 
@@ -376,59 +390,59 @@ mod tests {
         for (json, told) in [
             (
                 r#"{"what": {"shade": "lines"}}"#,
-                "--shade is for pictures, and a.svg is an SVG file",
+                "what.shade is for pictures, and a.svg is in SVG format",
             ),
             (
                 r#"{"place": {"fit": true, "scale": 2}}"#,
-                "--fit and --scale exclude each other: give one of them",
+                "place.fit and place.scale exclude each other: give one of them",
             ),
             (
                 r#"{"tool": {"pen": "marker", "laser": "plywood-engrave"}}"#,
-                "--pen and --laser exclude each other: give one of them",
+                "what.pen and tool.laser exclude each other: give one of them",
             ),
             (
                 r#"{"what": {"cross": true}}"#,
-                "--cross does nothing without --hatch",
+                "what.cross does nothing without what.hatch",
             ),
             (
                 r#"{"place": {"gap": 9}}"#,
-                "--gap does nothing without --grid or --text",
+                "place.gap does nothing without place.grid or what.text",
             ),
             (
                 r#"{"what": {"shade": "stipple", "levels": 3}}"#,
-                "--levels does nothing without --shade hatch or outline",
+                "what.levels does nothing without what.shade hatch or outline",
             ),
             (
                 r#"{"place": {"at": [200]}}"#,
-                "--at has 1 numbers; it takes 2",
+                "place.at has 1 numbers; it takes 2",
             ),
             (
                 r#"{"place": {"at": [1e300, 0]}}"#,
-                "--at has 1e300; it takes numbers of millimetres from -10000 to 10000",
+                "place.at has 1e300; it takes numbers of millimetres from -10000 to 10000",
             ),
             (
                 r#"{"tool": {"speed": 1e9}}"#,
-                "--speed is 1000000000 mm/s; it takes 0 to 1000 mm/s",
+                "tool.speed is 1000000000 mm/s; it takes 0 to 1000 mm/s",
             ),
             (
                 r#"{"what": {"gamma": 0}}"#,
-                "--gamma is 0; it takes 0.1 to 10",
+                "what.gamma is 0; it takes 0.1 to 10",
             ),
             (
                 r#"{"what": {"shade": "tsp"}, "way": {"keep_order": true}}"#,
-                "--keep-order and --shade tsp exclude each other: give one of them",
+                "way.keep_order and what.shade tsp exclude each other: give one of them",
             ),
             (
                 r#"{"what": {"layers": "color", "layer": [{"name": "red", "pen": "marker"}, {"name": "red", "pen": "pencil"}]}}"#,
-                "--layer \"red\" is given twice: give one of them",
+                "what.layer \"red\" is given twice: give one of them",
             ),
             (
                 r#"{"tool": {"passes": 0}}"#,
-                "--passes is 0 times; it takes 1 to 100 times",
+                "tool.passes is 0 times; it takes 1 to 100 times",
             ),
             (
                 r#"{"place": {"paper": [1, 2, 3, 4, -5e20, 6, 7, 8, 9]}}"#,
-                "--paper has -5e20; it takes numbers of millimetres from -10000 to 10000",
+                "place.paper has -5e20; it takes numbers of millimetres from -10000 to 10000",
             ),
         ] {
             assert_eq!(refusal(json), told);
@@ -438,20 +452,20 @@ mod tests {
     #[test]
     fn hidden_lines_are_left_out_where_shapes_are_painted_over_each_other() {
         let options: Options = serde_json::from_str(r#"{"what": {"hide": true}}"#).unwrap();
-        let of = |name: &str, source| {
+        let of = |name: &str| {
             let file = NamedSource {
                 name: name.to_owned(),
-                source,
+                source: Source::of_file(name, Vec::new()).unwrap(),
             };
             check(&options, &[file], name)
         };
-        of("a.dxf", Source::Dxf(Vec::new())).unwrap();
-        of("a.svg", Source::from("<svg/>")).unwrap();
-        of("a.plt", Source::Hpgl(Vec::new())).unwrap();
-        let refused = of("a.gcode", Source::Gcode(Vec::new())).unwrap_err();
+        of("a.dxf").unwrap();
+        of("a.svg").unwrap();
+        of("a.plt").unwrap();
+        let refused = of("a.gcode").unwrap_err();
         assert_eq!(
             refused.to_string(),
-            "--hide is for SVG, DXF and HP-GL files, and a.gcode is a file of lines"
+            "what.hide is for SVG, DXF and HP-GL files, and a.gcode is in G-code format"
         );
     }
 

@@ -6,135 +6,74 @@ use dobot_import::{Align, LayersBy, ShadingStyle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::fields::Ranges;
 use crate::strokes::hatch::HatchStyle;
 
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "options", derive(clap::Args))]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is an option of its own"
 )]
-#[cfg_attr(feature = "options", command(next_help_heading = "Source"))]
 #[serde(default, deny_unknown_fields)]
+#[schemars(transform = Ranges("what"))]
 pub struct ContentOptions {
     /// A text, alone or below the files; \n begins a new line
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "TEXT", conflicts_with = "card")
-    )]
     pub text: Option<String>,
-    /// The letters of --text: a single-line font (sans, script, serif, gothic), or any installed font
+    /// The letters of `what.text`: a single-line font (sans, script, serif, gothic), or any installed font
     /// (default: sans)
-    #[cfg_attr(feature = "options", arg(long, value_name = "NAME"))]
     pub font: Option<String>,
-    /// How tall the capitals of --text are, in mm (default: 10)
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM"))]
+    /// How tall the capitals of `what.text` are, in mm (default: 10)
     pub height: Option<f64>,
-    /// Where the lines of --text meet: left, center or right (default: left)
-    #[cfg_attr(feature = "options", arg(long, value_name = "SIDE"))]
+    /// Where the lines of `what.text` meet: left, center or right (default: left)
     pub align: Option<Align>,
     /// A test card for the laser: fields burned at these speeds in mm/s, once, twice and so on
-    #[cfg_attr(feature = "options", arg(long, value_name = "SPEED,...", value_delimiter = ',', value_parser = card_speed))]
     pub card: Option<Vec<f64>>,
     /// How often the lowest row of the test card is burned (default: 3)
-    #[cfg_attr(feature = "options", arg(long, value_name = "N"))]
     pub card_passes: Option<u32>,
     /// How wide and high the fields of the test card are, in mm (default: 6)
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM"))]
     pub card_size: Option<f64>,
     /// How far the fields of the test card lie apart, in mm (default: 2)
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM"))]
     pub card_gap: Option<f64>,
     /// What is burned below the test card (default: the name of the material, and the day)
-    #[cfg_attr(feature = "options", arg(long, value_name = "TEXT"))]
     pub card_label: Option<String>,
     /// Make layers of the colours or outermost groups of an SVG file, or of the layers of others: each is drawn
     /// for itself, and the arm waits for its pen
-    #[cfg_attr(feature = "options", arg(long, value_name = "BY"))]
     pub layers: Option<LayersBy>,
     /// Draw a layer with a pen or material of its own
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "NAME=PEN", requires = "layers")
-    )]
     pub layer: Vec<LayerTool>,
-    /// Draw these layers only, by name: several with commas between them, or one for each --only
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "NAME", requires = "layers")
-    )]
+    /// Draw these layers only, by name: several with commas between them, or one for each `what.only`
     pub only: Vec<String>,
     /// Draw what lies beyond the page of an SVG file too, instead of cutting it at the page's edge
-    #[cfg_attr(feature = "options", arg(long))]
     pub no_crop: bool,
-    /// Leave out what lies under the filled shapes of an SVG, DXF or HP-GL file, white ones too, as in a picture
-    #[cfg_attr(feature = "options", arg(long))]
+    /// Leave out what lies under filled shapes that are painted over it, white ones too, as in a picture
     pub hide: bool,
     /// Hatch filled areas, with lines so far apart, in mm (default: what suits the pen or material)
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM", num_args = 0..=1, default_missing_value = "auto"))]
     pub hatch: Option<Spacing>,
     /// The direction of the hatching, in degrees from left to right counterclockwise
-    #[cfg_attr(feature = "options", arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = Self::default().hatch_angle,
-        requires = "hatch"
-    ))]
     pub hatch_angle: f64,
     /// What areas are hatched with: lines, concentric (the outline again and again, farther inside) or
     /// spiral (the same in one line)
-    #[cfg_attr(
-        feature = "options",
-        arg(
-            long,
-            value_name = "STYLE",
-            default_value = "lines",
-            requires = "hatch"
-        )
-    )]
     pub hatch_style: HatchStyle,
     /// How far the hatching stays away from the edge, in mm: half the width of the pen keeps the ink inside
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "MM", default_value_t = 0.0, requires = "hatch")
-    )]
     pub hatch_inset: f64,
     /// Hatch crosswise
-    #[cfg_attr(feature = "options", arg(long, requires = "hatch"))]
     pub cross: bool,
     /// How a picture becomes ink: hatch, lines, spiral, flow, stipple, tsp (one line from dot to dot) or outline
-    #[cfg_attr(feature = "options", arg(long, value_name = "STYLE"))]
     pub shade: Option<ShadingStyle>,
     /// How far the lines or dots of a picture lie apart, or the lines of the test card, in mm on the paper
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM"))]
     pub spacing: Option<f64>,
     /// Make a picture lighter, or darker below 0: from -100 to 100 percent
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "PERCENT", default_value_t = 0.0)
-    )]
     pub brightness: f64,
     /// Set the tones of a picture farther apart, or nearer below 0: from -100 to 100 percent
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "PERCENT", default_value_t = 0.0)
-    )]
     pub contrast: f64,
     /// Make the middle tones of a picture lighter above 1, darker below
-    #[cfg_attr(feature = "options", arg(long, value_name = "GAMMA", default_value_t = Self::default().gamma))]
     pub gamma: f64,
     /// Make a picture black where it is darker than so much, and white elsewhere: between 0 (white) and 1
-    #[cfg_attr(feature = "options", arg(long, value_name = "DARKNESS"))]
     pub threshold: Option<f64>,
-    /// How many tones beside white --shade outline and hatch tell apart, from 1 to 8 (default: 4)
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "N", conflicts_with = "threshold")
-    )]
+    /// How many tones beside white the styles outline and hatch tell apart, from 1 to 8 (default: 4)
     pub levels: Option<u8>,
     /// Draw the light parts of a picture instead of the dark ones
-    #[cfg_attr(feature = "options", arg(long))]
     pub invert: bool,
 }
 
@@ -195,13 +134,6 @@ impl FromStr for LayerTool {
             _ => Err("expected the layer's name, = and a pen or material, as in red=marker"),
         }
     }
-}
-
-#[cfg(feature = "options")]
-fn card_speed(text: &str) -> Result<f64, &'static str> {
-    text.parse().map_err(|_| {
-        "expected speeds in mm/s with commas between them, as in 2,5,10; a test card is drawn without a file"
-    })
 }
 
 /// How far apart the lines of a hatching are: `auto` or millimetres.

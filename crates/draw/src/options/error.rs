@@ -3,6 +3,7 @@
 use dobot_plan::PaperError;
 use thiserror::Error;
 
+use super::OptionRange;
 use crate::layout::place::PlaceError;
 use crate::layout::test_card::CardError;
 use crate::material::UnknownMaterial;
@@ -22,8 +23,8 @@ pub enum OptionsError {
         name: String,
         /// What it is.
         is: &'static str,
-        /// The option that it belongs to.
-        option: &'static str,
+        /// The field that it belongs to.
+        field: &'static str,
     },
     /// A test card without a laser.
     #[error("a test card is burned, and the tool is a pen")]
@@ -32,61 +33,61 @@ pub enum OptionsError {
     #[error(transparent)]
     Card(#[from] CardError),
     /// An option that would do nothing.
-    #[error("{option} is for {fits}, and {is}")]
+    #[error("{field} is for {fits}, and {is}")]
     Misfit {
-        /// The option.
-        option: &'static str,
+        /// The field, as in `tool.kerf`.
+        field: &'static str,
         /// What it is for.
-        fits: &'static str,
+        fits: String,
         /// What there is.
         is: String,
     },
     /// Options that exclude each other.
-    #[error("{option} and {other} exclude each other: give one of them")]
+    #[error("{field} and {other} exclude each other: give one of them")]
     Both {
-        /// The one.
-        option: &'static str,
+        /// The one, as in `place.fit`.
+        field: &'static str,
         /// The other.
         other: &'static str,
     },
     /// An option that does nothing without another one.
-    #[error("{option} does nothing without {needs}")]
+    #[error("{field} does nothing without {needs}")]
     Alone {
         /// The one that was given.
-        option: &'static str,
+        field: &'static str,
         /// The one that is missing.
         needs: &'static str,
     },
     /// A layer that is to be drawn in two ways.
-    #[error("--layer {0:?} is given twice: give one of them")]
+    #[error("what.layer {0:?} is given twice: give one of them")]
     Twice(String),
     /// A coordinate that is none.
-    #[error("{option} has {found:?}; it takes numbers of millimetres from -10000 to 10000")]
+    #[error("{field} has {found:?}; it takes numbers of millimetres from -10000 to 10000")]
     NoPlace {
-        /// The option.
-        option: &'static str,
+        /// The field, as in `tool.kerf`.
+        field: &'static str,
         /// What it has.
         found: f64,
     },
     /// A number that no arm and no paper has.
-    #[error("{option} is {}; it takes {least} to {}", with_unit(*found, unit), with_unit(*most, unit))]
+    #[error(
+        "{} is {}; it takes {} to {}",
+        range.field,
+        with_unit(*found, range.unit),
+        with_unit(range.least, ""),
+        with_unit(range.most, range.unit)
+    )]
     Range {
-        /// The option.
-        option: &'static str,
         /// What it is.
         found: f64,
-        /// The least that it takes.
-        least: f64,
-        /// The most.
-        most: f64,
-        /// Of what; nothing for plain numbers.
-        unit: &'static str,
+        /// The field, and what it takes.
+        range: &'static OptionRange,
     },
     /// Coordinates that are too few or too many.
-    #[error("{option} has {found} numbers; it takes {allowed}")]
+    #[error("{field} has {found} numbers; it takes {allowed}")]
     Count {
-        /// The option.
-        option: &'static str,
+        /// The field, as in `tool.kerf`.
+        field: &'static str,
         /// How many there are.
         found: usize,
         /// How many it takes.
@@ -94,12 +95,12 @@ pub enum OptionsError {
     },
     /// A sheet of which one place was touched twice.
     #[error(
-        "--paper has the same place for the lower left corner of the sheet and for its lower edge; touch two places"
+        "place.paper has the same place for the lower left corner of the sheet and for its lower edge; touch two places"
     )]
     SamePoint,
     /// A place on the paper that lies where none is.
     #[error(
-        "the third place of --paper lies {0:.1} mm below the lower edge of the sheet, seen from the first two; touch first the lower left corner, then another place on the lower edge, to the right of it"
+        "the third place of place.paper lies {0:.1} mm below the lower edge of the sheet, seen from the first two; touch first the lower left corner, then another place on the lower edge, to the right of it"
     )]
     BelowSheet(f64),
     /// The calibration's heights of the paper span no surface.
@@ -116,16 +117,16 @@ pub enum OptionsError {
 }
 
 impl OptionsError {
-    /// The option that is wrong, where one is.
+    /// The field that is wrong, as in `tool.kerf`, where one is.
     #[must_use]
-    pub const fn option(&self) -> Option<&'static str> {
+    pub const fn field(&self) -> Option<&'static str> {
         match self {
-            Self::Misfit { option, .. }
-            | Self::Both { option, .. }
-            | Self::Alone { option, .. }
-            | Self::NoPlace { option, .. }
-            | Self::Range { option, .. }
-            | Self::Count { option, .. } => Some(option),
+            Self::Misfit { field, .. }
+            | Self::Both { field, .. }
+            | Self::Alone { field, .. }
+            | Self::NoPlace { field, .. }
+            | Self::Count { field, .. } => Some(field),
+            Self::Range { range, .. } => Some(range.field),
             _ => None,
         }
     }
@@ -134,26 +135,26 @@ impl OptionsError {
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         match self {
-            Self::OtherKind { name, option, .. } => Some(format!(
-                "`{option} {name}`; `dobot materials` lists pens and materials"
+            Self::OtherKind { name, field, .. } => Some(format!(
+                "`{field} {name}`; `dobot materials` lists pens and materials"
             )),
             Self::CardByPen => {
-                Some("add `--laser MATERIAL`; `dobot materials` lists them".to_owned())
+                Some("add `tool.laser MATERIAL`; `dobot materials` lists them".to_owned())
             }
             Self::Prepare(PrepareError::Place(PlaceError::TooLarge { .. })) => {
-                Some("`--fit`, instead of `--scale`, makes it as large as the drawing area allows; `--clip` draws what of it is within reach; `--at X Y` says where its middle lies".into())
+                Some("`place.fit`, instead of `place.scale`, makes it as large as the drawing area allows; `place.clip` draws what of it is within reach; `place.at X Y` says where its middle lies".into())
             }
             Self::Prepare(PrepareError::Place(PlaceError::BeyondSheet { .. })) => Some(
-                "`--landscape` or `--rotate 90` where the page lies the other way round; `--fit` instead of `--scale`; `--clip`".into(),
+                "`place.landscape` or `place.rotate 90` where the page lies the other way round; `place.fit` instead of `place.scale`; `place.clip`".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::OutOfReach { .. })) => Some(
-                "`--clip` draws what is within reach; `--fit` without `--at` and `--paper-size` makes all of it fit; on a sheet, a smaller one or one that lies nearer (`--corner`); `--pen-down` and `--lift` set the heights".into(),
+                "`place.clip` draws what is within reach; `place.fit` without `place.at` and `place.paper_size` makes all of it fit; on a sheet, a smaller one or one that lies nearer (`place.corner`); `place.pen_down` and `tool.lift` set the heights".into(),
             ),
             Self::Prepare(PrepareError::Place(PlaceError::RunOutOfReach { .. })) => {
-                Some("a lower `--speed`; `--clip` leaves room for the ways of the laser".into())
+                Some("a lower `tool.speed`; `place.clip` leaves room for the ways of the laser".into())
             }
             Self::Prepare(PrepareError::AllCutOff) => Some(
-                "without `--clip` the place is told; `--at` or `--corner` say where the sheet lies".into(),
+                "without `place.clip` the place is told; `place.at` or `place.corner` say where the sheet lies".into(),
             ),
             _ => None,
         }

@@ -6,108 +6,39 @@ use dobot_plan::Machine;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::fields::Ranges;
+
 /// With what it is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "options", derive(clap::Args))]
-#[cfg_attr(feature = "options", command(next_help_heading = "Run"))]
 #[serde(default, deny_unknown_fields)]
+#[schemars(transform = Ranges("tool"))]
 pub struct ToolOptions {
     /// Draw with this pen
-    #[cfg_attr(feature = "options", arg(
-        long,
-        value_name = "PEN",
-        default_value_t = Self::default().pen,
-        conflicts_with = "laser",
-        help_heading = "Pen"
-    ))]
     pub pen: String,
     /// Burn this material with the laser
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "MATERIAL", help_heading = "Laser")
-    )]
     pub laser: Option<String>,
     /// How far the pen is lifted to travel, in mm
-    #[cfg_attr(
-        feature = "options",
-        arg(long, value_name = "MM", help_heading = "Pen")
-    )]
     pub lift: Option<f64>,
     /// Speed while drawing or burning, in mm/s
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM/S"))]
     pub speed: Option<f64>,
     /// Speed between the strokes, in mm/s
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM/S"))]
     pub travel_speed: Option<f64>,
     /// Draw or burn everything so often; a pen goes over each line so often before it is lifted
-    #[cfg_attr(feature = "options", arg(long, value_name = "N"))]
     pub passes: Option<u32>,
     /// What the laser burns so often before it goes on: a shape, or all of the layer
-    #[cfg_attr(
-        feature = "options",
-        arg(
-            long,
-            value_name = "WHAT",
-            default_value = "layer",
-            requires = "laser",
-            help_heading = "Laser"
-        )
-    )]
     pub passes_by: PassesBy,
     /// How wide the laser burns, in mm: closed shapes are cut larger by half of it, and holes in them smaller;
     /// below 0 the other way round
-    #[cfg_attr(
-        feature = "options",
-        arg(
-            long,
-            value_name = "MM",
-            default_value_t = 0.0,
-            requires = "laser",
-            help_heading = "Laser"
-        )
-    )]
     pub kerf: f64,
     /// Begin each cut so far beside the shape, in mm
-    #[cfg_attr(
-        feature = "options",
-        arg(
-            long,
-            value_name = "MM",
-            default_value_t = 0.0,
-            requires = "laser",
-            help_heading = "Laser"
-        )
-    )]
     pub lead_in: f64,
     /// Go on so far behind where a cut began, in mm
-    #[cfg_attr(
-        feature = "options",
-        arg(
-            long,
-            value_name = "MM",
-            default_value_t = 0.0,
-            requires = "laser",
-            help_heading = "Laser"
-        )
-    )]
     pub overcut: f64,
     /// Leave so many places of each shape uncut, so that it does not fall out
-    #[cfg_attr(
-        feature = "options",
-        arg(
-            long,
-            value_name = "N",
-            default_value_t = 0,
-            requires = "laser",
-            help_heading = "Laser"
-        )
-    )]
     pub tabs: u32,
     /// How wide these places are, in mm
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM", default_value_t = Self::default().tab_width, requires = "tabs", help_heading = "Laser"))]
     pub tab_width: f64,
     /// Acceleration, in mm/s²
-    #[cfg_attr(feature = "options", arg(long, value_name = "MM/S2", default_value_t = Self::default().acceleration))]
     pub acceleration: f64,
 }
 

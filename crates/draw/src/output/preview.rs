@@ -122,7 +122,7 @@ mod tests {
     fn a_plan_is_shown_in_time_before_any_arm_has_drawn_it() {
         let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><path d="M10 10H30" stroke="black"/></svg>"#;
         let all = |_| Ok::<(), String>(());
-        let prepared = prepare(&Source::Svg(svg.to_owned()), &Settings::default(), all).unwrap();
+        let prepared = prepare(&Source::from(svg), &Settings::default(), all).unwrap();
         let timeline = prepared.timeline();
         assert!((timeline.duration_s - prepared.plan.duration_s()).abs() < 1e-3);
         assert!((timeline.passes[0].ink_mm - 20.0).abs() < 0.1);
@@ -140,7 +140,7 @@ mod tests {
             layers: Some(LayersBy::Color),
             ..Settings::default()
         };
-        let prepared = prepare(&Source::Svg(svg.to_owned()), &settings, all).unwrap();
+        let prepared = prepare(&Source::from(svg), &settings, all).unwrap();
         let ink = prepared.ink();
         let dots = ink.iter().map(|it| (it.pass, it.stroke.points.len() == 1));
         let expected = [(0, false), (1, true), (1, true)];
@@ -155,7 +155,7 @@ mod tests {
         settings.give_up.give_up();
         let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm"/>"#;
         let all = |_| Ok::<(), String>(());
-        let ended = prepare(&Source::Svg(svg.to_owned()), &settings, all).unwrap_err();
+        let ended = prepare(&Source::from(svg), &settings, all).unwrap_err();
         assert_eq!(ended, crate::PrepareError::GivenUp);
     }
 }

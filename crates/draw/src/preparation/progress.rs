@@ -146,7 +146,10 @@ mod tests {
         );
         let settings = Settings::default();
         assert_eq!(settings.progress.roughly_s(), None);
-        let prepared = prepare(&Source::Svg(svg), &settings, |_| Ok::<(), String>(())).unwrap();
+        let prepared = prepare(&Source::from(svg.as_str()), &settings, |_| {
+            Ok::<(), String>(())
+        })
+        .unwrap();
         let (roughly_s, planned_s) = (
             settings.progress.roughly_s().unwrap(),
             prepared.plan.duration_s(),

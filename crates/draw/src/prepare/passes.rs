@@ -336,7 +336,7 @@ fn with_gaps(strokes: &[Stroke], join_mm: f64) -> Option<Warning> {
     let tried: Vec<(f64, usize)> = wider.map(|it| (it, closed(it))).collect();
     let most = tried.iter().map(|it| it.1).max()?;
     let (by_mm, count) = tried.into_iter().find(|it| it.1 == most)?;
-    let instead = format!("not taken for shapes that are cut out: `--join {by_mm}` closes them");
+    let instead = format!("not taken for shapes that are cut out: `way.join {by_mm}` closes them");
     counted(count, "open outline", &instead)
 }
 

@@ -99,7 +99,8 @@ impl Settings {
     }
     pub(super) fn check(&self) -> Result<(), PrepareError> {
         let tolerance_mm = self.tolerance_mm;
-        if !(LEAST_TOLERANCE_MM..=MOST_TOLERANCE_MM).contains(&tolerance_mm) {
+        let [least_mm, most_mm] = TOLERANCE_MM;
+        if !(least_mm..=most_mm).contains(&tolerance_mm) {
             return Err(PrepareError::Tolerance(tolerance_mm));
         }
         // Told for a drawing without areas, too.
@@ -175,6 +176,5 @@ impl Default for Settings {
 /// Enough for ordinary drawings, in well under a second, and a second or so for each 100,000 strokes.
 pub(crate) const TRIES: u32 = 80_000;
 const FLATTEN_SHARE: f64 = 0.1;
-const LEAST_TOLERANCE_MM: f64 = 4.0 * MIN_VECTOR_MM;
-/// With more, nothing of a drawing would be left.
-const MOST_TOLERANCE_MM: f64 = 10.0;
+/// The tolerances that can be met, in mm; with larger ones nothing of a drawing would be left.
+pub(crate) const TOLERANCE_MM: [f64; 2] = [4.0 * MIN_VECTOR_MM, 10.0];

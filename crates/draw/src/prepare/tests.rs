@@ -15,6 +15,10 @@ const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/drawings/square.svg"),
 ];
 
+fn file(name: &str, bytes: Vec<u8>) -> Source {
+    Source::of_file(name, bytes).unwrap()
+}
+
 fn anywhere(p: Position) -> Result<(), &'static str> {
     if p.is_finite() {
         Ok(())
@@ -192,7 +196,7 @@ fn a_plan_in_metres_is_read_as_finely_as_its_place_on_the_paper_needs() {
     let mut settings = Settings::default();
     settings.placement.size = Size::Within;
     settings.tries = None;
-    let prepared = prepare(&Source::Dxf(dxf.into_bytes()), &settings, in_reach).unwrap();
+    let prepared = prepare(&file("a.dxf", dxf.into_bytes()), &settings, in_reach).unwrap();
     let planned = prepared.plan.paths(MoveKind::Draw);
     let worst = deviation(&prepared.wanted(), &planned);
     assert!(worst.largest_mm() <= 0.0451, "{worst:?}");
@@ -527,10 +531,17 @@ fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_t
         ..Laser::default()
     });
     let pen = DrawingTool::default().at_speed(40.0);
-    let plotter =
-        |speed: &str| Source::Hpgl(format!("SP1;VS{speed};PU0,0;PD2000,0;PU").into_bytes());
-    let mill = Source::Gcode(b"G0 Z5\nG0 X0 Y0\nG1 Z-1 F60\nG1 X50 F600\nG0 Z5".to_vec());
-    let engraver = Source::Gcode(b"G0 X0 Y0\nM3 S1000\nG1 X50 F1200\nM5".to_vec());
+    let plotter = |speed: &str| {
+        file(
+            "a.plt",
+            format!("SP1;VS{speed};PU0,0;PD2000,0;PU").into_bytes(),
+        )
+    };
+    let mill = file(
+        "a.nc",
+        b"G0 Z5\nG0 X0 Y0\nG1 Z-1 F60\nG1 X50 F600\nG0 Z5".to_vec(),
+    );
+    let engraver = file("a.nc", b"G0 X0 Y0\nM3 S1000\nG1 X50 F1200\nM5".to_vec());
     let speed_mm_s = |source: &Source, tool: DrawingTool, keeps_speed: bool| {
         let settings = Settings {
             tool,
@@ -626,7 +637,7 @@ fn a_picture_much_larger_than_the_paper_is_hatched_as_wide_as_asked_for() {
     settings.placement.size = Size::Fit;
     settings.shading.levels = 1;
     settings.tries = None;
-    let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
+    let prepared = prepare(&Source::of_file("-", file).unwrap(), &settings, anywhere).unwrap();
     let wanted = prepared.wanted();
     let length_mm: f64 = wanted.iter().map(Stroke::length_mm).sum();
     // The ink is as deep as the area and half as wide again.
@@ -650,7 +661,7 @@ fn stipples_become_one_line_without_a_lift() {
     settings.placement.size = Size::Fit;
     settings.shading = dobot_import::Shading::new(dobot_import::ShadingStyle::Tsp);
     settings.shading.spacing_mm = 4.0;
-    let prepared = prepare(&Source::Picture(file), &settings, anywhere).unwrap();
+    let prepared = prepare(&Source::of_file("-", file).unwrap(), &settings, anywhere).unwrap();
     let wanted = prepared.wanted();
     assert_eq!(wanted.len(), 1);
     // A good tour through points that are so dense is 0.7124 times the root of area and number.
@@ -742,7 +753,7 @@ fn an_outline_with_gaps_is_told_with_what_closes_it() {
     };
     let warning = told(true, None);
     assert!(
-        warning.contains("1 open outline") && warning.contains("--join 0.5"),
+        warning.contains("1 open outline") && warning.contains("way.join 0.5"),
         "{warning}"
     );
     assert_eq!(told(true, Some(0.5)), "");

@@ -2,16 +2,22 @@
 
 use thiserror::Error;
 
+use crate::formats::Format;
+
 /// Why a picture cannot be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ImageError {
     /// No bytes at all.
-    #[error("the file is empty; a picture is a PNG, JPEG, GIF, WebP, BMP or TIFF file")]
+    #[error(
+        "the file is empty; a picture is a {} file",
+        Format::names(Format::is_picture, "or")
+    )]
     EmptyFile,
     /// Another format, whatever its name says.
     #[error(
-        "the file begins as no PNG, JPEG, GIF, WebP, BMP or TIFF does; save the picture anew as PNG or JPEG"
+        "the file begins as no {} does; save the picture anew as PNG or JPEG",
+        Format::names(Format::is_picture, "or")
     )]
     UnknownFormat,
     /// The file breaks off, or is not what its first bytes say.

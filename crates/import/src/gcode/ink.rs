@@ -97,7 +97,7 @@ impl<'s, 'a> Inker<'s, 'a> {
                 .speed_mm_s
                 .map_or(1.0 / it.share, |mm_s| mm_s / FASTEST_MM_S);
             let instead = format!(
-                "S{} is {percent:.3} % of full power ({full}), and the arm is not fast enough to burn as little: it burns {times:.1} times as much; leave the layer out with --only",
+                "S{} is {percent:.3} % of full power ({full}), and the arm is not fast enough to burn as little: it burns {times:.1} times as much; leave the layer out with what.only",
                 it.share * full
             );
             self.sketch

@@ -101,7 +101,7 @@ impl<'s, 'a, 'd> ShapeRenderer<'s, 'a, 'd> {
         for cut in self.drawn {
             if let Some(at) = self.cuts.of(cut).at {
                 let instead = "drawn without its speed, power, passes and kerf, which are for another laser; \
-                     --laser MATERIAL has those of this one";
+                     tool.laser MATERIAL has those of this one";
                 self.sketch.warn(at, "laser layer", instead);
             }
         }

@@ -60,47 +60,48 @@ impl Header {
     }
 }
 
-/// Whether it begins as a file of a known format does.
-pub(crate) fn is_picture(bytes: &[u8]) -> bool {
-    bytes.starts_with(PNG) || bytes.starts_with(JPEG) || others::format(bytes).is_some()
+/// The format of a file that begins so, whatever its name says.
+pub(crate) fn format(bytes: &[u8]) -> Option<ImageFormat> {
+    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
+    let formats = [
+        (ImageFormat::Png, bytes.starts_with(b"\x89PNG\r\n\x1a\n")),
+        (ImageFormat::Jpeg, bytes.starts_with(b"\xff\xd8\xff")),
+        (ImageFormat::Gif, bytes.starts_with(b"GIF8")),
+        (ImageFormat::WebP, is_webp),
+        (
+            ImageFormat::Bmp,
+            bytes.starts_with(b"BM") && bytes.get(6..10) == Some(&[0; 4]),
+        ),
+        (
+            ImageFormat::Tiff,
+            bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*"),
+        ),
+    ];
+    formats.into_iter().find(|it| it.1).map(|it| it.0)
+}
+
+fn known_format(bytes: &[u8]) -> Result<ImageFormat, ImageError> {
+    if bytes.is_empty() {
+        return Err(ImageError::EmptyFile);
+    }
+    format(bytes).ok_or(ImageError::UnknownFormat)
 }
 
 /// Reads the header alone.
 pub(super) fn header(bytes: &[u8]) -> Result<Header, ImageError> {
-    match Format::of(bytes)? {
-        Format::Png => png(bytes).map(|it| it.header),
-        Format::Jpeg => jpeg(bytes).map(|it| it.header),
-        Format::Other(format) => others::header(bytes, format),
+    match known_format(bytes)? {
+        ImageFormat::Png => png(bytes).map(|it| it.header),
+        ImageFormat::Jpeg => jpeg(bytes).map(|it| it.header),
+        format => others::header(bytes, format),
     }
 }
 
 /// Reads header and pixels, 0 for black and 255 for white, what is transparent as `paper`.
 pub(super) fn pixels(bytes: &[u8], paper: u8) -> Result<(Header, Vec<u8>), ImageError> {
-    match Format::of(bytes)? {
-        Format::Png => png_pixels(bytes, paper),
-        Format::Jpeg => jpeg_pixels(bytes),
-        Format::Other(format) => others::pixels(bytes, format, paper),
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Format {
-    Png,
-    Jpeg,
-    Other(ImageFormat),
-}
-
-impl Format {
-    /// By the first bytes, whatever the name says.
-    fn of(bytes: &[u8]) -> Result<Self, ImageError> {
-        match bytes {
-            [] => Err(ImageError::EmptyFile),
-            _ if bytes.starts_with(PNG) => Ok(Self::Png),
-            _ if bytes.starts_with(JPEG) => Ok(Self::Jpeg),
-            _ => others::format(bytes)
-                .map(Self::Other)
-                .ok_or(ImageError::UnknownFormat),
-        }
+    match known_format(bytes)? {
+        ImageFormat::Png => png_pixels(bytes, paper),
+        ImageFormat::Jpeg => jpeg_pixels(bytes),
+        format => others::pixels(bytes, format, paper),
     }
 }
 
@@ -267,5 +268,3 @@ pub(super) const PIXEL_MM: f64 = 25.4 / 96.0;
 const MOST_PIXELS: usize = 100_000_000;
 /// The PNG decoder may allocate so much beside the pixels: a few rows, colour profiles, texts.
 const PNG_BYTES: usize = 1 << 26;
-const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
-const JPEG: &[u8] = b"\xff\xd8\xff";

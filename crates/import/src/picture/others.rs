@@ -10,24 +10,6 @@ use super::exif::Orientation;
 use super::frames::series;
 use crate::error::ImageError;
 
-/// The format that a file of one of these kinds begins with.
-pub(super) fn format(bytes: &[u8]) -> Option<ImageFormat> {
-    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
-    let kinds = [
-        (ImageFormat::Gif, bytes.starts_with(b"GIF8")),
-        (ImageFormat::WebP, is_webp),
-        (
-            ImageFormat::Bmp,
-            bytes.starts_with(b"BM") && bytes.get(6..10) == Some(&[0; 4]),
-        ),
-        (
-            ImageFormat::Tiff,
-            bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*"),
-        ),
-    ];
-    kinds.into_iter().find(|it| it.1).map(|it| it.0)
-}
-
 /// Reads the header alone.
 pub(super) fn header(bytes: &[u8], format: ImageFormat) -> Result<Header, ImageError> {
     decoder(bytes, format).map(|it| it.1)

@@ -42,6 +42,9 @@ pub struct Shading {
 }
 
 impl Shading {
+    /// How many tones beside white there may be.
+    pub const LEVELS: [f64; 2] = [1.0, 8.0];
+
     /// The best values for a style.
     #[must_use]
     pub const fn new(style: ShadingStyle) -> Self {
@@ -80,8 +83,9 @@ impl Shading {
         let spacing = self.spacing_mm;
         let fine = spacing > 0.0 && spacing.is_finite();
         in_range("spacing", spacing, "a number of mm above 0", fine)?;
-        let fine = (1..=8).contains(&self.levels);
-        in_range("levels", self.levels.into(), "from 1 to 8", fine)?;
+        let (levels, [least, most]) = (self.levels.into(), Self::LEVELS);
+        let fine = (least..=most).contains(&levels);
+        in_range("levels", levels, "from 1 to 8", fine)?;
         let darkness = self.darkness;
         let fine = (0.1..=10.0).contains(&darkness);
         in_range("darkness", darkness, "from 0.1 to 10", fine)?;

@@ -445,7 +445,7 @@ fn a_png_that_knows_its_size_is_drawn_at_that() {
         .unwrap()
         .write_image_data(&[0; 800])
         .unwrap();
-    let page = Source::Picture(file).picture_page().unwrap();
+    let page = Source::of_file("-", file).unwrap().picture_page().unwrap();
     assert_eq!(page, Some(Point::new(4.0, 2.0)));
 }
 
@@ -501,7 +501,7 @@ fn pictures_of_other_formats_are_drawn_as_the_same_png() {
         let bytes = file(format);
         assert!(matches!(
             Source::of_file("-", bytes.clone()),
-            Ok(Source::Picture(_))
+            Ok(Source::File { format, .. }) if format.is_picture()
         ));
         let (found, _) = read(&bytes, &options).unwrap();
         assert_eq!(found, wanted, "{format:?}");
@@ -655,7 +655,12 @@ fn pictures_are_known_by_name_and_by_contents() {
     let file = grey(2, 2, |_, _| 0.0);
     for name in ["photo.png", "photo.JPG", "photo.jpeg", "-", "photo"] {
         let source = Source::of_file(name, file.clone()).unwrap();
-        assert_eq!(source, Source::Picture(file.clone()), "{name}");
+        assert_eq!(
+            source,
+            Source::of_file("a.png", file.clone()).unwrap(),
+            "{name}"
+        );
+        assert!(!source.has_size(), "{name}");
     }
 }
 

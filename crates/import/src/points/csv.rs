@@ -17,6 +17,18 @@ use crate::place::{beginning, shortened};
 use crate::sketch::{Sketch, Y};
 use crate::warning::Warning;
 
+/// Two numbers, or a header with x and y.
+pub(crate) fn is_likely(start: &str) -> bool {
+    let first = start.lines().next().unwrap_or_default();
+    let fields = first
+        .split([',', ';', '\t'])
+        .map(|it| it.trim().to_ascii_lowercase());
+    let fields: Vec<String> = fields.collect();
+    let has = |name: &str| fields.iter().any(|it| it == name);
+    let is_number = |it: &String| it.parse::<f64>().is_ok();
+    (has("x") && has("y")) || (fields.len() >= 2 && fields.iter().all(is_number))
+}
+
 /// Reads points in lines.
 pub(crate) fn read(
     text: &str,

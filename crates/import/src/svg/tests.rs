@@ -122,7 +122,7 @@ fn the_edge_of_the_page_cuts_and_what_it_cuts_is_told() {
     assert!(close(strokes[0].last().unwrap(), 100.25, 25.0));
     assert_eq!(
         warnings[0].to_string(),
-        "2 cut lines: 127.5 mm beyond the edge of the page left out; --no-crop draws them"
+        "2 cut lines: 127.5 mm beyond the edge of the page left out; what.no_crop draws them"
     );
     let whole = ReadOptions {
         crops: false,

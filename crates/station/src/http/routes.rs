@@ -28,8 +28,6 @@ use dobot_api::problem_kinds::{
     NO_LINK, NO_VECTORS, OUT_OF_RANGE, POLICY, ProblemKind, SLOT, STILL_MOVING, STOPPED, TOO_MANY,
 };
 
-pub(super) use self::calibration::{NewTouches, PaperTouches};
-pub(super) use self::virtual_arm::NewFaults;
 use crate::http::app::App;
 use crate::http::route::Route;
 use crate::http::{access::auth, exchange::requester, resources::page};

@@ -192,7 +192,7 @@ mod tests {
     use dobot_calibrate::read_calibration;
 
     use super::*;
-    use crate::pendant::{Drive, KeyReports, STATE};
+    use crate::pendant::{Drive, KeyReports};
 
     fn toucher(known: Option<CalibrationFile>) -> PaperToucher {
         let dead_man = Duration::from_millis(150);
@@ -202,7 +202,7 @@ mod tests {
 
     #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
     fn at(place: [f64; 3]) -> State {
-        let mut state: State = serde_json::from_str(STATE).unwrap();
+        let mut state = State::sample();
         let status = &mut state.arm.as_mut().unwrap().status;
         [status.x_mm, status.y_mm, status.z_mm] = place.map(|it| it as f32);
         state

@@ -228,7 +228,7 @@ mod tests {
     use dobot_calibrate::{SHEET_POINTS, read_calibration};
 
     use super::*;
-    use crate::pendant::{Drive, KeyReports, STATE};
+    use crate::pendant::{Drive, KeyReports};
 
     const ARM: Calibration = Calibration {
         base_deg: 5.0,
@@ -245,7 +245,7 @@ mod tests {
         let dead_man = Duration::from_millis(150);
         let pendant = Pendant::new(ClientId(7), KeyReports::Presses, dead_man, Drive::Jog);
         let mut it = Toucher::new(pendant, "arm.toml".into(), known).with_block(Some(30.0));
-        it.handle_state(serde_json::from_str(STATE).unwrap());
+        it.handle_state(State::sample());
         it
     }
 
@@ -257,7 +257,7 @@ mod tests {
     #[expect(clippy::cast_possible_truncation, reason = "as a status holds it")]
     fn at(place: Position) -> State {
         let told = ARM.told_joints(place, Tool::SuctionCup).unwrap();
-        let mut state: State = serde_json::from_str(STATE).unwrap();
+        let mut state = State::sample();
         let status = &mut state.arm.as_mut().unwrap().status;
         status.base_deg = told.base.0 as f32;
         status.rear_deg = told.rear.0 as f32;

@@ -3,51 +3,26 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use dobot_draw::{ExportFormat, Options};
+use dobot_draw::ExportFormat;
+use dobot_import::Format;
 
 use super::defaults::{self, Defaults};
 use crate::connect::To;
+use crate::drawing_options::DrawingOptions;
 use crate::verbs::jog::laser_seconds;
 
 /// Draw a file, a picture or a text, or burn it with the laser
 #[derive(Debug, clap::Args)]
 #[command(
     allow_negative_numbers = true,
-    after_help = "\
-Examples:
-  dobot draw picture.svg                                 through the running station, if there is one
-  dobot draw photo.jpg --to virtual: --picture drawn.png
-                                                         a virtual arm draws, as fast as it can be calculated
-  dobot draw --text 'Hello, arm' --font script --height 20
-                                                         a text, in letters of single lines
-  dobot draw photo.jpg --shade stipple --dry-run         what it would be: time, ink, reach; nothing moves
-  dobot draw plan.dxf --fit --rotate 90 --margin 10      as large as the drawing area allows, turned
-  dobot draw flag.svg --layers color --hatch 1           a pen for each colour, areas hatched 1 mm apart
-  dobot draw sign.svg --laser plywood-engrave --frame    go around it with the laser off, then burn
-  dobot draw map.svg route.svg --text Tour               one sheet: each where it is on its page, a text below
-  dobot draw a.svg b.svg c.dxf --grid 3x1                one sheet: side by side
-  dobot draw page.svg --paper-size a5 --landscape        the page where it is on the sheet
-  dobot draw parts.svg --laser cardboard-cut --kerf 0.2 --tabs 3
-                                                         cut out, inside first, held by tabs
-  dobot draw long.svg --from 40%                         the rest of a drawing
-
-It draws SVG, G-code, HPGL (.plt), DXF, LightBurn projects (.lbrn2) and pictures (PNG, JPEG, GIF, WebP, BMP, TIFF),
-and points as CSV or JSON; - reads standard input, and gzip is unpacked. A picture fills the drawing area; what is larger than it goes where
-the arm reaches all of it, or is made to fit; --scale insists. --paper-size puts the page of the file on a sheet.
-
-The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
-arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down or
---paper says otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got.
-
-When a station runs, the drawing becomes a job of it: Ctrl-C pauses it, and `dobot jobs start` goes on with it;
-`dobot jobs speed` and `dobot jobs height` change it while it is drawn."
+    after_help = after_help()
 )]
 pub(crate) struct Args {
     /// The file, or - for standard input; several go on one sheet, each where it is on its own page
     #[arg(value_name = "FILE", required_unless_present_any = ["text", "card"], conflicts_with = "card")]
     pub(crate) files: Vec<PathBuf>,
     #[command(flatten)]
-    pub(crate) options: Options,
+    pub(crate) options: DrawingOptions,
     #[command(flatten, next_help_heading = "Run")]
     pub(crate) to: To,
     /// A TOML file with more pens and materials; `dobot materials` prints those that are known
@@ -119,6 +94,18 @@ pub(crate) struct Results {
     pub(crate) json: bool,
 }
 
+fn after_help() -> String {
+    let drawings = Format::names(|format| !format.is_picture(), "and");
+    let pictures = Format::names(Format::is_picture, "and");
+    format!(
+        "{EXAMPLES}
+It draws files in these formats: {drawings}, and pictures: {pictures}.
+- reads standard input, and gzip is unpacked. A picture fills the drawing area; what is larger than it goes where
+the arm reaches all of it, or is made to fit; --scale insists. --paper-size puts the page of the file on a sheet.
+{AREA}"
+    )
+}
+
 /// An option that a file of defaults may have, or all of them.
 fn default_option(text: &str) -> Result<String, String> {
     let is_it = |it: &clap::Arg| it.get_long() == Some(text);
@@ -155,9 +142,37 @@ fn picture_file(text: &str) -> Result<PathBuf, String> {
 /// What leaves all defaults out.
 pub(super) const ALL_DEFAULTS: &str = "all";
 
+const EXAMPLES: &str = "\
+Examples:
+  dobot draw picture.svg                                 through the running station, if there is one
+  dobot draw photo.jpg --to virtual: --picture drawn.png
+                                                         a virtual arm draws, as fast as it can be calculated
+  dobot draw --text 'Hello, arm' --font script --height 20
+                                                         a text, in letters of single lines
+  dobot draw photo.jpg --shade stipple --dry-run         what it would be: time, ink, reach; nothing moves
+  dobot draw plan.dxf --fit --rotate 90 --margin 10      as large as the drawing area allows, turned
+  dobot draw flag.svg --layers color --hatch 1           a pen for each colour, areas hatched 1 mm apart
+  dobot draw sign.svg --laser plywood-engrave --frame    go around it with the laser off, then burn
+  dobot draw map.svg route.svg --text Tour               one sheet: each where it is on its page, a text below
+  dobot draw a.svg b.svg c.dxf --grid 3x1                one sheet: side by side
+  dobot draw page.svg --paper-size a5 --landscape        the page where it is on the sheet
+  dobot draw parts.svg --laser cardboard-cut --kerf 0.2 --tabs 3
+                                                         cut out, inside first, held by tabs
+  dobot draw long.svg --from 40%                         the rest of a drawing
+";
+
+const AREA: &str = "
+The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
+arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down or
+--paper says otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got.
+
+When a station runs, the drawing becomes a job of it: Ctrl-C pauses it, and `dobot jobs start` goes on with it;
+`dobot jobs speed` and `dobot jobs height` change it while it is drawn.";
+
 #[cfg(test)]
 mod tests {
     use clap::Parser;
+    use dobot_draw::Options;
     use serde_json::json;
 
     use super::*;
@@ -174,6 +189,7 @@ mod tests {
             .expect("they are allowed")
             .args
             .options
+            .0
     }
 
     #[test]

@@ -19,6 +19,7 @@ use self::entry::{Entry, entries};
 use super::args::{ALL_DEFAULTS, Args};
 use crate::Cli;
 use crate::bounded;
+use crate::drawing_options::{option_name, with_option_names};
 use crate::failure::Failure;
 use crate::reach::folders;
 use crate::verbs::Verb;
@@ -176,25 +177,19 @@ impl Defaults {
 
     /// Without those that do nothing for what is drawn; what is wrong with others is told with their line.
     fn fitting(mut self, args: &Args, error: OptionsError) -> Result<Args, Failure> {
-        let place = |option: &str| {
-            // Of `--shade tsp` the option alone.
-            let long = option
-                .split(' ')
-                .next()
-                .and_then(|it| it.strip_prefix("--"));
-            let is_it = |it: &Entry| it.is_used() && long == Some(&it.option);
+        let place = |field: &str| {
+            let option = option_of(field);
+            let is_it = |it: &Entry| it.is_used() && it.option == option;
             self.entries.iter().position(is_it)
         };
         let (entry, why) = match &error {
-            OptionsError::Misfit { option, fits, .. } => {
-                (place(option), format!("it is for {fits}"))
+            OptionsError::Misfit { field, fits, .. } => (place(field), format!("it is for {fits}")),
+            OptionsError::Alone { field, needs } => {
+                (place(field), format!("it does nothing without {needs}"))
             }
-            OptionsError::Alone { option, needs } => {
-                (place(option), format!("it does nothing without {needs}"))
-            }
-            OptionsError::Both { option, other } => match (place(option), place(other)) {
+            OptionsError::Both { field, other } => match (place(field), place(other)) {
                 (Some(one), None) => (Some(one), format!("the command line gives {other}")),
-                (None, Some(one)) => (Some(one), format!("the command line gives {option}")),
+                (None, Some(one)) => (Some(one), format!("the command line gives {field}")),
                 _ => (None, String::new()),
             },
             _ => (None, String::new()),
@@ -202,22 +197,28 @@ impl Defaults {
         let Some(entry) = entry else {
             return Err(self.told(args, error));
         };
-        self.entries[entry].unused = Some(why);
+        self.entries[entry].unused = Some(with_option_names(&why));
         self.leave_out_alone();
         self.args()
     }
 
     /// What is wrong with a default, with its place.
     fn told(&self, args: &Args, error: OptionsError) -> Failure {
-        let tool = &args.options.tool;
-        let tool_option = |name: &str| if name == tool.pen { "--pen" } else { "--laser" };
-        let option = match &error {
+        let tool = &args.options.0.tool;
+        let tool_option = |name: &str| {
+            if name == tool.pen {
+                "tool.pen"
+            } else {
+                "tool.laser"
+            }
+        };
+        let field = match &error {
             OptionsError::Unknown(unknown) => Some(tool_option(&unknown.name)),
             OptionsError::OtherKind { name, .. } => Some(tool_option(name)),
-            other => other.option(),
+            other => other.field(),
         };
-        let long = option.and_then(|it| it.strip_prefix("--"));
-        match self.used().find(|it| Some(it.option.as_str()) == long) {
+        let option = field.map(option_of);
+        match self.used().find(|it| Some(&it.option) == option.as_ref()) {
             Some(entry) => {
                 let place = format!("{}, line {}", self.file.display(), entry.line);
                 anyhow::Error::from(error).context(place).into()
@@ -253,7 +254,7 @@ impl Defaults {
 
 /// The options without the defaults that do nothing for what is drawn, checked.
 pub(super) fn fitted(mut args: Args, subject: &Subject) -> Result<Args, Failure> {
-    while let Err(error) = args.options.check(subject) {
+    while let Err(error) = args.options.0.check(subject) {
         args = match args.from_file.take() {
             Some(defaults) => defaults.fitting(&args, error)?,
             None => return Err(error.into()),
@@ -293,8 +294,14 @@ fn argument<'a>(draw: &'a Command, id: &Id) -> Option<&'a clap::Arg> {
     draw.get_arguments().find(|it| it.get_id() == id)
 }
 
+/// The option of a field such as `tool.kerf`, without its dashes; of `what.shade tsp` that of the field.
+fn option_of(field: &str) -> String {
+    let path = field.split(' ').next().unwrap_or_default();
+    option_name(path.rsplit('.').next().unwrap_or_default())
+}
+
 fn long(id: &Id) -> String {
-    format!("--{}", id.as_str().replace('_', "-"))
+    format!("--{}", option_name(id.as_str()))
 }
 
 const GIVEN: &str = "the command line gives it";

@@ -21,7 +21,7 @@ pub(super) fn asked(args: Args) -> Result<(Args, DrawingRequest), Failure> {
     let args = fitted(args, &subject)?;
     let materials = materials(args.materials.as_deref())?;
     let calibration = args.calibration.as_deref().map(calibrate::read);
-    let asked = DrawingRequest::new(dated(&args.options), subject, &materials);
+    let asked = DrawingRequest::new(dated(&args.options.0), subject, &materials);
     let asked = asked.map_err(|error| told(&args, error))?;
     let asked = asked.calibrated(calibration.transpose()?);
     Ok((args, asked))
@@ -37,7 +37,7 @@ fn subject(args: &Args) -> Result<Subject, Failure> {
         ));
     }
     let files = args.files.iter().map(|it| of_file(it));
-    let text = Subject::of_text(&args.options.what).map(Ok);
+    let text = Subject::of_text(&args.options.0.what).map(Ok);
     let all = files.chain(text).reduce(|all, next| Ok(all?.and(next?)));
     all.expect("the options ask for one")
 }

@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::defaults::DefaultsLine;
 use super::{Drawn, MeasuredFrom};
+use crate::drawing_options::with_option_names;
 use crate::output::{self, clock};
 
 /// The closing report.
@@ -69,7 +70,7 @@ impl WarningLine {
             file: it.file.clone(),
             place: it.place.map(|it| it.to_string()),
             what: it.what.clone(),
-            instead: it.instead.clone(),
+            instead: with_option_names(&it.instead),
             count: it.count,
         }
     }

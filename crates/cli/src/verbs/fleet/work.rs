@@ -7,9 +7,9 @@ use anyhow::{Context, anyhow};
 use clap::Subcommand;
 use data_encoding::BASE64;
 use dobot_api::{NewJob, StationAddress, WorkPhase, WorkView, delete, fetch, post};
-use dobot_draw::Options;
 use serde_json::{Value, json};
 
+use crate::drawing_options::DrawingOptions;
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
@@ -64,7 +64,7 @@ struct DrawArgs {
     /// The file to draw; none for a text or a test card
     file: Option<PathBuf>,
     #[command(flatten)]
-    options: Options,
+    options: DrawingOptions,
     #[command(flatten)]
     whose: WhoseArgs,
 }
@@ -92,7 +92,7 @@ impl WorkArgs {
                 let name = args.file.as_deref().map(name).transpose()?;
                 let file = args.file.as_deref().map(read).transpose()?;
                 let file = file.map(|it| BASE64.encode(&it));
-                let drawing = json!({ "name": name, "file": file, "options": args.options });
+                let drawing = json!({ "name": name, "file": file, "options": args.options.0 });
                 vec![args.whose.submit(&address, "drawing", drawing).await?]
             }
             Action::Job { file, whose } => {

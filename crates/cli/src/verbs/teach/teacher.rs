@@ -415,7 +415,7 @@ mod tests {
     use dobot_safety::Policy;
 
     use super::*;
-    use crate::pendant::{Drive, KeyReports, STATE};
+    use crate::pendant::{Drive, KeyReports};
 
     fn teacher() -> Teacher {
         let dead_man = Duration::from_millis(150);
@@ -426,16 +426,12 @@ mod tests {
             arm_laser: None,
         };
         let mut it = Teacher::new(pendant, Lesson::new("t".into()), "t.toml".into(), settings);
-        it.handle_state(state());
+        it.handle_state(State::sample());
         it
     }
 
-    fn state() -> State {
-        serde_json::from_str(STATE).unwrap()
-    }
-
     fn at(x_mm: f32) -> State {
-        let mut state = state();
+        let mut state = State::sample();
         state.arm.as_mut().unwrap().status.x_mm = x_mm;
         state
     }
@@ -476,9 +472,9 @@ mod tests {
     #[test]
     fn no_point_is_taught_while_the_arm_moves_or_its_pose_is_not_trusted() {
         let mut it = teacher();
-        let mut moving = state();
+        let mut moving = State::sample();
         moving.arm.as_mut().unwrap().moving = true;
-        let mut lost = state();
+        let mut lost = State::sample();
         lost.trust.trusted = false;
         for state in [moving, lost] {
             it.handle_state(state);
@@ -523,13 +519,13 @@ mod tests {
             job: job_view(4, JobPhase::Queued),
         });
         assert_eq!(asked(&mut it), [], "the pump may still be under way");
-        it.handle_state(state());
+        it.handle_state(State::sample());
         let start = Request::StartJob { job: 4 };
         assert_eq!(asked(&mut it), std::slice::from_ref(&start));
         it.handle_refused(&start, Some("still-moving"), "the arm still moves".into());
-        it.handle_state(state());
+        it.handle_state(State::sample());
         assert_eq!(asked(&mut it), [start]);
-        let mut paused = state();
+        let mut paused = State::sample();
         paused.job = Some(job_view(4, JobPhase::Paused));
         it.handle_state(paused);
         assert_eq!(

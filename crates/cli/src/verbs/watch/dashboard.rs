@@ -181,14 +181,28 @@ const MOST_NOTICES: usize = 200;
 
 #[cfg(test)]
 mod tests {
-    use dobot_api::{JobKind, JobPhase, JobView, News, StopView};
+    use dobot_api::{JobKind, JobPhase, JobView, News, QueueView, State, StopView};
+    use dobot_wire::Dialect;
     use ratatui::Terminal;
     use ratatui::backend::TestBackend;
 
     use super::*;
 
     fn view() -> View {
-        let state = serde_json::from_str(STATE).expect("it is a state");
+        let mut state = State {
+            dialect: Some(Dialect::FIRMWARE_1_1),
+            queue: QueueView {
+                waiting: 2,
+                under_way: 1,
+                ahead_s: 1.5,
+            },
+            clients: 2,
+            ..State::sample()
+        };
+        (state.link.lost_statuses, state.link.damaged_bytes) = (3, 17);
+        let status = &mut state.arm.as_mut().expect("there is one").status;
+        status.y_mm = -40.5;
+        (status.base_deg, status.servo_deg) = (30.25, -90.0);
         View {
             station: "http://127.0.0.1:8642".into(),
             state: Some(state),
@@ -407,25 +421,4 @@ mod tests {
         let screen = screen(&stopped, 20, 4).join("\n");
         assert!(screen.contains("STOPPED by me"), "{screen}");
     }
-
-    const STATE: &str = r#"{
-        "at_s": 61.0,
-        "link": {
-            "address": "serial:/dev/ttyUSB0@9600", "phase": "up", "problem": null,
-            "statuses_per_s": 12.5, "lost_statuses": 3, "damaged_bytes": 17, "latency_ms": 46.0
-        },
-        "arm": {
-            "x_mm": 220.0, "y_mm": -40.5, "z_mm": 30.0, "rotation_deg": 15.0,
-            "base_deg": 30.25, "rear_deg": 40.0, "fore_deg": 45.0, "servo_deg": -90.0,
-            "suction": true, "gripper_deg": 12.0, "moving": false
-        },
-        "dialect": "firmware-1.1",
-        "trust": {"trusted": true, "reason": null},
-        "queue": {"waiting": 2, "under_way": 1, "ahead_s": 1.5},
-        "lease": null,
-        "stop": null,
-        "laser": {"armed_for_s": 0.0, "on": false},
-        "job": null,
-        "clients": 2
-    }"#;
 }

@@ -129,7 +129,7 @@ pub(crate) struct Body<T, const LIMIT: usize = BODY>(pub(crate) T);
 
 impl<T, const LIMIT: usize> FromRequest<Arc<App>> for Body<T, LIMIT>
 where
-    T: DeserializeOwned + Send + 'static,
+    T: DeserializeOwned + JsonSchema + Send + 'static,
 {
     type Rejection = NotDone;
 
@@ -145,7 +145,7 @@ pub(crate) struct Maybe<T>(pub(crate) T);
 
 impl<T> FromRequest<Arc<App>> for Maybe<T>
 where
-    T: DeserializeOwned + Default + Send + 'static,
+    T: DeserializeOwned + JsonSchema + Default + Send + 'static,
 {
     type Rejection = NotDone;
 
@@ -225,7 +225,9 @@ fn check_type(parts: &Parts) -> Result<(), Problem> {
     ))
 }
 
-async fn read<T: DeserializeOwned + Send + 'static>(text: Bytes) -> Result<T, Problem> {
+async fn read<T: DeserializeOwned + JsonSchema + Send + 'static>(
+    text: Bytes,
+) -> Result<T, Problem> {
     read_beside(text, strict_json::read).await?
 }
 

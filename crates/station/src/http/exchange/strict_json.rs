@@ -1,38 +1,48 @@
 //! JSON, read strictly: what is wrong is told with its place, and nothing is dropped or guessed.
 
+use std::borrow::Cow;
+use std::collections::HashMap;
 use std::fmt;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
+use dobot_api::Problem;
 use dobot_api::problem_kinds::{INVALID, MALFORMED};
-use dobot_api::{FromClient, Problem, Recipients};
-use schemars::schema_for;
-use serde::Deserialize;
+use schemars::{JsonSchema, schema_for};
 use serde::de::{
     self, DeserializeOwned, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor,
 };
-use serde_json::Value;
-
-use super::requester::EditPolicy;
-use crate::http::fleet_routes::offers::FleetOffer;
-use crate::http::fleet_routes::work::FleetWork;
-use crate::http::resources::drawings::NewDrawing;
-use crate::http::resources::programs::EditProgram;
-use crate::http::routes::{NewFaults, NewTouches, PaperTouches};
+use serde_json::{Map, Value};
 
 /// Reads a body or a message.
 ///
 /// # Errors
 ///
 /// [`MALFORMED`] with line and column where it is no JSON, [`INVALID`] with the field where it is
-/// not what it has to be: missing, unknown, of another type, too large for the arm's numbers.
-pub(crate) fn read<T: DeserializeOwned>(text: &[u8]) -> Result<T, Problem> {
-    look_through(text).map_err(|error| not_plain(&error))?;
-    parse(text).map_err(|wrong| invalid(text, wrong, |text| parse::<T>(text).err()))
+/// not what it has to be: missing, unknown, there twice, of another type, too large for the arm's numbers.
+pub(crate) fn read<T: DeserializeOwned + JsonSchema>(text: &[u8]) -> Result<T, Problem> {
+    let body = plain(text, &lists_of::<T>()).map_err(|error| not_plain(&error))?;
+    if text.len() > LARGEST_SEARCH {
+        return parse(body).map_err(|wrong| wrong.problem());
+    }
+    parse(&body).map_err(|mut wrong| {
+        let differs = |other: &Value| {
+            let other = parse::<T>(other).err();
+            other.is_none_or(|other| other.message != wrong.message)
+        };
+        if let Some(field) = culprit(body.clone(), &wrong, differs) {
+            wrong.path = field;
+        }
+        wrong.problem()
+    })
 }
 
-fn parse<T: DeserializeOwned>(text: &[u8]) -> Result<T, Wrong> {
-    let mut json = serde_json::Deserializer::from_slice(text);
-    serde_path_to_error::deserialize(&mut json).map_err(|error| Wrong::new(&error))
+fn parse<'de, T: DeserializeOwned>(
+    body: impl Deserializer<'de, Error = serde_json::Error>,
+) -> Result<T, Wrong> {
+    serde_path_to_error::deserialize(body).map_err(|error| Wrong {
+        path: error.path().to_string(),
+        message: error.inner().to_string(),
+    })
 }
 
 /// What is wrong with a value, and where.
@@ -42,62 +52,49 @@ struct Wrong {
 }
 
 impl Wrong {
-    fn new(error: &serde_path_to_error::Error<serde_json::Error>) -> Self {
-        Self {
-            path: error.path().to_string(),
-            message: bare(error.inner()),
-        }
+    fn problem(self) -> Problem {
+        let Self { path, message } = self;
+        INVALID.problem(match &*path {
+            "." => message,
+            path => format!("{path}: {message}"),
+        })
     }
-}
-
-/// What is wrong with a text; `check` reads one as the same type.
-fn invalid(text: &[u8], wrong: Wrong, check: fn(&[u8]) -> Option<Wrong>) -> Problem {
-    let field = culprit(text, &wrong, check).unwrap_or(wrong.path);
-    let message = wrong.message;
-    INVALID.problem(match &*field {
-        "." => message,
-        field => format!("{field}: {message}"),
-    })
 }
 
 fn not_plain(error: &serde_json::Error) -> Problem {
     let place = format!("line {}, column {}", error.line(), error.column());
-    let kind = if error.is_data() { INVALID } else { MALFORMED };
-    kind.problem(format!("{place}: {}", bare(error)))
-}
-
-/// The message without the place that `serde_json` appends.
-fn bare(error: &serde_json::Error) -> String {
     let text = error.to_string();
-    let place = format!(" at line {} column {}", error.line(), error.column());
-    text.strip_suffix(&place).map_or(text.clone(), Into::into)
+    let appended = format!(" at line {} column {}", error.line(), error.column());
+    let message = text.strip_suffix(&appended).unwrap_or(&text);
+    let kind = if error.is_data() { INVALID } else { MALFORMED };
+    kind.problem(format!("{place}: {message}"))
 }
 
-/// The field that is wrong inside of a value whose fields are read out of order, because its type
-/// tells how: then the path of the error ends above it.
+/// The field that is wrong inside of a value whose type is told by one of its fields: then the path of the error ends
+/// above it.
 ///
 /// Fields are looked at in their order, so the wrong one is the last one whose replacement makes a
 /// difference to the message.
-fn culprit(text: &[u8], wrong: &Wrong, check: fn(&[u8]) -> Option<Wrong>) -> Option<String> {
-    if text.len() > LARGEST_SEARCH || !wrong.message.starts_with("invalid ") {
+fn culprit(mut body: Value, wrong: &Wrong, differs: impl Fn(&Value) -> bool) -> Option<String> {
+    if !wrong.message.starts_with("invalid ") {
         return None;
     }
-    let body: Value = serde_json::from_slice(text).ok()?;
     let mut leaves = Vec::new();
     collect(&body, String::new(), String::new(), &mut leaves);
     let mut below = leaves
         .into_iter()
         .filter(|leaf| leaf.name.starts_with(wrong.path.trim_start_matches('.')));
-    let differs = |leaf: &Leaf| {
-        let mut other = body.clone();
-        if let Some(value) = other.pointer_mut(&leaf.pointer) {
-            *value = Value::Array(vec![Value::Null]);
-        }
-        check(other.to_string().as_bytes()).is_none_or(|it| it.message != wrong.message)
+    let is_culprit = |leaf: &Leaf| {
+        let value = body.pointer_mut(&leaf.pointer).expect("it was found there");
+        let found = std::mem::replace(value, Value::Array(vec![Value::Null]));
+        let differs = differs(&body);
+        *body.pointer_mut(&leaf.pointer).expect("it is still there") = found;
+        differs
     };
-    below.rfind(differs).map(|leaf| leaf.name)
+    below.rfind(is_culprit).map(|leaf| leaf.name)
 }
 
+/// How long a text may be of which the wrong field is searched for, in bytes.
 const LARGEST_SEARCH: usize = 4096;
 
 /// A value without values in it.
@@ -136,43 +133,31 @@ fn collect(value: &Value, pointer: String, name: String, leaves: &mut Vec<Leaf>)
     }
 }
 
-/// Any JSON of which every part can only be meant in one way: numbers that the arm's numbers can hold,
-/// and lists only where there are some, since structures could be read from lists too.
-#[derive(Clone, Copy)]
-struct Plain {
-    /// How many lists, one in the other, it may be.
-    lists: usize,
+/// The fields of a type that hold a list, and how many lists there are one in the other.
+type Lists = HashMap<String, usize>;
+
+/// The lists of a type, as its schema says. They are kept: making a schema takes longer than reading a message.
+fn lists_of<T: JsonSchema>() -> Arc<Lists> {
+    static KNOWN: LazyLock<Mutex<HashMap<Cow<'static, str>, Arc<Lists>>>> =
+        LazyLock::new(Mutex::default);
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let lists = known.entry(T::schema_id()).or_insert_with(|| {
+        let mut lists = Lists::new();
+        let schema = schema_for!(T);
+        collect_lists(schema.as_value(), schema.as_value(), &mut lists);
+        Arc::new(lists)
+    });
+    Arc::clone(lists)
 }
 
-/// The fields of requests that hold a list, and how many lists there are one in the other, as their types say.
-static LISTS: LazyLock<Vec<(String, usize)>> = LazyLock::new(|| {
-    let mut lists = Vec::new();
-    for schema in [
-        schema_for!(FromClient),
-        schema_for!(EditPolicy),
-        schema_for!(EditProgram),
-        schema_for!(NewDrawing),
-        schema_for!(FleetWork),
-        schema_for!(FleetOffer),
-        schema_for!(NewFaults),
-        schema_for!(NewTouches),
-        schema_for!(PaperTouches),
-        schema_for!(Recipients),
-    ] {
-        collect_lists(schema.as_value(), schema.as_value(), &mut lists);
-    }
-    lists
-});
-
 /// Collects the lists of a part of a schema, whose named types are in `root`.
-fn collect_lists(root: &Value, schema: &Value, lists: &mut Vec<(String, usize)>) {
+fn collect_lists(root: &Value, schema: &Value, lists: &mut Lists) {
     let fields = schema.get("properties").and_then(Value::as_object);
     let named = fields.into_iter().flatten();
-    lists.extend(
-        named
-            .map(|(name, field)| (name.clone(), lists_in(of_name(root, field))))
-            .filter(|(_, lists)| *lists > 0),
-    );
+    for (name, field) in named {
+        let most = lists.entry(name.clone()).or_default();
+        *most = lists_in(of_name(root, field)).max(*most);
+    }
     match schema {
         Value::Object(parts) => parts.values().for_each(|it| collect_lists(root, it, lists)),
         Value::Array(parts) => parts.iter().for_each(|it| collect_lists(root, it, lists)),
@@ -187,6 +172,7 @@ fn of_name<'a>(root: &'a Value, field: &'a Value) -> &'a Value {
     place.and_then(|it| root.pointer(it)).unwrap_or(field)
 }
 
+/// How many lists a schema allows, one in the other, on its own or as one of several.
 fn lists_in(schema: &Value) -> usize {
     let is_list = |name: &Value| name == "array";
     let of_list = || 1 + schema.get("items").map_or(0, lists_in);
@@ -202,108 +188,105 @@ fn lists_in(schema: &Value) -> usize {
     }
 }
 
-impl<'de> DeserializeSeed<'de> for Plain {
-    type Value = ();
+/// Reads JSON of which every part can only be meant in one way: numbers that the arm's numbers can hold, each field
+/// once, and lists only where there are some, since structures could be read from lists too.
+fn plain(text: &[u8], known: &Lists) -> Result<Value, serde_json::Error> {
+    let mut json = serde_json::Deserializer::from_slice(text);
+    let value = Plain { lists: 0, known }.deserialize(&mut json)?;
+    json.end()?;
+    Ok(value)
+}
 
-    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+/// A reader of such a value.
+#[derive(Clone, Copy)]
+struct Plain<'a> {
+    /// How many lists, one in the other, it may be.
+    lists: usize,
+    known: &'a Lists,
+}
+
+impl<'de> DeserializeSeed<'de> for Plain<'_> {
+    type Value = Value;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Value, D::Error> {
         deserializer.deserialize_any(self)
     }
 }
 
-impl<'de> Visitor<'de> for Plain {
-    type Value = ();
+impl<'de> Visitor<'de> for Plain<'_> {
+    type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("JSON")
     }
 
-    fn visit_bool<E>(self, _: bool) -> Result<(), E> {
-        Ok(())
+    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
+        Ok(value.into())
     }
 
-    fn visit_u64<E>(self, _: u64) -> Result<(), E> {
-        Ok(())
+    fn visit_u64<E>(self, number: u64) -> Result<Value, E> {
+        Ok(number.into())
     }
 
-    fn visit_i64<E>(self, _: i64) -> Result<(), E> {
-        Ok(())
+    fn visit_i64<E>(self, number: i64) -> Result<Value, E> {
+        Ok(number.into())
     }
 
-    fn visit_f64<E: de::Error>(self, number: f64) -> Result<(), E> {
+    fn visit_f64<E: de::Error>(self, number: f64) -> Result<Value, E> {
         if number.abs() <= f64::from(f32::MAX) {
-            return Ok(());
+            return Ok(number.into());
         }
         Err(E::custom(format_args!(
             "{number:e} is too large; numbers go from -3.4e38 to 3.4e38"
         )))
     }
 
-    fn visit_str<E>(self, _: &str) -> Result<(), E> {
-        Ok(())
+    fn visit_str<E>(self, text: &str) -> Result<Value, E> {
+        Ok(text.into())
     }
 
-    fn visit_unit<E>(self) -> Result<(), E> {
-        Ok(())
+    fn visit_string<E>(self, text: String) -> Result<Value, E> {
+        Ok(text.into())
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<(), A::Error> {
+    fn visit_unit<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Value, A::Error> {
         let Some(lists) = self.lists.checked_sub(1) else {
             return Err(de::Error::custom("there is a list; this takes none"));
         };
-        while items.next_element_seed(Self { lists })?.is_some() {}
-        Ok(())
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<(), A::Error> {
-        while let Some(Name(lists)) = fields.next_key()? {
-            fields.next_value_seed(Self { lists })?;
+        let mut list = Vec::new();
+        while let Some(item) = items.next_element_seed(Self { lists, ..self })? {
+            list.push(item);
         }
-        Ok(())
+        Ok(list.into())
     }
-}
 
-const NO_LIST: Plain = Plain { lists: 0 };
-
-/// The name of a field: how many lists it holds, one in the other.
-struct Name(usize);
-
-impl<'de> Deserialize<'de> for Name {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Reader;
-
-        impl Visitor<'_> for Reader {
-            type Value = Name;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a name")
+    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Value, A::Error> {
+        let mut map = Map::new();
+        while let Some(name) = fields.next_key::<String>()? {
+            let lists = self.known.get(&name).copied().unwrap_or_default();
+            if map.contains_key(&name) {
+                return Err(de::Error::custom(format_args!("duplicate field `{name}`")));
             }
-
-            fn visit_str<E>(self, name: &str) -> Result<Name, E> {
-                let named = LISTS.iter().filter(|it| it.0 == name);
-                Ok(Name(named.map(|it| it.1).max().unwrap_or_default()))
-            }
+            let value = fields.next_value_seed(Self { lists, ..self })?;
+            map.insert(name, value);
         }
-
-        deserializer.deserialize_str(Reader)
+        Ok(map.into())
     }
-}
-
-/// Whether text is JSON of that kind, from its start to its end.
-fn look_through(text: &[u8]) -> Result<(), serde_json::Error> {
-    let mut json = serde_json::Deserializer::from_slice(text);
-    NO_LIST.deserialize(&mut json)?;
-    json.end()
 }
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
-    use dobot_api::{NewJob, Request};
+    use dobot_api::{NewJob, Recipients, Request};
     use dobot_wire::Command;
 
     use super::*;
 
-    fn detail<T: DeserializeOwned + fmt::Debug>(text: &str) -> (u16, String) {
+    fn detail<T: DeserializeOwned + JsonSchema + fmt::Debug>(text: &str) -> (u16, String) {
         let problem = read::<T>(text.as_bytes()).unwrap_err();
         (problem.status, problem.detail)
     }
@@ -408,6 +391,13 @@ mod tests {
         }
         let (status, _) = detail::<NewJob>(r#"["a", "drawing", [["release"]], 0]"#);
         assert_eq!(status, 422);
+    }
+
+    #[test]
+    fn a_field_that_is_there_twice_is_refused() {
+        let (status, detail) = detail::<Command>(&command("200, \"x_mm\": 210"));
+        assert_eq!(status, 422);
+        assert_eq!(detail, "line 1, column 40: duplicate field `x_mm`");
     }
 
     #[test]

@@ -9,8 +9,8 @@ use dobot_api::problem_kinds::{BAD_DRAWING, DRAWING_PHASE, NO_SUCH_DRAWING, TOO_
 use dobot_api::{NewJob, Problem};
 use dobot_arm::Tool;
 use dobot_draw::{
-    DrawingRequest, FrameShape, GiveUp, Materials, Options, Prepared, Subject, Timeline,
-    WITHOUT_ARM_Z_MM, frame,
+    DrawingRequest, FrameShape, GiveUp, Materials, Options, OptionsError, Prepared, Subject,
+    Timeline, WITHOUT_ARM_Z_MM, frame,
 };
 use dobot_host::{PlannedFor, drawing_job};
 use dobot_supervisor::plain;
@@ -165,12 +165,13 @@ impl Drawings {
     ///
     /// # Errors
     ///
-    /// A problem where as many are under way as may be.
+    /// A problem where an option is out of its range, or as many are under way as may be.
     pub(crate) fn begin(
         &self,
         new: NewDrawing,
         planned_for: PlannedFor,
     ) -> Result<DrawingView, Problem> {
+        new.options.check_values().map_err(|why| bad(&why))?;
         let mut kept = self.kept();
         kept.make_room()?;
         kept.last += 1;
@@ -422,7 +423,6 @@ impl Work {
     }
 
     fn planned(self) -> Result<Planned, Problem> {
-        let bad = |why: &dyn std::fmt::Display| BAD_DRAWING.problem(why.to_string());
         let subject = self.new.subject(&self.title)?;
         let asked = DrawingRequest::new(self.new.options, subject, &Materials::built_in());
         let asked = asked.map_err(|why| bad(&why))?.until(self.give_up);
@@ -471,6 +471,13 @@ pub(crate) fn materials() -> Vec<MaterialView> {
         tool: material.tool.tool(),
     };
     all.iter().map(view).collect()
+}
+
+fn bad(why: &OptionsError) -> Problem {
+    match why.hint() {
+        Some(hint) => BAD_DRAWING.hinted(why.to_string(), hint),
+        None => BAD_DRAWING.problem(why.to_string()),
+    }
 }
 
 fn none(number: u64) -> Problem {

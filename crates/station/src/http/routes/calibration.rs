@@ -115,7 +115,7 @@ const PAPER_EXAMPLE: &str =
 /// Places of the paper that the tool has touched.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in super::super) struct PaperTouches {
+pub(super) struct PaperTouches {
     /// Where the arm stood at each: forward, to the left and up, in mm, true places as its state has them.
     #[schemars(length(max = 400))]
     places_mm: Vec<[f64; 3]>,
@@ -143,7 +143,7 @@ struct NewCalibration {
 /// Points that the tool has touched.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in super::super) struct NewTouches {
+pub(super) struct NewTouches {
     /// What the arm said at each, in the order in which they were touched.
     #[schemars(length(max = 100))]
     touches: Vec<TouchedPoint>,

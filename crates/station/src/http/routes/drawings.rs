@@ -12,6 +12,7 @@ use dobot_api::problem_kinds::{
     BAD_DRAWING, BAD_JOB, COMMAND, DRAWING_PHASE, ENDING, JOURNAL, MALFORMED, NO_SUCH_DRAWING,
     OUT_OF_RANGE, POLICY, TOO_MANY,
 };
+use dobot_draw::{FORMATS, Format};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -33,7 +34,7 @@ pub(super) fn all() -> Vec<Route> {
         .brings::<Body<NewDrawing, FILE>>()
         .example(EXAMPLE)
         .gives::<DrawingView>(202, "it is being planned; the header Location names it")
-        .problems(&[TOO_MANY]),
+        .problems(&[BAD_DRAWING, TOO_MANY]),
         Route::new(
             GET,
             "/api/v1/drawings/{id}",
@@ -76,6 +77,13 @@ pub(super) fn all() -> Vec<Route> {
             materials,
         )
         .gives::<Vec<MaterialView>>(200, "the pens and materials"),
+        Route::new(
+            GET,
+            "/api/v1/formats",
+            "The formats of files that can be drawn",
+            formats,
+        )
+        .gives::<Vec<Format>>(200, "the formats"),
     ]
 }
 
@@ -122,4 +130,8 @@ async fn submit(
 
 async fn materials() -> Json<Vec<MaterialView>> {
     Json(drawings::materials())
+}
+
+async fn formats() -> Json<&'static [Format]> {
+    Json(&FORMATS)
 }

@@ -83,7 +83,7 @@ struct SceneText {
 /// What is to go wrong.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(in super::super) struct NewFaults {
+pub(super) struct NewFaults {
     /// The faults, as `dobot arm --fault` takes them; times count from now.
     faults: Vec<String>,
     /// What chance begins with: the same faults with the same seed do the same.

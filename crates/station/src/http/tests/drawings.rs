@@ -127,6 +127,31 @@ fn title(request: Request) -> String {
 }
 
 #[tokio::test]
+async fn an_option_that_no_drawing_can_have_is_refused_at_once_by_its_field() {
+    let harness = Harness::near();
+    for (options, detail) in [
+        (
+            json!({"tool": {"laser": "cardboard-cut", "kerf": 7}}),
+            "tool.kerf is 7 mm; it takes -5 to 5 mm",
+        ),
+        (
+            json!({"way": {"tolerance": 0.001}}),
+            "way.tolerance is 0.001 mm; it takes 0.02 to 10 mm",
+        ),
+        (
+            json!({"place": {"fit": true, "scale": 2}}),
+            "place.fit and place.scale exclude each other: give one of them",
+        ),
+    ] {
+        let body = json!({"options": options}).to_string();
+        let refused = harness.json("POST", "/api/v1/drawings", body).await;
+        let problem = refused.is(422).value();
+        assert_eq!(problem["detail"], detail);
+    }
+    harness.bare("GET", "/api/v1/drawings/1").await.is(404);
+}
+
+#[tokio::test]
 async fn what_cannot_be_drawn_is_told_and_no_job_is_made_of_it() {
     let harness = Harness::near();
     for (body, says) in [
@@ -227,6 +252,19 @@ async fn the_pens_and_materials_are_told_by_name() {
         .value();
     let pen = json!({"name": "fineliner", "tool": "pen"});
     assert!(all.as_array().unwrap().contains(&pen), "{all}");
+}
+
+#[tokio::test]
+async fn the_formats_are_listed_with_their_extensions_and_mime_types() {
+    let all = Harness::near()
+        .bare("GET", "/api/v1/formats")
+        .await
+        .is(200)
+        .value();
+    let dxf = json!({
+        "name": "DXF", "extensions": ["dxf"], "mime_type": "image/vnd.dxf", "contents": "shapes",
+    });
+    assert!(all.as_array().unwrap().contains(&dxf), "{all}");
 }
 
 #[tokio::test]

@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use anyhow::anyhow;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, Args, Command, CommandFactory, Id, Parser};
-use dobot_draw::Options;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::Cli;
+use crate::drawing_options::DrawingOptions;
 use crate::failure::Failure;
 
 /// A default.
@@ -78,7 +78,7 @@ pub(super) fn entries(file: &Path, text: &str) -> Result<Vec<Entry>, Failure> {
 
 /// The options of `draw` that a file may have: those that do not say what is drawn this time.
 pub(in crate::verbs::draw) fn known() -> Vec<Arg> {
-    let options = Options::augment_args(Command::new("draw"));
+    let options = DrawingOptions::augment_args(Command::new("draw"));
     let others = ["materials", "frame"];
     let program = Cli::command();
     let draw = program.find_subcommand("draw").expect("it is a verb");

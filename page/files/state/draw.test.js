@@ -1,0 +1,22 @@
+import assert from "node:assert/strict";
+import test from "node:test";
+import { speak } from "../words/words.js";
+import { accepted, formatNames, NO_DRAW, reduceDraw, withFieldNames } from "./draw.js";
+
+const FORMATS = /** @type {import("./draw.js").Formats} */ ([
+  { name: "SVG", extensions: ["svg", "svgz"], mime_type: "image/svg+xml", contents: "page" },
+  { name: "HP-GL", extensions: ["plt"], mime_type: "application/vnd.hp-hpgl", contents: "shapes" },
+]);
+
+test("files are chosen and named by the formats that the station tells", () => {
+  const { formats } = reduceDraw(NO_DRAW, { type: "formats", formats: FORMATS });
+  assert.equal(accepted(formats), ".svg,.svgz,.plt");
+  assert.equal(formatNames(formats), "SVG, HP-GL");
+});
+
+test("an error names the field of the page, and an option that the page does not have as it is", () => {
+  const say = speak("en");
+  assert.equal(withFieldNames(say, "tool.speed is 2000 mm/s; it takes 0 to 1000 mm/s"), "“Speed” is 2000 mm/s; it takes 0 to 1000 mm/s");
+  assert.equal(withFieldNames(say, "`place.fit`, instead of `place.scale`, is smaller"), "“as large as fits”, instead of “Size”, is smaller");
+  assert.equal(withFieldNames(say, "tool.kerf is 7 mm"), "tool.kerf is 7 mm");
+});
