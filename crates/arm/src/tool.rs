@@ -184,9 +184,9 @@ mod tests {
     #[test]
     fn a_tool_is_its_name_in_json() {
         for tool in Tool::ALL {
-            let json = serde_json::to_value(tool).unwrap();
+            let json = serde_json::to_value(tool).expect("a name");
             assert_eq!(json, tool.name());
-            assert_eq!(serde_json::from_value::<Tool>(json).unwrap(), tool);
+            assert_eq!(serde_json::from_value::<Tool>(json).expect("a tool"), tool);
         }
     }
 }

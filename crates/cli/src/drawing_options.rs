@@ -19,7 +19,7 @@ pub(crate) struct DrawingOptions(pub(crate) Options);
 
 /// The arguments, in the order of the help.
 fn rows() -> Vec<Row> {
-    let source = [
+    let source = vec![
         text("text", "TEXT").arg(|it| it.conflicts_with("card")),
         text("font", "NAME"),
         number("height", "MM"),
@@ -33,7 +33,7 @@ fn rows() -> Vec<Row> {
         parsed::<LayersBy>("layers", "BY"),
         several::<LayerTool>("layer", parser::<LayerTool>())
             .arg(|it| it.value_name("NAME=PEN").requires("layers")),
-        several::<String>("only", value_parser!(String).into())
+        several::<String>("only", value_parser!(String))
             .arg(|it| it.value_name("NAME").requires("layers")),
         flag("no_crop"),
         flag("hide"),
@@ -51,7 +51,7 @@ fn rows() -> Vec<Row> {
         whole::<u8>("levels", value_parser!(u8)).arg(|it| it.conflicts_with("threshold")),
         flag("invert"),
     ];
-    let paper = [
+    let paper = vec![
         parsed::<PaperSize>("paper_size", "SIZE"),
         flag("landscape").arg(|it| it.requires("paper_size")),
         several::<f64>("corner", ValueParser::new(finite)).arg(|it| {
@@ -79,7 +79,7 @@ fn rows() -> Vec<Row> {
     ];
     let laser = |row: Row| row.arg(|it| it.help_heading("Laser"));
     let cut = |row: Row| laser(row).arg(|it| it.requires("laser"));
-    let run = [
+    let run = vec![
         text("pen", "PEN").arg(|it| it.conflicts_with("laser").help_heading("Pen")),
         laser(text("laser", "MATERIAL")),
         number("lift", "MM").arg(|it| it.help_heading("Pen")),
@@ -165,7 +165,7 @@ fn several<T: Clone + Serialize + Send + Sync + 'static>(
 }
 
 fn text(field: &'static str, value_name: &'static str) -> Row {
-    one::<String>(field, value_name, value_parser!(String).into())
+    one::<String>(field, value_name, value_parser!(String))
 }
 
 fn number(field: &'static str, value_name: &'static str) -> Row {

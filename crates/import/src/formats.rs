@@ -157,12 +157,15 @@ pub enum Contents {
     Picture,
 }
 
+/// The artwork of a file, and what of it was left out.
+type Drawn = Result<(Artwork, Vec<Warning>), SourceError>;
+
 #[derive(Debug)]
 enum Reader {
     /// Of UTF-8 text.
-    Text(fn(&str, &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError>),
+    Text(fn(&str, &ReadOptions) -> Drawn),
     /// Of bytes: comments may hold anything, letters may be packed numbers, older files are in code pages.
-    Bytes(fn(&[u8], &ReadOptions) -> Result<(Artwork, Vec<Warning>), SourceError>),
+    Bytes(fn(&[u8], &ReadOptions) -> Drawn),
 }
 
 /// The beginning of a file.

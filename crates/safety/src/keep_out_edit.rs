@@ -49,10 +49,11 @@ impl KeepOutEdit {
             .ok_or_else(|| refused("keep_out is a value; a policy has a table there"))?;
         match self {
             Self::Add { keep_out } => {
-                let mut names = (1..).map(|number| format!("zone_{number}"));
-                let free = names.find(|name| !keep_outs.contains_key(name));
-                let name = free.expect("there are more numbers than keep-outs");
-                keep_outs.insert(&name, Item::Value(inline(keep_out)?));
+                let mut number = 1;
+                while keep_outs.contains_key(&format!("zone_{number}")) {
+                    number += 1;
+                }
+                keep_outs.insert(&format!("zone_{number}"), Item::Value(inline(keep_out)?));
             }
             Self::Replace { name, keep_out } => {
                 let mut new = inline(keep_out)?;

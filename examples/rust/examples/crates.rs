@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut names: Vec<&String> = crates.keys().collect();
     names.sort_by_key(|&name| (std::cmp::Reverse(levels[name]), name));
 
-    let mut text = INTRODUCTION.to_owned();
+    print!("{INTRODUCTION}");
     for &name in &names {
         let Crate {
             folder,
@@ -56,16 +56,16 @@ fn main() -> Result<(), Box<dyn Error>> {
             ..
         } = &crates[name];
         let no_std = if *is_no_std { "yes" } else { "" };
-        text += &format!("| [`{name}`](../{folder}) | {no_std} | {description} |\n");
+        println!("| [`{name}`](../{folder}) | {no_std} | {description} |");
     }
-    text += DIAGRAM;
+    print!("{DIAGRAM}");
     for &name in &names {
         let uses = direct(name, &crates);
         if !uses.is_empty() {
-            text += &format!("{name:<12} -> {}\n", uses.join(", "));
+            println!("{name:<12} -> {}", uses.join(", "));
         }
     }
-    print!("{text}```\n");
+    println!("```");
     Ok(())
 }
 

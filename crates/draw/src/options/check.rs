@@ -98,8 +98,32 @@ fn ranges(options: &Options) -> Result<(), OptionsError> {
 /// No table is larger.
 const FARTHEST_MM: f64 = 10_000.0;
 
-/// Options that exclude each other, and those that need another one.
+/// Two options and whether each is given.
+type Pair = (&'static str, bool, &'static str, bool);
+
+/// Refuses options that exclude each other, a layer that is named twice, and options that need another one.
 fn together(options: &Options) -> Result<(), OptionsError> {
+    if let Some((field, _, other, _)) = exclusive(options).into_iter().find(|it| it.1 && it.3) {
+        return Err(OptionsError::Both { field, other });
+    }
+    let mut names: Vec<&str> = options
+        .what
+        .layer
+        .iter()
+        .map(|it| it.name.as_str())
+        .collect();
+    names.sort_unstable();
+    if let Some(twice) = names.windows(2).find(|it| it[0] == it[1]) {
+        return Err(OptionsError::Twice(twice[0].to_owned()));
+    }
+    match dependent(options).into_iter().find(|it| it.1 && !it.3) {
+        Some((field, _, needs, _)) => Err(OptionsError::Alone { field, needs }),
+        None => Ok(()),
+    }
+}
+
+/// A table of options that exclude each other.
+fn exclusive(options: &Options) -> [Pair; 12] {
     let Options {
         what,
         place,
@@ -114,7 +138,7 @@ fn together(options: &Options) -> Result<(), OptionsError> {
     let cornered = place.corner.is_some();
     let turned = what.hatch_angle != defaults.what.hatch_angle;
     let winds = what.hatch_style != defaults.what.hatch_style;
-    let exclusive = [
+    [
         (
             "what.text",
             what.text.is_some(),
@@ -130,7 +154,7 @@ fn together(options: &Options) -> Result<(), OptionsError> {
         ),
         ("place.corner", cornered, "place.at", place.at.is_some()),
         ("place.corner", cornered, "place.paper", touched),
-        ("what.pen", by_pen, "tool.laser", by_laser),
+        ("tool.pen", by_pen, "tool.laser", by_laser),
         ("way.keep_order", way.keep_order, "way.tries", tries),
         (
             "way.keep_order",
@@ -152,20 +176,23 @@ fn together(options: &Options) -> Result<(), OptionsError> {
             winds,
         ),
         ("what.cross", what.cross, "what.hatch_style", winds),
-    ];
-    if let Some((field, _, other, _)) = exclusive.into_iter().find(|it| it.1 && it.3) {
-        return Err(OptionsError::Both { field, other });
-    }
-    let mut names: Vec<&str> = what.layer.iter().map(|it| it.name.as_str()).collect();
-    names.sort_unstable();
-    if let Some(twice) = names.windows(2).find(|it| it[0] == it[1]) {
-        return Err(OptionsError::Twice(twice[0].to_owned()));
-    }
+    ]
+}
+
+/// A table of options that need another one.
+fn dependent(options: &Options) -> [Pair; 16] {
+    let Options {
+        what, place, tool, ..
+    } = options;
+    let defaults = Options::default();
+    let by_laser = tool.laser.is_some();
     let (layered, hatched) = (what.layers.is_some(), what.hatch.is_some());
     let sheet = place.paper_size.is_some();
     let shade = what.shade.unwrap_or(Shading::default().style);
     let apart = place.gap != defaults.place.gap;
-    let dependent = [
+    let cornered = place.corner.is_some();
+    let turned = what.hatch_angle != defaults.what.hatch_angle;
+    [
         (
             "place.landscape",
             place.landscape,
@@ -217,11 +244,7 @@ fn together(options: &Options) -> Result<(), OptionsError> {
             "tool.tabs",
             tool.tabs != 0,
         ),
-    ];
-    match dependent.into_iter().find(|it| it.1 && !it.3) {
-        Some((field, _, needs, _)) => Err(OptionsError::Alone { field, needs }),
-        None => Ok(()),
-    }
+    ]
 }
 
 /// What kind of thing is drawn.

@@ -314,7 +314,9 @@ fn what_the_arm_would_get_lost_in_is_refused_as_its_own_rule() {
 #[test]
 fn each_tool_has_the_length_that_the_policy_gives_it_and_a_pen_that_of_the_cup() {
     let policy = "[tool_length]\nsuction_cup_mm = 51\ngripper_mm = 52\nlaser_mm = 53";
-    let lengths = dobot_safety::Policy::from_toml(policy).unwrap().tool_length;
+    let lengths = dobot_safety::Policy::from_toml(policy)
+        .expect("a policy")
+        .tool_length;
     let tools = [Tool::SuctionCup, Tool::Gripper, Tool::Laser, Tool::Pen];
     assert_eq!(tools.map(|tool| lengths.of(tool)), [51.0, 52.0, 53.0, 51.0]);
 }

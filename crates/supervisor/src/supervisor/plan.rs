@@ -537,6 +537,7 @@ fn no_references(commands: &[Command]) -> Result<(), Refusal> {
 }
 
 /// The height below which a pen draws, in mm: half of its lift above its lowest position.
+#[must_use]
 pub const fn draws_below_mm(lowest_mm: f64, lift_mm: f64) -> f64 {
     lowest_mm + lift_mm / 2.0
 }

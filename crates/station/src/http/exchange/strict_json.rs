@@ -22,7 +22,7 @@ use serde_json::{Map, Value};
 pub(crate) fn read<T: DeserializeOwned + JsonSchema>(text: &[u8]) -> Result<T, Problem> {
     let body = plain(text, &lists_of::<T>()).map_err(|error| not_plain(&error))?;
     if text.len() > LARGEST_SEARCH {
-        return parse(body).map_err(|wrong| wrong.problem());
+        return parse(body).map_err(Wrong::problem);
     }
     parse(&body).map_err(|mut wrong| {
         let differs = |other: &Value| {
