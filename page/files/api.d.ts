@@ -1982,7 +1982,7 @@ export interface components {
         /** @description A tool. */
         ToolFacts: {
             /** @description What it is. */
-            kind: components["schemas"]["ToolKind"];
+            kind: components["schemas"]["Tool"];
             /**
              * Format: double
              * @description From the wrist to the axis of the tool, level, in mm.
@@ -1996,8 +1996,8 @@ export interface components {
             /** @description What an arm with this tool makes of gesture packets (note N18); none while nobody knows its dialect. */
             gesture?: components["schemas"]["GestureFacts"] | null;
         };
-        /** @description The tools that were sold with the arm. */
-        ToolKind: "suction_cup" | "gripper" | "pen" | "laser";
+        /** @description What is mounted at the end of the arm. */
+        Tool: "suction_cup" | "gripper" | "pen" | "laser";
         /** @description The units of a gesture packet. */
         GestureFacts: {
             /** @description Along X. */
@@ -3040,8 +3040,6 @@ export interface components {
         WriteMode: "writing" | "laser";
         /** @description What a button of linear jog moves or switches (Table 2.5; note N14). */
         LinearJogAxis: "released" | "x_plus" | "x_minus" | "y_plus" | "y_minus" | "z_plus" | "z_minus" | "servo_plus" | "servo_minus" | "suction_on" | "suction_off" | "gripper_open" | "gripper_close" | "laser_on" | "laser_off";
-        /** @description What is mounted at the end of the arm. */
-        Tool: "suction_cup" | "gripper" | "pen" | "laser";
         /** @description The answer to a request that was granted. */
         Reply: {
             /** @constant */
@@ -4948,8 +4946,8 @@ export interface components {
             name: string;
             /** @description Red, green and blue, where the file tells a colour. */
             color?: number[] | null;
-            /** @description What draws. */
-            tool: components["schemas"]["ToolKind2"];
+            /** @description What draws: `pen` or `laser`. */
+            tool: components["schemas"]["Tool"];
             /**
              * Format: uint
              * @description How many strokes, each as often as it is drawn.
@@ -4981,8 +4979,6 @@ export interface components {
              */
             error_mm: number;
         };
-        /** @description What draws. */
-        ToolKind2: "pen" | "laser";
         /** @description What the tool does, one row for each. */
         Moves: {
             /** @description What the numbers in `kind` mean. */
@@ -5022,8 +5018,8 @@ export interface components {
         MaterialView: {
             /** @description Its name. */
             name: string;
-            /** @description What draws on it. */
-            tool: components["schemas"]["ToolKind2"];
+            /** @description What draws on it: `pen` or `laser`. */
+            tool: components["schemas"]["Tool"];
         };
         /** @description A format of files that can be drawn. */
         Format: {
@@ -5184,11 +5180,11 @@ export interface components {
              *     a spring, a cup is soft.
              */
             give_mm: number;
-            /** @description Which tool. */
-            kind: components["schemas"]["ToolKind3"];
+            /** @description Which tool it is, and how it acts on the scene. */
+            kind: components["schemas"]["ToolAction"];
         };
-        /** @description The tools. */
-        ToolKind3: {
+        /** @description How a tool acts on the scene. */
+        ToolAction: {
             /** @constant */
             type: "pen";
             /**
