@@ -116,7 +116,7 @@ fn a_photo_and_a_text_become_ink_with_one_line_each() {
         assert!(number(&report(&outcome.stdout), "drawn_mm") > 50.0);
     }
     for blank in ["", " ", "\\n"] {
-        let told = ["error: --text: ", "nothing to draw"];
+        let told = ["error: text: ", "nothing to draw"];
         dobot(&["draw", "--text", blank]).fails(1, &told);
     }
 }
@@ -721,18 +721,23 @@ fn settings_that_make_no_sense_are_told_before_anything_moves() {
     let square = example("square.svg");
     for (option, value, part) in [
         ("--tolerance", "0", "tolerance"),
-        ("--tolerance", "nan", "tolerance"),
         ("--speed", "0", "speed"),
         ("--speed", "-5", "speed"),
-        ("--acceleration", "inf", "acceleration"),
         ("--scale", "0", "scale"),
         ("--lift", "-10", "lift"),
         ("--margin", "70", "margin"),
-        ("--rotate", "nan", "degrees"),
         ("--hatch", "0", "spacing"),
         ("--pen-down", "200", "z"),
     ] {
         dobot(&["draw", &square, option, value]).fails(1, &[part]);
+    }
+    for (option, value) in [
+        ("--tolerance", "nan"),
+        ("--acceleration", "inf"),
+        ("--rotate", "nan"),
+    ] {
+        let outcome = dobot(&["draw", &square, option, value]);
+        outcome.fails(2, &[option, value, "allowed are finite numbers"]);
     }
     dobot(&["draw", &square, "--at", "400", "0"]).fails(1, &["reach"]);
 }
