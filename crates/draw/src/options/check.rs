@@ -421,7 +421,7 @@ mod tests {
             ),
             (
                 r#"{"tool": {"pen": "marker", "laser": "plywood-engrave"}}"#,
-                "what.pen and tool.laser exclude each other: give one of them",
+                "tool.pen and tool.laser exclude each other: give one of them",
             ),
             (
                 r#"{"what": {"cross": true}}"#,
