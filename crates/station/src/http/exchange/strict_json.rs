@@ -397,7 +397,7 @@ mod tests {
     fn a_field_that_is_there_twice_is_refused() {
         let (status, detail) = detail::<Command>(&command("200, \"x_mm\": 210"));
         assert_eq!(status, 422);
-        assert_eq!(detail, "line 1, column 40: duplicate field `x_mm`");
+        assert_eq!(detail, "line 1, column 39: duplicate field `x_mm`");
     }
 
     #[test]

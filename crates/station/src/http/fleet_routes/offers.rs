@@ -65,6 +65,7 @@ pub(crate) async fn offer(
     Body(offered): Body<FleetOffer, JOB>,
 ) -> Result<Json<JobView>, NotDone> {
     let app = &asker.app;
+    offered.drawing.as_ref().map_or(Ok(()), NewDrawing::check)?;
     let port = app.fleet()?;
     let key = asker.key.clone().ok_or_else(|| {
         MALFORMED.problem("an offer has a key, in the header Idempotency-Key; this one has none")

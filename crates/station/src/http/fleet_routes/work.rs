@@ -39,6 +39,7 @@ pub(crate) async fn submit(
     Body(wanted): Body<FleetWork, JOB>,
 ) -> Result<(StatusCode, Json<WorkView>), NotDone> {
     asker.check_role(Role::Queue)?;
+    wanted.drawing.as_ref().map_or(Ok(()), NewDrawing::check)?;
     let port = asker.app.fleet()?;
     let work = Box::new(wanted.work(&asker, port.name())?);
     let view = port.work(|reply| WorkWish::Submit(work, reply)).await?;

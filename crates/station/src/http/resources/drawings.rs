@@ -171,7 +171,7 @@ impl Drawings {
         new: NewDrawing,
         planned_for: PlannedFor,
     ) -> Result<DrawingView, Problem> {
-        new.options.check_values().map_err(|why| bad(&why))?;
+        new.check()?;
         let mut kept = self.kept();
         kept.make_room()?;
         kept.last += 1;
@@ -342,6 +342,15 @@ impl Drop for Drawing {
 }
 
 impl NewDrawing {
+    /// Checks the options against their ranges, and those that exclude each other.
+    ///
+    /// # Errors
+    ///
+    /// A problem that names the field.
+    pub(crate) fn check(&self) -> Result<(), Problem> {
+        self.options.check_values().map_err(|why| bad(&why))
+    }
+
     /// What a person calls it, within what a job may be called.
     pub(crate) fn title(&self) -> String {
         let text = Subject::of_text(&self.options.what).map(|it| it.title);
