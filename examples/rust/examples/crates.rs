@@ -1,6 +1,5 @@
-//! cargo run -p dobot-examples --example crates
-//!
-//! Prints `docs/crates.md`: the crates and their dependencies, read from the manifests.
+//! `cargo run -p dobot-examples --example crates`: prints `docs/crates.md`, the crates and their dependencies, read from the
+//! manifests.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
