@@ -85,7 +85,7 @@ impl Tokens {
             shared: false,
             sha256,
             #[cfg(feature = "proofs")]
-            key: Some(super::proofs::public_key(token.secret())),
+            key: Some(crate::http::proofs::public_key(token.secret())),
             #[cfg(not(feature = "proofs"))]
             key: None,
         });
@@ -193,7 +193,7 @@ impl Tokens {
     pub(crate) fn proved(&self, statement: &[u8], proof: &[u8]) -> Option<[u8; 32]> {
         let is_proved = |it: &&Known| {
             let key = it.key.as_deref();
-            key.is_some_and(|key| super::proofs::is_proved(key, statement, proof))
+            key.is_some_and(|key| crate::http::proofs::is_proved(key, statement, proof))
         };
         let known = self.known.iter().find(is_proved)?;
         let digest = data_encoding::HEXLOWER.decode(known.sha256.as_bytes());
