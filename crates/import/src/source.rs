@@ -9,7 +9,7 @@ use crate::limits::{MOST_BYTES, MOST_PICTURE_BYTES};
 use crate::options::ReadOptions;
 use crate::text::{Font, Text};
 use crate::warning::Warning;
-use crate::{encoding, kind, packed, picture, points};
+use crate::{encoding, foreign, packed, picture, points};
 
 /// Something to be drawn, not yet read.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +38,7 @@ impl Source {
     pub fn of_file(name: &str, bytes: Vec<u8>) -> Result<Self, SourceError> {
         let bytes = packed::unpacked(Self::checked_size(bytes)?)?;
         let bytes = encoding::in_utf8(Self::checked_size(bytes)?)?;
-        kind::refuse_foreign(&bytes)?;
+        foreign::refuse_foreign(&bytes)?;
         let Some(format) = Format::of_file(name, &bytes) else {
             return Err(SourceError::UnknownKind {
                 name: name.to_owned(),

@@ -1,11 +1,11 @@
-//! The scale of a hand that an arm follows.
+//! The units of gesture packets.
 
 use dobot_arm::Tool;
 use dobot_wire::Dialect;
 
 use super::followed::SAMPLES;
 
-/// The scale of the place of a hand in a gesture packet (state 8; note N18).
+/// The units of a hand's position in a gesture packet (state 8; note N18).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandScale {
     /// Along X.
@@ -16,17 +16,17 @@ pub struct HandScale {
     pub z: HandAxis,
 }
 
-/// One axis of the place of a hand.
+/// One axis of a hand's position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandAxis {
-    /// The place that a packet with 0 means, in mm.
+    /// The position that 0 in a packet stands for, in mm.
     pub zero_mm: f64,
-    /// What a packet counts for each mm beyond that.
+    /// Units of the packet per mm from there.
     pub units_per_mm: f64,
 }
 
 impl HandScale {
-    /// That of an arm with this tool.
+    /// The scale for an arm with this tool.
     #[must_use]
     pub const fn of(dialect: &Dialect, tool: Tool) -> Self {
         const MM: HandAxis = HandAxis::new(0.0, 1.0);
@@ -45,8 +45,7 @@ impl HandScale {
         }
     }
 
-    /// How often the same packet has to be sent until the arm is where the hand is: a stock arm averages it with those
-    /// before it.
+    /// The number of equal packets after which the arm is at the hand's position: a stock arm averages the last ones.
     #[must_use]
     pub const fn samples(dialect: &Dialect) -> usize {
         if dialect.scales_gesture { SAMPLES } else { 1 }
@@ -61,7 +60,7 @@ impl HandAxis {
         }
     }
 
-    /// The place in mm that a packet means.
+    /// The position in mm that a value of a packet stands for.
     #[must_use]
     pub fn place_mm(self, units: f32) -> f64 {
         self.zero_mm + f64::from(units) / self.units_per_mm

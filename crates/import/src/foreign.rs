@@ -1,8 +1,8 @@
-//! Files that only other programs can make a drawing of.
+//! Files that another program has to convert before they can be drawn.
 
 use crate::error::SourceError;
 
-/// Refuses what other programs make a drawing of, and says which.
+/// Refuses a file of another kind, and says how to convert it.
 pub(super) fn refuse_foreign(bytes: &[u8]) -> Result<(), SourceError> {
     let start = &bytes[..bytes.len().min(1000)];
     let has = |mark: &[u8]| start.windows(mark.len()).any(|it| it == mark);
