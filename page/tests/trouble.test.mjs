@@ -70,7 +70,7 @@ test("a station that is killed while a button is held stops the arm, and the pag
   await page.waitForFunction(() => document.querySelector("#jog-why").textContent === "The pose is not confirmed." || !document.querySelector("[data-axis=y_plus]").disabled);
   await page.mouse.up();
   const later = told.jogs().filter((it) => it.at > killed).map((it) => it.text);
-  // The guardian lets go; the button that was still held presses nothing.
+  // The watchdog lets go; the button that was still held presses nothing.
   assert.ok(later.length > 0 && later.every((it) => it.endsWith(" 0")), later.join());
   await rest(page);
   if (await page.isVisible("#confirm-pose")) {

@@ -26,7 +26,7 @@ class ConnectOptions(TypedDict):
     name: str
     token: str | None
     dialect: str | None
-    guardian: str | None
+    watchdog: str | None
     fingerprint: str | None
     ca: str | None
     world: str | None

@@ -42,7 +42,7 @@ def connect(
     return Core(
         where,
         {
-            "name": name, "token": token, "dialect": dialect, "guardian": guardian(where),
+            "name": name, "token": token, "dialect": dialect, "watchdog": watchdog(where),
             "fingerprint": fingerprint, "ca": None if ca is None else os.fspath(ca),
             "world": scene(world), "faults": listed(faults), "seed": seed,
         },
@@ -64,7 +64,7 @@ def listed(faults: Sequence[str]) -> list[str]:
     return list(faults)
 
 
-def guardian(where: str) -> str | None:
+def watchdog(where: str) -> str | None:
     """The program that guards an arm at an address."""
     if not where.startswith(("serial:", "tcp:")):
         return None

@@ -23,7 +23,7 @@ pub(crate) struct ConnectOptions {
     token: Option<String>,
     dialect: Option<String>,
     /// The program that guards an arm at an address.
-    guardian: Option<PathBuf>,
+    watchdog: Option<PathBuf>,
     /// The SHA-256 digest of a station's certificate.
     fingerprint: Option<String>,
     /// A PEM file with who issued it.
@@ -87,7 +87,7 @@ pub(crate) fn place(at: &str, options: ConnectOptions) -> PyResult<Where> {
             policy: Policy::default(),
             folders: folders
                 .ok_or_else(|| value_error(&"this person has no home folder; set DOBOT_DATA"))?,
-            guardian: options.guardian,
+            watchdog: options.watchdog,
         })));
     }
     Err(PyValueError::new_err(format!(

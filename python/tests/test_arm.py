@@ -447,7 +447,7 @@ def test_a_station_that_does_not_run_is_a_lost_link(
         dobot.connect("station")
 
 
-def test_an_arm_at_an_address_has_its_rules_and_its_guardian_here(
+def test_an_arm_at_an_address_has_its_rules_and_its_watchdog_here(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     program = os.environ.get("DOBOT")
@@ -469,7 +469,7 @@ def test_an_arm_at_an_address_has_its_rules_and_its_guardian_here(
             served.terminate()
 
 
-def test_an_arm_at_an_address_is_not_used_without_a_guardian(
+def test_an_arm_at_an_address_is_not_used_without_a_watchdog(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))

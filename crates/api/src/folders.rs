@@ -145,10 +145,10 @@ impl Folders {
         self.data.join("stop.toml")
     }
 
-    /// What the guardian of the arm did while the station could not.
+    /// What the watchdog of the arm did while the station could not.
     #[must_use]
-    pub fn guardian(&self) -> PathBuf {
-        self.data.join("guardian.txt")
+    pub fn watchdog(&self) -> PathBuf {
+        self.data.join("watchdog.txt")
     }
 
     /// The number that the station goes by in a fleet.

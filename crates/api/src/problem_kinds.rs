@@ -138,7 +138,7 @@ kinds! {
         "The station let go of a button that its client still says: the client fell silent for a while, or the arm was stopped. Release the button, then press it again.";
     NOT_DELIVERED = 503 "not-delivered" "it could not be sent to the arm"
         "There is no link to the arm, so what stops it or switches its laser off has not left this computer. It is sent as soon as the link is back; until then the arm goes on. Switch it off by hand.";
-    UNGUARDED = 503 "unguarded" "no guardian watches over the arm"
+    UNGUARDED = 503 "unguarded" "no watchdog watches over the arm"
         "The process that stops the arm when the station is killed is gone, and the system starts no other one. The station tries again every few seconds; until it succeeds, nothing is jogged and the laser stays off.";
     LASER_DISARMED = 409 "laser-disarmed" "the laser is disarmed"
         "The laser burns only after a person has armed it for a while with `POST /api/v1/laser`.";

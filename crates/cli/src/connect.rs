@@ -157,7 +157,7 @@ impl To {
                     dialect: self.dialect,
                     policy,
                     folders: folders(None)?,
-                    guardian: std::env::current_exe().ok(),
+                    watchdog: std::env::current_exe().ok(),
                 };
                 Ok(StationClient::open(arm, &name).await?)
             }

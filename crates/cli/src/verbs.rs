@@ -11,8 +11,6 @@ mod decode;
 mod detect;
 mod draw;
 mod fleet;
-#[cfg(unix)]
-mod guardian;
 mod hand;
 mod jobs;
 mod jog;
@@ -41,6 +39,8 @@ mod token;
 mod up;
 mod vector;
 pub(crate) mod watch;
+#[cfg(unix)]
+mod watchdog;
 mod world;
 
 use clap::Subcommand;
@@ -94,7 +94,7 @@ pub(crate) enum Verb {
     Man(man::Args),
     #[cfg(unix)]
     #[command(hide = true)]
-    Guardian(guardian::Args),
+    Watchdog(watchdog::Args),
 }
 
 impl Verb {
@@ -150,7 +150,7 @@ impl Verb {
             Self::Completions(args) => completions::run(&args),
             Self::Man(args) => man::run(&args),
             #[cfg(unix)]
-            Self::Guardian(args) => guardian::run(&args),
+            Self::Watchdog(args) => watchdog::run(&args),
         }
     }
 }

@@ -186,7 +186,7 @@ impl Giving {
             raw: None,
             pty: None,
             foxglove: None,
-            guardian: None,
+            watchdog: None,
             is_service: false,
             ..station.clone()
         };

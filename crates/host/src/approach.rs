@@ -15,7 +15,7 @@ use crate::OpenArmError;
 use crate::arm_thread::ArmThread;
 use crate::connect::{Connecting, Source};
 use crate::finder::{Finder, Found, Search, darken};
-use crate::guardian::{PanicStop, wait_for_guardian};
+use crate::watchdog::{PanicStop, wait_for_watchdog};
 
 /// Which arm is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +44,7 @@ pub struct Approach {
 
 impl Approach {
     /// Opens the port that is named, or looks for one with an arm, and switches the laser off there.
-    /// Without an arm there is a virtual one. It waits until the guardian of a program that was killed
+    /// Without an arm there is a virtual one. It waits until the watchdog of a program that was killed
     /// just now has let go of the port.
     ///
     /// # Errors
@@ -56,7 +56,7 @@ impl Approach {
     /// Outside of a tokio runtime.
     pub async fn new(arm: &WantedArm, note: &Path) -> io::Result<Self> {
         let mut approach = Self::with_source(port(arm.address.as_ref()))?;
-        wait_for_guardian(note).await;
+        wait_for_watchdog(note).await;
         match arm.address {
             Some(Address::Virtual) => approach.take_virtual(arm),
             Some(_) => approach.knock().await,

@@ -9,8 +9,8 @@ use tokio::sync::oneshot;
 
 use crate::connect::Connecting;
 use crate::driver::Driver;
-use crate::guardian::PanicStop;
 use crate::priority;
+use crate::watchdog::PanicStop;
 
 /// The thread that has the arm: the driver of its port runs there, and those who speak the arm's own
 /// protocol, so that no packet waits until a thousand others have been told where the arm is.
@@ -130,12 +130,12 @@ mod tests {
     use crate::connect::Source;
     use crate::disk::Disk;
     use crate::driver::DriverParts;
-    use crate::guardian::{Hazards, HeartbeatSender, JogKind};
     use crate::handle::{Message, Rules};
     use crate::jobs::Jobs;
     use crate::kept_slots::KeptSlots;
     use crate::known_arms::KnownArms;
     use crate::recording::Recording;
+    use crate::watchdog::{Hazards, HeartbeatSender, JogKind};
     use crate::{Finder, Found, Search};
     use dobot_supervisor::Supervisor;
 
@@ -193,7 +193,7 @@ mod tests {
             stop: None,
             disk: Disk::start(own.clone()).unwrap(),
             own: own.clone(),
-            heartbeats: HeartbeatSender::new(None, folders.guardian(), panic_stop.clone()),
+            heartbeats: HeartbeatSender::new(None, folders.watchdog(), panic_stop.clone()),
         });
         let found = Found {
             address: Address::Tcp {

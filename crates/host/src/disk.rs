@@ -8,9 +8,9 @@ use std::time::Duration;
 use tokio::sync::mpsc;
 
 use crate::Background;
-use crate::guardian::take_note;
 use crate::handle::Message;
 use crate::known_arms::NewText;
+use crate::watchdog::take_note;
 
 /// Reads and writes small files in a thread of its own: a disk may take its time, or hang.
 #[derive(Debug)]
@@ -50,7 +50,7 @@ impl Disk {
         pushed.map_err(|_| format!("{problem}: the disk does not answer"))
     }
 
-    /// Reports what guardians have left in their note.
+    /// Reports what watchdogs have left in their note.
     pub(crate) fn take_note(&self, note: &Path) {
         // One that is not read now is read at the next start.
         let _ = self.0.push(Work::TakeNote(note.to_owned()));

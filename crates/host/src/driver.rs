@@ -20,7 +20,6 @@ use self::log::log;
 use crate::Found;
 use crate::connect::{Connecting, Source};
 use crate::disk::Disk;
-use crate::guardian::HeartbeatSender;
 use crate::handle::{Ends, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
@@ -28,6 +27,7 @@ use crate::kept_slots::KeptSlots;
 use crate::kept_stop::{Content, KeptStop};
 use crate::known_arms::{KnownArms, NewText};
 use crate::recording::Recording;
+use crate::watchdog::HeartbeatSender;
 
 /// The task that owns the arm's port. Everything that happens to the arm happens here, in one order.
 #[derive(Debug)]
@@ -245,8 +245,8 @@ impl Driver {
         Box::pin(self.part()).await
     }
 
-    /// Lets the guardian know that this loop goes round. One that stood still for longer than the
-    /// guardian has patience acts as after a fault.
+    /// Lets the watchdog know that this loop goes round. One that stood still for longer than the
+    /// watchdog has patience acts as after a fault.
     fn send_heartbeat(&mut self) {
         if let Some(silent) = self.heartbeats.send_due() {
             let now = self.now();
@@ -254,7 +254,7 @@ impl Driver {
             self.disk.take_note(self.heartbeats.note());
         }
         let (now, gone) = (self.now(), self.heartbeats.gone().cloned());
-        self.supervisor.handle_guardian(now, gone);
+        self.supervisor.handle_watchdog(now, gone);
         if let Some(trouble) = self.heartbeats.poll_trouble() {
             self.supervisor.handle_trouble(now, trouble);
         }

@@ -16,7 +16,6 @@ use crate::arm_thread::ArmAtWork;
 use crate::connect::{OwnVirtualArm, Source};
 use crate::disk::Disk;
 use crate::driver::{Driver, DriverParts};
-use crate::guardian::{HeartbeatSender, take_note};
 use crate::handle::{Handle, Rules};
 use crate::jobs::Jobs;
 use crate::kept_slots::KeptSlots;
@@ -24,6 +23,7 @@ use crate::kept_stop::KeptStop;
 use crate::known_arms::{KnownArms, KnownArmsError};
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
+use crate::watchdog::{HeartbeatSender, take_note};
 
 /// By which rules an arm is used, and where what has to be remembered is kept.
 #[derive(Debug)]
@@ -33,15 +33,15 @@ pub struct Setup {
     /// What the arm understands. When absent, it is what was found out about this arm before; a
     /// virtual arm speaks as its personality does, and any other one is undecided.
     pub dialect: Option<Dialect>,
-    /// Where the jobs are kept, and what the guardian did.
+    /// Where the jobs are kept, and what the watchdog did.
     pub folders: Folders,
     /// Where recordings are kept, and what is known of each arm: the same for all arms of a person.
     pub common: Folders,
     /// Where a stop is kept, so that it holds at the next start too, if it is.
     pub stop: Option<PathBuf>,
-    /// The program that guards the arm when it is started as `PROGRAM guardian --note FILE`, if one
+    /// The program that guards the arm when it is started as `PROGRAM watchdog --note FILE`, if one
     /// does.
-    pub guardian: Option<PathBuf>,
+    pub watchdog: Option<PathBuf>,
     /// Who keeps the program running, where that wants to know that the arm's thread is at work.
     pub service_manager: Option<ServiceManager>,
 }
@@ -53,7 +53,7 @@ pub struct Host {
     virtual_arm: Option<OwnVirtualArm>,
     thread: ArmAtWork,
     notes: Vec<String>,
-    of_guardian: Vec<String>,
+    of_watchdog: Vec<String>,
 }
 
 /// Why the rules are not at work.
@@ -98,8 +98,8 @@ impl Host {
         let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
         let personality = source.personality().map(|it| it.to_string());
-        let note = setup.folders.guardian();
-        let heartbeats = HeartbeatSender::new(setup.guardian, note.clone(), approach.panic_stop);
+        let note = setup.folders.watchdog();
+        let heartbeats = HeartbeatSender::new(setup.watchdog, note.clone(), approach.panic_stop);
         let mut driver = Driver::new(DriverParts {
             supervisor,
             ends,
@@ -122,7 +122,7 @@ impl Host {
                 .chain(driver.recover().err())
                 .chain(driver.recover_slots().err())
                 .collect(),
-            of_guardian: take_note(&note),
+            of_watchdog: take_note(&note),
             thread: approach.thread.give(driver, approach.first),
         })
     }
@@ -145,10 +145,10 @@ impl Host {
         &self.notes
     }
 
-    /// What a guardian had to do since the arm was used last, a line each.
+    /// What a watchdog had to do since the arm was used last, a line each.
     #[must_use]
-    pub fn of_guardian(&self) -> &[String] {
-        &self.of_guardian
+    pub fn of_watchdog(&self) -> &[String] {
+        &self.of_watchdog
     }
 
     /// Lets something else run in the arm's thread: it ends with the rules.

@@ -1,4 +1,4 @@
-//! Drives the supervisor of an arm: port, finder, guardian (watchdog process), journal thread, recordings and clients.
+//! Drives the supervisor of an arm: port, finder, watchdog process, journal thread, recordings and clients.
 //!
 //! A [`StationClient`] sends requests to a supervisor, wherever it runs: in a station, in this process for an arm at an
 //! address, or in virtual time. A [`Handle`] is the same for a station's own tasks: it leads to the one task that owns the
@@ -38,7 +38,6 @@ mod disk;
 mod drawing_job;
 mod driver;
 mod finder;
-mod guardian;
 mod handle;
 mod host;
 mod job_path;
@@ -54,6 +53,7 @@ mod recording;
 mod service_manager;
 mod target;
 mod virtual_station;
+mod watchdog;
 
 pub use approach::{Approach, WantedArm};
 pub use background::Background;
@@ -61,9 +61,6 @@ pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClie
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
-#[cfg(unix)]
-pub use guardian::guard;
-pub use guardian::{Guardian, Hazards, Heartbeat, JogKind, Silence};
 pub use handle::{
     Client, Ends, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
 };
@@ -77,3 +74,6 @@ pub use recording::{notice_topic, state_topic, tools_of};
 pub use service_manager::{Notification, ServiceManager};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};
 pub use virtual_station::VirtualStation;
+#[cfg(unix)]
+pub use watchdog::guard;
+pub use watchdog::{Hazards, Heartbeat, JogKind, Silence, Watchdog};

@@ -14,9 +14,9 @@ use dobot_sim::{SerialLine, VirtualArm};
 use dobot_supervisor::{Begun, Effect, KeptFleetStop, Refusal, StoppedBy, Supervisor};
 use dobot_wire::Packet;
 
-use crate::guardian::GAP;
 use crate::job_path::path_of;
 use crate::jobs;
+use crate::watchdog::GAP;
 use crate::{OfferAnswer, OfferAsk};
 
 /// A supervisor and a virtual arm, in virtual time, with a real journal: for tests of everything that
@@ -187,7 +187,7 @@ impl VirtualStation {
         Ok(())
     }
 
-    /// The station does nothing more, and its guardian sends these packets, each a gap after the one before: for a
+    /// The station does nothing more, and its watchdog sends these packets, each a gap after the one before: for a
     /// station that is then killed by [`VirtualStation::crash`].
     pub fn guard(&mut self, packets: &[Packet]) {
         for packet in packets {
@@ -465,11 +465,11 @@ impl VirtualStation {
         self.settle();
     }
 
-    /// A guardian watches over the arm again, or why none does.
-    pub fn set_guardian(&mut self, gone: Option<&str>) {
+    /// A watchdog watches over the arm again, or why none does.
+    pub fn set_watchdog(&mut self, gone: Option<&str>) {
         let now = self.supervisor_now();
         self.supervisor
-            .handle_guardian(now, gone.map(str::to_owned));
+            .handle_watchdog(now, gone.map(str::to_owned));
         self.settle();
     }
 

@@ -52,10 +52,10 @@ pub struct Config {
     /// Certificate and key of the page and the API. When absent, they are served without TLS on
     /// loopback, and with a certificate that the station makes for itself elsewhere.
     pub tls: Option<TlsFiles>,
-    /// The program that guards the arm when it is started as `PROGRAM guardian --note FILE`: it
+    /// The program that guards the arm when it is started as `PROGRAM watchdog --note FILE`: it
     /// switches the laser off and lets go of buttons when the station is killed or stands still. No
-    /// guardian when absent, and on systems that are no Unix.
-    pub guardian: Option<PathBuf>,
+    /// watchdog when absent, and on systems that are no Unix.
+    pub watchdog: Option<PathBuf>,
     /// Whether the system that keeps services running is told that the thread that has the arm is at
     /// work, where it wants to know (systemd's `WatchdogSec`).
     pub is_service: bool,
@@ -96,7 +96,7 @@ impl Config {
             pty: None,
             foxglove: None,
             tls: None,
-            guardian: None,
+            watchdog: None,
             is_service: false,
             names: Vec::new(),
             without_token: Some(Role::Admin),
@@ -118,7 +118,7 @@ impl Config {
             personality: self.personality,
             speed: self.speed,
         };
-        let approach = Approach::new(&arm, &self.folders.guardian()).await;
+        let approach = Approach::new(&arm, &self.folders.watchdog()).await;
         approach.map_err(StartError::Thread)
     }
 }

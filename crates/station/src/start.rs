@@ -113,7 +113,7 @@ impl Station {
         let virtual_port = open_pty(&config)?;
         let arm = approach.address();
         let host = Host::start(approach, setup(&config, policy))?;
-        for line in host.of_guardian() {
+        for line in host.of_watchdog() {
             host.handle().tell_trouble(line.clone());
         }
         let raw = raw.map(|port| serve_raw(port, &host));
@@ -121,7 +121,7 @@ impl Station {
         let foxglove = foxglove.map(|port| serve_foxglove(port, &host));
         match http::serve(&web(&config, &host), host.handle().clone()).await {
             Ok(http) => Ok(Self {
-                notes: [host.notes(), host.of_guardian()].concat(),
+                notes: [host.notes(), host.of_watchdog()].concat(),
                 host,
                 http,
                 arm,
@@ -280,7 +280,7 @@ fn setup(config: &Config, policy: Policy) -> Setup {
         folders: config.folders.clone(),
         common: config.folders.clone(),
         stop: Some(config.folders.stop()),
-        guardian: config.guardian.clone(),
+        watchdog: config.watchdog.clone(),
         service_manager: config.is_service.then(ServiceManager::of_environment),
     }
 }

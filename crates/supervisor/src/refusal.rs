@@ -74,8 +74,8 @@ pub enum Refusal {
     /// There is no link to send it over, and the arm may be moving or burning.
     #[error("{0} was NOT DELIVERED: there is no link to the arm")]
     NotDelivered(&'static str),
-    /// No guardian watches over the arm.
-    #[error("no guardian watches over the arm: {0}")]
+    /// No watchdog watches over the arm.
+    #[error("no watchdog watches over the arm: {0}")]
     Unguarded(String),
     /// There is no arm to talk to.
     #[error("there is no link to an arm: {0}")]
@@ -233,7 +233,7 @@ impl Refusal {
             ),
             Self::Unguarded(_) => (
                 problem_kinds::UNGUARDED,
-                "free memory or processes on this machine; the station starts another guardian as soon as it can",
+                "free memory or processes on this machine; the station starts another watchdog as soon as it can",
             ),
             Self::NoLink(_) => (
                 problem_kinds::NO_LINK,

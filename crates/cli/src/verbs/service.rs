@@ -22,7 +22,7 @@ Examples:
   dobot service status
   dobot service remove
 
-A station that is started anew switches the laser off before anything else. The guardian of the one that was killed has
+A station that is started anew switches the laser off before anything else. The watchdog of the one that was killed has
 done that already, so the arm waits for neither.")]
 pub(crate) struct Args {
     #[command(subcommand)]

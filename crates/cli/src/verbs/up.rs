@@ -211,7 +211,7 @@ impl Args {
             foxglove: self.foxglove,
             tls: self.tls(),
             names: self.names.clone(),
-            guardian: std::env::current_exe().ok(),
+            watchdog: std::env::current_exe().ok(),
             is_service: true,
             without_token: (!self.token_required).then_some(Role::Admin),
             ..Config::new(folders(self.data.clone())?)

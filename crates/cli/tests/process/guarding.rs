@@ -26,14 +26,14 @@ fn a_station_that_ends_as_it_should_has_said_all_itself() {
     let (station, mut errors) = bench.station_with_errors();
     bench.confirm();
     station.is_interrupted();
-    // Until here a busy machine may have kept the station waiting, and the guardian has spoken.
+    // Until here a busy machine may have kept the station waiting, and the watchdog has spoken.
     line_with("ending: the laser goes off", &mut errors);
     assert_eq!(station.ends(), Some(0));
     let mut rest = String::new();
     errors.read_to_string(&mut rest).expect("it is text");
-    assert!(!rest.contains("guardian"), "{rest}");
-    let note = std::fs::read_to_string(bench.folder().join("guardian.txt"));
-    assert_eq!(note.expect("the guardian was there"), "");
+    assert!(!rest.contains("watchdog"), "{rest}");
+    let note = std::fs::read_to_string(bench.folder().join("watchdog.txt"));
+    assert_eq!(note.expect("the watchdog was there"), "");
 }
 
 #[test]

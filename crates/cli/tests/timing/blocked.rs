@@ -90,7 +90,7 @@ fn a_verb_that_is_killed_is_spoken_for_though_nobody_reads_its_standard_error() 
 #[test]
 fn a_killed_station_is_spoken_for_though_its_note_is_a_pipe_that_nobody_reads() {
     let bench = Bench::new();
-    unread_pipe(&bench, "guardian.txt");
+    unread_pipe(&bench, "watchdog.txt");
     let (mut station, _errors) = bench.station_with_errors();
     bench.confirm();
     let _holder = bench.jog("base+");

@@ -105,7 +105,7 @@ impl Bench {
         status["base_deg"].as_f64().expect("a number")
     }
 
-    /// The guardian said it within 0.4 s, both things, three times at least.
+    /// The watchdog said it within 0.4 s, both things, three times at least.
     #[track_caller]
     pub(crate) fn check_words(&self, at: Instant, release: Command) {
         let (commands, rests) = self.until_at_rest();
@@ -170,12 +170,12 @@ fn children(of: rustix::process::Pid) -> Vec<rustix::process::Pid> {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_guardian_that_is_killed_is_replaced_and_the_next_one_lets_go() {
+fn a_watchdog_that_is_killed_is_replaced_and_the_next_one_lets_go() {
     let bench = Bench::new();
     let (mut station, mut errors) = bench.station();
-    let guardians = children(station.pid());
-    assert_eq!(guardians.len(), 1, "{guardians:?}");
-    rustix::process::kill_process(guardians[0], rustix::process::Signal::KILL)
+    let watchdogs = children(station.pid());
+    assert_eq!(watchdogs.len(), 1, "{watchdogs:?}");
+    rustix::process::kill_process(watchdogs[0], rustix::process::Signal::KILL)
         .expect("it is there");
     line_with("another one takes its place", &mut errors);
     let _holder = bench.jog("base+");
@@ -213,7 +213,7 @@ fn a_light_whose_station_is_killed_or_stands_still_is_off_within_two_fifths_of_a
         let mut after = commands.iter().filter(|it| it.0 > at);
         // What the station had sent before may still be on the wire.
         let first = after.find(|it| !matches!(it.1, Command::WriteVector(_)));
-        let (said, first) = first.expect("the guardian speaks");
+        let (said, first) = first.expect("the watchdog speaks");
         assert_eq!(*first, LASER_OFF, "{how:?}");
         let within = said.saturating_duration_since(at);
         assert!(within <= Duration::from_millis(400), "{how:?}: {within:?}");
@@ -229,10 +229,10 @@ fn an_arm_whose_station_is_killed_in_a_linear_jog_is_let_go_and_the_next_start_t
     station.kill();
     bench.check_words(at, LINEAR_RELEASE);
     let mut again = Going::new(bench.up(&[]));
-    again.reads("the station ended without a goodbye: the guardian switched the laser off");
+    again.reads("the station ended without a goodbye: the watchdog switched the laser off");
     // Once is enough.
     assert_eq!(again.interrupt(), Some(0));
-    let note = std::fs::read_to_string(bench.folder().join("guardian.txt"));
+    let note = std::fs::read_to_string(bench.folder().join("watchdog.txt"));
     assert_eq!(note.expect("it is there"), "");
 }
 
@@ -252,10 +252,10 @@ fn an_arm_whose_station_stands_still_is_let_go_and_the_station_tells_it_when_it_
     // What it says first is laser off; it does not take up the jog where it was.
     let first = loop {
         match bench.command() {
-            // Once more by the guardian, which goes on until it hears the arm or the station.
+            // Once more by the watchdog, which goes on until it hears the arm or the station.
             (_, JOINT_RELEASE) => {}
             (at, command) if at > on => break command,
-            // The guardian's last words may still be on the wire.
+            // The watchdog's last words may still be on the wire.
             _ => {}
         }
     };

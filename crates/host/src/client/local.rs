@@ -14,8 +14,8 @@ use dobot_wire::Dialect;
 use tokio::sync::broadcast::{self, error::RecvError};
 
 use crate::approach::Approach;
-use crate::guardian::wait_for_guardian;
 use crate::host::{Host, HostError, Setup};
+use crate::watchdog::wait_for_watchdog;
 use crate::{Client, Snapshot};
 
 /// An arm at an address, and by which rules it is used.
@@ -31,8 +31,8 @@ pub struct LocalArm {
     /// Where this person's station keeps what it has to remember: the jobs of this arm get a folder
     /// of their own in it.
     pub folders: Folders,
-    /// The program that guards the arm, as in [`Setup`](crate::Setup::guardian).
-    pub guardian: Option<PathBuf>,
+    /// The program that guards the arm, as in [`Setup`](crate::Setup::watchdog).
+    pub watchdog: Option<PathBuf>,
 }
 
 /// Why an arm cannot be used from this process.
@@ -67,12 +67,12 @@ impl Local {
     /// The port first, and laser off: an arm is dark before anything is kept of it that could fail.
     pub(super) async fn open(arm: LocalArm, name: &str) -> Result<Self, OpenArmError> {
         for folders in [&arm.folders, &arm.folders.of_arm(&arm.address.to_string())] {
-            wait_for_guardian(&folders.guardian()).await;
+            wait_for_watchdog(&folders.watchdog()).await;
         }
         let approach = Approach::to(&arm.address).await?;
         let host = Host::start(approach, setup(&arm))?;
         let handle = host.handle().clone();
-        for text in host.notes().iter().chain(host.of_guardian()) {
+        for text in host.notes().iter().chain(host.of_watchdog()) {
             handle.tell_trouble(text.clone());
         }
         let (states, notices) = (handle.every_state(), handle.notices());
@@ -143,7 +143,7 @@ fn setup(arm: &LocalArm) -> Setup {
         folders: arm.folders.of_arm(&arm.address.to_string()),
         common: arm.folders.clone(),
         stop: None,
-        guardian: arm.guardian.clone(),
+        watchdog: arm.watchdog.clone(),
         service_manager: None,
     }
 }

@@ -1,8 +1,8 @@
 //! Everything that can go wrong, a few times each: the example `reliability` does it thousands of times.
 
 use crate::cases::{
-    cables, clients, disks, floods, fuzz, guardians, kills, lines, long_lines, sessions, stands,
-    stops,
+    cables, clients, disks, floods, fuzz, kills, lines, long_lines, sessions, stands, stops,
+    watchdogs,
 };
 
 /// Fails with the first thing that should not be, and says how many there are.
@@ -50,14 +50,14 @@ fn an_arm_whose_client_vanishes_is_stopped() {
 }
 
 #[test]
-fn a_guardian_brings_every_motion_to_rest_and_darkens_every_light_when_the_station_is_no_more() {
-    for it in guardians::run(4) {
+fn a_watchdog_brings_every_motion_to_rest_and_darkens_every_light_when_the_station_is_no_more() {
+    for it in watchdogs::run(4) {
         right(&it.wrong);
         assert_eq!((it.unasked, it.burnt), (0, 0), "{} {}", it.fate, it.doing);
         assert!(it.packet_s.most() <= 0.4, "{} {}", it.fate, it.doing);
         // What is under way goes to its end; a button runs down from its speed within 1.2 s.
-        if it.doing != guardians::GuardedMotion::Moving
-            && it.doing != guardians::GuardedMotion::Burning
+        if it.doing != watchdogs::GuardedMotion::Moving
+            && it.doing != watchdogs::GuardedMotion::Burning
         {
             let rest_s = it.rest_s.most();
             assert!(rest_s <= 0.4 + 1.2, "{} {}: {rest_s} s", it.fate, it.doing);

@@ -50,7 +50,7 @@ impl Supervisor {
     }
 
     /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
-    /// as after a fault. Its guardian may have said it, too.
+    /// as after a fault. Its watchdog may have said it, too.
     pub fn handle_stall(&mut self, now: Duration, silent: Duration) {
         self.arm.set_time(now);
         self.arm.session_mut().handle_stall(now);
@@ -64,8 +64,8 @@ impl Supervisor {
         self.disarm_laser(&why);
     }
 
-    /// Takes whether a guardian watches over the arm, or why none does: then nothing is jogged, and nothing burns.
-    pub fn handle_guardian(&mut self, now: Duration, gone: Option<String>) {
+    /// Takes whether a watchdog watches over the arm, or why none does: then nothing is jogged, and nothing burns.
+    pub fn handle_watchdog(&mut self, now: Duration, gone: Option<String>) {
         self.arm.set_time(now);
         if let Some(why) = &gone
             && self.unguarded.is_none()
@@ -78,7 +78,7 @@ impl Supervisor {
         self.unguarded = gone;
     }
 
-    /// Whether a guardian watches over the arm, or none is needed.
+    /// Whether a watchdog watches over the arm, or none is needed.
     pub(super) fn check_guarded(&self) -> Result<(), Refusal> {
         let gone = self.unguarded.clone().map(Refusal::Unguarded);
         gone.map_or(Ok(()), Err)

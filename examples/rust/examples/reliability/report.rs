@@ -3,8 +3,8 @@
 use std::fmt::{Display, Write};
 
 use crate::cases::{
-    cables, carries, clients, disks, floods, fuzz, guardians, kills, lines, long_lines, sessions,
-    stands, stops,
+    cables, carries, clients, disks, floods, fuzz, kills, lines, long_lines, sessions, stands,
+    stops, watchdogs,
 };
 
 /// The document, and what should not be.
@@ -21,7 +21,7 @@ impl Report {
     pub(crate) fn all(&mut self, fewer: u64) {
         self.line(HEAD);
         self.kills(1_000 / fewer);
-        self.guardians(100_u64.div_ceil(fewer));
+        self.watchdogs(100_u64.div_ceil(fewer));
         self.cables(200 / fewer);
         self.lines(200 / fewer);
         self.carries(10_000 / fewer);
@@ -61,10 +61,10 @@ impl Report {
         self.wrong(it.wrong);
     }
 
-    fn guardians(&mut self, times: u64) {
-        let all = guardians::run(times);
+    fn watchdogs(&mut self, times: u64) {
+        let all = watchdogs::run(times);
         let sum: usize = all.iter().map(|it| it.times).sum();
-        self.line(GUARDIANS);
+        self.line(WATCHDOGS);
         self.line(&format!("{sum} stations in all.\n"));
         self.table(
             ["the station is", "while the arm does"],
@@ -93,7 +93,7 @@ impl Report {
             self.row(it.fate, cells);
             self.wrong(it.wrong);
         }
-        self.line(GUARDIANS_END);
+        self.line(WATCHDOGS_END);
     }
 
     fn carries(&mut self, cycles: u64) {
@@ -381,23 +381,23 @@ const KILLS: &str = "
 ## The station is killed
 
 The station is killed at random moments, up to three times in a job, also while the job is paused. It is started again
-up to five seconds later. Then a person confirms the pose and continues the job. There is no guardian in these cases:
+up to five seconds later. Then a person confirms the pose and continues the job. There is no watchdog in these cases:
 until the new station runs, nobody switches the laser off. The arm finishes what it has received, half a second and a
 vector at the most, and the laser stays on.
 ";
 
-const GUARDIANS: &str = "
-## The station is gone, and its guardian is there
+const WATCHDOGS: &str = "
+## The station is gone, and its watchdog is there
 
 The station is killed, stands still (SIGSTOP, swap, a debugger), or panics. This happens at a random moment of a jog of
-20 to 100 % of the speed, of a job that burns, or of a motion to a point; nobody starts the station again. Its guardian,
+20 to 100 % of the speed, of a job that burns, or of a motion to a point; nobody starts the station again. Its watchdog,
 a process of its own with the arm's port, acts at once when the station ends without a goodbye, and otherwise after 0.3
 s without a heartbeat. Each figure is the longest or farthest of all cases: the time from the last heartbeat to the
 first packet, and the time and the way from the end of the station to the arm's rest and to the end of the light. A
 light on a spot is a laser that is on while the arm stands.
 ";
 
-const GUARDIANS_END: &str = "
+const WATCHDOGS_END: &str = "
 A jog slows down with its acceleration, from full speed in half a second to a second. The arm finishes what it has
 received: a vector and half a second of vectors, with their burning, or the motion to the point. Laser off waits behind
 that in the arm, because the protocol has no stop.";
@@ -473,7 +473,7 @@ const SESSIONS: &str = "
 ## Random sessions
 
 Up to five things go wrong one after the other, at random moments of jobs, targets and held buttons: somebody who may
-only watch stops the arm, the station stands still, it is killed and its guardian sends its packets, the cable is pulled
+only watch stops the arm, the station stands still, it is killed and its watchdog sends its packets, the cable is pulled
 (and perhaps the arm is stopped meanwhile), the token of the person who has control is removed. Each time the arm has to
 come to rest with its laser off, an answer to a stop has to say truly whether it was delivered, laser off has to be the
 first packet, and a job has to be done in the end with nothing lost, repeated or spoilt. A last stop has to keep what it
@@ -484,7 +484,7 @@ const LONG_LINES: &str = "
 ## One long line
 
 A line of 96 mm in each material and with each pen, which takes up to half a minute. In the middle of it somebody stops
-the arm or pauses the job, or the station is killed or stands still while its guardian is there. The figures are the
+the arm or pauses the job, or the station is killed or stands still while its watchdog is there. The figures are the
 longest times in seconds from then until the laser is off, or until a pen does not move any more. A laser has to be off
 within 0.5 s, and a pen has to rest within 0.7 s; in a pause it slows down on its line, and rests within 1.5 s. A marker
 is drawn at 60 mm/s and speeds up for longer, which cannot be cut: 0.8 s, and 1.7 s in a pause.

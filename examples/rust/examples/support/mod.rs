@@ -26,7 +26,7 @@ pub(crate) async fn reach(address: Option<String>) -> Result<StationClient, Box<
                 policy,
                 folders: Folders::of_person().ok_or("this person has no home folder")?,
                 // This program cannot be one.
-                guardian: None,
+                watchdog: None,
             };
             StationClient::open(arm, "example").await?
         }

@@ -103,8 +103,8 @@ impl ServiceManager {
     }
 }
 
-/// The guardian of a station that was killed gets the time that it needs: what ends the service asks
-/// all of its processes to end, which the guardian does when it has spoken, and kills only later.
+/// The watchdog of a station that was killed gets the time that it needs: what ends the service asks
+/// all of its processes to end, which the watchdog does when it has spoken, and kills only later.
 fn systemd(unit: &Unit) -> String {
     let (folder, target) = match (unit.scope, &unit.data) {
         (_, Some(data)) => (environment(&data.display().to_string()), unit.scope),

@@ -11,10 +11,10 @@ use dobot_host::VirtualStation;
 use dobot_plan::{DrawingTool, Machine, Paper, Pass, Plan};
 
 use super::chance::Chance;
-use super::guardians::{Fate, left_alone};
 use super::jobs::DOWN_MM;
 use super::scene::{Scene, Wrong, burns, each_seed};
 use super::spread::Spread;
+use super::watchdogs::{Fate, left_alone};
 
 /// What ends the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,9 +23,9 @@ pub(crate) enum LineEnd {
     Stopped,
     /// Somebody pauses the job.
     Paused,
-    /// The station is killed, and its guardian is there.
+    /// The station is killed, and its watchdog is there.
     Killed,
-    /// The station stands still, and its guardian is there.
+    /// The station stands still, and its watchdog is there.
     Frozen,
 }
 

@@ -16,7 +16,6 @@ pub(crate) mod floods;
     reason = "tests ask less of it than the example of its name"
 )]
 pub(crate) mod fuzz;
-pub(crate) mod guardians;
 pub(crate) mod jobs;
 pub(crate) mod kills;
 #[path = "../../../../sim/tests/it/light.rs"]
@@ -29,3 +28,4 @@ pub(crate) mod sessions;
 pub(crate) mod spread;
 pub(crate) mod stands;
 pub(crate) mod stops;
+pub(crate) mod watchdogs;

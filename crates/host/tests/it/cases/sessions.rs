@@ -9,12 +9,12 @@ use dobot_host::VirtualStation;
 use dobot_wire::{Command, JointJogAxis, LinearJogAxis, MovingMode};
 
 use super::chance::Chance;
-use super::guardians::told;
 use super::jobs::{DOWN_MM, Sort};
 use super::paper::Paper;
 use super::scene::{GivenCounts, LASER_OFF, Scene, Wrong, each_seed};
 use super::spread::Spread;
 use super::stops::{jog, targets, watch, work};
+use super::watchdogs::told;
 
 /// What goes wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ enum Incident {
     Stop,
     /// The station stands still for a while.
     Freeze,
-    /// The station is killed; its guardian speaks for it, and the station is started again.
+    /// The station is killed; its watchdog speaks for it, and the station is started again.
     Kill,
     /// The cable is pulled for a while; perhaps somebody stops the arm meanwhile.
     Cable,
@@ -162,7 +162,7 @@ fn befall(
 ) -> Result<(), Wrong> {
     match incident {
         Incident::Stop => stop(scene, true),
-        // Nobody lets go of a button while its station stands still for longer: that is its guardian's part.
+        // Nobody lets go of a button while its station stands still for longer: that is its watchdog's part.
         Incident::Freeze if motion == JOG => {
             scene.it.stall(chance.time(Duration::from_millis(250)));
             Ok(())
@@ -273,7 +273,7 @@ fn recover(
     if !scene.it.run_until(latest, rests) {
         return Err(Wrong("it does not come to rest".into()));
     }
-    // What the guardian or a new station says again.
+    // What the watchdog or a new station says again.
     scene.it.run_for(Duration::from_millis(500));
     if scene.burns() {
         return Err(Wrong("the arm rests, and its laser is on".into()));

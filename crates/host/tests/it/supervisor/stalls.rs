@@ -76,7 +76,7 @@ fn a_burning_job_of_a_station_that_stood_still_is_paused() {
 }
 
 #[test]
-fn without_a_guardian_nothing_is_jogged_and_nothing_burns_until_there_is_another() {
+fn without_a_watchdog_nothing_is_jogged_and_nothing_burns_until_there_is_another() {
     for personality in Personality::ALL {
         let mut it = virtual_station(personality);
         let anna = it.client("Anna");
@@ -87,7 +87,7 @@ fn without_a_guardian_nothing_is_jogged_and_nothing_burns_until_there_is_another
             it.run_for(Duration::from_millis(50));
         }
         let before = it.packets().len();
-        it.set_guardian(Some("no process is left"));
+        it.set_watchdog(Some("no process is left"));
         it.run_for(Duration::from_secs(2));
         let released =
             |it: &Command| matches!(it, Command::JointJog(it) if it.axis == JointJogAxis::Released);
@@ -105,19 +105,19 @@ fn without_a_guardian_nothing_is_jogged_and_nothing_burns_until_there_is_another
         }
         it.run_for(Duration::from_secs(1));
         assert_eq!(sent(&it, before, personality), [], "{personality}");
-        it.set_guardian(None);
+        it.set_watchdog(None);
         it.ask(anna, Request::ArmLaser { for_s: 60.0 }).unwrap();
         it.ask(anna, Request::Jog { jog }).unwrap();
     }
 }
 
 #[test]
-fn a_burning_job_whose_guardian_is_gone_is_paused_and_dark() {
+fn a_burning_job_whose_watchdog_is_gone_is_paused_and_dark() {
     for personality in Personality::ALL {
         let (mut it, _, _) = armed(personality);
         let latest = it.now() + Duration::from_secs(20);
         assert!(it.run_until(latest, |it| it.arm().controller().outputs().laser));
-        it.set_guardian(Some("no process is left"));
+        it.set_watchdog(Some("no process is left"));
         it.run_for(Duration::from_secs(5));
         assert!(!it.arm().controller().outputs().laser, "{personality}");
         let phase = it.supervisor().job().map(|it| it.phase);

@@ -18,7 +18,7 @@ pub(super) enum Taken {
 }
 
 /// Writes what the port takes without waiting. Whether it waits is not ours to say: the station and
-/// its guardian share that.
+/// its watchdog share that.
 pub(super) fn write_some(port: impl AsFd, bytes: &[u8]) -> Taken {
     match rustix::io::write(port, bytes) {
         Ok(written) => Taken::Some(written),

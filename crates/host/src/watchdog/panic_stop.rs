@@ -67,7 +67,7 @@ impl PanicStop {
         OF_THREAD.set(Some(self));
     }
 
-    /// Sends laser off and the release, without anything that may have panicked; the guardian sends them again.
+    /// Sends laser off and the release, without anything that may have panicked; the watchdog sends them again.
     #[cfg(unix)]
     fn send(&self) {
         let known = self.lock();
@@ -75,7 +75,7 @@ impl PanicStop {
             return;
         };
         for packet in known.hazards.stop_packets() {
-            // A port that takes nothing helps nobody; the guardian tries on.
+            // A port that takes nothing helps nobody; the watchdog tries on.
             super::port::write_within(port, &packet.to_bytes(), PATIENCE);
             std::thread::sleep(super::GAP);
         }

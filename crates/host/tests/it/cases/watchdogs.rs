@@ -1,4 +1,4 @@
-//! The station is gone or stands still, and its guardian speaks for it.
+//! The station is gone or stands still, and its watchdog speaks for it.
 
 use std::fmt;
 use std::time::Duration;
@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_api::{Jog, Request};
 use dobot_arm::{Joints, Position, Tool, forward};
 use dobot_controller::Personality;
-use dobot_host::{Guardian, Hazards, Heartbeat};
+use dobot_host::{Hazards, Heartbeat, Watchdog};
 use dobot_sim::VirtualArm;
 use dobot_wire::{JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
@@ -42,7 +42,7 @@ pub(crate) struct Guarded {
     pub fate: Fate,
     pub doing: GuardedMotion,
     pub times: usize,
-    /// From the last sign of life to the guardian's first packet, in seconds.
+    /// From the last sign of life to the watchdog's first packet, in seconds.
     pub packet_s: Spread,
     /// From the station's end to the arm's rest, in seconds.
     pub rest_s: Spread,
@@ -166,7 +166,7 @@ fn one(figures: &mut Guarded, personality: Personality, seed: u64) -> Result<(),
     Ok(())
 }
 
-/// The arm with its guardian for fifteen seconds after the end of the station; when that told last that it lives, and the joints at
+/// The arm with its watchdog for fifteen seconds after the end of the station; when that told last that it lives, and the joints at
 /// its end.
 pub(super) fn left_alone(
     scene: Scene,
@@ -181,7 +181,7 @@ pub(super) fn left_alone(
     let mut after = After {
         arm,
         now: at,
-        guardian: Guardian::new(life),
+        watchdog: Watchdog::new(life),
         first: None,
         lit: at,
         stood: Duration::ZERO,
@@ -189,11 +189,11 @@ pub(super) fn left_alone(
         joints: from,
     };
     after
-        .guardian
+        .watchdog
         .handle_heartbeat(life, Heartbeat::Alive(told));
     let mut own = own_packets(fate, at, told);
     if fate != Fate::Frozen {
-        after.guardian.handle_end(at);
+        after.watchdog.handle_end(at);
     }
     after.run_until(at + Duration::from_secs(15), &mut own);
     (after, life, from)
@@ -250,7 +250,7 @@ fn hold(scene: &mut Scene, jog: Jog, chance: &mut Chance) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// What the guardian knows: of every packet before it leaves.
+/// What the watchdog knows: of every packet before it leaves.
 pub(super) fn told(scene: &Scene) -> Hazards {
     let dialect = scene.personality().dialect();
     let packets = scene.it.packets().iter();
@@ -268,11 +268,11 @@ fn own_packets(fate: Fate, at: Duration, told: Hazards) -> Vec<(Duration, Packet
     gaps.zip(told.stop_packets()).collect()
 }
 
-/// The arm and its guardian, after the station.
+/// The arm and its watchdog, after the station.
 pub(super) struct After {
     arm: VirtualArm,
     now: Duration,
-    guardian: Guardian,
+    watchdog: Watchdog,
     /// When the first packet left.
     first: Option<Duration>,
     /// When the laser was seen on last.
@@ -289,7 +289,7 @@ impl After {
         while self.now < latest {
             self.carry(own);
             let next = own.first().map_or(Duration::MAX, |it| it.0);
-            let next = next.min(self.guardian.poll_wakeup());
+            let next = next.min(self.watchdog.poll_wakeup());
             let soon = self.now + Duration::from_millis(1);
             let before = self.now;
             self.now = next
@@ -304,14 +304,14 @@ impl After {
         let mut bytes = Vec::new();
         self.arm.poll_bytes(&mut bytes);
         if !bytes.is_empty() {
-            self.guardian.handle_heard(self.now);
+            self.watchdog.handle_heard(self.now);
         }
-        self.guardian.handle_time(self.now);
+        self.watchdog.handle_time(self.now);
         while own.first().is_some_and(|it| it.0 <= self.now) {
             let (_, packet) = own.remove(0);
             self.send(&packet);
         }
-        while let Some(packet) = self.guardian.poll_bytes() {
+        while let Some(packet) = self.watchdog.poll_bytes() {
             self.send(&packet);
         }
     }

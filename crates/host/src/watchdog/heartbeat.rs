@@ -1,9 +1,9 @@
-//! What the station tells its guardian: that it lives, and what must not outlive it.
+//! What the station tells its watchdog: that it lives, and what must not outlive it.
 
 use dobot_motion::LASER_OFF;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, LinearJog, LinearJogAxis, Packet};
 
-/// What the station tells its guardian, a byte each.
+/// What the station tells its watchdog, a byte each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Heartbeat {
     /// The station lives.

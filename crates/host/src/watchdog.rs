@@ -20,15 +20,15 @@ use dobot_wire::Packet;
 
 pub use heartbeat::{Hazards, Heartbeat, JogKind};
 pub(crate) use heartbeat_sender::HeartbeatSender;
-pub(crate) use note::{take_note, wait_for_guardian};
+pub(crate) use note::{take_note, wait_for_watchdog};
 pub(crate) use panic_stop::PanicStop;
 #[cfg(unix)]
 pub use process::guard;
 
-/// The guardian of an arm, as an engine: it owns no port, no process and no clock.
+/// The watchdog of an arm, as an engine: it owns no port, no process and no clock.
 ///
 /// The station tells it [`Heartbeat`]s, ten in a second and more. When the station ends without a
-/// goodbye, or is silent for [`PATIENCE`](Self::PATIENCE), the guardian switches the laser off and
+/// goodbye, or is silent for [`PATIENCE`](Self::PATIENCE), the watchdog switches the laser off and
 /// lets go of the button that is held: at least three times, with the gap between two packets that a
 /// stock arm wants (note N26). While the station lives it says nothing.
 ///
@@ -38,26 +38,26 @@ pub use process::guard;
 ///
 /// ```
 /// use std::time::Duration;
-/// use dobot_host::{Heartbeat, Guardian, Hazards};
+/// use dobot_host::{Heartbeat, Watchdog, Hazards};
 ///
 /// let ms = Duration::from_millis;
-/// let mut guardian = Guardian::new(ms(0));
-/// guardian.handle_heartbeat(ms(100), Heartbeat::Alive(Hazards::default()));
-/// guardian.handle_time(ms(399));
-/// assert!(guardian.poll_bytes().is_none());
-/// guardian.handle_time(ms(400));
-/// assert!(guardian.poll_bytes().is_some()); // laser off
+/// let mut watchdog = Watchdog::new(ms(0));
+/// watchdog.handle_heartbeat(ms(100), Heartbeat::Alive(Hazards::default()));
+/// watchdog.handle_time(ms(399));
+/// assert!(watchdog.poll_bytes().is_none());
+/// watchdog.handle_time(ms(400));
+/// assert!(watchdog.poll_bytes().is_some()); // laser off
 /// ```
 #[derive(Clone, Debug)]
-pub struct Guardian {
+pub struct Watchdog {
     now: Duration,
     hazards: Hazards,
     /// When the last heartbeat came.
     last_heartbeat: Duration,
-    phase: GuardianPhase,
+    phase: WatchdogPhase,
 }
 
-/// Why the guardian speaks.
+/// Why the watchdog speaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Silence {
     /// The station ended without a goodbye: it was killed, or panicked.
@@ -67,7 +67,7 @@ pub enum Silence {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum GuardianPhase {
+enum WatchdogPhase {
     Watching,
     Speaking(Speech),
     /// All is said to the arm of a station that stands still.
@@ -90,18 +90,18 @@ struct Speech {
     heard: bool,
 }
 
-impl Guardian {
+impl Watchdog {
     /// So long the station may be silent.
     pub const PATIENCE: Duration = Duration::from_millis(300);
 
-    /// A guardian of a station that lives.
+    /// A watchdog of a station that lives.
     #[must_use]
     pub fn new(now: Duration) -> Self {
         Self {
             now,
             hazards: Hazards::default(),
             last_heartbeat: now,
-            phase: GuardianPhase::Watching,
+            phase: WatchdogPhase::Watching,
         }
     }
 
@@ -109,12 +109,12 @@ impl Guardian {
     pub fn handle_heartbeat(&mut self, now: Duration, heartbeat: Heartbeat) {
         self.now = now;
         match heartbeat {
-            _ if self.phase == GuardianPhase::Over => {}
-            Heartbeat::Goodbye => self.phase = GuardianPhase::Over,
+            _ if self.phase == WatchdogPhase::Over => {}
+            Heartbeat::Goodbye => self.phase = WatchdogPhase::Over,
             Heartbeat::Alive(hazards) => {
                 self.hazards = hazards;
                 self.last_heartbeat = now;
-                self.phase = GuardianPhase::Watching;
+                self.phase = WatchdogPhase::Watching;
             }
         }
     }
@@ -123,18 +123,18 @@ impl Guardian {
     pub fn handle_end(&mut self, now: Duration) {
         self.now = now;
         match &mut self.phase {
-            GuardianPhase::Watching => self.speak(Silence::Ended),
-            GuardianPhase::Speaking(speech) => speech.why = Silence::Ended,
+            WatchdogPhase::Watching => self.speak(Silence::Ended),
+            WatchdogPhase::Speaking(speech) => speech.why = Silence::Ended,
             // The arm was told, and nothing came from the station since.
-            GuardianPhase::Spoken(_) => self.phase = GuardianPhase::Over,
-            GuardianPhase::Over => {}
+            WatchdogPhase::Spoken(_) => self.phase = WatchdogPhase::Over,
+            WatchdogPhase::Over => {}
         }
     }
 
     /// Takes that the arm says something: it has room for a packet.
     pub fn handle_heard(&mut self, now: Duration) {
         self.handle_time(now);
-        if let GuardianPhase::Speaking(speech) = &mut self.phase {
+        if let WatchdogPhase::Speaking(speech) = &mut self.phase {
             speech.heard = true;
         }
     }
@@ -142,14 +142,14 @@ impl Guardian {
     /// Takes the passing of time.
     pub fn handle_time(&mut self, now: Duration) {
         self.now = now;
-        if self.phase == GuardianPhase::Watching && now >= self.last_heartbeat + Self::PATIENCE {
+        if self.phase == WatchdogPhase::Watching && now >= self.last_heartbeat + Self::PATIENCE {
             self.speak(Silence::Stalled);
         }
     }
 
     /// The packet to send now, if there is one.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
-        let GuardianPhase::Speaking(speech) = self.phase else {
+        let WatchdogPhase::Speaking(speech) = self.phase else {
             return None;
         };
         if self.now < speech.due() {
@@ -161,13 +161,13 @@ impl Guardian {
         packet
     }
 
-    /// When [`Guardian::handle_time`] wants to be called next.
+    /// When [`Watchdog::handle_time`] wants to be called next.
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         match &self.phase {
-            GuardianPhase::Watching => self.last_heartbeat + Self::PATIENCE,
-            GuardianPhase::Speaking(speech) => speech.due(),
-            GuardianPhase::Spoken(_) | GuardianPhase::Over => Duration::MAX,
+            WatchdogPhase::Watching => self.last_heartbeat + Self::PATIENCE,
+            WatchdogPhase::Speaking(speech) => speech.due(),
+            WatchdogPhase::Spoken(_) | WatchdogPhase::Over => Duration::MAX,
         }
     }
 
@@ -175,9 +175,9 @@ impl Guardian {
     #[must_use]
     pub const fn silence(&self) -> Option<Silence> {
         match &self.phase {
-            GuardianPhase::Speaking(speech) => Some(speech.why),
-            GuardianPhase::Spoken(why) => Some(*why),
-            GuardianPhase::Watching | GuardianPhase::Over => None,
+            WatchdogPhase::Speaking(speech) => Some(speech.why),
+            WatchdogPhase::Spoken(why) => Some(*why),
+            WatchdogPhase::Watching | WatchdogPhase::Over => None,
         }
     }
 
@@ -196,13 +196,13 @@ impl Guardian {
     /// Whether there is nothing more to do for it.
     #[must_use]
     pub const fn is_over(&self) -> bool {
-        matches!(self.phase, GuardianPhase::Over)
+        matches!(self.phase, WatchdogPhase::Over)
     }
 
     fn speak(&mut self, why: Silence) {
         // What the station said last may still be on the line, unless it was silent for long.
         let free = self.last_heartbeat + GAP;
-        self.phase = GuardianPhase::Speaking(Speech {
+        self.phase = WatchdogPhase::Speaking(Speech {
             why,
             begun: self.now,
             next: self.now.max(free),
@@ -224,9 +224,9 @@ impl Speech {
         }
     }
 
-    fn after(self, now: Duration, packets: usize) -> GuardianPhase {
+    fn after(self, now: Duration, packets: usize) -> WatchdogPhase {
         if self.said + 1 < packets {
-            return GuardianPhase::Speaking(Self {
+            return WatchdogPhase::Speaking(Self {
                 next: now + GAP,
                 said: self.said + 1,
                 ..self
@@ -236,11 +236,11 @@ impl Speech {
         let heard_enough = rounds >= ROUNDS && self.heard;
         if heard_enough || now >= self.begun + LONGEST {
             return match self.why {
-                Silence::Ended => GuardianPhase::Over,
-                Silence::Stalled => GuardianPhase::Spoken(self.why),
+                Silence::Ended => WatchdogPhase::Over,
+                Silence::Stalled => WatchdogPhase::Spoken(self.why),
             };
         }
-        GuardianPhase::Speaking(Self {
+        WatchdogPhase::Speaking(Self {
             next: now + AGAIN,
             said: 0,
             rounds,

@@ -1,4 +1,4 @@
-//! What the guardian leaves to be read: a file in the data folder.
+//! What the watchdog leaves to be read: a file in the data folder.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Write};
@@ -8,12 +8,12 @@ use std::time::Duration;
 use tokio::sync::oneshot;
 use tokio::time::Instant;
 
-/// The guardian's end of the file: locked for as long as the guardian has the port.
+/// The watchdog's end of the file: locked for as long as the watchdog has the port.
 #[derive(Debug)]
 pub(super) struct Note(Option<File>);
 
 impl Note {
-    /// Opens and locks it. A guardian without it does its work all the same.
+    /// Opens and locks it. A watchdog without it does its work all the same.
     pub(super) fn open(path: &Path) -> Self {
         let mut options = OpenOptions::new();
         options.append(true).create(true);
@@ -34,7 +34,7 @@ impl Note {
     }
 }
 
-/// Reads what guardians have left, a line each, and empties the file.
+/// Reads what watchdogs have left, a line each, and empties the file.
 pub(crate) fn take_note(path: &Path) -> Vec<String> {
     let taken = || -> io::Result<String> {
         if !path.metadata()?.is_file() {
@@ -53,9 +53,9 @@ pub(crate) fn take_note(path: &Path) -> Vec<String> {
     text.lines().map(str::to_owned).collect()
 }
 
-/// Waits until the guardian of a previous station has released the port, which takes it a moment. A file system that
+/// Waits until the watchdog of a previous station has released the port, which takes it a moment. A file system that
 /// does not answer counts as released: switching the laser off waits for no disk.
-pub(crate) async fn wait_for_guardian(path: &Path) {
+pub(crate) async fn wait_for_watchdog(path: &Path) {
     let latest = Instant::now() + LONGEST;
     while Instant::now() < latest {
         let (answer, locked) = oneshot::channel();
@@ -70,14 +70,14 @@ pub(crate) async fn wait_for_guardian(path: &Path) {
     }
 }
 
-/// Whether a guardian is at work.
+/// Whether a watchdog is at work.
 fn is_locked(path: &Path) -> bool {
     // To open a pipe would wait for its other end.
     path.metadata().is_ok_and(|it| it.is_file())
         && File::open(path).is_ok_and(|it| it.try_lock_shared().is_err())
 }
 
-/// Longer than a guardian speaks.
+/// Longer than a watchdog speaks.
 const LONGEST: Duration = Duration::from_secs(6);
 /// How long a file system may take for a small question.
 const ANSWER: Duration = Duration::from_millis(500);
@@ -89,18 +89,18 @@ mod tests {
     use super::*;
 
     #[tokio::test]
-    async fn what_a_guardian_leaves_is_read_once_and_its_lock_is_waited_for() {
+    async fn what_a_watchdog_leaves_is_read_once_and_its_lock_is_waited_for() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("guardian.txt");
-        wait_for_guardian(&path).await;
+        let path = folder.path().join("watchdog.txt");
+        wait_for_watchdog(&path).await;
         assert_eq!(take_note(&path), Vec::<String>::new());
         let mut note = Note::open(&path);
         note.write("the station ended");
         note.write("and again");
-        let locked = tokio::time::timeout(Duration::from_millis(1), wait_for_guardian(&path));
+        let locked = tokio::time::timeout(Duration::from_millis(1), wait_for_watchdog(&path));
         assert!(locked.await.is_err());
         drop(note);
-        wait_for_guardian(&path).await;
+        wait_for_watchdog(&path).await;
         let lines = take_note(&path);
         assert!(lines[0].ends_with("Z: the station ended"), "{lines:?}");
         assert_eq!(lines.len(), 2);

@@ -1,4 +1,4 @@
-//! The guardian as a process: its standard input is the heartbeat, its standard output the arm's port.
+//! The watchdog as a process: its standard input is the heartbeat, its standard output the arm's port.
 
 use std::io;
 use std::os::fd::AsFd;
@@ -11,7 +11,7 @@ use rustix::io::Errno;
 use super::clock::Clock;
 use super::port::{Taken, timespec, write_some, write_within};
 use super::reporter::Reporter;
-use super::{Guardian, Hazards, Heartbeat, JogKind, Silence};
+use super::{Hazards, Heartbeat, JogKind, Silence, Watchdog};
 
 /// Watches over a station until that says goodbye, or until all is said that had to be said.
 ///
@@ -25,14 +25,14 @@ pub fn guard(note: &Path) -> io::Result<()> {
     let (beats, port) = (io::stdin(), io::stdout());
     let clock = Clock::new();
     let mut guard = Guard {
-        guardian: Guardian::new(clock.now()),
+        watchdog: Watchdog::new(clock.now()),
         clock,
         line: Vec::new(),
         told: None,
         ended: false,
         reporter: Reporter::start(note),
     };
-    while !guard.guardian.is_over() {
+    while !guard.watchdog.is_over() {
         let ready = guard.wait(&beats, &port)?;
         guard.step(ready, &beats, &port)?;
     }
@@ -42,7 +42,7 @@ pub fn guard(note: &Path) -> io::Result<()> {
 }
 
 struct Guard {
-    guardian: Guardian,
+    watchdog: Watchdog,
     clock: Clock,
     /// What is left of the packet that is on its way.
     line: Vec<u8>,
@@ -64,7 +64,7 @@ impl Guard {
     /// Waits for what is wanted next: a beat, a port that takes or tells something, or time.
     fn wait(&self, heartbeats: &impl AsFd, port: &impl AsFd) -> io::Result<Ready> {
         let mut wanted = PollFlags::empty();
-        if self.guardian.silence().is_some() {
+        if self.watchdog.silence().is_some() {
             wanted |= PollFlags::IN;
         }
         if !self.line.is_empty() {
@@ -75,7 +75,7 @@ impl Guard {
         let mut waited = Vec::with_capacity(2);
         waited.extend(has_beats.then(|| PollFd::new(heartbeats, PollFlags::IN)));
         waited.extend(has_port.then(|| PollFd::new(port, wanted)));
-        let within = self.guardian.poll_wakeup().saturating_sub(self.clock.now());
+        let within = self.watchdog.poll_wakeup().saturating_sub(self.clock.now());
         match poll(&mut waited, Some(&timespec(within))) {
             Ok(_) | Err(Errno::INTR) => {}
             Err(error) => return Err(error.into()),
@@ -92,9 +92,9 @@ impl Guard {
         if ready.beats {
             self.receive_heartbeats(heartbeats)?;
         }
-        self.guardian.handle_time(self.clock.now());
+        self.watchdog.handle_time(self.clock.now());
         let mut gone = ready.port && self.follow(port);
-        if let Some(packet) = self.guardian.poll_bytes()
+        if let Some(packet) = self.watchdog.poll_bytes()
             && self.line.is_empty()
         {
             self.line.extend_from_slice(&packet.to_bytes());
@@ -109,7 +109,7 @@ impl Guard {
         if gone {
             // There is nobody to speak to any more.
             self.line.clear();
-            self.guardian
+            self.watchdog
                 .handle_heartbeat(self.clock.now(), Heartbeat::Goodbye);
         }
         self.report();
@@ -125,25 +125,25 @@ impl Guard {
         let now = self.clock.now();
         if read == 0 {
             self.ended = true;
-            self.guardian.handle_end(now);
+            self.watchdog.handle_end(now);
         }
         for heartbeat in bytes[..read]
             .iter()
             .filter_map(|it| Heartbeat::from_byte(*it))
         {
-            self.guardian.handle_heartbeat(now, heartbeat);
+            self.watchdog.handle_heartbeat(now, heartbeat);
         }
         Ok(())
     }
 
-    /// Listens to the arm while the guardian speaks; says whether the port is gone.
+    /// Listens to the arm while the watchdog speaks; says whether the port is gone.
     fn follow(&mut self, port: &impl AsFd) -> bool {
-        if self.guardian.silence().is_none() {
+        if self.watchdog.silence().is_none() {
             return false;
         }
         let mut bytes = [0; 4096];
         match rustix::io::read(port, &mut bytes) {
-            Ok(1..) => self.guardian.handle_heard(self.clock.now()),
+            Ok(1..) => self.watchdog.handle_heard(self.clock.now()),
             Err(Errno::AGAIN | Errno::INTR) => {}
             Ok(0) | Err(_) => return true,
         }
@@ -152,7 +152,7 @@ impl Guard {
 
     /// Says what it does where people look: on standard error, and in the note for the next start.
     fn report(&mut self) {
-        let silence = self.guardian.silence();
+        let silence = self.watchdog.silence();
         if silence == self.told {
             return;
         }
@@ -163,8 +163,8 @@ impl Guard {
         let silent = self
             .clock
             .now()
-            .saturating_sub(self.guardian.last_heartbeat());
-        let text = text(silence, silent, self.guardian.hazards());
+            .saturating_sub(self.watchdog.last_heartbeat());
+        let text = text(silence, silent, self.watchdog.hazards());
         self.reporter.report(&text);
     }
 }
@@ -179,7 +179,7 @@ fn text(silence: Silence, silent: Duration, hazards: Hazards) -> String {
         Some(JogKind::Joint) => ", and let go of the joint jog's button",
         Some(JogKind::Linear) => ", and let go of the linear jog's button",
     };
-    format!("{why}: the guardian switched the laser off{button}")
+    format!("{why}: the watchdog switched the laser off{button}")
 }
 
 /// So long a port may take for what is left of the last packet, and a reader for the last line.
@@ -197,11 +197,11 @@ mod tests {
         };
         assert_eq!(
             text(Silence::Stalled, Duration::from_millis(312), hazards),
-            "the station was silent for 0.31 s: the guardian switched the laser off, and let go of the linear jog's button"
+            "the station was silent for 0.31 s: the watchdog switched the laser off, and let go of the linear jog's button"
         );
         assert_eq!(
             text(Silence::Ended, Duration::ZERO, Hazards::default()),
-            "the station ended without a goodbye: the guardian switched the laser off"
+            "the station ended without a goodbye: the watchdog switched the laser off"
         );
     }
 }

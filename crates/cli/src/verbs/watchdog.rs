@@ -1,4 +1,4 @@
-//! `dobot guardian`: a station starts it, nobody else.
+//! `dobot watchdog`: a station starts it, nobody else.
 
 use std::io::{IsTerminal, stdin};
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if stdin().is_terminal() {
         return Err(Failure::new(
             anyhow!(
-                "standard input is a terminal; a guardian is told by its station that it lives"
+                "standard input is a terminal; a watchdog is told by its station that it lives"
             ),
             "`dobot up` starts one for its arm",
         ));

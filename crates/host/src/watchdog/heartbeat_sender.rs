@@ -1,4 +1,4 @@
-//! Sends heartbeats to the guardian, and notices when the loop that sends them stood still.
+//! Sends heartbeats to the watchdog, and notices when the loop that sends them stood still.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,13 +10,13 @@ use dobot_wire::{Dialect, Packet};
 #[cfg(unix)]
 use super::child::Child;
 use super::clock::Clock;
-use super::{Guardian, Hazards, Heartbeat, PanicStop};
+use super::{Hazards, Heartbeat, PanicStop, Watchdog};
 use crate::{Notification, ServiceManager};
 
 /// Sends heartbeats for as long as the loop of the thread that has the arm goes round.
 #[derive(Debug)]
 pub(crate) struct HeartbeatSender {
-    /// The program that is a guardian when it is told so; none without one.
+    /// The program that is a watchdog when it is told so; none without one.
     program: Option<PathBuf>,
     note: PathBuf,
     clock: Clock,
@@ -25,11 +25,11 @@ pub(crate) struct HeartbeatSender {
     hazards: Hazards,
     panic_stop: Arc<PanicStop>,
     #[cfg(unix)]
-    guardian: Option<Child>,
+    watchdog: Option<Child>,
     /// When the last one was started.
     #[cfg(unix)]
-    guardian_started: Duration,
-    /// Why there is no guardian, while there should be one.
+    watchdog_started: Duration,
+    /// Why there is no watchdog, while there should be one.
     gone: Option<String>,
     trouble: Option<String>,
     /// The system that keeps the station running.
@@ -39,7 +39,7 @@ pub(crate) struct HeartbeatSender {
 }
 
 impl HeartbeatSender {
-    /// Sends heartbeats to a guardian, if there is a program that is one.
+    /// Sends heartbeats to a watchdog, if there is a program that is one.
     pub(crate) fn new(program: Option<PathBuf>, note: PathBuf, panic_stop: Arc<PanicStop>) -> Self {
         Self {
             program,
@@ -49,9 +49,9 @@ impl HeartbeatSender {
             hazards: Hazards::default(),
             panic_stop,
             #[cfg(unix)]
-            guardian: None,
+            watchdog: None,
             #[cfg(unix)]
-            guardian_started: Duration::ZERO,
+            watchdog_started: Duration::ZERO,
             gone: None,
             trouble: None,
             service_manager: ServiceManager::default(),
@@ -80,9 +80,9 @@ impl HeartbeatSender {
         #[cfg(unix)]
         {
             self.panic_stop.set_port(None);
-            if let Some(mut guardian) = self.guardian.take() {
+            if let Some(mut watchdog) = self.watchdog.take() {
                 // One that is gone needs no goodbye.
-                let _ = guardian.send(Heartbeat::Goodbye);
+                let _ = watchdog.send(Heartbeat::Goodbye);
             }
         }
     }
@@ -100,10 +100,10 @@ impl HeartbeatSender {
         if silent >= PERIOD {
             self.send();
         }
-        (silent >= Guardian::PATIENCE).then_some(silent)
+        (silent >= Watchdog::PATIENCE).then_some(silent)
     }
 
-    /// Takes what the arm is told next: the guardian knows it before the arm does.
+    /// Takes what the arm is told next: the watchdog knows it before the arm does.
     pub(crate) fn note_packet(&mut self, packet: &Packet, dialect: &Dialect) {
         let hazards = self.hazards.after(packet, dialect);
         if hazards != self.hazards {
@@ -117,18 +117,18 @@ impl HeartbeatSender {
 
     /// How soon the next heartbeat is due, if one is.
     pub(crate) fn due_in(&self) -> Option<Duration> {
-        let guardian = self.last.map(|it| it + PERIOD);
+        let watchdog = self.last.map(|it| it + PERIOD);
         let service_manager = self.service_manager.period().map(|it| self.reported + it);
-        let next = guardian.into_iter().chain(service_manager).min()?;
+        let next = watchdog.into_iter().chain(service_manager).min()?;
         Some(next.saturating_sub(self.clock.now()))
     }
 
-    /// Where the guardian leaves what it did.
+    /// Where the watchdog leaves what it did.
     pub(crate) fn note(&self) -> &Path {
         &self.note
     }
 
-    /// Why no guardian watches over the arm, while one should.
+    /// Why no watchdog watches over the arm, while one should.
     pub(crate) const fn gone(&self) -> Option<&String> {
         self.gone.as_ref()
     }
@@ -146,32 +146,32 @@ impl HeartbeatSender {
         };
         self.panic_stop.set_port(Some(port.try_clone_to_owned()?));
         self.last = Some(self.clock.now());
-        self.start_guardian()
+        self.start_watchdog()
     }
 
-    /// Starts the guardian of the port, if there is a program that is one.
+    /// Starts the watchdog of the port, if there is a program that is one.
     #[cfg(unix)]
-    fn start_guardian(&mut self) -> std::io::Result<()> {
+    fn start_watchdog(&mut self) -> std::io::Result<()> {
         if let (Some(program), Some(port)) = (&self.program, self.panic_stop.port()?) {
-            self.guardian_started = self.clock.now();
-            self.guardian = Some(Child::start(program, &self.note, port)?);
+            self.watchdog_started = self.clock.now();
+            self.watchdog = Some(Child::start(program, &self.note, port)?);
             self.send();
         }
         Ok(())
     }
 
-    /// Starts another guardian in place of one that is gone, unless that one had just been started: then a little later,
+    /// Starts another watchdog in place of one that is gone, unless that one had just been started: then a little later,
     /// and so on until one stays.
     #[cfg(unix)]
     fn replace(&mut self) {
-        if self.clock.now().saturating_sub(self.guardian_started) < BETWEEN_STARTS {
+        if self.clock.now().saturating_sub(self.watchdog_started) < BETWEEN_STARTS {
             return;
         }
-        match self.start_guardian() {
-            Ok(()) if self.guardian.is_some() => {
+        match self.start_watchdog() {
+            Ok(()) if self.watchdog.is_some() => {
                 self.gone = None;
                 self.trouble =
-                    Some("the guardian was gone; another one takes its place".to_owned());
+                    Some("the watchdog was gone; another one takes its place".to_owned());
             }
             Ok(()) => {}
             Err(error) => self.set_gone(&error),
@@ -180,10 +180,10 @@ impl HeartbeatSender {
 
     #[cfg(unix)]
     fn set_gone(&mut self, error: &std::io::Error) {
-        self.guardian = None;
+        self.watchdog = None;
         if self.gone.is_none() {
             self.trouble = Some(format!(
-                "the guardian is gone: {error}; nothing is jogged and nothing burns until another one is there"
+                "the watchdog is gone: {error}; nothing is jogged and nothing burns until another one is there"
             ));
         }
         self.gone = Some(error.to_string());
@@ -197,9 +197,9 @@ impl HeartbeatSender {
     fn send(&mut self) {
         self.last = Some(self.clock.now());
         #[cfg(unix)]
-        match &mut self.guardian {
-            Some(guardian) => {
-                if let Err(error) = guardian.send(Heartbeat::Alive(self.hazards)) {
+        match &mut self.watchdog {
+            Some(watchdog) => {
+                if let Err(error) = watchdog.send(Heartbeat::Alive(self.hazards)) {
                     self.set_gone(&error);
                     self.replace();
                 }
@@ -212,6 +212,6 @@ impl HeartbeatSender {
 
 /// From one heartbeat to the next, at most.
 pub(crate) const PERIOD: Duration = Duration::from_millis(80);
-/// How long to wait before yet another guardian is started.
+/// How long to wait before yet another watchdog is started.
 #[cfg(unix)]
 const BETWEEN_STARTS: Duration = Duration::from_secs(3);

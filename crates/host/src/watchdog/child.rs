@@ -1,4 +1,4 @@
-//! The guardian as the station sees it: a child process.
+//! The watchdog as the station sees it: a child process.
 
 use std::io::{self, ErrorKind, Write};
 use std::os::fd::OwnedFd;
@@ -9,8 +9,8 @@ use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 
 use super::Heartbeat;
 
-/// The guardian as the station sees it: a child process that receives heartbeats. When this is dropped
-/// without a goodbye, the guardian stops the arm.
+/// The watchdog as the station sees it: a child process that receives heartbeats. When this is dropped
+/// without a goodbye, the watchdog stops the arm.
 #[derive(Debug)]
 pub(super) struct Child {
     heartbeats: ChildStdin,
@@ -24,16 +24,16 @@ impl Child {
     /// What the system says.
     pub(super) fn start(program: &Path, note: &Path, port: OwnedFd) -> io::Result<Self> {
         let mut child = Command::new(program)
-            .arg("guardian")
+            .arg("watchdog")
             .arg("--note")
             .arg(note)
             .stdin(Stdio::piped())
             .stdout(Stdio::from(port))
             .spawn()?;
         let heartbeats = child.stdin.take().expect("it is piped");
-        // The arm never waits for its guardian.
+        // The arm never waits for its watchdog.
         fcntl_setfl(&heartbeats, fcntl_getfl(&heartbeats)? | OFlags::NONBLOCK)?;
-        let waiting = std::thread::Builder::new().name("guardian".into());
+        let waiting = std::thread::Builder::new().name("watchdog".into());
         waiting.spawn(move || {
             // Otherwise the system would keep what is left of it.
             let _ = child.wait();
@@ -45,7 +45,7 @@ impl Child {
     ///
     /// # Errors
     ///
-    /// What the system says when the guardian is gone.
+    /// What the system says when the watchdog is gone.
     pub(super) fn send(&mut self, heartbeat: Heartbeat) -> io::Result<()> {
         match self.heartbeats.write(&[heartbeat.to_byte()]) {
             // It has more to read than it can: it stands still.

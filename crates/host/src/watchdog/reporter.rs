@@ -1,4 +1,4 @@
-//! What the guardian reports, without ever waiting for a reader or a disk.
+//! What the watchdog reports, without ever waiting for a reader or a disk.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -14,7 +14,7 @@ use crate::Background;
 pub(super) struct Reporter(Vec<Background<String>>);
 
 impl Reporter {
-    /// Starts the threads. A guardian that gets none does its work without a report.
+    /// Starts the threads. A watchdog that gets none does its work without a report.
     pub(super) fn start(note: &Path) -> Self {
         let note = note.to_owned();
         let to_note = Background::start("note", WAITING, move |lines: Receiver<String>| {
@@ -26,7 +26,7 @@ impl Reporter {
         let to_stderr = Background::start("stderr", WAITING, |lines| {
             // Standard error may be gone with the station.
             for line in lines {
-                let _ = writeln!(io::stderr(), "guardian: {line}");
+                let _ = writeln!(io::stderr(), "watchdog: {line}");
             }
         });
         Self([to_note, to_stderr].into_iter().flatten().collect())
@@ -47,5 +47,5 @@ impl Reporter {
     }
 }
 
-/// Lines that wait to be written, at most. A guardian has two things to say.
+/// Lines that wait to be written, at most. A watchdog has two things to say.
 const WAITING: usize = 8;
