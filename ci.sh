@@ -31,7 +31,7 @@ export PYO3_BUILD_EXTENSION_MODULE=1
 readonly PUSH_STEPS=(
   "fmt          Is all code formatted?"
   "licences     Does every dependency have a licence that we may ship?"
-  "lint         Run clippy; warnings are errors. Check the Rust version that each crate names"
+  "lint         Run clippy; warnings are errors. Check the wording, spelling and the size of functions"
   "test         Run cargo test"
   "doc          Build the documentation; warnings are errors. Compare the READMEs with its examples, and docs/crates.md with the manifests"
   "no-std       Link wire, arm, motion and controller without the standard library"
@@ -134,6 +134,30 @@ dependencies() {
 step_lint() {
   needs_component clippy clippy
   build cargo clippy --locked --workspace "${RARE[@]}" --all-targets -- -D warnings
+  check_words
+  check_sizes
+}
+
+# Words that a reader stumbles over (tests/lint/words.txt), and misspelled ones (_typos.toml).
+check_words() {
+  local found
+  if found=$(git grep -nIiEf tests/lint/words.txt -- . ':!page/files/vendor' ':!vectors' ':!fuzz/seeds' ':!docs/notes' ':!tests/lint'); then
+    echo "$found" | cut -c1-200
+    fail "use the plain word instead (docs/style.md)"
+  fi
+  needs_packages lint
+  "$VENV/bin/typos" || fail "correct the spelling, or add the word to _typos.toml"
+}
+
+# A function has at most 80 lines, except for a table, which says so by a comment: `// table`.
+check_sizes() {
+  local sizes long
+  sizes=$(git ls-files 'crates/*/src/*.rs' 'page/src/*.rs' 'python/src/*.rs' | grep -v /tests |
+    xargs awk -f tests/lint/sizes.awk | sort -n)
+  awk '{ lines[NR] = $1 }
+    END { print NR " functions; lines: median " lines[int((NR + 1) / 2)] ", 95 % at most " lines[int(NR * 0.95)] }' <<<"$sizes"
+  long=$(awk '$1 > 80 && $4 != "table"' <<<"$sizes")
+  [[ -z $long ]] || fail "functions of over 80 lines:"$'\n'"$long"
 }
 
 step_lint-all() {
