@@ -16,8 +16,8 @@ use dobot_wire::Status;
 
 use self::geometry::{beside, is_at_limit};
 use crate::NotReached;
+use crate::in_flight::{InFlight, Sent};
 use crate::plan::{ARRIVED_MM, position};
-use crate::under_way::{Sent, UnderWay};
 
 /// Watches the statuses for what is over.
 #[derive(Clone, Debug, Default)]
@@ -74,7 +74,7 @@ struct Evidence<'a> {
     answer: Duration,
     seen: Steady,
     sent: &'a Sent,
-    under_way: &'a UnderWay,
+    in_flight: &'a InFlight,
 }
 
 impl Completion {
@@ -104,15 +104,15 @@ impl Completion {
         &mut self,
         now: Duration,
         answer: Duration,
-        under_way: &UnderWay,
+        in_flight: &InFlight,
     ) -> Option<Verdict> {
-        let (seen, sent) = (self.seen?, under_way.first()?);
+        let (seen, sent) = (self.seen?, in_flight.first()?);
         let look = Evidence {
             now,
             answer,
             seen,
             sent,
-            under_way,
+            in_flight,
         };
         let known = self.first.filter(|it| it.number == sent.number);
         let mut first = known.unwrap_or_else(|| First::new(sent, self.freed.max(sent.at), &seen));
@@ -126,7 +126,7 @@ impl Completion {
         self.first = Some(first);
         match verdict {
             Some(Verdict::Over(over)) => {
-                let next = under_way.get(over);
+                let next = in_flight.get(over);
                 self.finish(now, next.map(|next| First::new(next, now, &seen)));
             }
             Some(Verdict::Missed(..)) => {
@@ -196,15 +196,15 @@ impl Completion {
     /// index and all before: no pause explains that, and another command would show.
     fn idle(&self, look: &Evidence, first: &First, index: usize) -> Option<Duration> {
         let mut pauses = look.waits(first);
-        for sent in look.under_way.iter().take(index) {
+        for sent in look.in_flight.iter().take(index) {
             let here = sent.plan.aim.is_none() || sent.plan.is_near(&look.seen.status);
             if here || sent.plan.trajectory.is_err() {
                 pauses += sent.plan.pause;
             }
         }
-        let later = look.under_way.iter().take(index + 1).skip(1);
+        let later = look.in_flight.iter().take(index + 1).skip(1);
         pauses += later.map(|it| it.waits).sum();
-        let sent = look.under_way.get(index)?;
+        let sent = look.in_flight.get(index)?;
         let rests_since = look.seen.since.max(self.busy_until).max(sent.at);
         Some(rests_since + pauses + look.answer)
     }
@@ -213,7 +213,7 @@ impl Completion {
     /// Statuses that come in a heap, after the computer stood still, tell of a time before.
     fn missed(&self, look: &Evidence, first: &First) -> Option<Verdict> {
         let (seen, plan) = (&look.seen, &look.sent.plan);
-        let mut ends = look.under_way.iter();
+        let mut ends = look.in_flight.iter();
         let leads_here = |it: &Sent| it.plan.is_near(&seen.status) || it.plan.jogs_by(&seen.status);
         if let Some(later) = ends.position(leads_here) {
             let idle = self.idle(look, first, later)?;
@@ -242,14 +242,14 @@ impl Evidence<'_> {
     /// one behind them.
     fn passed(&self, first: &First) -> (usize, Option<First>) {
         let (on_trajectory, progress_mm) = self.on_trajectory(first);
-        let arrived_at = self.seen.came_to(self.answer, first, self.under_way);
+        let arrived_at = self.seen.came_to(self.answer, first, self.in_flight);
         let over = on_trajectory
             .max(self.beyond_room())
             .max(arrived_at.unwrap_or(0));
         let arrived = (arrived_at == Some(over)).then_some(self.seen.since);
         let next = if over == 0 {
             *first
-        } else if let Some(next) = self.under_way.get(over) {
+        } else if let Some(next) = self.in_flight.get(over) {
             First::new(next, self.now, &self.seen)
         } else {
             return (over, None);
@@ -269,7 +269,7 @@ impl Evidence<'_> {
     /// How many commands lie before the one that the arm is seen to follow, and how far along it.
     fn on_trajectory(&self, first: &First) -> (usize, f64) {
         let found = position(&self.seen.status);
-        for (index, sent) in self.under_way.iter().enumerate() {
+        for (index, sent) in self.in_flight.iter().enumerate() {
             let Some((from, to)) = sent.plan.trajectory.ok().and_then(|it| it.line()) else {
                 if sent.plan.is_still() || sent.plan.is_endless() {
                     continue;
@@ -295,7 +295,7 @@ impl Evidence<'_> {
     /// three commands wait at the most, and one is executed (note N20).
     fn beyond_room(&self) -> usize {
         let arrived = |it: &&Sent| self.now.saturating_sub(it.at) >= self.answer;
-        let arrived = self.under_way.iter().take_while(arrived).count();
+        let arrived = self.in_flight.iter().take_while(arrived).count();
         arrived.saturating_sub(MOST_WITH_ROOM)
     }
 
@@ -313,7 +313,7 @@ impl Evidence<'_> {
     fn timed_out(&self, first: &First) -> Option<Verdict> {
         let waited = self.now.saturating_sub(first.since);
         let expected = self.sent.plan.aim?;
-        (waited > self.under_way.longest_silence().saturating_add(PATIENCE))
+        (waited > self.in_flight.longest_silence().saturating_add(PATIENCE))
             .then_some(Verdict::Missed(NotReached::TimedOut, expected))
     }
 }
@@ -348,12 +348,12 @@ impl Steady {
 
     /// The first command of which the arm has come to rest where it ends, since it moved. It would not
     /// rest there without a pause, had it got another one to go on with.
-    fn came_to(&self, answer: Duration, first: &First, under_way: &UnderWay) -> Option<usize> {
+    fn came_to(&self, answer: Duration, first: &First, in_flight: &InFlight) -> Option<usize> {
         if !self.rests() || self.since <= first.since {
             return None;
         }
         let goes_on = |index: usize| {
-            let mut later = under_way.iter().skip(index + 1);
+            let mut later = in_flight.iter().skip(index + 1);
             let next = later.find(|it| !it.plan.is_still());
             next.is_some_and(|it| it.at + answer <= self.since)
         };
@@ -361,7 +361,7 @@ impl Steady {
             let pauses = !sent.plan.pause.is_zero();
             sent.plan.ends_at(&self.status) && (pauses || !goes_on(index))
         };
-        under_way.iter().enumerate().position(rests)
+        in_flight.iter().enumerate().position(rests)
     }
 }
 

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dobot_wire::{Counts, Status};
 
-use crate::scheme::ReceivedStatus;
+use crate::permit_scheme::ReceivedStatus;
 
 /// How good a link is, as far as its statuses tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

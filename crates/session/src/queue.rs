@@ -8,7 +8,7 @@ pub struct Queue {
     /// Commands that have not been sent.
     pub waiting: usize,
     /// Commands sent and not seen to be over.
-    pub under_way: usize,
+    pub in_flight: usize,
     /// How long it should take until all that was sent is over.
     pub ahead: Duration,
     /// Whether the arm has no room for another one: four or more commands are under way, and a

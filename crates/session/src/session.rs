@@ -11,13 +11,13 @@ use dobot_motion::Button;
 use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
 use self::laser::Laser;
-use crate::belief::Belief;
+use crate::arm_estimate::ArmEstimate;
 use crate::completion::{Completion, Verdict};
+use crate::permit_scheme::{PermitScheme, ReceivedStatus, plausible};
 use crate::plan::{Plan, position};
 use crate::quality::Meter;
-use crate::scheme::{ReceivedStatus, Scheme, plausible};
 use crate::send_error::moves;
-use crate::trust::{DEAF, ResetWatch};
+use crate::trust::{DEAF, ResetDetector};
 use crate::{Disarmed, Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
@@ -57,7 +57,7 @@ pub struct Session {
     decoder: Decoder<Statuses>,
     /// When bytes came last.
     bytes_came: Duration,
-    scheme: Scheme,
+    permit_scheme: PermitScheme,
     next_id: u64,
     /// A status came and no command has used it yet.
     permit: bool,
@@ -67,8 +67,8 @@ pub struct Session {
     left: Option<Duration>,
     to_send: VecDeque<Packet>,
     completion: Completion,
-    belief: Belief,
-    trust: ResetWatch,
+    estimate: ArmEstimate,
+    trust: ResetDetector,
     laser: Laser,
     meter: Meter,
     /// How long before a command begins it may be sent.
@@ -117,8 +117,8 @@ impl Session {
 
     fn begin(dialect: Option<Dialect>, trusted: bool) -> Self {
         Self {
-            belief: Belief::new(dialect.as_ref()),
-            trust: ResetWatch::new(trusted),
+            estimate: ArmEstimate::new(dialect.as_ref()),
+            trust: ResetDetector::new(trusted),
             laser: Laser::default(),
             meter: Meter::new(dialect.unwrap_or(Dialect::SPECIFICATION).status_period()),
             ahead: AHEAD,
@@ -126,7 +126,7 @@ impl Session {
             dialect,
             decoder: Decoder::statuses(plausible),
             bytes_came: Duration::ZERO,
-            scheme: Scheme::default(),
+            permit_scheme: PermitScheme::default(),
             next_id: 0,
             permit: false,
             used: None,
@@ -162,7 +162,7 @@ impl Session {
         let id = CommandId(self.next_id);
         self.next_id += 1;
         self.trust.handle_given(&command);
-        self.belief.give(id, command, plan);
+        self.estimate.give(id, command, plan);
         self.dispatch();
         Ok(id)
     }
@@ -186,7 +186,7 @@ impl Session {
             return Err(SendError::Misheard);
         }
         self.packet(command)?;
-        let plan = self.belief.plan(command);
+        let plan = self.estimate.plan(command);
         match plan.as_ref().and_then(|it| it.trap()) {
             Some(trap) => Err(trap),
             None => Ok(plan),
@@ -212,7 +212,7 @@ impl Session {
 
     /// Forgets the commands that have not been sent yet; says which they were.
     pub fn forget_waiting(&mut self) -> Vec<CommandId> {
-        self.belief.forget_waiting()
+        self.estimate.forget_waiting()
     }
 
     /// The packet of a command that the caller sends itself, at once and beside all others; the
@@ -229,20 +229,20 @@ impl Session {
     pub fn note_urgent(&mut self, command: &Command) {
         self.trust.handle_sent(command);
         self.note_laser(command);
-        self.belief.handle_urgent(self.now, command);
+        self.estimate.handle_urgent(self.now, command);
     }
 
     /// Which dialect the arm speaks is known now, or known better.
     pub fn set_dialect(&mut self, dialect: Dialect) {
         self.dialect = Some(dialect);
         self.meter.set_period(dialect.status_period());
-        self.belief.set_dialect(dialect);
+        self.estimate.set_dialect(dialect);
     }
 
     /// How the arm differs from the drawing of it, when it has just been switched on: its zeros are right once
     /// it was told its angles (state 9, mode 3), and wrong again after a reset.
     pub fn set_calibration(&mut self, calibration: Calibration) {
-        self.belief.set_calibration(calibration);
+        self.estimate.set_calibration(calibration);
     }
 
     /// The port was opened again after a gap: bytes begin anew, the arm has as long for its first
@@ -253,7 +253,7 @@ impl Session {
         self.heard = now;
         self.opened = true;
         self.decoder = Decoder::statuses(plausible);
-        self.scheme = Scheme::default();
+        self.permit_scheme = PermitScheme::default();
         self.trust.handle_open();
         (self.resyncs, self.skipped) = (0, 0);
         self.to_send.clear();
@@ -359,7 +359,7 @@ impl Session {
         let timeout = match self.status {
             _ if self.opened => FIRST_STATUS,
             Some(_) if self.may_be_full() && !self.is_bluetooth() => {
-                LINK_TIMEOUT.saturating_add(self.belief.under_way().longest_silence())
+                LINK_TIMEOUT.saturating_add(self.estimate.in_flight().longest_silence())
             }
             Some(_) | None => LINK_TIMEOUT,
         };
@@ -368,11 +368,11 @@ impl Session {
 
     /// Whether the arm's queue may be full, of urgent packets too; then it is silent.
     fn may_be_full(&self) -> bool {
-        self.belief.under_way().len() >= QUEUE_STALLS_AT
+        self.estimate.in_flight().len() >= QUEUE_STALLS_AT
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
-        let heard = self.scheme.take(now, status);
+        let heard = self.permit_scheme.take(now, status);
         let had_room = self.is_bluetooth() || !self.may_be_full();
         self.heard = now;
         self.lost = false;
@@ -399,9 +399,9 @@ impl Session {
         if !self.note_reset(now, status) {
             self.note_completion(now, status);
         }
-        self.belief.handle_status(now, status);
+        self.estimate.handle_status(now, status);
         if self.is_bluetooth() {
-            self.belief.note_bluetooth();
+            self.estimate.note_bluetooth();
         }
     }
 
@@ -410,12 +410,12 @@ impl Session {
         let Some(evidence) = self.trust.handle_status(
             now,
             status,
-            self.belief.comes_to_zero(),
-            self.belief.is_at_rest(),
+            self.estimate.comes_to_zero(),
+            self.estimate.is_at_rest(),
         ) else {
             return false;
         };
-        let forgotten = self.belief.handle_reset(status);
+        let forgotten = self.estimate.handle_reset(status);
         self.completion = Completion::default();
         self.events.push_back(Event::Reset {
             evidence,
@@ -429,15 +429,15 @@ impl Session {
     fn note_completion(&mut self, now: Duration, status: &Status) {
         self.completion.handle_status(now, status);
         let answer = self.meter.answer();
-        while let Some(verdict) = self.completion.poll(now, answer, self.belief.under_way()) {
+        while let Some(verdict) = self.completion.poll(now, answer, self.estimate.in_flight()) {
             match verdict {
                 Verdict::Over(count) => {
-                    let over = (0..count).filter_map(|_| self.belief.handle_over(now)?.id);
+                    let over = (0..count).filter_map(|_| self.estimate.handle_over(now)?.id);
                     self.events.extend(over.map(Event::Completed));
                 }
                 Verdict::Pauses => self.note_pause(),
                 Verdict::Missed(reason, expected) => {
-                    let missed = self.belief.handle_missed(now).and_then(|it| it.id);
+                    let missed = self.estimate.handle_missed(now).and_then(|it| it.id);
                     self.events.extend(missed.map(|command| Event::NotReached {
                         command,
                         reason,
@@ -450,7 +450,7 @@ impl Session {
     }
 
     fn note_pause(&mut self) {
-        let pausing = self.belief.under_way().first();
+        let pausing = self.estimate.in_flight().first();
         self.events.extend(pausing.and_then(|it| {
             Some(Event::Pausing {
                 command: it.id?,
@@ -462,7 +462,7 @@ impl Session {
 
     /// How long before it begins the next command may be sent.
     fn next_ahead(&self) -> Duration {
-        let Some((burns, motion)) = self.belief.next_vector() else {
+        let Some((burns, motion)) = self.estimate.next_vector() else {
             return self.ahead;
         };
         let ends_within = if burns {
@@ -477,10 +477,10 @@ impl Session {
 
     /// When the next command becomes due, if there is a permit for it and only its time keeps it back.
     fn dispatch_at(&self) -> Option<Duration> {
-        let waits = self.permit && self.belief.waiting() > 0;
+        let waits = self.permit && self.estimate.waiting() > 0;
         let early = self
-            .belief
-            .under_way()
+            .estimate
+            .in_flight()
             .ahead(self.now)
             .checked_sub(self.next_ahead());
         let early = early.filter(|it| waits && !it.is_zero())?;
@@ -488,18 +488,18 @@ impl Session {
     }
 
     fn dispatch(&mut self) {
-        let begins_in = self.belief.under_way().ahead(self.now);
+        let begins_in = self.estimate.in_flight().ahead(self.now);
         let follows = |left| self.now.saturating_sub(left) < SPACING;
         if !self.permit || begins_in > self.next_ahead() || self.left.is_some_and(follows) {
             return;
         }
-        let Some(next) = self.belief.next() else {
+        let Some(next) = self.estimate.next() else {
             return;
         };
         let waits = self.would_hide_a_reset()
             || self.waits_for_the_port(&next.command)
             || self.speaks_too_early(&next.command)
-            || self.belief.waits_for_place();
+            || self.estimate.waits_for_place();
         if waits {
             return;
         }
@@ -508,12 +508,12 @@ impl Session {
             return;
         }
         if let Some(reason) = next.trap() {
-            for command in self.belief.forget_from_first(|_| true) {
+            for command in self.estimate.forget_from_first(|_| true) {
                 self.events.push_back(Event::NotSent { command, reason });
             }
             return;
         }
-        let Some(mut given) = self.belief.take_next() else {
+        let Some(mut given) = self.estimate.take_next() else {
             return;
         };
         given.command = self.of_its_kind(given.command);
@@ -524,12 +524,12 @@ impl Session {
         let packet = self
             .packet(&command)
             .expect("it was emitted once already, when it was given");
-        let at_rest = self.belief.is_at_rest();
+        let at_rest = self.estimate.is_at_rest();
         self.meter.handle_sent(self.heard, at_rest, moves(&command));
         self.trust.handle_sent(&command);
         self.note_laser(&command);
         self.events.push_back(Event::Sent(given.id));
-        self.belief.handle_sent(self.now, given);
+        self.estimate.handle_sent(self.now, given);
         self.to_send.push_back(packet);
     }
 
@@ -539,12 +539,12 @@ impl Session {
         // A status period, and as much for what is late.
         let not_yet_deaf = 2 * self.meter.period();
         let silent = self
-            .belief
-            .under_way()
+            .estimate
+            .in_flight()
             .leaves_within(QUEUE_STALLS_AT - 1, self.now);
         self.may_be_full()
             && silent + not_yet_deaf >= DEAF
-            && (self.belief.comes_to_zero() || self.belief.would_come_to_zero())
+            && (self.estimate.comes_to_zero() || self.estimate.would_come_to_zero())
     }
 
     /// Whether the next command has to wait because of the port that the arm serves: a joint jog until
@@ -553,7 +553,7 @@ impl Session {
     fn waits_for_the_port(&self, command: &Command) -> bool {
         if !self.is_bluetooth() {
             let exchanged = |jog: &JointJog| jog.over_bluetooth() != *jog;
-            return !self.scheme.is_known()
+            return !self.permit_scheme.is_known()
                 && matches!(command, Command::JointJog(jog) if exchanged(jog));
         }
         self.may_be_full()
@@ -562,7 +562,7 @@ impl Session {
     /// Whether the next command is voice, and the arm was not seen at rest: an arm that moves would go
     /// on for ever with the pulses of the last tick, or lose its place (note N50).
     fn speaks_too_early(&self, command: &Command) -> bool {
-        matches!(command, Command::Voice(_)) && !self.belief.was_seen_at_rest()
+        matches!(command, Command::Voice(_)) && !self.estimate.was_seen_at_rest()
     }
 
     /// A release as the one of the button that was sent last, whichever kind it was given as.

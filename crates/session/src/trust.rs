@@ -49,7 +49,7 @@ impl std::fmt::Display for ResetEvidence {
 
 /// Watches the statuses for a reset.
 #[derive(Clone, Debug)]
-pub(crate) struct ResetWatch {
+pub(crate) struct ResetDetector {
     /// Why the pose is not trusted, if it is not.
     reason: Option<String>,
     last: Option<(Duration, Status)>,
@@ -66,7 +66,7 @@ pub(crate) struct ResetWatch {
     still: bool,
 }
 
-impl ResetWatch {
+impl ResetDetector {
     pub(crate) fn new(trusted: bool) -> Self {
         Self {
             reason: (!trusted).then(|| UNCONFIRMED.to_owned()),

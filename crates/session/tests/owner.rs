@@ -104,7 +104,7 @@ fn a_full_queue_is_told_from_an_idle_link() {
     }
     session.handle_time(now + PERIOD * 6);
     let queue = session.queue();
-    assert_eq!((queue.under_way, queue.is_full), (4, true));
+    assert_eq!((queue.in_flight, queue.is_full), (4, true));
     // Four strokes of 1.3 s each.
     let ahead_s = queue.ahead.as_secs_f64();
     assert!((4.0..5.3).contains(&ahead_s), "{ahead_s}");

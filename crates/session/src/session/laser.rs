@@ -78,7 +78,7 @@ impl Session {
             return Vec::new();
         }
         self.laser.armed_until = None;
-        self.belief.forget_from_first(burns)
+        self.estimate.forget_from_first(burns)
     }
 
     /// Until when the laser may be lit; `None` while it is disarmed, `Duration::MAX` where it needs no
@@ -93,7 +93,7 @@ impl Session {
     /// had time to act.
     #[must_use]
     pub fn is_laser_on(&self) -> bool {
-        self.belief.is_lit()
+        self.estimate.is_lit()
     }
 
     /// When somebody told the arm last to switch the laser off; `None` where nobody did, or where
@@ -124,7 +124,7 @@ impl Session {
         }
     }
 
-    /// Takes note of whether the arm stands, before the belief takes the status.
+    /// Takes note of whether the arm stands, before the estimate takes the status.
     pub(super) fn see_laser(&mut self, status: &Status) {
         self.laser.stands = self.status == Some(*status);
         if !self.laser.stands {
@@ -168,7 +168,7 @@ impl Session {
 
     /// Whether the laser is to be off before this command, behind which the arm would pause with it.
     pub(super) fn parts_from_laser_first(&self, command: &Command) -> bool {
-        !self.laser.may_stand && self.belief.would_pause_lit(command)
+        !self.laser.may_stand && self.estimate.would_pause_lit(command)
     }
 
     /// Tells the arm to switch the laser off, beside all that waits. What waits leaves with a status
@@ -177,7 +177,7 @@ impl Session {
         let Ok(packet) = self.emit_now(&LASER_OFF) else {
             return;
         };
-        if self.laser.was_lit && self.belief.is_lit() {
+        if self.laser.was_lit && self.estimate.is_lit() {
             self.events.push_back(Event::LaserOff);
         }
         self.note_urgent(&LASER_OFF);
@@ -201,18 +201,18 @@ impl Session {
         if let Some(again) = self.laser.again {
             // A silent arm has no room for it, or does not hear it.
             let hears = self.heard + AGAIN > again;
-            return (hears && self.belief.waiting() == 0).then_some(again);
+            return (hears && self.estimate.waiting() == 0).then_some(again);
         }
         if !self.laser.was_lit {
             return None;
         }
-        let stands_from = self.belief.under_way().stands_from();
+        let stands_from = self.estimate.in_flight().stands_from();
         let foreseen = stands_from.and_then(|from| {
-            if self.belief.waiting() > 0 {
-                return self.belief.stays_lit().then_some(from + PERMIT_IN_TIME);
+            if self.estimate.waiting() > 0 {
+                return self.estimate.stays_lit().then_some(from + PERMIT_IN_TIME);
             }
             // It waits in the arm for the end of what burns.
-            let lead = if self.belief.stays_lit() {
+            let lead = if self.estimate.stays_lit() {
                 self.lead()
             } else {
                 Duration::ZERO
@@ -237,7 +237,7 @@ impl Session {
     /// Now, if the arm is seen to stand where it should move.
     fn seen_to_stand(&self) -> Option<Duration> {
         // Standing shows where it has moved before, or should have by now.
-        let since = self.belief.under_way().goes_on_since(self.now);
+        let since = self.estimate.in_flight().goes_on_since(self.now);
         let shows = self.meter.latency().unwrap_or(LATENCY) + self.meter.period();
         let stopped = self.laser.changed > since || self.now >= since + shows;
         (self.laser.stands && stopped).then_some(self.now)

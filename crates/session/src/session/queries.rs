@@ -36,13 +36,13 @@ impl Session {
     /// Commands that wait for a permit.
     #[must_use]
     pub fn waiting(&self) -> usize {
-        self.belief.waiting()
+        self.estimate.waiting()
     }
 
     /// Commands sent and not seen to be over.
     #[must_use]
-    pub fn under_way(&self) -> usize {
-        self.belief.under_way().asked_for()
+    pub fn in_flight(&self) -> usize {
+        self.estimate.in_flight().asked_for()
     }
 
     /// What the decoder has seen.
@@ -56,14 +56,14 @@ impl Session {
     /// has sent since. An arm whose dialect nobody has told is taken for one of the document.
     #[must_use]
     pub fn model(&self) -> Option<&Model> {
-        self.belief.after_given()
+        self.estimate.after_given()
     }
 
     /// The same arm at the place of the last status, with what it was told: to watch a jog that is
     /// held. `None` before the first status.
     #[must_use]
     pub fn seen_model(&self) -> Option<Model> {
-        let mut model = *self.belief.after_sent()?;
+        let mut model = *self.estimate.after_sent()?;
         model.seen(&self.status?);
         Some(model)
     }
@@ -76,7 +76,7 @@ impl Session {
     /// not jog does nothing with it.
     #[must_use]
     pub const fn release(&self) -> Option<Command> {
-        self.belief.release()
+        self.estimate.release()
     }
 
     /// Whether the arm moves or may still move: something is under way, or it jogs.
@@ -89,7 +89,7 @@ impl Session {
     /// leave with the axes that it has there.
     #[must_use]
     pub fn is_bluetooth(&self) -> bool {
-        self.scheme.is_bluetooth()
+        self.permit_scheme.is_bluetooth()
     }
 
     /// What a packet says, by the dialect and the port of the arm: what it would do there.
@@ -113,12 +113,12 @@ impl Session {
     /// What is on its way.
     #[must_use]
     pub fn queue(&self) -> Queue {
-        let under_way = self.under_way();
+        let in_flight = self.in_flight();
         let silent_for = self.now.saturating_sub(self.heard);
         Queue {
             waiting: self.waiting(),
-            under_way,
-            ahead: self.belief.under_way().ahead(self.now),
+            in_flight,
+            ahead: self.estimate.in_flight().ahead(self.now),
             is_full: self.may_be_full() && silent_for > self.meter.period() + LATE,
         }
     }
@@ -127,7 +127,7 @@ impl Session {
     /// the session was told of. A jog counts as over: it is so as soon as something follows it.
     #[must_use]
     pub fn ahead_s(&self) -> f64 {
-        self.belief.under_way().ahead(self.now).as_secs_f64()
+        self.estimate.in_flight().ahead(self.now).as_secs_f64()
     }
 
     /// Within what time the arm is at rest for sure if nothing more is sent, from the last time that
@@ -137,7 +137,7 @@ impl Session {
     /// began (opening the port of a stock arm resets it), on a line of 9600 baud or faster.
     #[must_use]
     pub fn rests_within(&self) -> Duration {
-        self.belief.rests_within(self.now)
+        self.estimate.rests_within(self.now)
     }
 
     /// Whether the pose that the arm tells can be believed. It is not from the start, since a reset

@@ -255,7 +255,7 @@ async fn a_reset_in_the_middle_of_a_drawing_is_noticed() {
         };
         assert!(forgotten > 20, "{personality}: {forgotten}");
         assert_eq!(connection.session().waiting(), 0);
-        assert_eq!(connection.session().under_way(), 0);
+        assert_eq!(connection.session().in_flight(), 0);
     }
 }
 

@@ -6,7 +6,7 @@ use dobot_motion::{Model, Trajectory};
 use dobot_wire::{Command, Dialect, Status};
 
 use crate::CommandId;
-use crate::belief::Belief;
+use crate::arm_estimate::ArmEstimate;
 use crate::completion::{Completion, Verdict};
 use crate::quality::UNSEEN;
 
@@ -16,20 +16,20 @@ use crate::quality::UNSEEN;
 /// ```
 /// use std::time::Duration;
 ///
-/// use dobot_session::Bystander;
+/// use dobot_session::Observer;
 /// use dobot_wire::{Dialect, MoveTo, Status};
 ///
-/// let mut bystander = Bystander::new(Dialect::SPECIFICATION);
-/// assert_eq!(bystander.handle_status(Duration::ZERO, &Status::AT_ZERO), []);
-/// bystander.handle_sent(Duration::ZERO, &MoveTo::to(200.0, 0.0, 20.0).into());
-/// let [way] = bystander.under_way().collect::<Vec<_>>()[..] else {
+/// let mut observer = Observer::new(Dialect::SPECIFICATION);
+/// assert_eq!(observer.handle_status(Duration::ZERO, &Status::AT_ZERO), []);
+/// observer.handle_sent(Duration::ZERO, &MoveTo::to(200.0, 0.0, 20.0).into());
+/// let [way] = observer.in_flight().collect::<Vec<_>>()[..] else {
 ///     panic!("one command was sent");
 /// };
 /// assert!((way.end().unwrap().pose.position.x.0 - 200.0).abs() < 1e-9);
 /// ```
 #[derive(Debug)]
-pub struct Bystander {
-    belief: Belief,
+pub struct Observer {
+    estimate: ArmEstimate,
     completion: Completion,
     sent: u64,
 }
@@ -43,12 +43,12 @@ pub struct SeenOver {
     pub way: Option<Trajectory>,
 }
 
-impl Bystander {
+impl Observer {
     /// One who has seen nothing yet of an arm that speaks `dialect`.
     #[must_use]
     pub fn new(dialect: Dialect) -> Self {
         Self {
-            belief: Belief::new(Some(&dialect)),
+            estimate: ArmEstimate::new(Some(&dialect)),
             completion: Completion::default(),
             sent: 0,
         }
@@ -56,11 +56,11 @@ impl Bystander {
 
     /// Takes a command that leaves for the arm. Before the first status nobody knows where it leads.
     pub fn handle_sent(&mut self, now: Duration, command: &Command) {
-        let plan = self.belief.plan(command);
-        self.belief.give(CommandId(self.sent), *command, plan);
+        let plan = self.estimate.plan(command);
+        self.estimate.give(CommandId(self.sent), *command, plan);
         self.sent += 1;
-        if let Some(given) = self.belief.take_next() {
-            self.belief.handle_sent(now, given);
+        if let Some(given) = self.estimate.take_next() {
+            self.estimate.handle_sent(now, given);
         }
     }
 
@@ -68,10 +68,10 @@ impl Bystander {
     pub fn handle_status(&mut self, now: Duration, status: &Status) -> Vec<SeenOver> {
         let mut seen = Vec::new();
         self.completion.handle_status(now, status);
-        while let Some(verdict) = self.completion.poll(now, UNSEEN, self.belief.under_way()) {
+        while let Some(verdict) = self.completion.poll(now, UNSEEN, self.estimate.in_flight()) {
             match verdict {
                 Verdict::Over(count) => {
-                    let over = (0..count).filter_map(|_| self.belief.handle_over(now));
+                    let over = (0..count).filter_map(|_| self.estimate.handle_over(now));
                     seen.extend(over.map(|it| SeenOver {
                         command: it.command,
                         way: it.plan.trajectory.ok(),
@@ -79,32 +79,32 @@ impl Bystander {
                 }
                 Verdict::Pauses => {}
                 Verdict::Missed(..) => {
-                    seen.extend(self.belief.handle_missed(now).map(|it| SeenOver {
+                    seen.extend(self.estimate.handle_missed(now).map(|it| SeenOver {
                         command: it.command,
                         way: None,
                     }));
                 }
             }
         }
-        self.belief.handle_status(now, status);
+        self.estimate.handle_status(now, status);
         seen
     }
 
     /// The ways of the commands that were sent and are not over, the oldest first, as far as they are known.
-    pub fn under_way(&self) -> impl Iterator<Item = &Trajectory> {
-        let plans = self.belief.under_way().iter();
+    pub fn in_flight(&self) -> impl Iterator<Item = &Trajectory> {
+        let plans = self.estimate.in_flight().iter();
         plans.filter_map(|it| it.plan.trajectory.as_ref().ok())
     }
 
     /// How many commands were sent and are not over.
     #[must_use]
     pub fn waiting_for(&self) -> usize {
-        self.belief.under_way().len()
+        self.estimate.in_flight().len()
     }
 
     /// What is believed of the arm when all that was sent is over; `None` before the first status.
     #[must_use]
     pub fn model(&self) -> Option<&Model> {
-        self.belief.after_sent()
+        self.estimate.after_sent()
     }
 }

@@ -7,19 +7,19 @@ use dobot_arm::Calibration;
 use dobot_motion::{ArmSettings, Button, Model};
 use dobot_wire::{Command, Dialect, MoveJoints, MoveTo, MovingMode, Status};
 
+use crate::in_flight::{InFlight, Sent};
 use crate::plan::Plan;
-use crate::under_way::{Sent, UnderWay};
 use crate::{CommandId, SendError};
 
 /// The arm as it is believed to be, and the commands that it and the session have.
 #[derive(Clone, Debug)]
-pub(crate) struct Belief {
+pub(crate) struct ArmEstimate {
     dialect: Dialect,
     /// How the arm differs from the drawing of it, before it is told its true angles.
     calibration: Calibration,
     /// After all that was seen to be over; there is none before the first status.
     over: Option<Model>,
-    under_way: UnderWay,
+    in_flight: InFlight,
     waiting: VecDeque<WaitingCommand>,
     /// What releases the button that was held last. It is kept when it has been sent, for it may get
     /// lost: to an arm at rest it says nothing.
@@ -47,14 +47,14 @@ impl WaitingCommand {
     }
 }
 
-impl Belief {
+impl ArmEstimate {
     /// An arm whose dialect nobody has told is taken for one of the document.
     pub(crate) fn new(dialect: Option<&Dialect>) -> Self {
         Self {
             dialect: dialect.copied().unwrap_or(Dialect::SPECIFICATION),
             calibration: Calibration::NONE,
             over: None,
-            under_way: UnderWay::default(),
+            in_flight: InFlight::default(),
             waiting: VecDeque::new(),
             release: None,
             jogs: false,
@@ -67,7 +67,7 @@ impl Belief {
     pub(crate) fn set_calibration(&mut self, calibration: Calibration) {
         let is_same_arm = calibration.is_same(&self.calibration);
         self.calibration = calibration;
-        for model in self.over.iter_mut().chain(self.under_way.models()) {
+        for model in self.over.iter_mut().chain(self.in_flight.models()) {
             // An arm that was told its angles still knows them where only the paper lies elsewhere.
             if is_same_arm {
                 model.calibration.table = calibration.table;
@@ -90,7 +90,7 @@ impl Belief {
             ArmSettings::stock(&dialect),
         );
         self.dialect = dialect;
-        for model in self.over.iter_mut().chain(self.under_way.models()) {
+        for model in self.over.iter_mut().chain(self.in_flight.models()) {
             model.dialect = dialect;
             if model.settings.jump_height == before.jump_height {
                 model.settings.jump_height = after.jump_height;
@@ -102,7 +102,7 @@ impl Belief {
     /// The arm turns out to serve its Bluetooth port.
     pub(crate) fn note_bluetooth(&mut self) {
         let mut is_news = false;
-        for model in self.over.iter_mut().chain(self.under_way.models()) {
+        for model in self.over.iter_mut().chain(self.in_flight.models()) {
             is_news |= !model.is_bluetooth;
             model.is_bluetooth = true;
         }
@@ -113,7 +113,7 @@ impl Belief {
 
     /// What is believed when all that was sent is over.
     pub(crate) fn after_sent(&self) -> Option<&Model> {
-        let last = self.under_way.last().map(|it| &it.plan.after);
+        let last = self.in_flight.last().map(|it| &it.plan.after);
         last.or(self.over.as_ref())
     }
 
@@ -123,8 +123,8 @@ impl Belief {
         last.map(|it| &it.after).or_else(|| self.after_sent())
     }
 
-    pub(crate) const fn under_way(&self) -> &UnderWay {
-        &self.under_way
+    pub(crate) const fn in_flight(&self) -> &InFlight {
+        &self.in_flight
     }
 
     /// How many commands wait.
@@ -134,14 +134,14 @@ impl Belief {
 
     /// Takes a status. An arm that rests with nothing under way is where it says.
     pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
-        while let Some(expired) = self.under_way.pop_expired(now) {
+        while let Some(expired) = self.in_flight.pop_expired(now) {
             self.over = Some(expired.plan.after);
         }
         self.stood =
-            self.last.replace(*status) == Some(*status) && now >= self.under_way.rests_from();
+            self.last.replace(*status) == Some(*status) && now >= self.in_flight.rests_from();
         match &mut self.over {
             None => self.over = Some(self.unknown(status)),
-            Some(model) if self.under_way.len() == 0 && !self.jogs && self.stood => {
+            Some(model) if self.in_flight.len() == 0 && !self.jogs && self.stood => {
                 let before = *model;
                 model.seen(status);
                 if *model == before {
@@ -234,7 +234,7 @@ impl Belief {
 
     /// Whether the laser may be on: it is, or something under way has it on.
     pub(crate) fn is_lit(&self) -> bool {
-        self.stays_lit() || self.under_way.is_lit()
+        self.stays_lit() || self.in_flight.is_lit()
     }
 
     /// Whether the laser is on when all that was sent is over.
@@ -256,7 +256,7 @@ impl Belief {
             let plan = given
                 .plan
                 .unwrap_or_else(|| Plan::new(&before, &given.command));
-            self.under_way
+            self.in_flight
                 .push(now, Some(given.id), given.command, plan, &before);
         }
     }
@@ -266,14 +266,14 @@ impl Belief {
         self.note_button(command);
         if let Some(before) = self.after_sent().copied() {
             let plan = Plan::new(&before, command);
-            self.under_way.push(now, None, *command, plan, &before);
+            self.in_flight.push(now, None, *command, plan, &before);
             self.plan_anew();
         }
     }
 
     /// The first command under way is over.
     pub(crate) fn handle_over(&mut self, now: Duration) -> Option<Sent> {
-        let over = self.under_way.pop(now)?;
+        let over = self.in_flight.pop(now)?;
         self.over = Some(over.plan.after);
         Some(over)
     }
@@ -283,7 +283,7 @@ impl Belief {
         let missed = self.handle_over(now)?;
         if let Some(model) = &mut self.over {
             model.lose_place();
-            self.under_way.plan_anew(*model);
+            self.in_flight.plan_anew(*model);
         }
         self.plan_anew();
         Some(missed)
@@ -292,9 +292,9 @@ impl Belief {
     /// The arm was reset: nothing that was told to it counts any more. Says how many commands that
     /// were asked for are forgotten.
     pub(crate) fn handle_reset(&mut self, status: &Status) -> usize {
-        let forgotten = self.waiting.len() + self.under_way.asked_for();
+        let forgotten = self.waiting.len() + self.in_flight.asked_for();
         self.waiting.clear();
-        self.under_way.clear();
+        self.in_flight.clear();
         self.release = None;
         self.jogs = false;
         self.over = Some(self.unknown(status));
@@ -303,7 +303,7 @@ impl Belief {
 
     /// Whether everything that could move was seen to be over.
     pub(crate) fn is_at_rest(&self) -> bool {
-        self.under_way.len() == 0 && !self.jogs
+        self.in_flight.len() == 0 && !self.jogs
     }
 
     /// Whether the statuses showed it at rest, too.
@@ -318,7 +318,7 @@ impl Belief {
 
     /// Whether the base stands at 0 behind something under way.
     pub(crate) fn comes_to_zero(&self) -> bool {
-        self.under_way.iter().any(|it| ends_ahead(&it.plan))
+        self.in_flight.iter().any(|it| ends_ahead(&it.plan))
     }
 
     /// Whether it would behind the command that is next.
@@ -338,7 +338,7 @@ impl Belief {
         } else {
             Duration::ZERO
         };
-        self.under_way.rests_within(now).unwrap_or(at_rest)
+        self.in_flight.rests_within(now).unwrap_or(at_rest)
     }
 
     /// Takes note of the button that a command presses, which leaves now.

@@ -1,4 +1,4 @@
-//! Which statuses permit a command: the two ports of a stock arm have a scheme each (notes N20 and
+//! Which statuses permit a command: the two ports of a stock arm have a permit scheme each (notes N20 and
 //! N38).
 
 use std::time::Duration;
@@ -9,7 +9,7 @@ use dobot_wire::{Frame, Status};
 
 /// Tells by the statuses which port of the arm this is.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Scheme {
+pub(crate) struct PermitScheme {
     port: Option<ServedPort>,
     /// When the last status came that was no message.
     plain: Option<Duration>,
@@ -36,7 +36,7 @@ pub(crate) struct ReceivedStatus {
     pub(crate) permits: bool,
 }
 
-impl Scheme {
+impl PermitScheme {
     /// Takes a status as it came.
     pub(crate) fn take(&mut self, now: Duration, status: Status) -> ReceivedStatus {
         if let Some(message) = status.message() {

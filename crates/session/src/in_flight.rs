@@ -11,7 +11,7 @@ use crate::plan::Plan;
 
 /// The commands sent and not seen to be over, oldest first.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct UnderWay {
+pub(crate) struct InFlight {
     all: VecDeque<Sent>,
     numbered: u64,
     /// When the last one sent is over, or should be.
@@ -52,7 +52,7 @@ impl Sent {
     }
 }
 
-impl UnderWay {
+impl InFlight {
     /// Takes a command that leaves now, behind which `before` is believed until then.
     pub(crate) fn push(
         &mut self,
