@@ -1,4 +1,4 @@
-//! What a session believes of its arm: the motion model after what was sent, and after what waits.
+//! The estimate of an arm: the motion model after the in-flight commands and after the waiting ones.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -11,44 +11,44 @@ use crate::in_flight::{InFlight, Sent};
 use crate::plan::Plan;
 use crate::{CommandId, SendError};
 
-/// The arm as it is believed to be, and the commands that it and the session have.
+/// The estimated state of the arm, and the commands that the arm and the session hold.
 #[derive(Clone, Debug)]
 pub(crate) struct ArmEstimate {
     dialect: Dialect,
-    /// How the arm differs from the drawing of it, before it is told its true angles.
+    /// How the arm differs from its nominal dimensions, before its initial angles are set.
     calibration: Calibration,
-    /// After all that was seen to be over; there is none before the first status.
+    /// The model after all ended commands; `None` before the first status.
     over: Option<Model>,
     in_flight: InFlight,
     waiting: VecDeque<WaitingCommand>,
-    /// What releases the button that was held last. It is kept when it has been sent, for it may get
-    /// lost: to an arm at rest it says nothing.
+    /// The release of the last pressed button. It is kept after it was sent, because it may get lost; an
+    /// arm at rest ignores it.
     release: Option<Command>,
-    /// That button was sent, and nothing behind it: the arm jogs, or will as soon as it hears that.
+    /// That button was the last command sent: the arm jogs, or will when it receives it.
     jogs: bool,
     last: Option<Status>,
-    /// The last two statuses are the same, and came when all that was sent should have been over.
+    /// The last two statuses are equal and arrived after everything sent should have ended.
     stood: bool,
 }
 
-/// A command that waits for its turn.
+/// A command that waits to be sent.
 #[derive(Clone, Debug)]
 pub(crate) struct WaitingCommand {
     pub(crate) id: CommandId,
     pub(crate) command: Command,
-    /// None before the first status.
+    /// `None` before the first status.
     plan: Option<Box<Plan>>,
 }
 
 impl WaitingCommand {
-    /// Why it must not be sent by now.
+    /// Why it must not be sent.
     pub(crate) fn trap(&self) -> Option<SendError> {
-        self.plan.as_ref().and_then(|it| it.trap())
+        self.plan.as_ref().and_then(|plan| plan.trap())
     }
 }
 
 impl ArmEstimate {
-    /// An arm whose dialect nobody has told is taken for one of the document.
+    /// Creates the estimate of an arm. An unknown dialect is assumed to be that of the specification.
     pub(crate) fn new(dialect: Option<&Dialect>) -> Self {
         Self {
             dialect: dialect.copied().unwrap_or(Dialect::SPECIFICATION),
@@ -63,27 +63,27 @@ impl ArmEstimate {
         }
     }
 
-    /// The arm turns out to differ from the drawing of it so.
+    /// Sets the calibration of the arm.
     pub(crate) fn set_calibration(&mut self, calibration: Calibration) {
         let is_same_arm = calibration.is_same(&self.calibration);
         self.calibration = calibration;
         for model in self.over.iter_mut().chain(self.in_flight.models()) {
-            // An arm that was told its angles still knows them where only the paper lies elsewhere.
+            // If only the paper moved, initial angles that were set remain valid.
             if is_same_arm {
                 model.calibration.table = calibration.table;
             } else {
                 model.calibration = calibration;
             }
         }
-        self.plan_anew();
+        self.replan();
     }
 
-    /// An arm of which nothing is known but its status.
+    /// The model of an arm of which only the status is known.
     fn unknown(&self, status: &Status) -> Model {
         Model::new(self.dialect, status).calibrated(self.calibration)
     }
 
-    /// The arm turns out to speak another dialect; what stands as at power-up stands as at its own.
+    /// Sets the detected dialect. Settings that still have their power-up value take that of the new dialect.
     pub(crate) fn set_dialect(&mut self, dialect: Dialect) {
         let (before, after) = (
             ArmSettings::stock(&self.dialect),
@@ -96,10 +96,10 @@ impl ArmEstimate {
                 model.settings.jump_height = after.jump_height;
             }
         }
-        self.plan_anew();
+        self.replan();
     }
 
-    /// The arm turns out to serve its Bluetooth port.
+    /// Notes that the arm uses its Bluetooth port.
     pub(crate) fn note_bluetooth(&mut self) {
         let mut is_news = false;
         for model in self.over.iter_mut().chain(self.in_flight.models()) {
@@ -107,38 +107,41 @@ impl ArmEstimate {
             model.is_bluetooth = true;
         }
         if is_news {
-            self.plan_anew();
+            self.replan();
         }
     }
 
-    /// What is believed when all that was sent is over.
+    /// The model after all in-flight commands.
     pub(crate) fn after_sent(&self) -> Option<&Model> {
-        let last = self.in_flight.last().map(|it| &it.plan.after);
+        let last = self.in_flight.last().map(|sent| &sent.plan.after);
         last.or(self.over.as_ref())
     }
 
-    /// What is believed when all that was given is over, what waits included.
-    pub(crate) fn after_given(&self) -> Option<&Model> {
-        let last = self.waiting.back().and_then(|it| it.plan.as_ref());
-        last.map(|it| &it.after).or_else(|| self.after_sent())
+    /// The model after all commands, waiting ones included.
+    pub(crate) fn after_all(&self) -> Option<&Model> {
+        let last = self
+            .waiting
+            .back()
+            .and_then(|command| command.plan.as_ref());
+        last.map(|plan| &plan.after).or_else(|| self.after_sent())
     }
 
     pub(crate) const fn in_flight(&self) -> &InFlight {
         &self.in_flight
     }
 
-    /// How many commands wait.
+    /// Number of waiting commands.
     pub(crate) fn waiting(&self) -> usize {
         self.waiting.len()
     }
 
-    /// Takes a status. An arm that rests with nothing under way is where it says.
+    /// Handles a status. An arm at rest without in-flight commands is where it reports to be.
     pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
         while let Some(expired) = self.in_flight.pop_expired(now) {
             self.over = Some(expired.plan.after);
         }
-        self.stood =
-            self.last.replace(*status) == Some(*status) && now >= self.in_flight.rests_from();
+        self.stood = self.last.replace(*status) == Some(*status)
+            && now >= self.in_flight.rest_visible_from();
         match &mut self.over {
             None => self.over = Some(self.unknown(status)),
             Some(model) if self.in_flight.len() == 0 && !self.jogs && self.stood => {
@@ -150,11 +153,11 @@ impl ArmEstimate {
             }
             Some(_) => return,
         }
-        self.plan_anew();
+        self.replan();
     }
 
-    /// Predicts anew what waits: what it begins from has changed.
-    fn plan_anew(&mut self) {
+    /// Predicts the waiting commands again, after their starting point has changed.
+    fn replan(&mut self) {
         let Some(mut model) = self.after_sent().copied() else {
             return;
         };
@@ -165,47 +168,47 @@ impl ArmEstimate {
         }
     }
 
-    /// Where a command leads behind all that was given; `None` before the first status.
+    /// Predicts a command that follows all others; `None` before the first status.
     pub(crate) fn plan(&self, command: &Command) -> Option<Box<Plan>> {
-        self.after_given().map(|model| Plan::new(model, command))
+        self.after_all().map(|model| Plan::new(model, command))
     }
 
-    /// Takes a command that waits behind all others, and where it leads.
-    pub(crate) fn give(&mut self, id: CommandId, command: Command, plan: Option<Box<Plan>>) {
+    /// Appends a waiting command with its prediction.
+    pub(crate) fn push(&mut self, id: CommandId, command: Command, plan: Option<Box<Plan>>) {
         self.waiting.push_back(WaitingCommand { id, command, plan });
     }
 
-    /// The next command to send.
-    pub(crate) fn take_next(&mut self) -> Option<WaitingCommand> {
+    /// Removes the next command to send.
+    pub(crate) fn pop_next(&mut self) -> Option<WaitingCommand> {
         self.waiting.pop_front()
     }
 
-    /// Forgets what waits; says which they were.
-    pub(crate) fn forget_waiting(&mut self) -> Vec<CommandId> {
-        self.waiting.drain(..).map(|it| it.id).collect()
+    /// Discards the waiting commands and returns their ids.
+    pub(crate) fn discard_waiting(&mut self) -> Vec<CommandId> {
+        self.waiting.drain(..).map(|command| command.id).collect()
     }
 
-    /// The same, to look at.
+    /// The next command to send.
     pub(crate) fn next(&self) -> Option<&WaitingCommand> {
         self.waiting.front()
     }
 
-    /// Whether the next command is a vector that burns, or one that does not, and how long it takes.
+    /// If the next command is a vector: whether it burns, and its duration.
     pub(crate) fn next_vector(&self) -> Option<(bool, Duration)> {
         let next = self.next()?;
         let is_vector = matches!(next.command, Command::WriteVector(_));
         let plan = next.plan.as_ref().filter(|_| is_vector)?;
-        let lit = plan.trajectory.is_ok_and(|it| it.laser());
+        let lit = plan.trajectory.is_ok_and(|trajectory| trajectory.laser());
         Some((lit, plan.motion))
     }
 
-    /// Whether the next command is a straight line that could have no length, for nobody knows yet where
-    /// the arm comes to rest (note N34).
+    /// Whether the next command is a straight line that may have no length, because it is not known yet
+    /// where the arm will stop (note N34).
     pub(crate) fn waits_for_place(&self) -> bool {
-        let unknown = self.after_sent().is_some_and(|it| !it.knows_place());
-        let is_line = |it: &WaitingCommand| {
+        let unknown = self.after_sent().is_some_and(|model| !model.knows_place());
+        let is_line = |waiting: &WaitingCommand| {
             matches!(
-                it.command,
+                waiting.command,
                 Command::MoveTo(MoveTo {
                     mode: MovingMode::MovL,
                     ..
@@ -219,37 +222,40 @@ impl ArmEstimate {
         self.dialect.loses_pose_on_the_spot && unknown && is_next && !self.jogs
     }
 
-    /// Forgets the first waiting command of a kind, and those behind it but for the release of a button;
-    /// says which they were.
-    pub(crate) fn forget_from_first(&mut self, kind: impl Fn(&Command) -> bool) -> Vec<CommandId> {
-        let first = self.waiting.iter().position(|it| kind(&it.command));
+    /// Discards the first waiting command of a kind and all after it, except releases of buttons. Returns
+    /// their ids.
+    pub(crate) fn discard_from_first(&mut self, kind: impl Fn(&Command) -> bool) -> Vec<CommandId> {
+        let first = self
+            .waiting
+            .iter()
+            .position(|waiting| kind(&waiting.command));
         let from_first = self.waiting.split_off(first.unwrap_or(self.waiting.len()));
         let (releases, others): (Vec<_>, Vec<_>) = from_first
             .into_iter()
-            .partition(|it| Button::of(&it.command) == Some(Button::Released));
+            .partition(|waiting| Button::of(&waiting.command) == Some(Button::Released));
         self.waiting.extend(releases);
-        self.plan_anew();
-        others.into_iter().map(|it| it.id).collect()
+        self.replan();
+        others.into_iter().map(|waiting| waiting.id).collect()
     }
 
-    /// Whether the laser may be on: it is, or something under way has it on.
+    /// Whether the laser may be on now or during an in-flight command.
     pub(crate) fn is_lit(&self) -> bool {
         self.stays_lit() || self.in_flight.is_lit()
     }
 
-    /// Whether the laser is on when all that was sent is over.
+    /// Whether the laser is on after all in-flight commands.
     pub(crate) fn stays_lit(&self) -> bool {
-        self.after_sent().is_some_and(|it| it.laser)
+        self.after_sent().is_some_and(|model| model.laser)
     }
 
-    /// Whether the arm would pause with the laser on if it got this command now.
+    /// Whether the arm would pause with the laser on if this command were sent now.
     pub(crate) fn would_pause_lit(&self, command: &Command) -> bool {
-        let lit = self.after_sent().filter(|it| it.laser);
-        let trajectory = lit.and_then(|it| it.trajectory(command).ok());
-        trajectory.is_some_and(|it| it.pause_s() > 0.0)
+        let lit = self.after_sent().filter(|model| model.laser);
+        let trajectory = lit.and_then(|model| model.trajectory(command).ok());
+        trajectory.is_some_and(|trajectory| trajectory.pause_s() > 0.0)
     }
 
-    /// Takes the one that was next and leaves now.
+    /// Handles that a waiting command is sent.
     pub(crate) fn handle_sent(&mut self, now: Duration, given: WaitingCommand) {
         self.note_button(&given.command);
         if let Some(before) = self.after_sent().copied() {
@@ -261,78 +267,81 @@ impl ArmEstimate {
         }
     }
 
-    /// Takes one that leaves now, before all that waits and beside the session.
+    /// Handles that an urgent command is sent, ahead of the waiting ones.
     pub(crate) fn handle_urgent(&mut self, now: Duration, command: &Command) {
         self.note_button(command);
         if let Some(before) = self.after_sent().copied() {
             let plan = Plan::new(&before, command);
             self.in_flight.push(now, None, *command, plan, &before);
-            self.plan_anew();
+            self.replan();
         }
     }
 
-    /// The first command under way is over.
+    /// Handles the end of the first in-flight command.
     pub(crate) fn handle_over(&mut self, now: Duration) -> Option<Sent> {
         let over = self.in_flight.pop(now)?;
         self.over = Some(over.plan.after);
         Some(over)
     }
 
-    /// It ended elsewhere: nobody knows where the arm is, until it is seen at rest.
+    /// Handles that the first in-flight command missed its target: the place of the arm is unknown until it
+    /// is seen at rest.
     pub(crate) fn handle_missed(&mut self, now: Duration) -> Option<Sent> {
         let missed = self.handle_over(now)?;
         if let Some(model) = &mut self.over {
             model.lose_place();
-            self.in_flight.plan_anew(*model);
+            self.in_flight.replan(*model);
         }
-        self.plan_anew();
+        self.replan();
         Some(missed)
     }
 
-    /// The arm was reset: nothing that was told to it counts any more. Says how many commands that
-    /// were asked for are forgotten.
+    /// Handles a reset of the arm. Returns the number of awaited commands that are lost.
     pub(crate) fn handle_reset(&mut self, status: &Status) -> usize {
-        let forgotten = self.waiting.len() + self.in_flight.asked_for();
+        let lost = self.waiting.len() + self.in_flight.awaited();
         self.waiting.clear();
         self.in_flight.clear();
         self.release = None;
         self.jogs = false;
         self.over = Some(self.unknown(status));
-        forgotten
+        lost
     }
 
-    /// Whether everything that could move was seen to be over.
+    /// Whether no motion is in flight.
     pub(crate) fn is_at_rest(&self) -> bool {
         self.in_flight.len() == 0 && !self.jogs
     }
 
-    /// Whether the statuses showed it at rest, too.
+    /// Whether, in addition, the statuses showed the arm at rest.
     pub(crate) fn was_seen_at_rest(&self) -> bool {
         self.is_at_rest() && self.stood
     }
 
-    /// What releases the button that was held last; `None` where none was.
+    /// The release of the last pressed button; `None` if none was pressed.
     pub(crate) const fn release(&self) -> Option<Command> {
         self.release
     }
 
-    /// Whether the base stands at 0 behind something under way.
+    /// Whether the base is at 0 after an in-flight command.
     pub(crate) fn comes_to_zero(&self) -> bool {
-        self.in_flight.iter().any(|it| ends_ahead(&it.plan))
+        self.in_flight.iter().any(|sent| ends_ahead(&sent.plan))
     }
 
-    /// Whether it would behind the command that is next.
+    /// Whether the base would be at 0 after the next command.
     pub(crate) fn would_come_to_zero(&self) -> bool {
-        let next = self.waiting.front().and_then(|it| it.plan.as_ref());
-        next.is_some_and(|it| ends_ahead(it))
+        let next = self
+            .waiting
+            .front()
+            .and_then(|waiting| waiting.plan.as_ref());
+        next.is_some_and(|plan| ends_ahead(plan))
     }
 
-    /// By when the arm is at rest, if nothing more is sent; `Duration::MAX` while it jogs.
+    /// Latest time until the arm is at rest if nothing more is sent; `Duration::MAX` during a jog.
     pub(crate) fn rests_within(&self, now: Duration) -> Duration {
         if self.jogs {
             return Duration::MAX;
         }
-        let unknown = self.over.is_some_and(|it| !it.knows_place());
+        let unknown = self.over.is_some_and(|model| !model.knows_place());
         let at_rest = if unknown {
             Duration::MAX
         } else {
@@ -341,7 +350,7 @@ impl ArmEstimate {
         self.in_flight.rests_within(now).unwrap_or(at_rest)
     }
 
-    /// Takes note of the button that a command presses, which leaves now.
+    /// Records the button that a sent command presses.
     fn note_button(&mut self, command: &Command) {
         let release = Button::release_of(command);
         self.jogs = release.is_some();
@@ -349,10 +358,10 @@ impl ArmEstimate {
     }
 }
 
-/// Whether the base stands at 0 where a command leads.
+/// Whether the base is at 0 at the end of a plan.
 fn ends_ahead(plan: &Plan) -> bool {
-    let end = plan.trajectory.ok().and_then(|it| it.end());
-    end.is_some_and(|it| it.joints.base.abs().0 < AHEAD_DEG)
+    let end = plan.trajectory.ok().and_then(|trajectory| trajectory.end());
+    end.is_some_and(|end| end.joints.base.abs().0 < AHEAD_DEG)
 }
 
 const AHEAD_DEG: f64 = 0.001;

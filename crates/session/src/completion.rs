@@ -163,7 +163,7 @@ impl Completion {
         if !seen.rests() {
             return look.timed_out(first);
         }
-        if sent.plan.aim.is_none() {
+        if sent.plan.target.is_none() {
             let came = seen.since > first.since && now >= sent.at + look.answer;
             return (came || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
         }
@@ -197,7 +197,7 @@ impl Completion {
     fn idle(&self, look: &Evidence, first: &First, index: usize) -> Option<Duration> {
         let mut pauses = look.waits(first);
         for sent in look.in_flight.iter().take(index) {
-            let here = sent.plan.aim.is_none() || sent.plan.is_near(&look.seen.status);
+            let here = sent.plan.target.is_none() || sent.plan.is_near(&look.seen.status);
             if here || sent.plan.trajectory.is_err() {
                 pauses += sent.plan.pause;
             }
@@ -233,7 +233,7 @@ impl Completion {
         } else {
             NotReached::Stalled
         };
-        Some(Verdict::Missed(reason, plan.aim?))
+        Some(Verdict::Missed(reason, plan.target?))
     }
 }
 
@@ -312,7 +312,7 @@ impl Evidence<'_> {
     /// have been seen.
     fn timed_out(&self, first: &First) -> Option<Verdict> {
         let waited = self.now.saturating_sub(first.since);
-        let expected = self.sent.plan.aim?;
+        let expected = self.sent.plan.target?;
         (waited > self.in_flight.longest_silence().saturating_add(PATIENCE))
             .then_some(Verdict::Missed(NotReached::TimedOut, expected))
     }

@@ -43,9 +43,9 @@ mod plan;
 mod ports;
 mod quality;
 mod queue;
+mod reset_detector;
 mod send_error;
 mod session;
-mod trust;
 
 pub use address::{Address, AddressError, DEFAULT_BAUD};
 #[cfg(feature = "io")]
@@ -67,6 +67,6 @@ pub use plan::position;
 pub use ports::{Port, Usb, ports};
 pub use quality::LinkQuality;
 pub use queue::Queue;
+pub use reset_detector::ResetEvidence;
 pub use send_error::SendError;
 pub use session::{CommandId, Session};
-pub use trust::ResetEvidence;

@@ -16,8 +16,8 @@ use crate::completion::{Completion, Verdict};
 use crate::permit_scheme::{PermitScheme, ReceivedStatus, plausible};
 use crate::plan::{Plan, position};
 use crate::quality::Meter;
+use crate::reset_detector::{DEAF, ResetDetector};
 use crate::send_error::moves;
-use crate::trust::{DEAF, ResetDetector};
 use crate::{Disarmed, Event, SendError};
 
 /// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
@@ -162,7 +162,7 @@ impl Session {
         let id = CommandId(self.next_id);
         self.next_id += 1;
         self.trust.handle_given(&command);
-        self.estimate.give(id, command, plan);
+        self.estimate.push(id, command, plan);
         self.dispatch();
         Ok(id)
     }
@@ -212,7 +212,7 @@ impl Session {
 
     /// Forgets the commands that have not been sent yet; says which they were.
     pub fn forget_waiting(&mut self) -> Vec<CommandId> {
-        self.estimate.forget_waiting()
+        self.estimate.discard_waiting()
     }
 
     /// The packet of a command that the caller sends itself, at once and beside all others; the
@@ -372,13 +372,13 @@ impl Session {
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
-        let heard = self.permit_scheme.take(now, status);
+        let heard = self.permit_scheme.classify(now, status);
         let had_room = self.is_bluetooth() || !self.may_be_full();
         self.heard = now;
         self.lost = false;
         self.opened = false;
         self.meter.handle_status(now, &heard, had_room);
-        if heard.tells {
+        if heard.is_regular {
             self.note_status(now, &heard);
         }
         // Statuses that come in a heap, with less than half a period between them, were kept
@@ -508,12 +508,12 @@ impl Session {
             return;
         }
         if let Some(reason) = next.trap() {
-            for command in self.estimate.forget_from_first(|_| true) {
+            for command in self.estimate.discard_from_first(|_| true) {
                 self.events.push_back(Event::NotSent { command, reason });
             }
             return;
         }
-        let Some(mut given) = self.estimate.take_next() else {
+        let Some(mut given) = self.estimate.pop_next() else {
             return;
         };
         given.command = self.of_its_kind(given.command);
@@ -541,7 +541,7 @@ impl Session {
         let silent = self
             .estimate
             .in_flight()
-            .leaves_within(QUEUE_STALLS_AT - 1, self.now);
+            .drains_within(QUEUE_STALLS_AT - 1, self.now);
         self.may_be_full()
             && silent + not_yet_deaf >= DEAF
             && (self.estimate.comes_to_zero() || self.estimate.would_come_to_zero())

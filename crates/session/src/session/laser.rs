@@ -78,7 +78,7 @@ impl Session {
             return Vec::new();
         }
         self.laser.armed_until = None;
-        self.estimate.forget_from_first(burns)
+        self.estimate.discard_from_first(burns)
     }
 
     /// Until when the laser may be lit; `None` while it is disarmed, `Duration::MAX` where it needs no
@@ -206,8 +206,8 @@ impl Session {
         if !self.laser.was_lit {
             return None;
         }
-        let stands_from = self.estimate.in_flight().stands_from();
-        let foreseen = stands_from.and_then(|from| {
+        let stops_at = self.estimate.in_flight().stops_at();
+        let foreseen = stops_at.and_then(|from| {
             if self.estimate.waiting() > 0 {
                 return self.estimate.stays_lit().then_some(from + PERMIT_IN_TIME);
             }
@@ -237,7 +237,7 @@ impl Session {
     /// Now, if the arm is seen to stand where it should move.
     fn seen_to_stand(&self) -> Option<Duration> {
         // Standing shows where it has moved before, or should have by now.
-        let since = self.estimate.in_flight().goes_on_since(self.now);
+        let since = self.estimate.in_flight().running_since(self.now);
         let shows = self.meter.latency().unwrap_or(LATENCY) + self.meter.period();
         let stopped = self.laser.changed > since || self.now >= since + shows;
         (self.laser.stands && stopped).then_some(self.now)

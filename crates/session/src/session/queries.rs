@@ -42,7 +42,7 @@ impl Session {
     /// Commands sent and not seen to be over.
     #[must_use]
     pub fn in_flight(&self) -> usize {
-        self.estimate.in_flight().asked_for()
+        self.estimate.in_flight().awaited()
     }
 
     /// What the decoder has seen.
@@ -56,7 +56,7 @@ impl Session {
     /// has sent since. An arm whose dialect nobody has told is taken for one of the document.
     #[must_use]
     pub fn model(&self) -> Option<&Model> {
-        self.estimate.after_given()
+        self.estimate.after_all()
     }
 
     /// The same arm at the place of the last status, with what it was told: to watch a jog that is
