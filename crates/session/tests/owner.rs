@@ -86,7 +86,7 @@ fn what_waits_is_forgotten_by_its_names() {
         .map(|y| session.send(stroke(y)).expect("it is allowed"))
         .into();
     tell(&mut session, PERIOD);
-    assert_eq!(session.forget_waiting(), ids[1..]);
+    assert_eq!(session.discard_waiting(), ids[1..]);
 }
 
 #[test]

@@ -71,7 +71,7 @@ async fn stopped(
     while connection.now() < after {
         next(&mut connection).await;
     }
-    connection.session_mut().forget_waiting();
+    connection.session_mut().discard_waiting();
     let promised = connection.session().rests_within();
     let stopped = connection.now();
     let mut moved = stopped;

@@ -312,7 +312,7 @@ impl Supervisor {
 
     /// Forgets the commands that have not been sent; says which they were.
     pub(super) fn drop_waiting(&mut self, why: &str) -> Vec<CommandId> {
-        let forgotten = self.arm.session_mut().forget_waiting();
+        let forgotten = self.arm.session_mut().discard_waiting();
         for id in &forgotten {
             self.command_forgotten(*id, why);
         }
