@@ -418,7 +418,7 @@ impl Session {
             forgotten: lost,
         });
         self.lose_laser(Disarmed::Reset);
-        self.laser.handle_reset()();
+        self.laser.handle_reset();
         true
     }
 
