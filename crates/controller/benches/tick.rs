@@ -71,7 +71,7 @@ fn linear_jog(bencher: Bencher, personality: Personality) {
 
 /// Measures the ticks that follow the first `from`.
 fn bench(bencher: Bencher, personality: Personality, command: Option<Command>, from: u32) {
-    let mut last = under_way(personality, command, from);
+    let mut last = in_flight(personality, command, from);
     tick(&mut last, from);
     let end = TICK * (from + TICKS);
     assert_eq!(
@@ -81,12 +81,12 @@ fn bench(bencher: Bencher, personality: Personality, command: Option<Command>, f
     );
     bencher
         .counter(ItemsCount::new(TICKS))
-        .with_inputs(|| under_way(personality, command, from))
+        .with_inputs(|| in_flight(personality, command, from))
         .bench_local_refs(|controller| tick(controller, from));
 }
 
 /// A controller that has begun what it was told.
-fn under_way(personality: Personality, command: Option<Command>, until: u32) -> Controller {
+fn in_flight(personality: Personality, command: Option<Command>, until: u32) -> Controller {
     let mut controller = Controller::power_up(PowerUp::new(personality));
     for (command, ticks) in [Some(SLOWLY), command].into_iter().flatten().zip(0..) {
         let packet = command.emit(&personality.dialect());

@@ -36,7 +36,7 @@ use self::outcome::{Progress, TickOutcome};
 use self::printer::Printer;
 use self::receiver::{Received, Receiver, VOICE_HEADER};
 use self::settings::StockSettings;
-use self::spoken::{Spoken, SpokenWords, UnderWay};
+use self::spoken::{InFlight, Spoken, SpokenWords};
 use self::target::Travel;
 use self::work::Work;
 use self::write::Write;
@@ -364,12 +364,12 @@ impl Firmware {
             ),
             WRITE => self.write.tick(frame, is_over, settings, body),
             VOICE => {
-                let under_way = UnderWay {
+                let in_flight = InFlight {
                     way: travel.going(),
                     text: self.receiver.begun() == Some(VOICE_HEADER),
                     fetched: in_force.is_new,
                 };
-                self.spoken.tick(is_over, under_way, settings, line, body)
+                self.spoken.tick(is_over, in_flight, settings, line, body)
             }
             TARGET_JOINTS => travel.tick(
                 target::TargetKind::Joints,

@@ -6,7 +6,7 @@ use std::time::Duration;
 use dobot_arm::{Position, Tool};
 use dobot_model::MountedTool;
 use dobot_motion::Model;
-use dobot_session::Bystander;
+use dobot_session::Observer;
 use dobot_wire::{Command, Dialect, Status};
 use serde_json::{Value, json};
 
@@ -20,7 +20,7 @@ use crate::topic::{INK, TARGET};
 #[derive(Debug, Default)]
 pub(crate) struct Scene {
     frames: Frames,
-    bystander: Option<Bystander>,
+    observer: Option<Observer>,
     /// Below which height of the tool a pen draws now.
     pen_below_mm: Option<f64>,
     /// The same when each of the commands was sent that are not over.
@@ -34,7 +34,7 @@ pub(crate) struct Scene {
 impl Scene {
     /// From here on it may be another arm.
     pub(crate) fn set_dialect(&mut self, dialect: Option<Dialect>) {
-        self.bystander = dialect.map(Bystander::new);
+        self.observer = dialect.map(Observer::new);
         self.sent_below_mm.clear();
         self.ink.end_line();
         self.target.note_change();
@@ -52,22 +52,22 @@ impl Scene {
 
     /// Takes a command that leaves for the arm.
     pub(crate) fn handle_sent(&mut self, at: Duration, command: &Command) {
-        let Some(bystander) = &mut self.bystander else {
+        let Some(observer) = &mut self.observer else {
             return;
         };
-        bystander.handle_sent(at, command);
+        observer.handle_sent(at, command);
         self.sent_below_mm
-            .resize(bystander.waiting_for(), self.pen_below_mm);
+            .resize(observer.waiting_for(), self.pen_below_mm);
         self.target.note_change();
     }
 
     /// Takes a status.
     pub(crate) fn handle_status(&mut self, at: Duration, status: &Status) {
-        let Some(bystander) = &mut self.bystander else {
+        let Some(observer) = &mut self.observer else {
             self.tool = Model::new(Dialect::SPECIFICATION, status).tool;
             return;
         };
-        for over in bystander.handle_status(at, status) {
+        for over in observer.handle_status(at, status) {
             let below_mm = self.sent_below_mm.pop_front().flatten();
             let is_vector = matches!(over.command, Command::WriteVector(_));
             match over.way {
@@ -77,7 +77,7 @@ impl Scene {
             self.target.note_change();
         }
         self.ink.handle_time(at);
-        self.tool = bystander.model().map_or(self.tool, |it| it.tool);
+        self.tool = observer.model().map_or(self.tool, |it| it.tool);
     }
 
     /// What is news by now: each a topic and its message.
@@ -87,7 +87,7 @@ impl Scene {
         time: &Value,
     ) -> impl Iterator<Item = (&'static str, Value)> + use<> {
         let tip_mm = self.frames.length_mm(self.tool);
-        let ways = self.bystander.iter().flat_map(Bystander::under_way);
+        let ways = self.observer.iter().flat_map(Observer::in_flight);
         let target = self.target.poll(at, time, ways, tip_mm);
         let ink = self.ink.poll(time, tip_mm);
         let target = target.map(|it| (TARGET, it));

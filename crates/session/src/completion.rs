@@ -1,11 +1,13 @@
-//! When a command is over: the protocol has no "done", so it is read off the statuses.
+//! Detects the end of commands. The protocol has no "done", so the statuses are the evidence.
 //!
-//! Nothing here needs a clock on the other side, nor how long a motion takes. A status lies on the
-//! straight way of one of the commands under way: all before that one are over. The arm came to rest
-//! where one of them ends: that one is over when its pause is. The arm rests, and would have been
-//! seen to begin by now whatever it was sent: all that is over, there or elsewhere. And a status comes
-//! only while the arm's queue has room, so that no more commands can be under way than fit before
-//! that (note N20).
+//! This needs neither the arm's clock nor the duration of a motion:
+//!
+//! - A status on the straight path of an in-flight command: all earlier commands have ended.
+//! - The arm comes to rest at the end of a command: it has ended when its pause has.
+//! - The arm rests although the start of any command would be visible by now: all have ended, at their
+//!   targets or elsewhere.
+//! - A status arrives: the arm's queue has room, so at most as many commands are in flight as fit into
+//!   the rest of it (note N20).
 
 mod geometry;
 
@@ -16,72 +18,72 @@ use dobot_wire::Status;
 
 use self::geometry::{beside, is_at_limit};
 use crate::NotReached;
+use crate::in_flight::{InFlight, Sent};
 use crate::plan::{ARRIVED_MM, position};
-use crate::under_way::{Sent, UnderWay};
 
-/// Watches the statuses for what is over.
+/// Detects from the statuses which commands have ended.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Completion {
     seen: Option<Steady>,
     first: Option<First>,
-    /// When a command was last seen to be over.
+    /// When the end of a command was last detected.
     freed: Duration,
-    /// Up to then what is over explains why the arm rests.
+    /// Until when the ended commands explain that the arm rests.
     busy_until: Duration,
 }
 
-/// The last status, and since when all its values are the same.
+/// The last status and when its values last changed.
 #[derive(Clone, Copy, Debug)]
 struct Steady {
     status: Status,
     heard: Duration,
     since: Duration,
-    /// How many statuses in a row said the same.
+    /// Number of equal statuses in a row.
     repeats: u32,
 }
 
-/// What is known of the command that is the first under way.
+/// What is known about the first in-flight command.
 #[derive(Clone, Copy, Debug)]
 struct First {
     number: u64,
-    /// Since when it is the first.
+    /// When it became the first.
     since: Duration,
-    /// What the arm told then, and whether it rested.
+    /// The status at that time, and whether the arm rested.
     status: Status,
     rested: bool,
-    /// How far along its straight way the arm was seen, so that it never goes back on it.
+    /// Progress along its straight path, in mm; it never decreases.
     progress_mm: f64,
-    /// When the arm came to rest where it ends.
+    /// When the arm came to rest at its end.
     arrived: Option<Duration>,
-    told: bool,
+    reported: bool,
 }
 
-/// What the statuses say.
+/// A conclusion from the statuses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
-    /// So many of the first are over.
+    /// This number of commands have ended, from the first.
     Over(usize),
-    /// The arm pauses behind the first one.
+    /// The arm pauses after the first command.
     Pauses,
-    /// The first one is over or given up, and the arm is elsewhere than it leads.
+    /// The first command has ended or was abandoned, and the arm is not at its target.
     Missed(NotReached, Position),
 }
 
-/// What there is to judge by.
+/// The evidence for a verdict.
 #[derive(Clone, Copy)]
 struct Evidence<'a> {
     now: Duration,
     answer: Duration,
     seen: Steady,
     sent: &'a Sent,
-    under_way: &'a UnderWay,
+    in_flight: &'a InFlight,
 }
 
 impl Completion {
-    /// Takes a status.
+    /// Handles a status.
     pub(crate) fn handle_status(&mut self, now: Duration, status: &Status) {
-        // What was between two statuses that are far apart nobody knows.
-        let same = |it: &Steady| it.status == *status && now.saturating_sub(it.heard) <= GAP;
+        // Between two statuses that are far apart, anything may have happened.
+        let same = |last: &Steady| last.status == *status && now.saturating_sub(last.heard) <= GAP;
         self.seen = Some(match self.seen.filter(same) {
             Some(seen) => Steady {
                 heard: now,
@@ -97,24 +99,23 @@ impl Completion {
         });
     }
 
-    /// What the last status says of the commands under way: to be asked again when that was obeyed,
-    /// until it says nothing more. `answer` is how long it takes at the most until a status shows
-    /// what was sent.
+    /// Returns the next conclusion from the last status. The caller applies it and polls again until
+    /// `None`. `answer` is the longest time until a status shows a sent command.
     pub(crate) fn poll(
         &mut self,
         now: Duration,
         answer: Duration,
-        under_way: &UnderWay,
+        in_flight: &InFlight,
     ) -> Option<Verdict> {
-        let (seen, sent) = (self.seen?, under_way.first()?);
+        let (seen, sent) = (self.seen?, in_flight.first()?);
         let look = Evidence {
             now,
             answer,
             seen,
             sent,
-            under_way,
+            in_flight,
         };
-        let known = self.first.filter(|it| it.number == sent.number);
+        let known = self.first.filter(|first| first.number == sent.number);
         let mut first = known.unwrap_or_else(|| First::new(sent, self.freed.max(sent.at), &seen));
         let (over, next) = look.passed(&first);
         if over > 0 {
@@ -126,7 +127,7 @@ impl Completion {
         self.first = Some(first);
         match verdict {
             Some(Verdict::Over(over)) => {
-                let next = under_way.get(over);
+                let next = in_flight.get(over);
                 self.finish(now, next.map(|next| First::new(next, now, &seen)));
             }
             Some(Verdict::Missed(..)) => {
@@ -143,7 +144,7 @@ impl Completion {
         self.first = next;
     }
 
-    /// What is to be said of the first command, if no later one says that it is over.
+    /// Judges the first command, if no later command shows that it has ended.
     fn judge(&mut self, look: &Evidence, first: &mut First) -> Option<Verdict> {
         let (now, sent, seen) = (look.now, look.sent, &look.seen);
         if sent.plan.is_still() || sent.plan.is_endless() {
@@ -154,7 +155,7 @@ impl Completion {
         let idle = self.idle(look, first, 0)?;
         if first.arrived.is_none() && seen.rests() && now >= idle && sent.plan.is_near(&seen.status)
         {
-            // It led to where the arm was, or came back there between two statuses.
+            // It ended where the arm already was, or returned there between two statuses.
             first.arrived = Some(idle);
         }
         if let Some(arrived) = first.arrived {
@@ -163,15 +164,14 @@ impl Completion {
         if !seen.rests() {
             return look.timed_out(first);
         }
-        if sent.plan.aim.is_none() {
+        if sent.plan.target.is_none() {
             let came = seen.since > first.since && now >= sent.at + look.answer;
             return (came || now >= idle + sent.plan.pause).then_some(Verdict::Over(1));
         }
         self.missed(look, first)
     }
 
-    /// What is to be said of a command where it ends: it is over when its pause is, or when the arm
-    /// goes on.
+    /// Judges a command after arrival: it ends with its pause, or when the arm moves on.
     fn arrived(
         &mut self,
         look: &Evidence,
@@ -185,47 +185,48 @@ impl Completion {
             }
             return Some(Verdict::Over(1));
         }
-        if plan.pause < TOLD || first.told {
+        if plan.pause < LONG_PAUSE || first.reported {
             return None;
         }
-        first.told = true;
+        first.reported = true;
         Some(Verdict::Pauses)
     }
 
-    /// From when on the arm is surely idle, if it has not moved till then, and got the command of this
-    /// index and all before: no pause explains that, and another command would show.
+    /// From when on the arm is certainly idle if it has not moved and has received the commands up to
+    /// `index`: no pause explains the rest, and a command would be visible.
     fn idle(&self, look: &Evidence, first: &First, index: usize) -> Option<Duration> {
         let mut pauses = look.waits(first);
-        for sent in look.under_way.iter().take(index) {
-            let here = sent.plan.aim.is_none() || sent.plan.is_near(&look.seen.status);
+        for sent in look.in_flight.iter().take(index) {
+            let here = sent.plan.target.is_none() || sent.plan.is_near(&look.seen.status);
             if here || sent.plan.trajectory.is_err() {
                 pauses += sent.plan.pause;
             }
         }
-        let later = look.under_way.iter().take(index + 1).skip(1);
-        pauses += later.map(|it| it.waits).sum();
-        let sent = look.under_way.get(index)?;
+        let later = look.in_flight.iter().take(index + 1).skip(1);
+        pauses += later.map(|sent| sent.waits).sum();
+        let sent = look.in_flight.get(index)?;
         let rests_since = look.seen.since.max(self.busy_until).max(sent.at);
         Some(rests_since + pauses + look.answer)
     }
 
-    /// An arm that rests elsewhere has passed the end of the first command unseen, or gave it up.
-    /// Statuses that come in a heap, after the computer stood still, tell of a time before.
+    /// Judges an arm that rests elsewhere: it passed the end of the first command unseen, or abandoned it.
+    /// Statuses that arrive together, after the computer was suspended, are old.
     fn missed(&self, look: &Evidence, first: &First) -> Option<Verdict> {
         let (seen, plan) = (&look.seen, &look.sent.plan);
-        let mut ends = look.under_way.iter();
-        let leads_here = |it: &Sent| it.plan.is_near(&seen.status) || it.plan.jogs_by(&seen.status);
-        if let Some(later) = ends.position(leads_here) {
+        let mut ends = look.in_flight.iter();
+        let ends_here =
+            |sent: &Sent| sent.plan.is_near(&seen.status) || sent.plan.jogs_by(&seen.status);
+        if let Some(later) = ends.position(ends_here) {
             let idle = self.idle(look, first, later)?;
             return (look.now >= idle).then_some(Verdict::Over(later));
         }
-        // One that is refused or cut short may pause wherever the arm is.
+        // A command that is refused or cut short can pause anywhere.
         let mut idle = self.idle(look, first, 0)?;
         if plan.trajectory.is_err() {
             idle += plan.pause;
         }
         let waited = look.now.saturating_sub(look.sent.at.max(first.since));
-        if seen.repeats < GIVEN_UP || waited < GIVEN_UP_AFTER || look.now < idle {
+        if seen.repeats < ABANDONED || waited < ABANDONED_AFTER || look.now < idle {
             return None;
         }
         let reason = if plan.leaves_limits() || is_at_limit(&seen.status, plan.after.tool) {
@@ -233,23 +234,23 @@ impl Completion {
         } else {
             NotReached::Stalled
         };
-        Some(Verdict::Missed(reason, plan.aim?))
+        Some(Verdict::Missed(reason, plan.target?))
     }
 }
 
 impl Evidence<'_> {
-    /// How many commands are over because a later one goes on or has ended, and what is known of the
-    /// one behind them.
+    /// Number of commands that have ended because a later one runs or has ended, and what is known about the
+    /// next one.
     fn passed(&self, first: &First) -> (usize, Option<First>) {
         let (on_trajectory, progress_mm) = self.on_trajectory(first);
-        let arrived_at = self.seen.came_to(self.answer, first, self.under_way);
+        let arrived_at = self.seen.came_to(self.answer, first, self.in_flight);
         let over = on_trajectory
             .max(self.beyond_room())
             .max(arrived_at.unwrap_or(0));
         let arrived = (arrived_at == Some(over)).then_some(self.seen.since);
         let next = if over == 0 {
             *first
-        } else if let Some(next) = self.under_way.get(over) {
+        } else if let Some(next) = self.in_flight.get(over) {
             First::new(next, self.now, &self.seen)
         } else {
             return (over, None);
@@ -266,15 +267,20 @@ impl Evidence<'_> {
         (over, Some(next))
     }
 
-    /// How many commands lie before the one that the arm is seen to follow, and how far along it.
+    /// Number of commands before the one that the arm follows, and the progress along it.
     fn on_trajectory(&self, first: &First) -> (usize, f64) {
         let found = position(&self.seen.status);
-        for (index, sent) in self.under_way.iter().enumerate() {
-            let Some((from, to)) = sent.plan.trajectory.ok().and_then(|it| it.line()) else {
+        for (index, sent) in self.in_flight.iter().enumerate() {
+            let Some((from, to)) = sent
+                .plan
+                .trajectory
+                .ok()
+                .and_then(|trajectory| trajectory.line())
+            else {
                 if sent.plan.is_still() || sent.plan.is_endless() {
                     continue;
                 }
-                // An unknown way may cross those behind it.
+                // An unknown path may cross later ones.
                 break;
             };
             let (aside, along) = beside(from, to, found);
@@ -285,22 +291,22 @@ impl Evidence<'_> {
             if index == 0 || along > ARRIVED_MM {
                 return (index, along);
             }
-            // Where a later way begins an earlier one may end, and those behind it come by again.
+            // An earlier path may end where a later one starts, and later ones may pass here again.
             break;
         }
         (0, first.progress_mm)
     }
 
-    /// How many commands must be over because the arm has room again: a status comes only while
-    /// three commands wait at the most, and one is executed (note N20).
+    /// Number of commands that must have ended because the arm's queue has room again: a status arrives
+    /// only while at most three commands wait and one is executed (note N20).
     fn beyond_room(&self) -> usize {
-        let arrived = |it: &&Sent| self.now.saturating_sub(it.at) >= self.answer;
-        let arrived = self.under_way.iter().take_while(arrived).count();
+        let arrived = |sent: &&Sent| self.now.saturating_sub(sent.at) >= self.answer;
+        let arrived = self.in_flight.iter().take_while(arrived).count();
         arrived.saturating_sub(MOST_WITH_ROOM)
     }
 
-    /// For how long a pause before the first command may begin anew: not if that command was there
-    /// already when the one before it ended (note N47).
+    /// How much the pause before the first command can grow: not at all if the arm had that command
+    /// before the previous one ended (note N47).
     fn waits(&self, first: &First) -> Duration {
         if self.sent.at + self.answer * 2 <= first.since {
             return Duration::ZERO;
@@ -308,12 +314,12 @@ impl Evidence<'_> {
         self.sent.waits
     }
 
-    /// The arm moves on although all would be over for long: that the first command is over need not
-    /// have been seen.
+    /// The arm still moves long after everything should have ended: the end of the first command may have
+    /// been missed.
     fn timed_out(&self, first: &First) -> Option<Verdict> {
         let waited = self.now.saturating_sub(first.since);
-        let expected = self.sent.plan.aim?;
-        (waited > self.under_way.longest_silence().saturating_add(PATIENCE))
+        let expected = self.sent.plan.target?;
+        (waited > self.in_flight.longest_silence().saturating_add(PATIENCE))
             .then_some(Verdict::Missed(NotReached::TimedOut, expected))
     }
 }
@@ -327,7 +333,7 @@ impl First {
             rested: seen.rests(),
             progress_mm: 0.0,
             arrived: None,
-            told: false,
+            reported: false,
         }
     }
 
@@ -348,12 +354,12 @@ impl Steady {
 
     /// The first command of which the arm has come to rest where it ends, since it moved. It would not
     /// rest there without a pause, had it got another one to go on with.
-    fn came_to(&self, answer: Duration, first: &First, under_way: &UnderWay) -> Option<usize> {
+    fn came_to(&self, answer: Duration, first: &First, in_flight: &InFlight) -> Option<usize> {
         if !self.rests() || self.since <= first.since {
             return None;
         }
         let goes_on = |index: usize| {
-            let mut later = under_way.iter().skip(index + 1);
+            let mut later = in_flight.iter().skip(index + 1);
             let next = later.find(|it| !it.plan.is_still());
             next.is_some_and(|it| it.at + answer <= self.since)
         };
@@ -361,21 +367,21 @@ impl Steady {
             let pauses = !sent.plan.pause.is_zero();
             sent.plan.ends_at(&self.status) && (pauses || !goes_on(index))
         };
-        under_way.iter().enumerate().position(rests)
+        in_flight.iter().enumerate().position(rests)
     }
 }
 
-/// That many equal statuses in a row: the arm is at rest.
+/// Equal statuses in a row that show an arm at rest.
 const AT_REST: u32 = 2;
-/// That many equal statuses in a row, more than a second: the arm will not go on by itself.
-const GIVEN_UP: u32 = 15;
-/// The time in which they come.
-const GIVEN_UP_AFTER: Duration = Duration::from_secs(1);
-/// Between two statuses that are as far apart some are missing: three in a row.
+/// Equal statuses in a row, more than a second of them, after which the arm will not continue by itself.
+const ABANDONED: u32 = 15;
+/// The minimum time for [`ABANDONED`].
+const ABANDONED_AFTER: Duration = Duration::from_secs(1);
+/// A longer gap between two statuses means that three or more are missing.
 const GAP: Duration = Duration::from_millis(280);
-/// Longer than the slowest motion, and not over.
+/// How long to wait beyond the slowest motion.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// A pause as long as this is told when it begins.
-const TOLD: Duration = Duration::from_secs(5);
-/// Three commands that wait and one that is executed: with one more no status comes.
+/// A pause of at least this length is reported when it starts.
+const LONG_PAUSE: Duration = Duration::from_secs(5);
+/// Three waiting commands and one that is executed; with one more the arm sends no status.
 const MOST_WITH_ROOM: usize = 4;

@@ -1,4 +1,4 @@
-//! What happens in a session.
+//! Events of a session.
 
 use std::fmt;
 use std::time::Duration;
@@ -8,79 +8,78 @@ use dobot_wire::Status;
 
 use crate::{CommandId, LinkError, ResetEvidence, SendError};
 
-/// What happened in a session.
+/// An event of a session.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Event {
-    /// The arm told its state.
+    /// The arm sent its status.
     Status(Status),
-    /// A command left for the arm.
+    /// A command was sent to the arm.
     Sent(CommandId),
-    /// A command is over: the arm was seen where it leads.
+    /// A command has ended: the arm was seen at its target.
     Completed(CommandId),
-    /// The arm is where a command leads, and now pauses there for five seconds or longer.
+    /// The arm is at the target of a command and now pauses there for five seconds or longer.
     Pausing {
-        /// The command; it is over when its pause is.
+        /// The command; it ends with its pause.
         command: CommandId,
         /// How long the pause lasts.
         lasts: Duration,
         /// Whether it is the default pause (state 9, mode 1; note N10), and not the command's own.
         by_default: bool,
     },
-    /// A command is over, or given up, elsewhere than it leads.
+    /// A command ended, or was abandoned, away from its target.
     NotReached {
         /// The command.
         command: CommandId,
-        /// Why, as far as it shows.
+        /// The reason, as far as it is visible.
         reason: NotReached,
-        /// Where it leads.
+        /// Its target.
         expected: Position,
         /// Where the arm is.
         found: Position,
     },
-    /// The arm was reset: its pose is not to be trusted, what it was told is forgotten, and so are
-    /// the commands that were under way or waited. See [`Session::is_trusted`](crate::Session::is_trusted).
+    /// The arm was reset: its pose is not trusted; its settings and all waiting and in-flight commands
+    /// are lost. See [`Session::is_trusted`](crate::Session::is_trusted).
     Reset {
-        /// What shows it.
+        /// The evidence.
         evidence: ResetEvidence,
-        /// How many commands are forgotten.
+        /// Number of lost commands.
         forgotten: usize,
     },
-    /// A command that was taken is forgotten before it could be sent: it burns and the laser's time is
-    /// over, or what was before it ended elsewhere and it would be a trap by now; or it waited behind
-    /// such a one.
+    /// An accepted command is discarded before it was sent: it burns and the laser is no longer armed, or an
+    /// earlier command missed its target and this one would now trap the arm, or it waited behind such a
+    /// command.
     NotSent {
         /// The command.
         command: CommandId,
-        /// Why it, or the one that it waited behind, would be refused now.
+        /// Why it, or the command before it, is refused now.
         reason: SendError,
     },
-    /// The laser's time is over, or its arm was reset or lost: what burns is refused until it is armed
-    /// anew.
+    /// The laser was disarmed. Commands that burn are refused until it is armed again.
     LaserDisarmed(Disarmed),
-    /// The laser was switched off, because it would have burned on the spot, or did.
+    /// The laser was switched off, because it would have burned without moving, or did.
     LaserOff,
-    /// Bytes that belong to no status were skipped, and the stream of statuses was found again.
+    /// Bytes that belong to no status were skipped, and the decoder found the next status.
     Resynced {
-        /// How many bytes since the last such event.
+        /// Number of bytes since the last such event.
         skipped: u64,
     },
-    /// No status came for longer than any command under way explains.
+    /// No status arrived for longer than the in-flight commands explain.
     LinkLost {
-        /// How long.
+        /// The duration of the silence.
         silent_for: Duration,
-        /// Bytes that came all the same, but in no status.
+        /// Bytes that arrived but belong to no status.
         noise: u64,
     },
 }
 
-/// Why the laser is not armed any more.
+/// Why the laser was disarmed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Disarmed {
     /// The time for which it was armed is over.
     TimeOver,
-    /// The arm fell silent, or its port was opened again.
+    /// The arm went silent, or its port was opened again.
     LinkLost,
     /// The arm was reset.
     Reset,
@@ -96,16 +95,16 @@ impl fmt::Display for Disarmed {
     }
 }
 
-/// Why a command did not end where it leads.
+/// Why a command missed its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum NotReached {
-    /// Its way leaves the limits of the arm, or the arm rests at one: it was refused, skipped or
-    /// stopped there.
+    /// Its path leaves the limits of the arm, or the arm rests at a limit: it was refused, skipped or stopped
+    /// there.
     AtLimit,
-    /// The arm rests although nothing is in its way that the client knows of.
+    /// The arm rests and no limit explains it.
     Stalled,
-    /// The arm still moves, long after the slowest motion would have been over.
+    /// The arm still moves, long after the slowest motion would have ended.
     TimedOut,
 }
 
@@ -113,20 +112,19 @@ impl fmt::Display for NotReached {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::AtLimit => "it was refused or stopped at a limit",
-            Self::Stalled => "it was lost on its way, or the arm stalled",
-            Self::TimedOut => "it is not over long after it should be",
+            Self::Stalled => "it was lost in transmission, or the arm stalled",
+            Self::TimedOut => "the arm still moves long after it should have ended",
         })
     }
 }
 
 impl Event {
-    /// The event, or the failure that it is.
+    /// Returns the event, or the error that it stands for.
     ///
     /// # Errors
     ///
-    /// [`LinkError::Silent`] for a lost link, [`LinkError::NotReached`] for a move that fell short,
-    /// [`LinkError::Reset`] for an arm that was reset, [`LinkError::Send`] for a command that was not
-    /// sent.
+    /// [`LinkError::Silent`] for a lost link, [`LinkError::NotReached`] for a missed target,
+    /// [`LinkError::Reset`] for a reset, [`LinkError::Send`] for a command that was not sent.
     pub fn or_failed(self) -> Result<Self, LinkError> {
         match self {
             Self::LinkLost { silent_for, noise } => Err(LinkError::Silent { silent_for, noise }),

@@ -21,36 +21,35 @@
 mod address;
 #[cfg(feature = "io")]
 mod arm;
-mod belief;
+mod arm_estimate;
 #[cfg(feature = "io")]
 pub mod blocking;
-mod bystander;
 mod completion;
 #[cfg(feature = "io")]
 mod connection;
 mod detection;
 mod event;
+mod in_flight;
 #[cfg(feature = "io")]
 mod link;
 mod link_error;
+mod observer;
 #[cfg(feature = "io")]
 mod open;
 mod peer;
+mod permit_scheme;
 mod plan;
 #[cfg(feature = "io")]
 mod ports;
 mod quality;
 mod queue;
-mod scheme;
+mod reset_detector;
 mod send_error;
 mod session;
-mod trust;
-mod under_way;
 
 pub use address::{Address, AddressError, DEFAULT_BAUD};
 #[cfg(feature = "io")]
 pub use arm::Arm;
-pub use bystander::{Bystander, SeenOver};
 #[cfg(feature = "io")]
 pub use connection::Connection;
 pub use detection::{Detection, DetectionError};
@@ -58,15 +57,16 @@ pub use event::{Disarmed, Event, NotReached};
 #[cfg(feature = "io")]
 pub use link::Link;
 pub use link_error::LinkError;
+pub use observer::{Observer, SeenOver};
 #[cfg(feature = "io")]
 pub use open::OpenError;
 pub use peer::Peer;
+pub use permit_scheme::plausible;
 pub use plan::position;
 #[cfg(feature = "io")]
 pub use ports::{Port, Usb, ports};
 pub use quality::LinkQuality;
 pub use queue::Queue;
-pub use scheme::plausible;
+pub use reset_detector::ResetEvidence;
 pub use send_error::SendError;
 pub use session::{CommandId, Session};
-pub use trust::ResetEvidence;

@@ -1,4 +1,4 @@
-//! The one prediction of where a command leads.
+//! The prediction of a command.
 
 use std::time::Duration;
 
@@ -8,19 +8,19 @@ use dobot_wire::{Command, Status};
 
 use crate::SendError;
 
-/// Where a command leads from what was believed when it was given: told once, and kept with it.
+/// The prediction of a command from the model at the time it was queued. It is made once and kept with the command.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) trajectory: Result<Trajectory, TrajectoryError>,
-    /// What is to be believed when it is over.
+    /// The model after the command.
     pub(crate) after: Model,
-    /// Where it should end, in reach or not; `None` where nobody can tell.
-    pub(crate) aim: Option<Position>,
-    /// How long its motion takes: nothing for a jog, which goes on; long where nobody can tell.
+    /// Its target, reachable or not; `None` if unknown.
+    pub(crate) target: Option<Position>,
+    /// Duration of its motion: 0 for a jog, which has no end; long if unknown.
     pub(crate) motion: Duration,
-    /// The same at the most.
+    /// Upper bound of the duration of its motion.
     pub(crate) longest_motion: Duration,
-    /// How long the arm waits behind it.
+    /// Pause after it.
     pub(crate) pause: Duration,
 }
 
@@ -30,13 +30,13 @@ impl Plan {
         let after = if let Ok(trajectory) = &trajectory {
             model.after(command, trajectory)
         } else {
-            // It is refused, skipped or cut short: where the arm is then is seen when it rests.
+            // It is refused, skipped or cut short: the place of the arm is seen when it rests.
             let mut after = model.begun(command);
             after.lose_place();
             after
         };
-        let aim = match &trajectory {
-            Ok(trajectory) => trajectory.end().map(|it| it.pose.position),
+        let target = match &trajectory {
+            Ok(trajectory) => trajectory.end().map(|end| end.pose.position),
             Err(_) => model.aim(command),
         };
         let lasts = |of: fn(&Trajectory) -> Option<f64>| match &trajectory {
@@ -48,12 +48,12 @@ impl Plan {
             longest_motion: lasts(Trajectory::lasts_at_most_s),
             trajectory,
             after,
-            aim,
+            target,
             pause: seconds(model.pause_s(command)),
         })
     }
 
-    /// Why it must not be sent, if a stock arm would not come out of it.
+    /// Why it must not be sent: a stock arm would never finish it.
     pub(crate) const fn trap(&self) -> Option<SendError> {
         match self.trajectory {
             Err(TrajectoryError::OnTheSpot) => Some(SendError::OnTheSpot),
@@ -70,57 +70,59 @@ impl Plan {
         }
     }
 
-    /// Whether nothing moves by it, and it is over at once.
+    /// Whether it moves nothing and ends immediately.
     pub(crate) fn is_still(&self) -> bool {
-        self.trajectory.is_ok_and(|it| it.duration_s() == Some(0.0))
+        self.trajectory
+            .is_ok_and(|trajectory| trajectory.duration_s() == Some(0.0))
     }
 
-    /// Whether it goes on until told otherwise.
+    /// Whether it has no end of its own (a jog).
     pub(crate) fn is_endless(&self) -> bool {
-        self.trajectory.is_ok_and(|it| it.motion_s().is_none())
+        self.trajectory
+            .is_ok_and(|trajectory| trajectory.motion_s().is_none())
     }
 
-    /// Whether its way leaves the limits of the arm, as far as that can be foreseen.
+    /// Whether its path is predicted to leave the limits of the arm.
     pub(crate) fn leaves_limits(&self) -> bool {
-        let way = self.trajectory.and_then(|it| it.check());
-        matches!(way, Err(TrajectoryError::Unreachable(_)))
+        let checked = self.trajectory.and_then(|trajectory| trajectory.check());
+        matches!(checked, Err(TrajectoryError::Unreachable(_)))
     }
 
-    /// Whether an arm with this status stands where it ends.
+    /// Whether the status is at the target.
     pub(crate) fn is_near(&self, status: &Status) -> bool {
-        self.aim
-            .is_some_and(|aim| aim.distance(position(status)).0 <= ARRIVED_MM)
+        self.target
+            .is_some_and(|target| target.distance(position(status)).0 <= ARRIVED_MM)
     }
 
-    /// Whether an arm with this status stands on the way of a jog that begins where it is believed to: what ended
-    /// there need not have been seen, since the jog may have taken the arm away at once.
+    /// Whether the status is on the path of a jog from the predicted start. The end of the command before it
+    /// may never be visible, because the jog can move the arm away immediately.
     pub(crate) fn jogs_by(&self, status: &Status) -> bool {
         let exact = self.trajectory.ok().filter(Trajectory::is_exact);
-        let Some(jog) = exact.and_then(|it| it.jog()) else {
+        let Some(jog) = exact.and_then(|trajectory| trajectory.jog()) else {
             return false;
         };
         let nearest = jog.nearest(&ArmPlace::of_status(status));
-        nearest.is_ok_and(|it| it.pose.position.distance(position(status)).0 <= ARRIVED_MM)
+        nearest.is_ok_and(|place| place.pose.position.distance(position(status)).0 <= ARRIVED_MM)
     }
 
-    /// As [`Plan::is_near`], with the tool turned as it should be then.
+    /// Like [`Plan::is_near`], with the rotation of the tool as well.
     pub(crate) fn ends_at(&self, status: &Status) -> bool {
-        let end = self.trajectory.ok().and_then(|it| it.end());
+        let end = self.trajectory.ok().and_then(|trajectory| trajectory.end());
         let turned =
             |rotation_deg: f64| (rotation_deg - f64::from(status.rotation_deg)).abs() <= TURNED_DEG;
-        self.is_near(status) && end.is_none_or(|it| turned(it.pose.rotation.0))
+        self.is_near(status) && end.is_none_or(|end| turned(end.pose.rotation.0))
     }
 
-    /// Whether a status looks as after it, in all that a status tells and that is foreseen.
+    /// Whether the status equals the predicted one after the command, in everything that is predicted.
     pub(crate) fn shows(&self, status: &Status) -> bool {
         let gripper_deg = f64::from(status.gripper_deg);
         self.after.suction == status.suction
             && (self.after.gripper_deg - gripper_deg).abs() <= TURNED_DEG
-            && (self.aim.is_none() || self.ends_at(status))
+            && (self.target.is_none() || self.ends_at(status))
     }
 }
 
-/// Where the tool is by a status.
+/// Returns the position of the tool in a status.
 #[must_use]
 pub fn position(status: &Status) -> Position {
     Position::new(status.x_mm.into(), status.y_mm.into(), status.z_mm.into())
@@ -130,10 +132,10 @@ pub(crate) fn seconds(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds).unwrap_or(FOR_EVER)
 }
 
-/// As near as this counts as arrived: a status agrees with the target to 0.01 mm on a stock arm.
+/// Tolerance for arrival; a stock arm reports its target to 0.01 mm.
 pub(crate) const ARRIVED_MM: f64 = 0.05;
 const TURNED_DEG: f64 = 0.05;
-/// By then a command is over whose way cannot be foreseen: 700 mm at a quarter of the stock speed.
+/// Assumed duration of a command with an unknown path: 700 mm at a quarter of the stock speed.
 const UNFORESEEN: Duration = Duration::from_secs(60);
-/// Many of them added up still are a duration.
+/// Long, but many of them can be added without overflow.
 const FOR_EVER: Duration = Duration::from_secs(u32::MAX as u64);

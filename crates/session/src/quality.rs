@@ -1,13 +1,13 @@
-//! How good a link is.
+//! The quality of a link.
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
 use dobot_wire::{Counts, Status};
 
-use crate::scheme::ReceivedStatus;
+use crate::permit_scheme::ReceivedStatus;
 
-/// How good a link is, as far as its statuses tell.
+/// The quality of a link, measured from its statuses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LinkQuality {
     /// Whether it leads to the Bluetooth port of a stock arm (note N38).
@@ -15,38 +15,38 @@ pub struct LinkQuality {
     /// Statuses per second over the last two seconds; 12.5 on a good link with room in the queue, 18.75
     /// over Bluetooth.
     pub statuses_per_s: f64,
-    /// Statuses that did not come although they were due and the queue had room.
+    /// Statuses that did not arrive although they were due and the arm's queue had room.
     pub lost: u64,
     /// Bytes that belong to no status.
     pub damaged_bytes: u64,
-    /// How often the stream of statuses was lost and found again.
+    /// Number of times the decoder lost and regained synchronisation.
     pub resyncs: u64,
-    /// From a command to the first status that shows it, smoothed; `None` until it was seen once.
+    /// Time from a command to the first status that shows it, smoothed; `None` before the first measurement.
     pub latency: Option<Duration>,
-    /// How long ago the last status came.
+    /// Time since the last status.
     pub silent_for: Duration,
 }
 
-/// Takes note of what a link does.
+/// Measures the quality of a link.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Meter {
-    /// From one status to the next, of those that tell where the arm is.
+    /// The period of the regular statuses.
     period: Duration,
     heard: VecDeque<Duration>,
-    /// When the last of them came.
-    told: Option<Duration>,
-    /// Messages since the last permit: one behind it, and one before the next (note N38).
+    /// When the last regular status arrived.
+    last_regular: Option<Duration>,
+    /// Messages since the last permit: one follows it, one precedes the next (note N38).
     messages: u64,
     lost: u64,
-    /// Of the lost ones those that may still come, in a heap with the one behind them.
+    /// Lost statuses that may still arrive together with the next one.
     late: u64,
     latency: Option<Duration>,
-    /// The longest that it took from a command to the first status that shows it.
+    /// The longest time from a command to the first status that shows it.
     slowest: Option<Duration>,
-    /// How much later than the one before a status came, against its time.
+    /// The largest delay of a status relative to the one before.
     jitter: Duration,
     last: Option<Status>,
-    /// When a command left for an arm at rest, and nothing has moved since.
+    /// When a command was sent to an arm at rest, until a status shows motion.
     waits_since: Option<Duration>,
 }
 
@@ -66,38 +66,41 @@ impl Meter {
         self.period = period;
     }
 
-    /// A motion left; it shows if nothing moved before.
+    /// Handles that a command was sent. Its latency is visible if it moves an arm at rest.
     pub(crate) fn handle_sent(&mut self, now: Duration, at_rest: bool, moves: bool) {
         self.waits_since = (at_rest && moves).then_some(now);
     }
 
     pub(crate) fn handle_status(&mut self, now: Duration, heard: &ReceivedStatus, had_room: bool) {
         self.heard.push_back(now);
-        while self.heard.front().is_some_and(|it| *it + WINDOW < now) {
+        while self.heard.front().is_some_and(|at| *at + WINDOW < now) {
             self.heard.pop_front();
         }
         self.note_permit(heard.permits);
-        if !heard.tells {
+        if !heard.is_regular {
             return;
         }
-        if let Some(told) = self.told.replace(now)
+        if let Some(before) = self.last_regular.replace(now)
             && had_room
         {
-            let gap = now.saturating_sub(told);
+            let gap = now.saturating_sub(before);
             self.note_gap(gap);
             if gap <= self.period + MOST_JITTER {
                 self.jitter = self.jitter.max(gap.saturating_sub(self.period));
             }
         }
         let status = heard.status;
-        if self.last.replace(status).is_some_and(|it| it != status)
+        if self
+            .last
+            .replace(status)
+            .is_some_and(|before| before != status)
             && let Some(since) = self.waits_since.take()
         {
             self.note_latency(now.saturating_sub(since));
         }
     }
 
-    /// What comes in a heap behind a gap was late, and not lost.
+    /// Statuses that arrive together after a gap were late, not lost.
     fn note_gap(&mut self, gap: Duration) {
         if gap < self.period / 2 && self.late > 0 {
             self.late -= 1;
@@ -108,12 +111,12 @@ impl Meter {
         }
     }
 
-    /// From a command to the first status that shows it, where that was measured.
+    /// Time from a command to the first status that shows it, if measured.
     pub(crate) const fn latency(&self) -> Option<Duration> {
         self.latency
     }
 
-    /// How many statuses are missing in a gap.
+    /// Number of statuses that are missing in a gap.
     fn missing(&self, gap: Duration) -> u64 {
         let periods = (gap + self.period / 2).as_millis() / self.period.as_millis();
         u64::try_from(periods).unwrap_or(u64::MAX).saturating_sub(1)
@@ -139,9 +142,9 @@ impl Meter {
         }
     }
 
-    /// How many came in a second lately; the time since the last one counts only where the next one is due.
+    /// Recent statuses per second. The time since the last one counts only when the next one is due.
     fn rate(&self, now: Duration) -> f64 {
-        let recent = || self.heard.iter().filter(|it| **it + WINDOW >= now);
+        let recent = || self.heard.iter().filter(|at| **at + WINDOW >= now);
         let (Some(first), Some(last)) = (recent().next(), recent().next_back()) else {
             return 0.0;
         };
@@ -155,8 +158,8 @@ impl Meter {
         f64::from(gaps) / took.as_secs_f64()
     }
 
-    /// By when a status surely shows what was sent: until that was seen, on a link that is as slow
-    /// as any; then as slow as it was seen, and as much slower as its statuses vary, each way.
+    /// Time after which a status certainly shows a command. Before the first measurement this assumes the
+    /// slowest link; then it is the slowest measured time plus the jitter in each direction.
     pub(crate) fn answer(&self) -> Duration {
         let Some(slowest) = self.slowest else {
             return UNSEEN;
@@ -174,17 +177,16 @@ impl Meter {
     }
 }
 
-/// So many messages stand between two permits over Bluetooth (note N38).
+/// Messages between two permits over Bluetooth (note N38).
 const MESSAGES: u64 = 2;
 const WINDOW: Duration = Duration::from_secs(2);
-/// How much later another command may show than the one that was seen: the two meet other phases
-/// of the control tick and of what the arm calculates.
+/// How much later another command may become visible, because it meets another phase of the control tick.
 const PHASE: Duration = Duration::from_millis(60);
-/// A packet each way at 9600 baud, a tick until it is taken, and one until that is told.
+/// A packet each way at 9600 baud, a tick until it is read and a tick until it is reported.
 const FASTEST: Duration = Duration::from_millis(140);
-/// The same over a link that is late by 0.2 s each way.
+/// The same over a link with a delay of 0.2 s each way.
 pub(crate) const UNSEEN: Duration = Duration::from_millis(560);
-/// What varies more than that is a status that was lost.
+/// A larger deviation is a lost status.
 const MOST_JITTER: Duration = Duration::from_millis(200);
-/// What is later than that was put off by something else, or lost.
+/// A longer latency has another cause, or the command was lost.
 const SLOWEST: Duration = Duration::from_secs(2);

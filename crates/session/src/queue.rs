@@ -1,18 +1,17 @@
-//! What is on its way.
+//! The commands that are waiting or in flight.
 
 use std::time::Duration;
 
-/// What a session has given and the arm has not done yet.
+/// The commands of a session that have not ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Queue {
     /// Commands that have not been sent.
     pub waiting: usize,
-    /// Commands sent and not seen to be over.
-    pub under_way: usize,
-    /// How long it should take until all that was sent is over.
+    /// Commands that were sent and have not ended.
+    pub in_flight: usize,
+    /// Expected time until all in-flight commands have ended.
     pub ahead: Duration,
-    /// Whether the arm has no room for another one: four or more commands are under way, and a
-    /// status that was due has not come (note N20). An idle link is told from it by statuses that
-    /// come.
+    /// Whether the arm's queue is full: four or more commands are in flight and a status that was due
+    /// has not arrived (note N20). On an idle link the statuses continue.
     pub is_full: bool,
 }

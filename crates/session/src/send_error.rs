@@ -8,41 +8,36 @@ use dobot_wire::{Command, ParseError, VoiceOrder};
 #[non_exhaustive]
 pub enum SendError {
     /// The arm's dialect is not known and the command means different things in them (note N1).
-    #[error("{field} means different things to different arms, and nobody has said which this is")]
+    #[error("{field} depends on the dialect of the arm, which is not known")]
     Undecided {
         /// The field in question.
         field: &'static str,
     },
-    /// The arm stands there already, and a straight line of no length makes it lose its pose.
+    /// The arm is already at the target, and a straight line of length 0 makes it lose its pose.
     #[error(
-        "the arm is there already, and a straight line of no length would make it lose its pose (note N34)"
+        "the arm is already there, and a straight line of length 0 would make it lose its pose (note N34)"
     )]
     OnTheSpot,
-    /// The arm was reset, or nobody has looked where it stands: what it says of its pose need not be
-    /// true.
-    #[error(
-        "the arm may not be where it says; look where it stands and confirm its pose before it moves"
-    )]
+    /// The arm was reset or its pose was never confirmed, so the reported pose may be wrong.
+    #[error("the reported pose may be wrong; look at the arm and confirm its pose before it moves")]
     Untrusted,
-    /// The command lights the laser, and nobody has armed it.
-    #[error(
-        "the laser is disarmed; put the goggles on, then arm it for a while (`Connection::arm_laser`) before it burns"
-    )]
+    /// The command burns, and the laser is not armed.
+    #[error("the laser is not armed; put on goggles, then arm it (`Connection::arm_laser`)")]
     LaserDisarmed,
-    /// A stock arm would not come out of it: it would hang, or go on for ever (notes N48 and N51).
+    /// A stock arm would hang or move forever (notes N48 and N51).
     #[error("{0}")]
     Trap(TrajectoryError),
-    /// A stock arm would hear other numbers than the words mean.
+    /// A stock arm would understand other numbers than the words mean.
     #[error(
-        "a stock arm hears other numbers than the words mean, such as 22 for sixteen (note N50); send the motion or the button that the words mean"
+        "a stock arm misunderstands numbers, such as 22 for sixteen (note N50); send the motion or the button instead of the words"
     )]
     Misheard,
-    /// The command breaks a range of its table.
+    /// A value is outside the range in its table.
     #[error("the command is not allowed: {0}")]
     Invalid(ParseError),
 }
 
-/// Whether a command makes the arm move: a release, a switch and a configuration do not.
+/// Whether a command makes the arm move. Releases, switches and configuration do not.
 pub(crate) fn moves(command: &Command) -> bool {
     match command {
         Command::MoveTo(_)

@@ -1,4 +1,4 @@
-//! The session engine: what to send when, and what the statuses mean.
+//! The session engine: decides when to send what, and interprets the statuses.
 
 mod laser;
 mod queries;
@@ -11,33 +11,32 @@ use dobot_motion::Button;
 use dobot_wire::{Command, Decoder, Dialect, Frame, JointJog, Packet, Status, Statuses};
 
 use self::laser::Laser;
-use crate::belief::Belief;
+use crate::arm_estimate::ArmEstimate;
 use crate::completion::{Completion, Verdict};
+use crate::permit_scheme::{PermitScheme, ReceivedStatus, plausible};
 use crate::plan::{Plan, position};
 use crate::quality::Meter;
-use crate::scheme::{ReceivedStatus, Scheme, plausible};
+use crate::reset_detector::{DEAF, ResetDetector};
 use crate::send_error::moves;
-use crate::trust::{DEAF, ResetWatch};
 use crate::{Disarmed, Event, SendError};
 
-/// A conversation with one arm, as an engine: it owns no port, no thread and no clock.
+/// The connection to one arm, as an engine: it owns no port, no thread and no clock.
 ///
-/// Things happen to it (`handle_*`), it wants things (`poll_*`), and [`Session::poll_wakeup`] says
-/// when it next needs the time, which counts from the connect and never goes back. A clone is the same
-/// conversation, as far as it has come.
+/// It receives events through `handle_*` and returns outputs through `poll_*`. [`Session::poll_wakeup`]
+/// returns when it next needs the time, which counts from the connect and never decreases. A clone
+/// continues from the same state.
 ///
-/// Each status received is a permit to send one command (note N20): what is given to
-/// [`Session::send`] waits here for its turn. The protocol has no stop: the arm will do what it has got.
-/// So a command is sent only when it should begin within [`Session::with_ahead`] (0.5 s), and no later than
-/// that after a stop the arm begins another motion. A vector that burns should even end within that time: otherwise it is
-/// sent just in time, about 0.22 s before it begins. Other vectors may take 0.14 s longer.
+/// Each status is a permit to send one command (note N20); commands given to [`Session::send`] wait
+/// for it. The protocol has no stop: the arm executes what it has received. So a command is sent only
+/// when it should start within [`Session::with_ahead`] (0.5 s); that bounds when the arm still starts a motion
+/// after a stop. A vector that burns should also end within that time; a longer one is sent about 0.22 s
+/// before it starts. Other vectors may take 0.14 s longer.
 ///
-/// A laser is lit only while it is armed ([`Session::arm_laser`]), and switched off where it would burn on
-/// the spot ([`Session::set_laser_may_stand`]), as long as somebody tells the time.
+/// The laser burns only while it is armed ([`Session::arm_laser`]). It is switched off where it would
+/// burn without moving ([`Session::set_laser_may_stand`]), provided that the time is kept up to date.
 ///
-/// A session moves an arm only when a person has confirmed that it stands where it says, and not any
-/// more when it sees that the arm was reset (the base angle is 0 then wherever the base stands): see
-/// [`Session::is_trusted`].
+/// A session moves the arm only after a person has confirmed its pose, and until it detects a reset
+/// (after which the base angle is 0 wherever the base stands): see [`Session::is_trusted`].
 ///
 /// ```
 /// use std::time::Duration;
@@ -55,60 +54,60 @@ use crate::{Disarmed, Event, SendError};
 pub struct Session {
     dialect: Option<Dialect>,
     decoder: Decoder<Statuses>,
-    /// When bytes came last.
+    /// When the last bytes arrived.
     bytes_came: Duration,
-    scheme: Scheme,
+    permit_scheme: PermitScheme,
     next_id: u64,
-    /// A status came and no command has used it yet.
+    /// A status arrived that no command has used yet.
     permit: bool,
-    /// When the status came whose permit was used last.
+    /// When the status of the last used permit arrived.
     used: Option<Duration>,
-    /// When a packet left last.
+    /// When the last packet was sent.
     left: Option<Duration>,
     to_send: VecDeque<Packet>,
     completion: Completion,
-    belief: Belief,
-    trust: ResetWatch,
+    estimate: ArmEstimate,
+    trust: ResetDetector,
     laser: Laser,
     meter: Meter,
-    /// How long before a command begins it may be sent.
+    /// How long before its start a command may be sent.
     ahead: Duration,
     status: Option<Status>,
     now: Duration,
-    /// When the last status came; at first the connect.
+    /// When the last status arrived; initially the time of the connect.
     heard: Duration,
-    /// When this computer went on after it had stood still; zero if it never did.
+    /// When this computer resumed after a suspension; zero if it never was suspended.
     stalled: Duration,
     lost: bool,
-    /// No status came since the port was opened.
+    /// No status has arrived since the port was opened.
     opened: bool,
     resyncs: u64,
     skipped: u64,
     events: VecDeque<Event>,
 }
 
-/// Names a command of a session, from the first one sent.
+/// Identifies a command of a session, counted from the first one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CommandId(pub u64);
 
 impl Session {
-    /// A session with an arm that speaks `dialect`, if that is known.
+    /// Creates a session with an arm that speaks `dialect`, if known.
     ///
-    /// Nobody has confirmed its pose yet, and opening its port resets a stock arm (note N35): it is
-    /// sent nothing that moves it until [`Session::confirm_pose`].
+    /// Opening the port resets a stock arm (note N35), so its pose is not confirmed: no motion is
+    /// sent until [`Session::confirm_pose`].
     #[must_use]
     pub fn new(dialect: Option<Dialect>) -> Self {
         Self::begin(dialect, false)
     }
 
-    /// The same, with an arm that is known to stand where it says: a virtual one that was not touched.
+    /// Creates a session with an arm whose pose is known, such as a new virtual arm.
     #[must_use]
     pub fn trusted(dialect: Option<Dialect>) -> Self {
         Self::begin(dialect, true)
     }
 
-    /// The same, with another bound on how long before a command begins it is sent: so long after a stop
-    /// the arm may begin another one. 0.5 s unless told otherwise; `Duration::MAX` fills the arm's queue.
+    /// Sets how long before its start a command may be sent (default 0.5 s). The arm may start another
+    /// motion until this time after a stop. `Duration::MAX` fills the arm's queue.
     #[must_use]
     pub fn with_ahead(mut self, ahead: Duration) -> Self {
         self.set_ahead(ahead);
@@ -117,8 +116,8 @@ impl Session {
 
     fn begin(dialect: Option<Dialect>, trusted: bool) -> Self {
         Self {
-            belief: Belief::new(dialect.as_ref()),
-            trust: ResetWatch::new(trusted),
+            estimate: ArmEstimate::new(dialect.as_ref()),
+            trust: ResetDetector::new(trusted),
             laser: Laser::default(),
             meter: Meter::new(dialect.unwrap_or(Dialect::SPECIFICATION).status_period()),
             ahead: AHEAD,
@@ -126,7 +125,7 @@ impl Session {
             dialect,
             decoder: Decoder::statuses(plausible),
             bytes_came: Duration::ZERO,
-            scheme: Scheme::default(),
+            permit_scheme: PermitScheme::default(),
             next_id: 0,
             permit: false,
             used: None,
@@ -144,30 +143,30 @@ impl Session {
         }
     }
 
-    /// Takes a command; it is sent when the arm permits it, after those given before. The release of
-    /// a button leaves as one of the kind of the button that was sent last ([`Session::release`]).
+    /// Queues a command. It is sent when the arm permits it, after all earlier ones. The release of a
+    /// button is sent as the kind of the last pressed button ([`Session::release`]).
     ///
     /// # Errors
     ///
-    /// [`SendError::Undecided`] where its meaning depends on a dialect that nobody has told,
-    /// [`SendError::Invalid`] where a value breaks its table, [`SendError::Untrusted`] where it moves
-    /// an arm whose pose is not trusted, [`SendError::OnTheSpot`] where a stock arm would lose its
-    /// pose, [`SendError::LaserDisarmed`] where it lights a laser that nobody has armed,
-    /// [`SendError::Misheard`] for voice to a stock arm over Bluetooth. Nothing is sent then.
+    /// Nothing is sent in these cases: [`SendError::Undecided`] if the meaning depends on the dialect, which is
+    /// unknown; [`SendError::Invalid`] if a value is outside its table; [`SendError::Untrusted`] for a
+    /// motion of an arm whose pose is not trusted; [`SendError::OnTheSpot`] if a stock arm would lose its
+    /// pose; [`SendError::LaserDisarmed`] for burning while the laser is not armed;
+    /// [`SendError::Misheard`] for voice to a stock arm over Bluetooth.
     ///
-    /// Voice waits until the arm was seen at rest (note N50).
+    /// Voice waits until the arm is seen at rest (note N50).
     pub fn send(&mut self, command: impl Into<Command>) -> Result<CommandId, SendError> {
         let command = command.into();
         let plan = self.planned(&command)?;
         let id = CommandId(self.next_id);
         self.next_id += 1;
         self.trust.handle_given(&command);
-        self.belief.give(id, command, plan);
+        self.estimate.push(id, command, plan);
         self.dispatch();
         Ok(id)
     }
 
-    /// Whether a command would be sent.
+    /// Checks whether a command would be sent.
     ///
     /// # Errors
     ///
@@ -176,7 +175,7 @@ impl Session {
         self.planned(command).map(|_| ())
     }
 
-    /// Where a command leads, if it would be sent; nobody knows before the first status.
+    /// Checks and predicts a command; the prediction is `None` before the first status.
     fn planned(&self, command: &Command) -> Result<Option<Box<Plan>>, SendError> {
         self.check_laser(command)?;
         if !self.is_trusted() && moves(command) {
@@ -186,37 +185,37 @@ impl Session {
             return Err(SendError::Misheard);
         }
         self.packet(command)?;
-        let plan = self.belief.plan(command);
-        match plan.as_ref().and_then(|it| it.trap()) {
+        let plan = self.estimate.plan(command);
+        match plan.as_ref().and_then(|plan| plan.trap()) {
             Some(trap) => Err(trap),
             None => Ok(plan),
         }
     }
 
-    /// Sends a command at once and ahead of all others, permit or not and trusted or not: for a stop
-    /// (the release of a jog) and for parting words on a link that is failing (laser off, pen up).
-    /// Those that wait are forgotten.
+    /// Sends a command immediately, ahead of all others and regardless of permit and trust. It is for stops
+    /// (the release of a jog) and for the last commands on a failing link (laser off, pen up). The waiting
+    /// commands are discarded.
     ///
     /// # Errors
     ///
     /// [`SendError::Undecided`] and [`SendError::Invalid`], as [`Session::send`].
     pub fn send_now(&mut self, command: impl Into<Command>) -> Result<(), SendError> {
-        let command = self.of_its_kind(command.into());
+        let command = self.matching_release(command.into());
         let packet = self.emit_now(&command)?;
-        self.forget_waiting();
+        self.discard_waiting();
         self.note_urgent(&command);
         self.left = Some(self.now);
         self.to_send.push_back(packet);
         Ok(())
     }
 
-    /// Forgets the commands that have not been sent yet; says which they were.
-    pub fn forget_waiting(&mut self) -> Vec<CommandId> {
-        self.belief.forget_waiting()
+    /// Discards the commands that have not been sent and returns their ids.
+    pub fn discard_waiting(&mut self) -> Vec<CommandId> {
+        self.estimate.discard_waiting()
     }
 
-    /// The packet of a command that the caller sends itself, at once and beside all others; the
-    /// session takes note that it left with [`Session::note_urgent`].
+    /// Encodes a command that the caller sends itself, ahead of all others, and then reports with
+    /// [`Session::note_urgent`].
     ///
     /// # Errors
     ///
@@ -225,35 +224,35 @@ impl Session {
         self.packet(command)
     }
 
-    /// Takes note of a command that left beside the session.
+    /// Records a command that the caller sent itself.
     pub fn note_urgent(&mut self, command: &Command) {
         self.trust.handle_sent(command);
         self.note_laser(command);
-        self.belief.handle_urgent(self.now, command);
+        self.estimate.handle_urgent(self.now, command);
     }
 
-    /// Which dialect the arm speaks is known now, or known better.
+    /// Sets the dialect of the arm, when it becomes known or is corrected.
     pub fn set_dialect(&mut self, dialect: Dialect) {
         self.dialect = Some(dialect);
         self.meter.set_period(dialect.status_period());
-        self.belief.set_dialect(dialect);
+        self.estimate.set_dialect(dialect);
     }
 
-    /// How the arm differs from the drawing of it, when it has just been switched on: its zeros are right once
-    /// it was told its angles (state 9, mode 3), and wrong again after a reset.
+    /// Sets how the arm, after power-up, differs from its nominal dimensions. Its zeros become right when
+    /// its initial angles are set (state 9, mode 3), and wrong again after a reset.
     pub fn set_calibration(&mut self, calibration: Calibration) {
-        self.belief.set_calibration(calibration);
+        self.estimate.set_calibration(calibration);
     }
 
-    /// The port was opened again after a gap: bytes begin anew, the arm has as long for its first
-    /// status as after a connect, no permit is left, and the laser is disarmed. What was under way
-    /// stays believed until statuses tell otherwise.
+    /// Handles that the port was opened again: the decoder starts again, the arm has as long for its first
+    /// status as after a connect, the permit is void, and the laser is disarmed. In-flight commands
+    /// stay in flight until statuses show otherwise.
     pub fn handle_open(&mut self, now: Duration) {
         self.now = now;
         self.heard = now;
         self.opened = true;
         self.decoder = Decoder::statuses(plausible);
-        self.scheme = Scheme::default();
+        self.permit_scheme = PermitScheme::default();
         self.trust.handle_open();
         (self.resyncs, self.skipped) = (0, 0);
         self.to_send.clear();
@@ -268,33 +267,31 @@ impl Session {
         self.dispatch();
     }
 
-    /// A person says that the arm stands where it tells: its pose is trusted from now on.
+    /// A person confirms the pose that the arm reports: it is trusted from now on.
     pub fn confirm_pose(&mut self) {
         self.trust.confirm();
     }
 
-    /// The pose that the arm tells is not trusted from now on, for a reason that the session does
-    /// not see.
+    /// Ends the trust in the reported pose, for a reason that the session cannot detect itself.
     pub fn distrust(&mut self, reason: &str) {
         self.trust.distrust(reason);
     }
 
-    /// Takes bytes from the arm.
+    /// Handles bytes from the arm.
     pub fn handle_bytes(&mut self, now: Duration, bytes: &[u8]) {
         self.now = now;
         if !bytes.is_empty() {
-            // Whose sender was reset in the middle of a status may not be taken for a whole one.
+            // The arm may have been reset in the middle of a status: do not complete it with new bytes.
             if now.saturating_sub(self.bytes_came) >= DEAF {
                 self.decoder.give_up_waiting();
             }
             self.bytes_came = now;
         }
-        // The frames borrow the decoder, so they are set aside: a read holds a few at the most.
+        // The frames borrow the decoder, so they are collected: a read holds a few at most.
         let frames: Vec<Frame> = self.decoder.feed(bytes).collect();
         let statuses: Vec<Status> = frames.iter().flat_map(Status::parse).collect();
-        if let Some(behind_the_first) = statuses.len().checked_sub(1) {
-            self.trust
-                .handle_read(now, behind_the_first, self.meter.period());
+        if let Some(more) = statuses.len().checked_sub(1) {
+            self.trust.handle_read(now, more, self.meter.period());
         }
         for status in statuses {
             self.handle_status(now, status);
@@ -303,17 +300,17 @@ impl Session {
         self.watch_laser();
     }
 
-    /// This computer stood still until now: what the arm sent meanwhile has not been read yet.
+    /// Handles that this computer was suspended until now: the statuses sent in the meantime are still unread.
     pub fn handle_stall(&mut self, now: Duration) {
         self.stalled = now;
     }
 
-    /// Takes the passing of time.
+    /// Advances to `now`.
     pub fn handle_time(&mut self, now: Duration) {
         let due = self.dispatch_at();
         self.now = now;
         self.watch_laser();
-        if due.is_some_and(|it| it <= now) {
+        if due.is_some_and(|due| due <= now) {
             self.dispatch();
         }
         if now >= self.link_lost_at() {
@@ -327,23 +324,23 @@ impl Session {
         }
     }
 
-    /// The packet to send now, if there is one.
+    /// Returns the next packet to send.
     pub fn poll_bytes(&mut self) -> Option<Packet> {
         self.to_send.pop_front()
     }
 
-    /// Takes note that a packet left only now.
+    /// Records that a packet was sent only now.
     #[cfg(feature = "io")]
     pub(crate) const fn note_left(&mut self, now: Duration) {
         self.left = Some(now);
     }
 
-    /// The next thing that happened.
+    /// Returns the next event.
     pub fn poll_event(&mut self) -> Option<Event> {
         self.events.pop_front()
     }
 
-    /// When [`Session::handle_time`] wants to be called next, at the latest.
+    /// Returns the latest time for the next call of [`Session::handle_time`].
     #[must_use]
     pub fn poll_wakeup(&self) -> Duration {
         let wakeups = [self.laser_wakeup(), self.dispatch_at()];
@@ -351,7 +348,7 @@ impl Session {
         self.link_lost_at().min(first.unwrap_or(Duration::MAX))
     }
 
-    /// When the link is lost if no status comes.
+    /// When the link counts as lost if no status arrives.
     fn link_lost_at(&self) -> Duration {
         if self.lost {
             return Duration::MAX;
@@ -359,30 +356,29 @@ impl Session {
         let timeout = match self.status {
             _ if self.opened => FIRST_STATUS,
             Some(_) if self.may_be_full() && !self.is_bluetooth() => {
-                LINK_TIMEOUT.saturating_add(self.belief.under_way().longest_silence())
+                LINK_TIMEOUT.saturating_add(self.estimate.in_flight().longest_silence())
             }
             Some(_) | None => LINK_TIMEOUT,
         };
         self.heard.max(self.stalled) + timeout
     }
 
-    /// Whether the arm's queue may be full, of urgent packets too; then it is silent.
+    /// Whether the arm's queue may be full (urgent packets count too), which makes it silent.
     fn may_be_full(&self) -> bool {
-        self.belief.under_way().len() >= QUEUE_STALLS_AT
+        self.estimate.in_flight().len() >= QUEUE_STALLS_AT
     }
 
     fn handle_status(&mut self, now: Duration, status: Status) {
-        let heard = self.scheme.take(now, status);
+        let heard = self.permit_scheme.classify(now, status);
         let had_room = self.is_bluetooth() || !self.may_be_full();
         self.heard = now;
         self.lost = false;
         self.opened = false;
         self.meter.handle_status(now, &heard, had_room);
-        if heard.tells {
+        if heard.is_regular {
             self.note_status(now, &heard);
         }
-        // Statuses that come in a heap, with less than half a period between them, were kept
-        // somewhere on the way: only one of them is news.
+        // Statuses less than half a period apart were delayed on the way: together they are one permit.
         self.permit |= heard.permits
             && self
                 .used
@@ -399,45 +395,45 @@ impl Session {
         if !self.note_reset(now, status) {
             self.note_completion(now, status);
         }
-        self.belief.handle_status(now, status);
+        self.estimate.handle_status(now, status);
         if self.is_bluetooth() {
-            self.belief.note_bluetooth();
+            self.estimate.note_bluetooth();
         }
     }
 
-    /// Whether the status shows a reset; then everything that was told is forgotten.
+    /// Detects a reset; it discards all commands and settings.
     fn note_reset(&mut self, now: Duration, status: &Status) -> bool {
         let Some(evidence) = self.trust.handle_status(
             now,
             status,
-            self.belief.comes_to_zero(),
-            self.belief.is_at_rest(),
+            self.estimate.comes_to_zero(),
+            self.estimate.is_at_rest(),
         ) else {
             return false;
         };
-        let forgotten = self.belief.handle_reset(status);
+        let lost = self.estimate.handle_reset(status);
         self.completion = Completion::default();
         self.events.push_back(Event::Reset {
             evidence,
-            forgotten,
+            forgotten: lost,
         });
         self.lose_laser(Disarmed::Reset);
-        self.laser.forget();
+        self.laser.handle_reset();
         true
     }
 
     fn note_completion(&mut self, now: Duration, status: &Status) {
         self.completion.handle_status(now, status);
         let answer = self.meter.answer();
-        while let Some(verdict) = self.completion.poll(now, answer, self.belief.under_way()) {
+        while let Some(verdict) = self.completion.poll(now, answer, self.estimate.in_flight()) {
             match verdict {
                 Verdict::Over(count) => {
-                    let over = (0..count).filter_map(|_| self.belief.handle_over(now)?.id);
+                    let over = (0..count).filter_map(|_| self.estimate.handle_over(now)?.id);
                     self.events.extend(over.map(Event::Completed));
                 }
                 Verdict::Pauses => self.note_pause(),
                 Verdict::Missed(reason, expected) => {
-                    let missed = self.belief.handle_missed(now).and_then(|it| it.id);
+                    let missed = self.estimate.handle_missed(now).and_then(|sent| sent.id);
                     self.events.extend(missed.map(|command| Event::NotReached {
                         command,
                         reason,
@@ -450,19 +446,19 @@ impl Session {
     }
 
     fn note_pause(&mut self) {
-        let pausing = self.belief.under_way().first();
-        self.events.extend(pausing.and_then(|it| {
+        let pausing = self.estimate.in_flight().first();
+        self.events.extend(pausing.and_then(|sent| {
             Some(Event::Pausing {
-                command: it.id?,
-                lasts: it.plan.pause,
-                by_default: own_pause_s(&it.command) == 0.0,
+                command: sent.id?,
+                lasts: sent.plan.pause,
+                by_default: own_pause_s(&sent.command) == 0.0,
             })
         }));
     }
 
-    /// How long before it begins the next command may be sent.
+    /// How long before its start the next command may be sent.
     fn next_ahead(&self) -> Duration {
-        let Some((burns, motion)) = self.belief.next_vector() else {
+        let Some((burns, motion)) = self.estimate.next_vector() else {
             return self.ahead;
         };
         let ends_within = if burns {
@@ -475,105 +471,105 @@ impl Session {
             .min(ends_within.saturating_sub(motion).max(in_time))
     }
 
-    /// When the next command becomes due, if there is a permit for it and only its time keeps it back.
+    /// When the next command becomes due, if it has a permit and waits only for its time.
     fn dispatch_at(&self) -> Option<Duration> {
-        let waits = self.permit && self.belief.waiting() > 0;
+        let waits = self.permit && self.estimate.waiting() > 0;
         let early = self
-            .belief
-            .under_way()
+            .estimate
+            .in_flight()
             .ahead(self.now)
             .checked_sub(self.next_ahead());
-        let early = early.filter(|it| waits && !it.is_zero())?;
+        let early = early.filter(|early| waits && !early.is_zero())?;
         self.now.checked_add(early)
     }
 
     fn dispatch(&mut self) {
-        let begins_in = self.belief.under_way().ahead(self.now);
+        let begins_in = self.estimate.in_flight().ahead(self.now);
         let follows = |left| self.now.saturating_sub(left) < SPACING;
         if !self.permit || begins_in > self.next_ahead() || self.left.is_some_and(follows) {
             return;
         }
-        let Some(next) = self.belief.next() else {
+        let Some(next) = self.estimate.next() else {
             return;
         };
-        let waits = self.would_hide_a_reset()
-            || self.waits_for_the_port(&next.command)
+        let waits = self.would_look_like_reset()
+            || self.waits_for_port(&next.command)
             || self.speaks_too_early(&next.command)
-            || self.belief.waits_for_place();
+            || self.estimate.waits_for_place();
         if waits {
             return;
         }
-        if self.parts_from_laser_first(&next.command) {
+        if self.needs_laser_off_first(&next.command) {
             self.switch_laser_off();
             return;
         }
         if let Some(reason) = next.trap() {
-            for command in self.belief.forget_from_first(|_| true) {
+            for command in self.estimate.discard_from_first(|_| true) {
                 self.events.push_back(Event::NotSent { command, reason });
             }
             return;
         }
-        let Some(mut given) = self.belief.take_next() else {
+        let Some(mut next) = self.estimate.pop_next() else {
             return;
         };
-        given.command = self.of_its_kind(given.command);
-        let command = given.command;
+        next.command = self.matching_release(next.command);
+        let command = next.command;
         self.permit = false;
         self.used = Some(self.heard);
         self.left = Some(self.now);
         let packet = self
             .packet(&command)
-            .expect("it was emitted once already, when it was given");
-        let at_rest = self.belief.is_at_rest();
+            .expect("it was encoded before, when it was queued");
+        let at_rest = self.estimate.is_at_rest();
         self.meter.handle_sent(self.heard, at_rest, moves(&command));
         self.trust.handle_sent(&command);
         self.note_laser(&command);
-        self.events.push_back(Event::Sent(given.id));
-        self.belief.handle_sent(self.now, given);
+        self.events.push_back(Event::Sent(next.id));
+        self.estimate.handle_sent(self.now, next);
         self.to_send.push_back(packet);
     }
 
-    /// Whether the arm would be silent for so long with the next command in its queue, and its base at
-    /// 0 behind that, that nobody could tell it from a reset.
-    fn would_hide_a_reset(&self) -> bool {
-        // A status period, and as much for what is late.
+    /// Whether the next command would make the arm look as if it had been reset: silent for long with a full
+    /// queue, and then with its base at 0.
+    fn would_look_like_reset(&self) -> bool {
+        // A status period and the same again for delays.
         let not_yet_deaf = 2 * self.meter.period();
         let silent = self
-            .belief
-            .under_way()
-            .leaves_within(QUEUE_STALLS_AT - 1, self.now);
+            .estimate
+            .in_flight()
+            .drains_within(QUEUE_STALLS_AT - 1, self.now);
         self.may_be_full()
             && silent + not_yet_deaf >= DEAF
-            && (self.belief.comes_to_zero() || self.belief.would_come_to_zero())
+            && (self.estimate.comes_to_zero() || self.estimate.would_come_to_zero())
     }
 
-    /// Whether the next command has to wait because of the port that the arm serves: a joint jog until
-    /// that is known, since its axes depend on it; over Bluetooth all while the queue may be full, since
-    /// messages tell nothing of its room (note N38).
-    fn waits_for_the_port(&self, command: &Command) -> bool {
+    /// Whether the next command has to wait because of the port. A joint jog waits until the port is
+    /// known, because its axes depend on it. Over Bluetooth all commands wait while the queue may be full,
+    /// because messages do not show whether it has room (note N38).
+    fn waits_for_port(&self, command: &Command) -> bool {
         if !self.is_bluetooth() {
             let exchanged = |jog: &JointJog| jog.over_bluetooth() != *jog;
-            return !self.scheme.is_known()
+            return !self.permit_scheme.is_known()
                 && matches!(command, Command::JointJog(jog) if exchanged(jog));
         }
         self.may_be_full()
     }
 
-    /// Whether the next command is voice, and the arm was not seen at rest: an arm that moves would go
-    /// on for ever with the pulses of the last tick, or lose its place (note N50).
+    /// Whether the next command is voice and the arm was not seen at rest. A moving arm would repeat the
+    /// pulses of the last tick forever, or lose its place (note N50).
     fn speaks_too_early(&self, command: &Command) -> bool {
-        matches!(command, Command::Voice(_)) && !self.belief.was_seen_at_rest()
+        matches!(command, Command::Voice(_)) && !self.estimate.was_seen_at_rest()
     }
 
-    /// A release as the one of the button that was sent last, whichever kind it was given as.
-    fn of_its_kind(&self, command: Command) -> Command {
+    /// Replaces a release by that of the last pressed button, whichever kind it was given as.
+    fn matching_release(&self, command: Command) -> Command {
         match (Button::of(&command), self.release()) {
             (Some(Button::Released), Some(release)) => release,
             _ => command,
         }
     }
 
-    /// The command that the port of this arm takes for this one, and the other way round.
+    /// Translates a command between its meaning and what the port of this arm expects, in either direction.
     fn on_this_port(&self, command: Command) -> Command {
         match command {
             Command::JointJog(jog) if self.is_bluetooth() => jog.over_bluetooth().into(),
@@ -606,32 +602,32 @@ impl Session {
     }
 }
 
-/// The pause that a command tells itself, in seconds.
+/// The pause that a command itself contains, in seconds.
 const fn own_pause_s(command: &Command) -> f32 {
     match command {
-        Command::MoveTo(it) => it.pause_s,
-        Command::MoveJoints(it) => it.pause_s,
+        Command::MoveTo(target) => target.pause_s,
+        Command::MoveJoints(target) => target.pause_s,
         _ => 0.0,
     }
 }
 
-/// A dozen statuses missing are no accident.
+/// Twelve status periods: more than losses explain.
 const LINK_TIMEOUT: Duration = Duration::from_secs(1);
-/// What a packet takes on the line, and the 8 ms that a stock arm wants before the next: it loses one
-/// that follows without a gap (note N26). The next status permits it again.
+/// The time of a packet on the line and the 8 ms gap that a stock arm needs: it loses a packet that follows
+/// without it (note N26). The next status permits the command again.
 const SPACING: Duration = Duration::from_millis(52);
-/// A stock arm is reset by the opening of its port, and is deaf for up to two seconds then.
+/// Opening its port resets a stock arm, which then ignores input for up to two seconds.
 const FIRST_STATUS: Duration = Duration::from_secs(5);
-/// More than twice the time that passes between the end of a command and the next one's arrival: a
-/// status, and a packet each way. So an arm never waits for the link, whatever the bound is.
+/// More than twice the time from the end of a command to the arrival of the next one: a status and a packet
+/// each way. So the arm never waits for the link.
 const AHEAD: Duration = Duration::from_millis(500);
-/// So long before it begins a vector is sent in time on a usual link: its way takes 55 ms, and the computer may be late.
+/// How long before its start a vector is sent on a usual link: 55 ms of transmission and what the computer may be late.
 const IN_TIME: Duration = Duration::from_millis(220);
-/// From the end of what burns until the laser is off: a packet, a tick, and an error of the prediction.
+/// Time from the end of burning until the laser is off: a packet, a tick and the error of the prediction.
 const LASER_OFF_TAKES: Duration = Duration::from_millis(100);
-/// What an arm without a laser has received may take so much longer.
+/// How much longer than the limit a vector may take if it does not burn.
 const UNLIT_LONGER: Duration = Duration::from_millis(100);
-/// A status that is later than that has been withheld.
+/// A status that is later than this was withheld.
 const LATE: Duration = Duration::from_millis(60);
-/// With that many commands under way the queue may be full, and a full queue is silent (note N20).
+/// With this number of in-flight commands the queue may be full; the arm is then silent (note N20).
 const QUEUE_STALLS_AT: usize = 4;

@@ -86,7 +86,7 @@ fn what_waits_is_forgotten_by_its_names() {
         .map(|y| session.send(stroke(y)).expect("it is allowed"))
         .into();
     tell(&mut session, PERIOD);
-    assert_eq!(session.forget_waiting(), ids[1..]);
+    assert_eq!(session.discard_waiting(), ids[1..]);
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn a_full_queue_is_told_from_an_idle_link() {
     }
     session.handle_time(now + PERIOD * 6);
     let queue = session.queue();
-    assert_eq!((queue.under_way, queue.is_full), (4, true));
+    assert_eq!((queue.in_flight, queue.is_full), (4, true));
     // Four strokes of 1.3 s each.
     let ahead_s = queue.ahead.as_secs_f64();
     assert!((4.0..5.3).contains(&ahead_s), "{ahead_s}");

@@ -296,7 +296,7 @@ impl Supervisor {
             },
             queue: QueueView {
                 waiting: self.arm.session().waiting(),
-                under_way: self.arm.session().under_way(),
+                under_way: self.arm.session().in_flight(),
                 ahead_s: self.arm.session().ahead_s(),
             },
             lease: self.leases.view(),

@@ -18,7 +18,7 @@ pub(crate) struct Spoken {
 
 /// What else goes on while an order is looked at.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct UnderWay {
+pub(crate) struct InFlight {
     /// The way to a target.
     pub(crate) way: Option<MoveShape>,
     /// A text of which the rest is still to come.
@@ -55,7 +55,7 @@ impl Spoken {
     pub(crate) fn tick(
         &mut self,
         is_over: bool,
-        under_way: UnderWay,
+        in_flight: InFlight,
         settings: &StockSettings,
         line: &mut StraightLine,
         body: &mut Body,
@@ -64,22 +64,22 @@ impl Spoken {
             return TickOutcome::OVER;
         }
         let Some(order) = self.order else {
-            body.repeats = under_way.text;
-            return TickOutcome::hangs_if(!under_way.text, Hang::NothingSaid);
+            body.repeats = in_flight.text;
+            return TickOutcome::hangs_if(!in_flight.text, Hang::NothingSaid);
         };
-        if under_way.way == Some(MoveShape::ByJoints) {
+        if in_flight.way == Some(MoveShape::ByJoints) {
             // It counts as planned already, and there is no line to go.
             return TickOutcome::OVER;
         }
         match order {
-            _ if under_way.way == Some(MoveShape::Line) => {}
+            _ if in_flight.way == Some(MoveShape::Line) => {}
             VoiceOrder::Catch => {
-                body.repeats = !under_way.fetched;
+                body.repeats = !in_flight.fetched;
                 body.grab(true, CLOSED_DEG);
                 return TickOutcome::OVER;
             }
             VoiceOrder::Release => {
-                body.repeats = !under_way.fetched;
+                body.repeats = !in_flight.fetched;
                 body.grab(false, 0.0);
                 return TickOutcome::OVER;
             }

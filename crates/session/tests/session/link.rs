@@ -52,7 +52,7 @@ fn a_full_queue_is_not_a_lost_link() {
         desk.session.send(vector(0.0, by)).expect("it is allowed");
         desk.status_at(200.0, 10.0, 0.0);
     }
-    assert_eq!(desk.session.under_way(), 5);
+    assert_eq!(desk.session.in_flight(), 5);
     desk.session.handle_time(desk.now + Duration::from_secs(20));
     assert_eq!(desk.events(), []);
     desk.session
@@ -145,7 +145,7 @@ fn no_more_waits_in_the_arm_than_lets_it_speak_where_its_base_comes_to_0() {
         desk.session.send(vector(0.0, by)).expect("it is allowed");
         desk.status_at(200.0, 0.0, 0.0);
     }
-    assert_eq!((desk.session.under_way(), desk.session.waiting()), (4, 1));
+    assert_eq!((desk.session.in_flight(), desk.session.waiting()), (4, 1));
 }
 
 #[test]

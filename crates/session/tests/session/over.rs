@@ -19,7 +19,7 @@ fn a_move_is_over_when_the_arm_rests_at_its_target() {
     assert!(completed(&desk.status_at(210.0, 5.0, 2.0)).is_empty());
     assert!(completed(&desk.status_at(220.0, 10.0, 0.0)).is_empty());
     assert_eq!(completed(&desk.status_at(220.0, 10.0, 0.0)), [0]);
-    assert_eq!(desk.session.under_way(), 0);
+    assert_eq!(desk.session.in_flight(), 0);
 }
 
 #[test]

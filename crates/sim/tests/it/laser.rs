@@ -54,7 +54,7 @@ async fn stand_s(personality: Personality, commands: &[Command]) -> f64 {
     // A long silence at a base of 0 costs the trust.
     connection.session_mut().confirm_pose();
     connection.send(vector(-5.0, 0.0, false)).unwrap();
-    while connection.session().under_way() + connection.session().waiting() > 0 {
+    while connection.session().in_flight() + connection.session().waiting() > 0 {
         connection.next_event().await.unwrap();
     }
     longest_stand_s(arm.arm().samples(), STILL_MM)

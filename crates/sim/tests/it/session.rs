@@ -71,7 +71,7 @@ async fn stopped(
     while connection.now() < after {
         next(&mut connection).await;
     }
-    connection.session_mut().forget_waiting();
+    connection.session_mut().discard_waiting();
     let promised = connection.session().rests_within();
     let stopped = connection.now();
     let mut moved = stopped;
@@ -255,7 +255,7 @@ async fn a_reset_in_the_middle_of_a_drawing_is_noticed() {
         };
         assert!(forgotten > 20, "{personality}: {forgotten}");
         assert_eq!(connection.session().waiting(), 0);
-        assert_eq!(connection.session().under_way(), 0);
+        assert_eq!(connection.session().in_flight(), 0);
     }
 }
 

@@ -213,12 +213,12 @@ impl Arm {
 
     /// Whether it was seen at rest for a while, after all that it was sent.
     pub(super) fn is_at_rest(&self) -> bool {
-        self.still >= AT_REST && self.session.under_way() == 0
+        self.still >= AT_REST && self.session.in_flight() == 0
     }
 
     /// Whether nothing waits and nothing is under way, as far as the session has told.
     pub(super) fn is_idle(&self) -> bool {
-        self.session.under_way() == 0 && self.session.waiting() == 0
+        self.session.in_flight() == 0 && self.session.waiting() == 0
     }
 
     /// By when it is at rest if nothing more is sent, where what the session does not know of takes so

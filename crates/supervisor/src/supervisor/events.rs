@@ -312,7 +312,7 @@ impl Supervisor {
 
     /// Forgets the commands that have not been sent; says which they were.
     pub(super) fn drop_waiting(&mut self, why: &str) -> Vec<CommandId> {
-        let forgotten = self.arm.session_mut().forget_waiting();
+        let forgotten = self.arm.session_mut().discard_waiting();
         for id in &forgotten {
             self.command_forgotten(*id, why);
         }
@@ -320,9 +320,9 @@ impl Supervisor {
     }
 
     /// The commands that are not over, of clients and of the job.
-    fn under_way(&self) -> Vec<CommandId> {
+    fn in_flight(&self) -> Vec<CommandId> {
         let of_clients = self.commands.ids();
-        let of_run = self.run.iter().flat_map(Run::under_way);
+        let of_run = self.run.iter().flat_map(Run::in_flight);
         let mut ids: Vec<_> = of_clients.chain(of_run).collect();
         ids.sort_unstable();
         ids
@@ -376,7 +376,7 @@ impl Supervisor {
         // Nothing is sent again before a person has looked where the arm stands.
         self.interrupt_run("the arm was reset");
         // The session has forgotten what was under way, too.
-        for id in self.under_way() {
+        for id in self.in_flight() {
             self.command_over(id, Some("the arm was reset".into()));
         }
         self.end_detection("the arm was reset");

@@ -75,7 +75,7 @@ impl Halt {
     /// Laser off at once; then the release of the button that was sent last, if one was, until the arm
     /// rests. While that goes on already, or waits in the arm for its turn, it need not begin anew.
     pub(super) fn begin(&mut self, arm: &mut Arm) {
-        let waits = arm.session().under_way() > 0;
+        let waits = arm.session().in_flight() > 0;
         let goes_on = |it: &Round| it.is_dark && (it.rounds == 0 || waits);
         if self.round.as_ref().is_some_and(goes_on) {
             return;
@@ -121,7 +121,7 @@ impl Halt {
             self.round = None;
             return;
         }
-        if round.rounds > 0 && arm.session().under_way() > 0 {
+        if round.rounds > 0 && arm.session().in_flight() > 0 {
             // The arm does one thing after the other: what was said waits there for its turn, and
             // more of the same would only take up its queue.
             let next = arm.now() + AGAIN;

@@ -51,8 +51,8 @@ impl Arm {
     /// fill its queue.
     pub(super) fn part_from_laser(&mut self) {
         let lately = |off: Duration| self.now().saturating_sub(off) < LATELY;
-        let waits = self.session().under_way() > 0;
-        let told = self.session().laser_told_off();
+        let waits = self.session().in_flight() > 0;
+        let told = self.session().laser_off_sent_at();
         if !told.is_some_and(|off| waits || lately(off)) {
             self.send_urgent(LASER_OFF);
         }

@@ -199,7 +199,7 @@ impl Run {
     }
 
     /// What was given to the session and is not over.
-    pub(super) fn under_way(&self) -> impl Iterator<Item = CommandId> {
+    pub(super) fn in_flight(&self) -> impl Iterator<Item = CommandId> {
         self.given.iter().map(|it| it.id)
     }
 

@@ -274,7 +274,7 @@ fn a_program_that_is_paused_where_its_first_line_ends_goes_on_from_there() {
     let job = it.submit(&program).unwrap();
     it.start(anna, job).unwrap();
     let second = it.now() + Duration::from_secs(1);
-    assert!(it.run_until(second, |it| it.supervisor().session().under_way() == 1));
+    assert!(it.run_until(second, |it| it.supervisor().session().in_flight() == 1));
     it.ask(anna, Request::PauseJob).unwrap();
     wait_until_paused(&mut it, job);
     assert_eq!(it.supervisor().job().unwrap().completed, 1);

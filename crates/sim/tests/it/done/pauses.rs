@@ -35,7 +35,7 @@ async fn burst(personality: Personality, mode: MovingMode, latency: Duration) {
         // A stock arm is not sent where it will be by a straight line.
         let _ = connection.send(it);
     }
-    let sent = connection.session().waiting() + connection.session().under_way();
+    let sent = connection.session().waiting() + connection.session().in_flight();
     while over.len() < sent {
         assert!(
             connection.now() < Duration::from_secs(60),

@@ -1,5 +1,5 @@
-//! Whether the pose that an arm tells can be believed: a reset makes it say 0 wherever its base
-//! stands (note N35).
+//! Detects resets. After a reset the arm reports a base angle of 0 wherever its base stands, so its pose
+//! cannot be trusted (note N35).
 
 use std::time::Duration;
 
@@ -9,17 +9,17 @@ use dobot_wire::{Command, Configuration, Status};
 
 use crate::send_error::moves;
 
-/// What shows that an arm was reset: its base angle is 0 by order, rear arm and forearm are read anew
-/// from their sensors, and what it was told is forgotten (notes N28 and N35).
+/// The evidence of a reset: the base angle is set to 0, rear arm and forearm are read from their
+/// sensors again, and all settings are lost (notes N28 and N35).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResetEvidence {
-    /// How long no status came before this one, if that was longer than a few losses explain.
+    /// Silence before this status, if it was longer than a few lost statuses.
     pub silent_for: Option<Duration>,
     /// The joint angles before.
     pub before: Joints,
     /// The joint angles now.
     pub now: Joints,
-    /// Whether they changed more than any motion could have changed them in that time.
+    /// Whether they changed faster than the arm can move.
     pub jumped: bool,
     /// Whether the base angle is 0, as after every reset.
     pub base_is_zero: bool,
@@ -27,7 +27,7 @@ pub struct ResetEvidence {
 
 impl std::fmt::Display for ResetEvidence {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let angles = |it: &Joints| [it.base.0, it.rear.0, it.fore.0];
+        let angles = |joints: &Joints| [joints.base.0, joints.rear.0, joints.fore.0];
         let ([b, r, v], [b2, r2, v2]) = (angles(&self.before), angles(&self.now));
         if let Some(silent_for) = self.silent_for {
             write!(
@@ -47,26 +47,26 @@ impl std::fmt::Display for ResetEvidence {
     }
 }
 
-/// Watches the statuses for a reset.
+/// Detects a reset from the statuses.
 #[derive(Clone, Debug)]
-pub(crate) struct ResetWatch {
-    /// Why the pose is not trusted, if it is not.
+pub(crate) struct ResetDetector {
+    /// Why the pose is not trusted; `None` if it is.
     reason: Option<String>,
     last: Option<(Duration, Status)>,
-    /// How long the arm was silent before the statuses that were read last.
+    /// Silence before the statuses that were read last.
     silent_for: Duration,
-    /// The time between two statuses.
+    /// The status period.
     period: Duration,
-    /// The port was opened since the last status: nobody listened before.
+    /// The port was opened after the last status.
     opened: bool,
-    /// The initial angles that were sent and not seen yet, and for how many statuses more they
+    /// Initial angles that were sent but have not been seen, and for how many more statuses they
     /// would explain a jump.
-    told: Option<([f32; 2], u32)>,
-    /// It was seen at rest, and nothing that moves was sent since.
+    initial_angles: Option<([f32; 2], u32)>,
+    /// The arm was seen at rest and no motion was sent since.
     still: bool,
 }
 
-impl ResetWatch {
+impl ResetDetector {
     pub(crate) fn new(trusted: bool) -> Self {
         Self {
             reason: (!trusted).then(|| UNCONFIRMED.to_owned()),
@@ -74,7 +74,7 @@ impl ResetWatch {
             silent_for: Duration::ZERO,
             period: Duration::ZERO,
             opened: false,
-            told: None,
+            initial_angles: None,
             still: false,
         }
     }
@@ -87,19 +87,19 @@ impl ResetWatch {
         self.reason = None;
     }
 
-    /// The port was opened again: until the next status the silence was ours.
+    /// The port was opened again: the silence until the next status was on our side.
     pub(crate) const fn handle_open(&mut self) {
         self.opened = true;
     }
 
-    /// Takes that statuses are read, so many of them behind the first. The arm sent them one period apart: a computer that
-    /// stood still reads them late, and the arm was not silent meanwhile.
-    pub(crate) fn handle_read(&mut self, now: Duration, behind_the_first: usize, period: Duration) {
+    /// Handles a read of several statuses, `more` after the first. The arm sent them one period apart: a
+    /// computer that was suspended reads them late, although the arm was not silent.
+    pub(crate) fn handle_read(&mut self, now: Duration, more: usize, period: Duration) {
         let Some((heard, _)) = self.last else {
             return;
         };
-        let behind = u32::try_from(behind_the_first).unwrap_or(u32::MAX);
-        let sending = period.saturating_mul(behind);
+        let more = u32::try_from(more).unwrap_or(u32::MAX);
+        let sending = period.saturating_mul(more);
         self.silent_for = now.saturating_sub(heard).saturating_sub(sending);
         self.period = period;
     }
@@ -108,11 +108,11 @@ impl ResetWatch {
         self.reason = Some(reason.to_owned());
     }
 
-    /// Takes a command that is given to be sent. Where the arm takes itself to be behind new initial
-    /// angles, only who gives them knows: a person has to look.
+    /// Handles a command that is queued. Only the sender of new initial angles knows the pose that
+    /// results from them, so a person has to confirm it.
     pub(crate) fn handle_given(&mut self, command: &Command) {
         if let Command::Configuration(Configuration::InitialAngles { .. }) = command {
-            self.distrust(TOLD);
+            self.distrust(ANGLES_SET);
         }
     }
 
@@ -121,17 +121,20 @@ impl ResetWatch {
         self.still &= !moves(command);
         if let Command::Configuration(Configuration::InitialAngles { rear_deg, fore_deg }) = command
         {
-            self.told = Some(([*rear_deg, *fore_deg], AWAITED));
+            self.initial_angles = Some(([*rear_deg, *fore_deg], AWAITED));
         }
     }
 
-    /// Takes a status; says what shows a reset. A silence that hides one may have another reason, a
-    /// full queue, and a command under way may turn the base to just 0: it counts as a reset all the
-    /// same, for nothing in the statuses tells the two apart. Only while the port was closed the arm may
-    /// have gone on with what it had: `to_zero` tells whether that leads to a base of 0. Of a real arm
-    /// the opening itself costs the trust. `at_rest` tells whether nothing is under way: then, and as long as nothing that
-    /// moves is sent behind that, an arm that tells the same as before stands as before. (A computer that stood still
-    /// switches the laser off before it hears what was told meanwhile.)
+    /// Handles a status and returns the evidence of a reset, if any.
+    ///
+    /// Silence and a base angle of 0 count as a reset even though a full queue and a move to 0 look the
+    /// same: the statuses do not distinguish the two. There is one exception: the arm may have
+    /// continued its in-flight commands while the port was closed (`to_zero`: they lead to a base of 0).
+    /// With a real arm, opening the port already ends the trust.
+    ///
+    /// `at_rest`: there are no in-flight commands. Then, and until a motion is sent, an arm that reports
+    /// the same angles as before has not moved. (A computer that was suspended sends "laser off" before it
+    /// reads the statuses that arrived in between.)
     pub(crate) fn handle_status(
         &mut self,
         now: Duration,
@@ -142,25 +145,28 @@ impl ResetWatch {
         let went_on = std::mem::take(&mut self.opened) && to_zero;
         self.still |= at_rest;
         let (heard, before) = self.last.replace((now, *status))?;
-        if self.told.is_some_and(|(told, _)| shows(status, told)) {
-            self.told = None;
-            self.distrust(TOLD);
+        if self
+            .initial_angles
+            .is_some_and(|(angles, _)| shows(status, angles))
+        {
+            self.initial_angles = None;
+            self.distrust(ANGLES_SET);
             return None;
         }
-        let jumps = self.told.is_some();
-        self.told = match self.told {
-            Some((told, left)) if left > 0 => Some((told, left - 1)),
+        let jumps = self.initial_angles.is_some();
+        self.initial_angles = match self.initial_angles {
+            Some((angles, left)) if left > 0 => Some((angles, left - 1)),
             _ => None,
         };
         let silent_for = self.silent_for;
         let deaf = silent_for >= DEAF;
-        // Those that are read together were sent one period apart.
+        // Statuses that are read together were sent one period apart.
         let within = now.saturating_sub(heard).max(self.period);
         let jumped = !jumps && jumped(&before, status, within);
         let base_is_zero = status.base_deg == 0.0;
-        // A joint that turned since the last status may have turned alone, and from 0.
-        let begun_anew = !went_on && (!self.still || tells_otherwise(&before, status));
-        if !(jumped || deaf && base_is_zero && begun_anew) {
+        // A joint that has moved since the last status may have moved from the 0 of a reset.
+        let restarted = !went_on && (!self.still || angles_changed(&before, status));
+        if !(jumped || deaf && base_is_zero && restarted) {
             return None;
         }
         let evidence = ResetEvidence {
@@ -175,14 +181,14 @@ impl ResetWatch {
     }
 }
 
-/// Whether an angle changed that a reset sets or reads anew.
-fn tells_otherwise(before: &Status, now: &Status) -> bool {
-    let angles = |it: &Status| [it.base_deg, it.rear_deg, it.fore_deg];
+/// Whether an angle changed that a reset would change.
+fn angles_changed(before: &Status, now: &Status) -> bool {
+    let angles = |status: &Status| [status.base_deg, status.rear_deg, status.fore_deg];
     angles(before) != angles(now)
 }
 
 fn shows(status: &Status, [rear_deg, fore_deg]: [f32; 2]) -> bool {
-    let near = |told: f32, found: f32| (told - found).abs() <= SAME_DEG;
+    let near = |sent: f32, found: f32| (sent - found).abs() <= SAME_DEG;
     near(rear_deg, status.rear_deg)
         && near(fore_deg, status.fore_deg)
         && status.base_deg.abs() <= SAME_DEG
@@ -197,19 +203,18 @@ fn jumped(before: &Status, now: &Status, within: Duration) -> bool {
         now.fore_deg - before.fore_deg,
     ]
     .iter()
-    .any(|way| way.abs() > most_deg)
+    .any(|change| change.abs() > most_deg)
 }
 
 const UNCONFIRMED: &str =
-    "nobody has confirmed where the arm stands since its port was opened, which resets it";
-const TOLD: &str =
-    "it was told its initial angles, and nobody has confirmed since that it stands so";
-/// Six statuses and a half: many losses in a row, and less than any reset takes.
+    "nobody has confirmed the arm's pose since its port was opened, which resets the arm";
+const ANGLES_SET: &str = "its initial angles were set, and nobody has confirmed its pose since";
+/// Six and a half status periods: many losses in a row, and shorter than any reset.
 pub(crate) const DEAF: Duration = Duration::from_millis(520);
-/// Half as fast again as a stock arm ever turns on its own, 200 degrees/s.
+/// 1.5 times the fastest turn of a stock arm, 200 degrees/s.
 const FASTEST_DEG_S: f32 = 300.0;
-/// A status may be as late as this on its way, and the one before was not.
+/// The largest difference in delay between two statuses, in s.
 const LATE_S: f32 = 0.04;
-/// Initial angles wait for their turn behind motions: ten minutes of statuses.
+/// Initial angles wait behind queued motions: ten minutes of statuses.
 const AWAITED: u32 = 7500;
 const SAME_DEG: f32 = 0.01;

@@ -1,5 +1,4 @@
-//! Which statuses permit a command: the two ports of a stock arm have a scheme each (notes N20 and
-//! N38).
+//! Which statuses permit a command. The two ports of a stock arm differ in this (notes N20 and N38).
 
 use std::time::Duration;
 
@@ -7,58 +6,58 @@ use dobot_arm::Tool;
 use dobot_motion::ArmPlace;
 use dobot_wire::{Frame, Status};
 
-/// Tells by the statuses which port of the arm this is.
+/// Detects from the statuses which port of the arm is connected.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Scheme {
+pub(crate) struct PermitScheme {
     port: Option<ServedPort>,
-    /// When the last status came that was no message.
+    /// When the last status arrived that was not a message.
     plain: Option<Duration>,
 }
 
-/// The port that an arm serves, which it does not say.
+/// The port in use. The arm does not report it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ServedPort {
     /// A status every 80 ms, each of which permits a command.
     Usb,
-    /// Three statuses in 160 ms: a message, a permit 40 ms later, a message 40 ms later. So the
-    /// messages alone come as often as the statuses over USB.
+    /// Three statuses in 160 ms: a message, a permit 40 ms later, a message 40 ms later. The messages
+    /// alone have the period of the statuses over USB.
     Bluetooth,
 }
 
-/// What a status is good for.
+/// A status and its role on this port.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ReceivedStatus {
-    /// With the true X.
+    /// The status, with the 1000 mm of a message removed from X.
     pub(crate) status: Status,
-    /// Whether it is one of those that come every 80 ms, by which all that waits is measured.
-    pub(crate) tells: bool,
+    /// Whether it belongs to the 80 ms sequence that all timing relies on.
+    pub(crate) is_regular: bool,
     /// Whether it permits a command.
     pub(crate) permits: bool,
 }
 
-impl Scheme {
-    /// Takes a status as it came.
-    pub(crate) fn take(&mut self, now: Duration, status: Status) -> ReceivedStatus {
+impl PermitScheme {
+    /// Classifies a status as received.
+    pub(crate) fn classify(&mut self, now: Duration, status: Status) -> ReceivedStatus {
         if let Some(message) = status.message() {
             self.port = Some(ServedPort::Bluetooth);
             return ReceivedStatus {
                 status: with_pose(message),
-                tells: true,
+                is_regular: true,
                 permits: false,
             };
         }
         let before = self.plain.replace(now);
-        if self.port.is_none() && before.is_some_and(|it| now.saturating_sub(it) < TWO_IN_A_ROW) {
+        if self.port.is_none() && before.is_some_and(|at| now.saturating_sub(at) < TWO_IN_A_ROW) {
             self.port = Some(ServedPort::Usb);
         }
         ReceivedStatus {
             status,
-            tells: !self.is_bluetooth(),
+            is_regular: !self.is_bluetooth(),
             permits: true,
         }
     }
 
-    /// Whether the port is known: one status may be the permit of either.
+    /// Whether the port is known. A single status may be the permit of either port.
     pub(crate) const fn is_known(&self) -> bool {
         self.port.is_some()
     }
@@ -68,8 +67,8 @@ impl Scheme {
     }
 }
 
-/// Whether a frame can be a status: its position agrees with its angles (note N22), the 1000 mm of a
-/// message taken off (note N38).
+/// Returns whether a frame can be a status: its position agrees with its angles (note N22), with or
+/// without the 1000 mm that a message adds to X (note N38).
 #[must_use]
 pub fn plausible(frame: &Frame) -> bool {
     let float = |n| f64::from(frame.float(n));
@@ -78,7 +77,7 @@ pub fn plausible(frame: &Frame) -> bool {
     agrees(x) || agrees(x - MESSAGE_MM) || [x, y, z, float(4)] == FIRST_POSE
 }
 
-/// The very first message has angles, and 0 for the pose, which follows from them.
+/// Completes the first message after power-up: it has angles, but 0 for the pose.
 fn with_pose(message: Status) -> Status {
     let pose = [message.x_mm, message.y_mm, message.z_mm];
     if pose != [0.0; 3] {

@@ -1,4 +1,4 @@
-//! What was sent and is not over, and by when it is.
+//! In-flight commands and when each of them ends.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -9,51 +9,51 @@ use dobot_wire::Command;
 use crate::CommandId;
 use crate::plan::Plan;
 
-/// The commands sent and not seen to be over, oldest first.
+/// Commands that were sent and are not known to have ended, oldest first.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct UnderWay {
+pub(crate) struct InFlight {
     all: VecDeque<Sent>,
     numbered: u64,
-    /// When the last one sent is over, or should be.
+    /// The expected end of the last command.
     last_ends: Duration,
 }
 
-/// A command that was sent, with the prediction that was made for it.
+/// A sent command and its prediction.
 #[derive(Clone, Debug)]
 pub(crate) struct Sent {
-    /// Counts all that were sent, urgent ones included.
+    /// The sequence number, urgent commands included.
     pub(crate) number: u64,
-    /// `None` for one that left beside the session: nobody asks when it is over.
+    /// `None` for an urgent command: no caller waits for its end.
     pub(crate) id: Option<CommandId>,
     pub(crate) command: Command,
     pub(crate) plan: Box<Plan>,
-    /// When it left.
+    /// When it was sent.
     pub(crate) at: Duration,
-    /// For how long the pause before it may begin anew, until it is taken (note N47).
+    /// How much a pause before it can grow until the arm reads it (note N47).
     pub(crate) waits: Duration,
-    /// Whether the laser is on meanwhile: on the way, or where there is none, before or behind.
+    /// Whether the laser is on during the motion or, without a motion, before or after it.
     lit: bool,
-    /// When it should be over.
+    /// Expected end.
     ends: Duration,
-    /// When it must be over.
+    /// Latest possible end.
     bound: Duration,
 }
 
 impl Sent {
-    /// How long it should take.
+    /// Expected duration.
     fn duration(&self) -> Duration {
         self.plan.motion + self.plan.pause
     }
 
-    /// When it must be over, if all before it is by then.
+    /// Latest possible end if everything before it has ended at `before`.
     fn bound_after(&self, before: Duration) -> Duration {
         let duration = self.plan.longest_motion + self.plan.pause;
         before.max(self.at + LATEST) + self.waits + duration + duration / ROUNDING_SHARE + ROUNDING
     }
 }
 
-impl UnderWay {
-    /// Takes a command that leaves now, behind which `before` is believed until then.
+impl InFlight {
+    /// Adds a command that is sent now. `before` is the model after all earlier commands.
     pub(crate) fn push(
         &mut self,
         now: Duration,
@@ -83,13 +83,13 @@ impl UnderWay {
         self.all.push_back(sent);
     }
 
-    /// The first one is over.
+    /// Removes the first command, which has ended.
     pub(crate) fn pop(&mut self, now: Duration) -> Option<Sent> {
         let over = self.all.pop_front()?;
-        // What follows began before that was seen. It may have begun long before: a target passed
-        // without a rest is seen to be over late, so that nothing is ever put off.
-        let early = self.all.front().map_or(Duration::ZERO, |it| {
-            it.ends.saturating_sub(now + it.duration())
+        // The next command started before this end was detected, possibly long before: a target that
+        // is passed without stopping is detected late. So the expected ends only ever move forward.
+        let early = self.all.front().map_or(Duration::ZERO, |next| {
+            next.ends.saturating_sub(now + next.duration())
         });
         let mut before = now;
         for sent in &mut self.all {
@@ -98,30 +98,30 @@ impl UnderWay {
             before = sent.bound;
         }
         let last = self.all.back();
-        self.last_ends = last.map_or(self.last_ends.min(now), |it| it.ends);
+        self.last_ends = last.map_or(self.last_ends.min(now), |sent| sent.ends);
         Some(over)
     }
 
-    /// The first one, if it left beside the session and must be over: nobody need have seen it.
+    /// Removes the first command if it is urgent and past its latest end, even if no status showed it.
     pub(crate) fn pop_expired(&mut self, now: Duration) -> Option<Sent> {
-        let expired = |it: &Sent| it.id.is_none() && it.bound <= now;
+        let expired = |sent: &Sent| sent.id.is_none() && sent.bound <= now;
         if self.all.front().is_some_and(expired) {
             return self.pop(now);
         }
         None
     }
 
-    /// Predicts anew where all of them lead, from another model than was believed.
-    pub(crate) fn plan_anew(&mut self, mut model: Model) {
+    /// Predicts all commands again, starting from `model`.
+    pub(crate) fn replan(&mut self, mut model: Model) {
         for sent in &mut self.all {
             sent.plan = Plan::new(&model, &sent.command);
             model = sent.plan.after;
         }
     }
 
-    /// The models that are believed when each is over.
+    /// The model after each command.
     pub(crate) fn models(&mut self) -> impl Iterator<Item = &mut Model> {
-        self.all.iter_mut().map(|it| &mut it.plan.after)
+        self.all.iter_mut().map(|sent| &mut sent.plan.after)
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Sent> {
@@ -140,18 +140,18 @@ impl UnderWay {
         self.all.get(index)
     }
 
-    /// How many the arm may still have, urgent ones included.
+    /// Number of commands, urgent ones included.
     pub(crate) fn len(&self) -> usize {
         self.all.len()
     }
 
-    /// Whether the laser is on during any of them.
+    /// Whether the laser is on during any command.
     pub(crate) fn is_lit(&self) -> bool {
-        self.all.iter().any(|it| it.lit)
+        self.all.iter().any(|sent| sent.lit)
     }
 
-    /// From when on the arm stands if nothing more is sent; `None` while a jog goes on.
-    pub(crate) fn stands_from(&self) -> Option<Duration> {
+    /// When the arm stops if nothing more is sent; `None` during a jog.
+    pub(crate) fn stops_at(&self) -> Option<Duration> {
         match self.all.back() {
             None => Some(self.last_ends),
             Some(last) if last.plan.is_endless() => None,
@@ -159,16 +159,18 @@ impl UnderWay {
         }
     }
 
-    /// Since when what should be going on now does so; if nothing should, when the last was over.
-    pub(crate) fn goes_on_since(&self, now: Duration) -> Duration {
-        let goes_on = |it: &&Sent| it.plan.is_endless() || it.ends > now;
-        let it = self.all.iter().find(goes_on);
-        it.map_or(self.last_ends, |it| it.ends.saturating_sub(it.duration()))
+    /// When the command that should be running now started, or, if none should be, when the last one ended.
+    pub(crate) fn running_since(&self, now: Duration) -> Duration {
+        let runs = |sent: &&Sent| sent.plan.is_endless() || sent.ends > now;
+        let running = self.all.iter().find(runs);
+        running.map_or(self.last_ends, |sent| {
+            sent.ends.saturating_sub(sent.duration())
+        })
     }
 
-    /// How many of them somebody asks for.
-    pub(crate) fn asked_for(&self) -> usize {
-        self.all.iter().filter(|it| it.id.is_some()).count()
+    /// Number of commands whose end a caller waits for.
+    pub(crate) fn awaited(&self) -> usize {
+        self.all.iter().filter(|sent| sent.id.is_some()).count()
     }
 
     pub(crate) fn clear(&mut self) {
@@ -176,20 +178,19 @@ impl UnderWay {
         self.last_ends = Duration::ZERO;
     }
 
-    /// From when on two statuses can have told that all that was sent is over: an arm that has not
-    /// begun yet rests, too.
-    pub(crate) fn rests_from(&self) -> Duration {
+    /// From when on two equal statuses show that everything has ended. Earlier, the arm may not have started.
+    pub(crate) fn rest_visible_from(&self) -> Duration {
         self.last_ends + SHOWN
     }
 
-    /// How long it takes until all of them are over; a jog counts as over.
+    /// Time until all commands have ended; a jog counts as ended.
     pub(crate) fn ahead(&self, now: Duration) -> Duration {
         let last = self.all.back();
-        last.map_or(Duration::ZERO, |it| it.ends.saturating_sub(now))
+        last.map_or(Duration::ZERO, |sent| sent.ends.saturating_sub(now))
     }
 
-    /// By when the arm is at rest, if nothing more is sent; `Duration::MAX` while it jogs, `None`
-    /// where nothing is under way.
+    /// Latest time until the arm is at rest if nothing more is sent: `Duration::MAX` during a jog, `None`
+    /// without in-flight commands.
     pub(crate) fn rests_within(&self, now: Duration) -> Option<Duration> {
         self.all.back().map(|last| {
             if last.plan.is_endless() {
@@ -200,47 +201,45 @@ impl UnderWay {
         })
     }
 
-    /// Within what time no more than so many of them are left, at the most: so long an arm is silent whose
-    /// queue that fills (note N20). By when each should end does not tell that: what takes longer than it
-    /// should puts nothing off.
-    pub(crate) fn leaves_within(&self, left: usize, now: Duration) -> Duration {
+    /// Latest time until at most `left` commands remain. An arm with a full queue is silent until then
+    /// (note N20). The expected ends do not bound this time: they are not moved when a command takes longer.
+    pub(crate) fn drains_within(&self, left: usize, now: Duration) -> Duration {
         let over = self.all.len().checked_sub(left + 1);
         let last = over.and_then(|it| self.all.get(it));
-        last.map_or(Duration::ZERO, |it| it.bound.saturating_sub(now))
+        last.map_or(Duration::ZERO, |sent| sent.bound.saturating_sub(now))
     }
 
-    /// How long they take at the most on an arm that somebody else has made slow, before it has room
-    /// for another: a full queue keeps an arm silent for just that long (note N20).
+    /// Upper bound of the time that all commands take on an arm whose speeds another client has lowered.
+    /// An arm with a full queue is silent for this long (note N20).
     pub(crate) fn longest_silence(&self) -> Duration {
         let sum = |part: fn(&Sent) -> Duration| {
             let parts = self.all.iter().map(part);
             parts.fold(Duration::ZERO, Duration::saturating_add)
         };
-        sum(|it| it.plan.longest_motion)
+        sum(|sent| sent.plan.longest_motion)
             .saturating_mul(SLOWER)
-            .saturating_add(sum(|it| it.plan.pause))
-            .saturating_add(sum(|it| it.waits))
+            .saturating_add(sum(|sent| sent.plan.pause))
+            .saturating_add(sum(|sent| sent.waits))
     }
 }
 
 /// Whether the laser is on during a command.
 fn lit(before: &Model, plan: &Plan) -> bool {
     match &plan.trajectory {
-        Ok(it) if it.moves() => it.laser(),
+        Ok(trajectory) if trajectory.moves() => trajectory.laser(),
         _ => before.laser || plan.after.laser,
     }
 }
 
-/// From the status with which a command leaves to its first motion: 43.68 ms on the line, and half a
-/// tick.
+/// Time from sending a command to its first motion: 43.68 ms on the line and half a tick.
 const ARRIVAL: Duration = Duration::from_millis(55);
-/// From the end of a motion until two statuses have told of it: ticks to notice it, two periods, the
+/// Time from the end of a motion until two statuses have shown it: ticks to detect it, two status periods, the
 /// line.
 const SHOWN: Duration = Duration::from_millis(250);
-/// [`ARRIVAL`] at the latest, with what a computer may be late.
+/// The longest [`ARRIVAL`], on a computer that is late.
 const LATEST: Duration = Duration::from_millis(120);
-/// A stock arm goes in whole ticks of 20 ms: a few for each command, and a fiftieth of long ones.
+/// A stock arm moves in whole ticks of 20 ms: up to six extra ticks per command, and 2 % of long ones.
 const ROUNDING: Duration = Duration::from_millis(120);
 const ROUNDING_SHARE: u32 = 50;
-/// Slower than that nobody has made an arm on purpose, against what this session knows.
+/// The largest factor by which another client is assumed to have slowed the arm.
 const SLOWER: u32 = 20;
