@@ -100,7 +100,10 @@ impl Command {
             Some(8) => Gesture::parse(frame, dialect).map(Self::Gesture),
             Some(9) => Configuration::parse(frame, dialect).map(Self::Configuration),
             Some(10) => PlaybackAdjustment::parse(frame, dialect).map(Self::PlaybackAdjustment),
-            _ => Err(ParseError::UnknownState(frame.float(1))),
+            _ => Err(match frame.big_endian_state() {
+                Some(state) => ParseError::BigEndian(state),
+                None => ParseError::UnknownState(frame.float(1)),
+            }),
         }
     }
 }

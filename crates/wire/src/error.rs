@@ -10,6 +10,12 @@ pub enum ParseError {
     #[error("float 1 (state) is {0}; Table 2.2 knows 1 to 10")]
     UnknownState(f32),
 
+    /// The floats have their high byte first.
+    #[error(
+        "the floats are big-endian: float 1 (state) would be {0}; send the low byte of each float first (Table 2.1)"
+    )]
+    BigEndian(f32),
+
     /// Float 1 is 5, but voice commands do not travel as floats (note N17).
     #[error("float 1 (state) is 5; note N17 wants voice commands as text between B5 and 5B")]
     VoiceAsFloats,

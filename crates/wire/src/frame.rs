@@ -68,6 +68,19 @@ impl Frame {
         bytes
     }
 
+    /// The state of Table 2.2 that float 1 holds when all floats are read high byte first, if that makes
+    /// sense of every float: 0, or a size that a command has. For a packet that is no command as it stands.
+    #[must_use]
+    pub fn big_endian_state(&self) -> Option<f32> {
+        let swapped = self
+            .floats
+            .map(|float| f32::from_be_bytes(float.to_le_bytes()));
+        let [state, ..] = swapped;
+        let is_sent =
+            |float: &f32| *float == 0.0 || (SMALLEST_SENT..LARGEST_SENT).contains(&float.abs());
+        (STATES.contains(&state) && swapped.iter().all(is_sent)).then_some(state)
+    }
+
     /// Whether a window begins and ends as a frame does.
     #[inline]
     pub(crate) const fn is_delimited(window: &[u8; PACKET_LEN]) -> bool {
@@ -96,3 +109,10 @@ pub const HEADER: u8 = 0xA5;
 pub const TAIL: u8 = 0x5A;
 
 const FLOATS: usize = 10;
+
+/// The states of Table 2.2 as floats.
+const STATES: [f32; 10] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0];
+
+/// No command needs a value nearer to 0, or as large.
+const SMALLEST_SENT: f32 = 1e-4;
+const LARGEST_SENT: f32 = 1e5;

@@ -268,6 +268,11 @@ fn as_command(window: &[u8; PACKET_LEN]) -> Confidence {
     let Some(packet) = Packet::from_bytes(window) else {
         return Confidence::No;
     };
+    if let Packet::Frame(frame) = &packet
+        && frame.big_endian_state().is_some()
+    {
+        return Confidence::Believable;
+    }
     // A byte of noise brings a decoder out of step: then it trusts only what is believable (N24).
     let mut out_of_step = Decoder::commands();
     out_of_step.feed(&[0]).for_each(drop);
@@ -332,6 +337,22 @@ mod tests {
             .into_iter()
             .map(kind)
             .collect()
+    }
+
+    #[test]
+    fn a_client_with_its_floats_high_byte_first_is_recognised() {
+        let jog = [2.0, 0.0, 1.0, 50.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let target = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 1.0, 0.0, 0.0];
+        let swapped = [jog, target]
+            .map(|floats| floats.map(|float: f32| f32::from_bits(float.to_bits().swap_bytes())));
+        assert_eq!(kinds(&joined(&swapped), From::Auto), "rr");
+        let Content::Command(readings) =
+            &pieces(&joined(&swapped), From::Auto, None, false)[1].content
+        else {
+            panic!("a command");
+        };
+        let error = readings[0].command.as_ref().unwrap_err().to_string();
+        assert!(error.contains("big-endian"), "{error}");
     }
 
     fn joined(packets: &[[f32; 10]]) -> Vec<u8> {
