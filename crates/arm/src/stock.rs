@@ -9,7 +9,7 @@ mod functions;
 mod integers;
 
 use self::functions::{acos, atan, atan2, sin_cos};
-pub use self::integers::{short, whole};
+pub use self::integers::{short, short_unsigned, whole};
 
 /// The joint angles as the stock controller holds them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,6 +1,6 @@
 //! What a controller tells the machine: motor pulses, servos and switches.
 
-use dobot_arm::stock::{short, whole};
+use dobot_arm::stock::{short_unsigned, whole};
 
 /// What a controller told the machine in a control tick.
 ///
@@ -12,9 +12,9 @@ pub struct Outputs {
     /// signs are those of [`STEPS_PER_DEG`].
     pub pulses: [i32; 3],
     /// The head servo's value: 500 at 0 degrees, 1000 more at 180.
-    pub head_servo: i16,
+    pub head_servo: u16,
     /// The gripper servo's value, likewise.
-    pub gripper_servo: i16,
+    pub gripper_servo: u16,
     /// Whether the pump runs.
     pub pump: bool,
     /// Whether the valve that lets air into the suction cup is closed.
@@ -39,8 +39,8 @@ impl Outputs {
 /// What moves at the arm's end, as its program wants it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hands {
-    pub(crate) head_servo: i16,
-    pub(crate) gripper_servo: i16,
+    pub(crate) head_servo: u16,
+    pub(crate) gripper_servo: u16,
     pub(crate) pump: bool,
     pub(crate) valve: bool,
     pub(crate) laser: bool,
@@ -95,9 +95,9 @@ impl Steppers {
 }
 
 /// The value that turns a servo to an angle: the length of its pulse, which is 1500 microseconds at 0
-/// degrees, less a thousand. Angles a hair below a whole number are rounded up by it.
-pub(crate) fn servo_value(angle_deg: f32) -> i16 {
-    short((angle_deg * 1000.0 / 180.0 + 1500.0) - 1000.0)
+/// degrees, less a thousand, in sixteen bits without a sign. Angles a hair below a whole number are rounded up by it.
+pub(crate) fn servo_value(angle_deg: f32) -> u16 {
+    short_unsigned((angle_deg * 1000.0 / 180.0 + 1500.0) - 1000.0)
 }
 
 /// Pulses per degree for base, rear arm and forearm: 1.8 degrees a step, 16 microsteps, a gear of ten. Base and

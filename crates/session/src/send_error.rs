@@ -22,7 +22,7 @@ pub enum SendError {
     #[error("the reported pose may be wrong; look at the arm and confirm its pose before it moves")]
     Untrusted,
     /// The command burns, and the laser is not armed.
-    #[error("the laser is not armed; put on goggles, then arm it (`Connection::arm_laser`)")]
+    #[error("the laser is disarmed; put on goggles, then arm it (`Connection::arm_laser`)")]
     LaserDisarmed,
     /// A stock arm would hang or move forever (notes N48 and N51).
     #[error("{0}")]

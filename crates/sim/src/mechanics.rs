@@ -83,7 +83,7 @@ impl Mechanics {
     /// Takes what a control tick sent: the pulses that the motors of base, rear and fore really
     /// make, signed as the controller counts them, and the signal of the tool's servo (500 is the
     /// middle, 1000 is 90 degrees).
-    pub fn handle_tick(&mut self, at: Duration, pulses: [i32; 3], head_servo: i16) {
+    pub fn handle_tick(&mut self, at: Duration, pulses: [i32; 3], head_servo: u16) {
         self.halt(at);
         for (joint, count) in pulses.into_iter().enumerate() {
             self.to_deg[joint] += f64::from(count) / STEPS_PER_DEG[joint];

@@ -21,6 +21,21 @@ pub const fn short(value: f32) -> i16 {
     whole(value) as i16
 }
 
+/// The integer part of a number in sixteen bits without a sign, by way of 32 bits without a sign.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "its integers are that short"
+)]
+#[must_use]
+pub const fn short_unsigned(value: f32) -> u16 {
+    if 0.0 <= value && value < 4_294_967_296.0 {
+        value as u32 as u16
+    } else {
+        short(value) as u16
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,6 +50,15 @@ mod tests {
     fn sixteen_bits_keep_the_lower_half_of_what_is_too_large_for_them() {
         assert_eq!(short(32_768.0), i16::MIN);
         assert_eq!(short(65_536.0 + 5.0), 5);
+    }
+
+    #[test]
+    fn without_a_sign_the_same_bits_are_another_number() {
+        assert_eq!(short_unsigned(33_833.3), 33_833);
+        assert_eq!(short_unsigned(-166.6), u16::MAX - 165);
+        assert_eq!(short_unsigned(2_147_483_648.0 + 512.0), 512);
+        assert_eq!(short_unsigned(f32::NAN), 0);
+        assert_eq!(short_unsigned(5e9), 0);
     }
 
     #[test]

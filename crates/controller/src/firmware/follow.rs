@@ -58,13 +58,23 @@ impl Follow {
         if kind != FollowKind::Joints {
             grab(frame.float(7), body);
         }
-        if kind == FollowKind::Mouse {
-            let servo_deg = frame.float(6);
-            if (-90.0..=90.0).contains(&servo_deg) {
-                body.set_servo(servo_deg);
-                body.turn_head(servo_deg);
-            }
+        let outcome = self.follow(kind, frame, is_over, settings, body);
+        let servo_deg = frame.float(6);
+        if kind == FollowKind::Mouse && (-90.0..=90.0).contains(&servo_deg) {
+            body.set_servo(servo_deg);
+            body.turn_head(servo_deg);
         }
+        outcome
+    }
+
+    fn follow(
+        &mut self,
+        kind: FollowKind,
+        frame: &Frame,
+        is_over: bool,
+        settings: &mut StockSettings,
+        body: &mut Body,
+    ) -> TickOutcome {
         if is_over {
             return TickOutcome::OVER;
         }
@@ -78,14 +88,15 @@ impl Follow {
     }
 
     fn go(&mut self, body: &mut Body) -> TickOutcome {
-        if self.ticks_left <= 0 {
+        if self.ticks_left == 0 {
             return TickOutcome::GOES_ON;
         }
         let [base, rear, fore] = self.speeds;
         if !body.advance([base, rear, fore, 0.0]) {
             return TickOutcome::over(false);
         }
-        self.ticks_left -= 1;
+        // A count that overflowed its sixteen bits is over after a tick.
+        self.ticks_left = (self.ticks_left - 1).max(0);
         if self.ticks_left == 0 {
             TickOutcome::OVER
         } else {
@@ -111,7 +122,7 @@ impl Follow {
         let (to, period_s) = match kind {
             FollowKind::Mouse => (self.moused(sample, settings, body)?, MOUSE_S),
             FollowKind::Gesture => self.gestured(sample, settings, body)?,
-            FollowKind::Joints => (self.history.told(sample), JOINTS_S),
+            FollowKind::Joints => (within_limits(self.history.told(sample))?, JOINTS_S),
         };
         let from = body.joints;
         let ways = [
@@ -122,7 +133,13 @@ impl Follow {
         if ways.iter().all(|way| way.abs() < NO_WAY_DEG) {
             return Err(TickOutcome::hangs(Hang::NothingToFollow));
         }
-        self.speeds = ways.map(|way| way / period_s);
+        self.speeds = ways.map(|way| {
+            if way.abs() < NO_WAY_DEG {
+                0.0
+            } else {
+                way / period_s
+            }
+        });
         self.ticks_left = short(period_s / PERIOD_S);
         Ok(())
     }
@@ -155,7 +172,7 @@ impl Follow {
         body: &Body,
     ) -> Result<(StockJoints, f32), TickOutcome> {
         let [x, y, z] = self.history.hand_average(sample);
-        let (x_mm, y_mm) = (230.0 + 0.5 * x, y);
+        let (x_mm, y_mm) = (130.0 + (0.5 * x + 100.0), y);
         let z_mm = 0.5 * (z - 200.0) + settings.lowest_mm;
         let [dx, dy, dz] = [
             x_mm - body.pose.x_mm,
@@ -193,9 +210,12 @@ impl History {
             }
         }
         self.store(sample);
-        let count = f32::from(self.count);
-        let weights = [MOUSE_DEG, MOUSE_MM, MOUSE_MM];
-        core::array::from_fn(|axis| weights[axis] * sums[axis] / count)
+        let [swing, longer, higher] = sums.map(|sum| sum / f32::from(self.count));
+        [
+            swing / MOUSE_RANGE * MOUSE_RANGE_DEG,
+            MOUSE_MM * longer,
+            MOUSE_MM * higher,
+        ]
     }
 
     /// Half of it the new sample, half of it those before.
@@ -247,11 +267,17 @@ impl History {
     }
 }
 
-/// Arm angles for a pose; those of a rear arm too far back are brought to its limit.
+/// Arm angles for a pose, within the limits.
 fn solve(pose: StockPose, body: &Body) -> Result<StockJoints, TickOutcome> {
-    let mut joints = inverse(pose, body.tool_mm);
-    if is_out_of_reach(pose, body.tool_mm)
-        || joints.rear_deg > REAR_DEG[1]
+    if is_out_of_reach(pose, body.tool_mm) {
+        return Err(TickOutcome::over_with(Refused::OutOfReach));
+    }
+    within_limits(inverse(pose, body.tool_mm))
+}
+
+/// Angles within the limits; those of a rear arm too far back are brought to its limit.
+fn within_limits(mut joints: StockJoints) -> Result<StockJoints, TickOutcome> {
+    if joints.rear_deg > REAR_DEG[1]
         || joints.fore_deg < FORE_DEG[0]
         || joints.fore_deg > FORE_DEG[1]
     {
@@ -286,8 +312,10 @@ const SAMPLES: usize = 10;
 const FOLLOW_DEG_S: f32 = 200.0;
 const MOUSE_DEG_S2: f32 = 100.0;
 const GESTURE_DEG_S2: f32 = 500.0;
-/// What a unit of the mouse is worth.
-const MOUSE_DEG: f32 = 0.225;
+/// This many units of the mouse turn the base by that angle.
+const MOUSE_RANGE: f32 = 400.0;
+const MOUSE_RANGE_DEG: f32 = 90.0;
+/// What a unit of the mouse is worth in reach and height.
 const MOUSE_MM: f32 = 0.4;
 const MOUSE_S: f32 = 0.1;
 const GESTURE_S: f32 = 0.1;

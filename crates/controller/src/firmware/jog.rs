@@ -54,7 +54,8 @@ impl Jog {
             13 => return press(body, |body| body.hands.laser = true),
             14 => return press(body, |body| body.hands.laser = false),
             axis @ (1..=8 | 11 | 12) => {
-                let axis = if kind == JogKind::Joint && port == Port::Bluetooth {
+                let is_exchanged = port == Port::Bluetooth && frame.float(1) == JOINT_JOG;
+                let axis = if kind == JogKind::Joint && is_exchanged {
                     exchanged(axis)
                 } else {
                     axis
@@ -156,6 +157,9 @@ const fn ramp(kind: JogKind, axis: i16, settings: &StockSettings) -> RampSetting
         (_, JogKind::Linear) => settings.jog_line,
     }
 }
+
+/// The state whose axes are exchanged over Bluetooth, compared exactly: 2.5 is a joint jog, too.
+const JOINT_JOG: f32 = 2.0;
 
 /// Over Bluetooth joint jogs have other axes (note N38).
 const fn exchanged(axis: i16) -> i16 {

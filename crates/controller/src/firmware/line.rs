@@ -42,13 +42,13 @@ impl StraightLine {
             speed,
             acceleration,
         } = ramp;
-        // Neither longer nor shorter, because one of the two is not a number, counts as longer.
-        let (ramp_s, cruise_s, peak) = if speed * speed / acceleration >= length {
-            let peak = libm::sqrtf(acceleration * length);
-            (peak / acceleration, 0.0, peak)
-        } else {
+        // If one of the two is not a number, the line counts as short.
+        let (ramp_s, cruise_s, peak) = if speed * speed / acceleration < length {
             let cruise_s = (length - speed * speed / acceleration) / speed;
             (speed / acceleration, cruise_s, speed)
+        } else {
+            let peak = libm::sqrtf(acceleration * length);
+            (peak / acceleration, 0.0, peak)
         };
         *self = Self {
             start: [from.x_mm, from.y_mm, from.z_mm],

@@ -92,10 +92,10 @@ impl StockSettings {
     }
 
     fn mount(&mut self, tool: f32, body: &mut Body) {
-        let (tool_mm, lowest_mm) = match short(tool) {
-            0 => (LONG_TOOL_MM, LOW_MM),
-            1 => (LONG_TOOL_MM, GRIPPER_LOW_MM),
-            2 => (LASER_MM, LOW_MM),
+        let (tool_mm, lowest_mm) = match tool {
+            0.0 => (LONG_TOOL_MM, LOW_MM),
+            1.0 => (LONG_TOOL_MM, GRIPPER_LOW_MM),
+            2.0 => (LASER_MM, LOW_MM),
             _ => return,
         };
         self.lowest_mm = lowest_mm;

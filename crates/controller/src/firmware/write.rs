@@ -1,6 +1,5 @@
 //! State 4 of the stock controller: writing and laser (note N48).
 
-use dobot_arm::stock::short;
 use dobot_motion::{Cut, Gait};
 use dobot_wire::Frame;
 
@@ -44,18 +43,19 @@ impl Write {
         if is_over {
             return TickOutcome::OVER;
         }
-        let is_laser = short(frame.float(2)) == LASER;
+        if !self.is_planned {
+            self.plan(frame, settings, body);
+            self.is_planned = true;
+        }
         let outcome = if frame.float(6) == 1.0 {
             body.hands.laser = false;
             TickOutcome::OVER
         } else {
-            if !self.is_planned {
-                self.plan(frame, settings, body);
-                self.is_planned = true;
-            }
             self.go(body)
         };
-        if is_laser && let Some(lit) = lit(frame) {
+        if frame.float(2) == LASER
+            && let Some(lit) = lit(frame)
+        {
             body.hands.laser = lit;
         }
         outcome
@@ -63,31 +63,32 @@ impl Write {
 
     fn plan(&mut self, frame: &Frame, settings: &StockSettings, body: &Body) {
         let f = |n| frame.float(n);
-        let mode = short(f(2));
-        if mode == WRITING || mode == LASER {
-            self.vector = [-f(3), f(4), if mode == LASER { 0.0 } else { f(5) }];
-            self.length = libm::sqrtf(f(3) * f(3) + f(4) * f(4) + f(5) * f(5));
-            let factor = match lit(frame) {
-                _ if mode == WRITING => Some(1.0),
-                Some(lit) => Some(if lit { 1.0 } else { RAPID_FACTOR }),
-                None => None,
-            };
-            if let Some(factor) = factor {
-                self.acceleration = factor * settings.write_acceleration;
-            }
+        // In another mode the vector keeps the z and the acceleration of the one before.
+        let [_, _, z_before] = self.vector;
+        let (z, factor) = match (f(2), lit(frame)) {
+            (WRITING, _) => (f(5), Some(1.0)),
+            (LASER, Some(lit)) => (0.0, Some(if lit { 1.0 } else { RAPID_FACTOR })),
+            (LASER, None) => (0.0, None),
+            _ => (z_before, None),
+        };
+        self.vector = [-f(3), f(4), z];
+        self.length = libm::sqrtf(f(3) * f(3) + f(4) * f(4) + f(5) * f(5));
+        if let Some(factor) = factor {
+            self.acceleration = factor * settings.write_acceleration;
         }
         self.start = [body.pose.x_mm, body.pose.y_mm, body.pose.z_mm];
         self.next = None;
         let (end, max) = (f(9), f(10));
-        if self.length <= NO_LENGTH_MM {
+        // A length that is not a number is not above it.
+        if self.length > NO_LENGTH_MM {
+            let cut = Cut::of(self.length, self.stored_speed, end, max, self.acceleration);
+            self.gait.begin(Some(&cut));
+            self.speed_change = cut.change_mm_s;
+            self.end_speed = cut.end_mm_s;
+        } else {
             self.gait.begin(None);
             self.end_speed = if end > max { max } else { end };
-            return;
         }
-        let cut = Cut::of(self.length, self.stored_speed, end, max, self.acceleration);
-        self.gait.begin(Some(&cut));
-        self.speed_change = cut.change_mm_s;
-        self.end_speed = cut.end_mm_s;
     }
 
     /// One tick further. With all ticks used up the vector is over in that same tick, and the next
@@ -97,12 +98,13 @@ impl Write {
         let left = self.gait.ticks_left();
         self.next = (left != 0).then(|| self.step(self.gait));
         let place = |it: &Gait| moved(self.start, it.travelled_mm());
-        if !body.advance_along(place(&self.gait), self.next.as_ref().map(place)) {
-            return TickOutcome::over(false);
-        }
+        let advanced = body.advance_along(place(&self.gait), self.next.as_ref().map(place));
         if left == 0 {
+            // Even if a limit refuses the last tick.
             self.stored_speed = self.end_speed;
-            return TickOutcome::OVER;
+        }
+        if left == 0 || !advanced {
+            return TickOutcome::over(advanced);
         }
         TickOutcome::hangs_if(left < 0, Hang::NeverArrives)
     }
@@ -122,8 +124,9 @@ fn lit(frame: &Frame) -> Option<bool> {
     }
 }
 
-const WRITING: i16 = 0;
-const LASER: i16 = 1;
+/// The modes, which are compared exactly.
+const WRITING: f32 = 0.0;
+const LASER: f32 = 1.0;
 /// With the laser off the laser mode accelerates that much faster.
 const RAPID_FACTOR: f32 = 100.0;
 /// A vector of that length or less is not planned.

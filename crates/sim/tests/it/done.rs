@@ -224,7 +224,7 @@ struct Trial {
 #[derive(Clone, Debug, PartialEq)]
 struct Shown {
     joints: dobot_arm::Joints,
-    servos: [i16; 2],
+    servos: [u16; 2],
     pump: bool,
 }
 

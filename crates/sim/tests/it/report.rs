@@ -154,7 +154,7 @@ const TABLE_HEAD: &str = "\
 ";
 
 /// What each recording shows.
-const SHOWN: [(&str, &str); 61] = [
+const SHOWN: [(&str, &str); 73] = [
     (
         "p01_boot_status",
         "switched on and left alone: when statuses come",
@@ -287,9 +287,42 @@ const SHOWN: [(&str, &str); 61] = [
         "p51_limit_in_run_down",
         "a run-down that meets a limit is over, and runs on",
     ),
+    ("p52_tool_exact", "tools that are not exactly 0, 1 or 2"),
+    ("p53_write_modes", "write modes that are not exactly 0 or 1"),
+    (
+        "p54_stop_sets_acceleration",
+        "a stop packet sets the acceleration of a later vector",
+    ),
+    (
+        "p55_refused_last_tick",
+        "a vector whose last tick is refused at a limit leaves its end speed",
+    ),
+    ("p56_mouse_order", "the order of operations in mouse moves"),
+    ("p57_gesture_stays", "the same gesture again and again"),
+    (
+        "p58_state15_after_mouse",
+        "state 15 after a mouse: the average is held against the limits",
+    ),
+    (
+        "p59_bt_fractional_state",
+        "state 2.5 over Bluetooth, whose axes are not exchanged",
+    ),
+    ("p60_gripper_far", "servo outputs of more than 15 bits"),
+    (
+        "p69_gesture_sixteen_bits",
+        "a gesture so far away that its ticks overflow",
+    ),
     (
         "x10_movj_after_nan",
         "trap: a move when two of four angles are lost",
+    ),
+    (
+        "x14_line_speed_nan",
+        "trap: a line whose speed is not a number arrives",
+    ),
+    (
+        "x15_write_nan_length",
+        "trap: a vector whose length is not a number loses the pose",
     ),
     (
         "x1_movl_zero_nan",
