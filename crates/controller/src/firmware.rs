@@ -147,13 +147,18 @@ impl Firmware {
             self.snapshot = status(&self.body);
         }
         self.body.is_driven = false;
-        if self.in_force.is_finished
-            && let Some(frame) = self.fifo.pop()
-        {
-            self.fetch(frame, log);
+        if self.in_force.is_finished {
+            if let Some(frame) = self.fifo.pop() {
+                log.begun();
+                self.fetch(frame);
+            } else if self.fifo.len() > 0 {
+                // With more than its places the queue gives nothing: the last command runs again.
+                self.fetch(self.in_force.frame);
+            }
         }
         let outcome = self.dispatch();
         self.in_force.is_finished = outcome.is_over;
+        self.body.is_planned &= !outcome.is_over;
         if let Some(notice) = outcome.notice
             && !self.in_force.is_told
         {
@@ -313,8 +318,7 @@ impl Firmware {
         }
     }
 
-    fn fetch(&mut self, frame: Frame, log: &mut Log) {
-        log.begun();
+    fn fetch(&mut self, frame: Frame) {
         self.in_force.frame = frame;
         self.in_force.state = if self.heard.is_voice {
             VOICE
@@ -324,11 +328,7 @@ impl Firmware {
         self.in_force.is_finished = false;
         self.in_force.is_told = false;
         self.in_force.is_new = true;
-        self.travel.clear();
         self.jog.clear();
-        self.write.clear();
-        self.follow.clear();
-        self.spoken.clear();
     }
 
     /// A tick of the command in force, finished or not.
@@ -365,7 +365,6 @@ impl Firmware {
             WRITE => self.write.tick(frame, is_over, settings, body),
             VOICE => {
                 let in_flight = InFlight {
-                    way: travel.going(),
                     text: self.receiver.begun() == Some(VOICE_HEADER),
                     fetched: in_force.is_new,
                 };

@@ -31,6 +31,11 @@ pub(crate) struct Body {
     forgiven: bool,
     /// Whether there was a first refusal.
     forgave: bool,
+    /// Whether the command in force is planned. This and `start` are shared by all commands that plan, so a command that voice takes over
+    /// leaves them to the voice routine (note N50).
+    pub(crate) is_planned: bool,
+    /// Where the last line, vector or JUMP began.
+    pub(crate) start: [f32; 3],
     /// Whether the pose follows from the angles as they are.
     is_settled: bool,
     ahead: Ahead,
@@ -60,6 +65,8 @@ impl Body {
             repeats: false,
             forgiven: false,
             forgave: false,
+            is_planned: false,
+            start: [0.0; 3],
             is_settled: false,
             ahead: Ahead::default(),
         }
@@ -118,6 +125,11 @@ impl Body {
             (to.fore_deg - from.fore_deg) / PERIOD_S,
             (to.servo_deg - from.servo_deg) / PERIOD_S,
         ])
+    }
+
+    /// Begins a line, a vector or a JUMP here.
+    pub(crate) const fn begin(&mut self) {
+        self.start = [self.pose.x_mm, self.pose.y_mm, self.pose.z_mm];
     }
 
     /// Brings the pose up to date.

@@ -36,7 +36,7 @@ impl Fifo {
     }
 
     /// Takes a place and leaves there what is there. Nobody looks whether there is one: with more
-    /// than six the queue is locked for ever.
+    /// than six the queue is locked forever, and the last command runs again and again.
     pub(crate) const fn take_place(&mut self) {
         self.count += 1;
     }

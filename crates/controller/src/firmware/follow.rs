@@ -12,7 +12,6 @@ use crate::{Hang, Refused};
 /// What follows, and what it remembers.
 #[derive(Debug, Default)]
 pub(crate) struct Follow {
-    is_planned: bool,
     /// Degrees per second: base, rear, fore.
     speeds: [f32; 3],
     ticks_left: i16,
@@ -36,10 +35,6 @@ struct History {
 }
 
 impl Follow {
-    pub(crate) const fn clear(&mut self) {
-        self.is_planned = false;
-    }
-
     /// Another state was in force: a row of mouse or hand begins. What was remembered stays where it
     /// is, and counts where a sum reaches it.
     pub(crate) const fn begin_row(&mut self) {
@@ -78,8 +73,8 @@ impl Follow {
         if is_over {
             return TickOutcome::OVER;
         }
-        if !self.is_planned {
-            self.is_planned = true;
+        if !body.is_planned {
+            body.is_planned = true;
             if let Err(outcome) = self.plan(kind, frame, settings, body) {
                 return outcome;
             }

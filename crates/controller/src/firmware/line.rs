@@ -1,7 +1,5 @@
 //! MOVL of the stock controller: a straight line (note N46).
 
-use dobot_arm::stock::StockPose;
-
 use super::Progress;
 use super::body::{Body, PERIOD_S};
 use super::settings::RampSettings;
@@ -10,7 +8,6 @@ use super::settings::RampSettings;
 /// begins with.
 #[derive(Debug, Default)]
 pub(crate) struct StraightLine {
-    start: [f32; 3],
     direction: [f32; 3],
     length: f32,
     acceleration: f32,
@@ -35,9 +32,23 @@ struct Stride {
 impl StraightLine {
     /// Plans a line from where the body is. One without length has no direction: its parts are not
     /// numbers.
-    pub(crate) fn plan(&mut self, from: StockPose, [x, y, z]: [f32; 3], ramp: RampSettings) {
+    pub(crate) fn plan(&mut self, body: &mut Body, [x, y, z]: [f32; 3], ramp: RampSettings) {
+        let from = body.pose;
         let [dx, dy, dz] = [x - from.x_mm, y - from.y_mm, z - from.z_mm];
         let length = libm::sqrtf(dx * dx + dy * dy + dz * dz);
+        let direction = [dx / length, dy / length, dz / length];
+        self.plan_along(body, direction, length, ramp);
+    }
+
+    /// Plans a line from where the body is.
+    pub(crate) fn plan_along(
+        &mut self,
+        body: &mut Body,
+        direction: [f32; 3],
+        length: f32,
+        ramp: RampSettings,
+    ) {
+        body.begin();
         let RampSettings {
             speed,
             acceleration,
@@ -51,8 +62,7 @@ impl StraightLine {
             (peak / acceleration, 0.0, peak)
         };
         *self = Self {
-            start: [from.x_mm, from.y_mm, from.z_mm],
-            direction: [dx / length, dy / length, dz / length],
+            direction,
             length,
             acceleration,
             peak,
@@ -76,8 +86,9 @@ impl StraightLine {
         }
         self.stride = self.next.unwrap_or_else(|| self.step(self.stride));
         self.next = (!self.stride.is_done).then(|| self.step(self.stride));
-        let next = self.next.map(|it| self.place(it));
-        Progress::of(body.advance_along(self.place(self.stride), next))
+        let next = self.next.map(|next| self.place(body.start, next));
+        let place = self.place(body.start, self.stride);
+        Progress::of(body.advance_along(place, next))
     }
 
     pub(crate) const fn forget_travelled(&mut self) {
@@ -106,8 +117,8 @@ impl StraightLine {
         }
     }
 
-    fn place(&self, stride: Stride) -> [f32; 3] {
-        moved(self.start, self.direction.map(|it| it * stride.travelled))
+    fn place(&self, start: [f32; 3], stride: Stride) -> [f32; 3] {
+        moved(start, self.direction.map(|part| part * stride.travelled))
     }
 
     fn speed(&self, t_s: f32) -> f32 {

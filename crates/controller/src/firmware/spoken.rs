@@ -5,7 +5,6 @@ use dobot_wire::VoiceOrder;
 use super::follow::CLOSED_DEG;
 use super::line::StraightLine;
 use super::settings::StockSettings;
-use super::target::MoveShape;
 use super::{Body, Printer, Progress, TickOutcome};
 use crate::Hang;
 
@@ -13,14 +12,11 @@ use crate::Hang;
 #[derive(Debug, Default)]
 pub(crate) struct Spoken {
     order: Option<VoiceOrder>,
-    is_planned: bool,
 }
 
 /// What else goes on while an order is looked at.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InFlight {
-    /// The way to a target.
-    pub(crate) way: Option<MoveShape>,
     /// A text of which the rest is still to come.
     pub(crate) text: bool,
     /// This is the first tick of a command from the queue.
@@ -38,20 +34,14 @@ pub(crate) struct SpokenWords {
 }
 
 impl Spoken {
-    pub(crate) const fn clear(&mut self) {
-        self.is_planned = false;
-    }
-
     /// Takes another text; returns whether it orders anything.
-    pub(crate) fn hear(&mut self, words: &SpokenWords) -> bool {
-        if words.order.is_some() {
-            self.order = words.order;
-        }
+    pub(crate) const fn hear(&mut self, words: &SpokenWords) -> bool {
+        self.order = words.order;
         words.order.is_some()
     }
 
-    /// A tick of an order. A straight line that is under way already is gone to its end; one that was
-    /// ordered itself is ended by what acts at once.
+    /// A tick of an order, for a command of its own or in place of another one that it interrupts. Where that
+    /// one is planned, a direction is not planned again: the last line is continued, whatever it was.
     pub(crate) fn tick(
         &mut self,
         is_over: bool,
@@ -63,33 +53,35 @@ impl Spoken {
         if is_over {
             return TickOutcome::OVER;
         }
+        // Without a line nothing new is calculated for the motors.
+        let repeats = !in_flight.fetched;
         let Some(order) = self.order else {
-            body.repeats = in_flight.text;
+            body.repeats = repeats;
             return TickOutcome::hangs_if(!in_flight.text, Hang::NothingSaid);
         };
-        if in_flight.way == Some(MoveShape::ByJoints) {
-            // It counts as planned already, and there is no line to go.
-            return TickOutcome::OVER;
-        }
         match order {
-            _ if in_flight.way == Some(MoveShape::Line) => {}
             VoiceOrder::Catch => {
-                body.repeats = !in_flight.fetched;
+                body.repeats = repeats;
                 body.grab(true, CLOSED_DEG);
                 return TickOutcome::OVER;
             }
             VoiceOrder::Release => {
-                body.repeats = !in_flight.fetched;
+                body.repeats = repeats;
                 body.grab(false, 0.0);
                 return TickOutcome::OVER;
             }
-            VoiceOrder::Move { .. } if self.is_planned => {}
-            VoiceOrder::Move { x_mm, y_mm, z_mm } => {
-                let from = body.pose;
-                let to = [from.x_mm + x_mm, from.y_mm + y_mm, from.z_mm + z_mm];
-                line.plan(from, to, settings.line);
-                self.is_planned = true;
+            VoiceOrder::Move { x_mm, y_mm, z_mm } if !body.is_planned => {
+                // One of them is not 0: the line is exactly along its axis.
+                let by = [x_mm, y_mm, z_mm];
+                let direction = by.map(|mm| if mm == 0.0 { 0.0 } else { 1.0_f32.copysign(mm) });
+                let length = by.map(f32::abs).into_iter().sum();
+                line.plan_along(body, direction, length, settings.line);
+                body.is_planned = true;
+                if settings.line.speed == 0.0 {
+                    return TickOutcome::OVER;
+                }
             }
+            VoiceOrder::Move { .. } => {}
         }
         match line.tick(body) {
             Progress::GoesOn => TickOutcome::GOES_ON,
@@ -106,16 +98,19 @@ impl SpokenWords {
         let first = |list: &[(&'static str, u16)]| {
             list.iter()
                 .copied()
-                .find(|(word, _)| contains(text, word))
+                .find(|(word, _)| contains(text, word.as_bytes()))
                 .unwrap_or_default()
         };
         let (ones, tens) = VoiceOrder::NUMBERS.split_at(9);
         let (teens, tens) = tens.split_at(10);
         let numbers = [&HUNDREDS[..], teens, tens, ones].map(first);
         let sum = numbers.iter().map(|(_, value)| value).sum();
-        // The first one that is found counts.
-        let mut words = VoiceOrder::WORDS.into_iter();
-        let word = words.find(|(word, _)| contains(text, word));
+        // The first one that is found counts; only without one are they looked for with a capital letter.
+        let find = |spelled: fn(&str) -> [u8; LONGEST]| {
+            let mut words = VoiceOrder::WORDS.into_iter();
+            words.find(|(word, _)| contains(text, &spelled(word)[..word.len()]))
+        };
+        let word = find(letters).or_else(|| find(capitalised));
         let (word, order) = word.map_or(("", None), |(word, order)| (word, order.times(sum)));
         Self {
             order,
@@ -136,11 +131,25 @@ impl SpokenWords {
     }
 }
 
-/// Whether a word is in a text, in small letters or with a capital one in front.
-fn contains(text: &[u8], word: &str) -> bool {
-    text.windows(word.len()).any(|part| {
-        part[0].to_ascii_lowercase() == word.as_bytes()[0] && part[1..] == word.as_bytes()[1..]
-    })
+fn contains(text: &[u8], word: &[u8]) -> bool {
+    text.windows(word.len()).any(|part| part == word)
 }
+
+/// A word in small letters.
+fn letters(word: &str) -> [u8; LONGEST] {
+    let mut letters = [0; LONGEST];
+    letters[..word.len()].copy_from_slice(word.as_bytes());
+    letters
+}
+
+/// A word with a capital letter in front.
+fn capitalised(word: &str) -> [u8; LONGEST] {
+    let mut letters = letters(word);
+    letters[0].make_ascii_uppercase();
+    letters
+}
+
+/// The length of the longest word that is not a number.
+const LONGEST: usize = 7;
 
 const HUNDREDS: [(&str, u16); 1] = [("hundred", 100)];

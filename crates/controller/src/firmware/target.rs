@@ -15,6 +15,9 @@ use crate::{Hang, Refused};
 #[derive(Debug, Default)]
 pub(crate) struct Travel {
     way: Option<TargetMove>,
+    /// The JUMP that was begun and is not over. It outlives a command that voice ends.
+    jump: Option<Jump>,
+    /// Outlives a command that voice ends, too.
     pause: Option<Pause>,
     /// Whether pump and gripper obey the command in force: from the middle of a pause on until the
     /// next way is planned.
@@ -26,7 +29,7 @@ enum TargetMove {
     Joints(JointWay),
     /// Along the one line that there is; then the servo turns to this angle.
     Line(ServoEnd),
-    Jump(Jump),
+    Jump,
 }
 
 /// How the angle of the servo at the end of a line is told.
@@ -57,39 +60,12 @@ pub(crate) enum TargetKind {
     Joints,
 }
 
-/// How a way goes that is under way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum MoveShape {
-    /// Straight.
-    Line,
-    /// Joint by joint: a MOVJ or a JUMP.
-    ByJoints,
-}
-
 impl Travel {
-    /// Forgets what was going on: another command is in force.
-    pub(crate) fn clear(&mut self) {
-        self.way = None;
-        self.pause = None;
-    }
-
-    /// The way that is under way.
-    pub(crate) const fn going(&self) -> Option<MoveShape> {
-        match (&self.way, &self.pause) {
-            (Some(TargetMove::Line(_)), None) => Some(MoveShape::Line),
-            (Some(TargetMove::Joints(_) | TargetMove::Jump(_)), None) => Some(MoveShape::ByJoints),
-            _ => None,
-        }
-    }
-
     /// Whether a phase of a JUMP began in this tick.
     pub(crate) fn begins_phase(&self) -> bool {
-        match (&self.way, &self.pause) {
-            (Some(TargetMove::Jump(jump)), None) => {
-                jump.phase.as_ref().is_some_and(JointWay::is_begun)
-            }
-            _ => false,
-        }
+        let jump = self.jump.as_ref().filter(|_| self.pause.is_none());
+        let phase = jump.and_then(|jump| jump.phase.as_ref());
+        phase.is_some_and(JointWay::is_begun)
     }
 
     /// A tick of a target; `is_over` if the command has been finished already and nothing follows.
@@ -128,22 +104,20 @@ impl Travel {
         line: &mut StraightLine,
         body: &mut Body,
     ) -> TickOutcome {
-        let way = match self.way.take() {
-            Some(way) => way,
-            None => match TargetMove::plan(kind, frame, settings, line, body) {
-                Some(way) => {
-                    self.acts = false;
-                    way
-                }
-                None => return TickOutcome::over_with(Refused::OutOfReach),
-            },
+        if !body.is_planned {
+            self.way = self.plan(kind, frame, settings, line, body);
+            body.is_planned = self.way.is_some();
+            self.acts &= self.way.is_none();
+        }
+        let Some(way) = &mut self.way else {
+            return TickOutcome::over_with(Refused::OutOfReach);
         };
-        let way = self.way.insert(way);
-        let progress = way.tick(settings, line, body);
+        let progress = way.tick(&mut self.jump, settings, line, body);
         if progress == Progress::GoesOn {
-            let endless = !way.total_s(line).is_finite();
+            let endless = !way.total_s(self.jump.as_ref(), line).is_finite();
             return TickOutcome::hangs_if(endless, Hang::NeverArrives);
         }
+        self.jump = None;
         self.pause = Some(Pause::default());
         let waiting = self.wait(frame);
         match progress {
@@ -162,23 +136,22 @@ impl Travel {
         let ticks = f32::from(pause.ticks);
         self.acts |= ticks > 25.0 * pause_s;
         if ticks > 50.0 * pause_s {
-            self.clear();
+            self.pause = None;
             TickOutcome::OVER
         } else {
             TickOutcome::GOES_ON
         }
     }
-}
 
-impl TargetMove {
     /// Plans the way to a target; `None` where a MOVJ does not reach it.
     fn plan(
+        &mut self,
         kind: TargetKind,
         frame: &Frame,
         settings: &StockSettings,
         line: &mut StraightLine,
-        body: &Body,
-    ) -> Option<Self> {
+        body: &mut Body,
+    ) -> Option<TargetMove> {
         let f = |n| frame.float(n);
         let joints = StockJoints {
             base_deg: f(3),
@@ -198,25 +171,31 @@ impl TargetMove {
         match (short(f(8)), kind) {
             (MOVL, _) => {
                 line.plan(
-                    body.pose,
+                    body,
                     [pose.x_mm, pose.y_mm, pose.z_mm],
                     settings.line_ramp(),
                 );
-                Some(Self::Line(match kind {
+                Some(TargetMove::Line(match kind {
                     TargetKind::Pose => ServoEnd::Rotation(f(6)),
                     TargetKind::Joints => ServoEnd::Servo(f(6)),
                 }))
             }
-            (JUMP, _) => Some(Self::Jump(Jump::plan(
-                body.pose,
-                pose,
-                settings.jump_height_mm,
-            ))),
-            (_, TargetKind::Joints) => Some(Self::joints(joints, settings, body)),
-            (_, TargetKind::Pose) => Some(Self::joints(solve(pose, body)?, settings, body)),
+            (JUMP, _) => {
+                if let Some(jump) = &mut self.jump {
+                    jump.resume();
+                } else {
+                    body.begin();
+                    self.jump = Some(Jump::plan(body.pose, pose, settings.jump_height_mm));
+                }
+                Some(TargetMove::Jump)
+            }
+            (_, TargetKind::Joints) => Some(TargetMove::joints(joints, settings, body)),
+            (_, TargetKind::Pose) => Some(TargetMove::joints(solve(pose, body)?, settings, body)),
         }
     }
+}
 
+impl TargetMove {
     /// The servo goes with the rear arm's acceleration.
     fn joints(to: StockJoints, settings: &StockSettings, body: &Body) -> Self {
         let mut ramps = settings.joint_ramps();
@@ -226,6 +205,7 @@ impl TargetMove {
 
     fn tick(
         &mut self,
+        jump: &mut Option<Jump>,
         settings: &StockSettings,
         line: &mut StraightLine,
         body: &mut Body,
@@ -248,15 +228,21 @@ impl TargetMove {
                 }
                 progress
             }
-            Self::Jump(jump) => jump.tick(settings, body),
+            Self::Jump => match jump {
+                Some(jump) => jump.tick(settings, body),
+                None => Progress::Arrived,
+            },
         }
     }
 
-    fn total_s(&self, line: &StraightLine) -> f32 {
+    fn total_s(&self, jump: Option<&Jump>, line: &StraightLine) -> f32 {
         match self {
             Self::Joints(way) => way.total_s,
             Self::Line(_) => line.total_s,
-            Self::Jump(jump) => jump.phase.as_ref().map_or(0.0, |way| way.total_s),
+            Self::Jump => {
+                let phase = jump.and_then(|jump| jump.phase.as_ref());
+                phase.map_or(0.0, |phase| phase.total_s)
+            }
         }
     }
 }
@@ -271,6 +257,13 @@ impl Jump {
             targets: [lifted(from), lifted(to), to],
             next: 0,
             phase: None,
+        }
+    }
+
+    /// Begins the phase in which it was interrupted again, from rest.
+    fn resume(&mut self) {
+        if self.phase.take().is_some() {
+            self.next -= 1;
         }
     }
 

@@ -12,12 +12,10 @@ use crate::Hang;
 /// The vector that is being written, and the speed that the last one left.
 #[derive(Debug, Default)]
 pub(crate) struct Write {
-    is_planned: bool,
     /// The end speed of the last vector that was completed.
     stored_speed: f32,
     /// What that will be once this one is.
     end_speed: f32,
-    start: [f32; 3],
     vector: [f32; 3],
     length: f32,
     acceleration: f32,
@@ -28,10 +26,6 @@ pub(crate) struct Write {
 }
 
 impl Write {
-    pub(crate) const fn clear(&mut self) {
-        self.is_planned = false;
-    }
-
     /// A tick of a vector.
     pub(crate) fn tick(
         &mut self,
@@ -43,9 +37,9 @@ impl Write {
         if is_over {
             return TickOutcome::OVER;
         }
-        if !self.is_planned {
+        if !body.is_planned {
             self.plan(frame, settings, body);
-            self.is_planned = true;
+            body.is_planned = true;
         }
         let outcome = if frame.float(6) == 1.0 {
             body.hands.laser = false;
@@ -61,7 +55,7 @@ impl Write {
         outcome
     }
 
-    fn plan(&mut self, frame: &Frame, settings: &StockSettings, body: &Body) {
+    fn plan(&mut self, frame: &Frame, settings: &StockSettings, body: &mut Body) {
         let f = |n| frame.float(n);
         // In another mode the vector keeps the z and the acceleration of the one before.
         let [_, _, z_before] = self.vector;
@@ -76,7 +70,7 @@ impl Write {
         if let Some(factor) = factor {
             self.acceleration = factor * settings.write_acceleration;
         }
-        self.start = [body.pose.x_mm, body.pose.y_mm, body.pose.z_mm];
+        body.begin();
         self.next = None;
         let (end, max) = (f(9), f(10));
         // A length that is not a number is not above it.
@@ -97,7 +91,8 @@ impl Write {
         self.gait = self.next.unwrap_or_else(|| self.step(self.gait));
         let left = self.gait.ticks_left();
         self.next = (left != 0).then(|| self.step(self.gait));
-        let place = |it: &Gait| moved(self.start, it.travelled_mm());
+        let start = body.start;
+        let place = |gait: &Gait| moved(start, gait.travelled_mm());
         let advanced = body.advance_along(place(&self.gait), self.next.as_ref().map(place));
         if left == 0 {
             // Even if a limit refuses the last tick.

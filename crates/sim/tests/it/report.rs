@@ -154,7 +154,7 @@ const TABLE_HEAD: &str = "\
 ";
 
 /// What each recording shows.
-const SHOWN: [(&str, &str); 73] = [
+const SHOWN: [(&str, &str); 84] = [
     (
         "p01_boot_status",
         "switched on and left alone: when statuses come",
@@ -309,12 +309,53 @@ const SHOWN: [(&str, &str); 73] = [
     ),
     ("p60_gripper_far", "servo outputs of more than 15 bits"),
     (
+        "p61_voice_words",
+        "which words and numbers voice understands",
+    ),
+    (
+        "p62_voice_in_movl",
+        "catch, said during a line, ends the line",
+    ),
+    (
+        "p63_voice_in_pause",
+        "voice during a pause: the next target is skipped",
+    ),
+    (
+        "p64_voice_in_jump",
+        "voice during a jump: the next jump continues its phase",
+    ),
+    (
+        "p65_voice_speed_zero",
+        "a spoken line at speed 0 is over immediately",
+    ),
+    (
+        "p66_voice_in_vector",
+        "voice during a vector: the arm is set back to its start",
+    ),
+    ("p67_voice_first_in_jump", "the same during a jump"),
+    (
+        "p68_voice_exact_length",
+        "spoken lines are exactly along their axis",
+    ),
+    (
         "p69_gesture_sixteen_bits",
         "a gesture so far away that its ticks overflow",
     ),
     (
         "x10_movj_after_nan",
         "trap: a move when two of four angles are lost",
+    ),
+    (
+        "x11_voice_not_understood",
+        "trap: a text without an order during a move repeats the last pulses forever",
+    ),
+    (
+        "x12_voice_bad_tail",
+        "trap: the same with a voice packet whose tail is wrong",
+    ),
+    (
+        "x13_voice_overfull",
+        "trap: more than six places taken by voice repeat the last words forever",
     ),
     (
         "x14_line_speed_nan",

@@ -9,7 +9,7 @@ use crate::report::report;
 #[test]
 fn the_twin_does_what_the_stock_controller_was_recorded_to_do() {
     let names = names();
-    assert!(names.len() >= 73, "recordings are missing: {names:?}");
+    assert!(names.len() >= 84, "recordings are missing: {names:?}");
     let mut failures = String::new();
     for name in &names {
         let comparison = twin(name).compare(&recording(name));
