@@ -15,7 +15,7 @@ Written by `cargo run -p dobot-examples --example crates > docs/crates.md`; `./c
 dependencies are those of the manifests.
 
 The package of a folder is `dobot-<folder>`. Dependencies point down only. Crates without `std` do not use the heap either.
-[code-tour.md](code-tour.md) follows one command through them.
+[architecture.md](architecture.md) follows one command through them.
 
 | crate | `no_std` | contents |
 |---|---|---|
