@@ -416,7 +416,7 @@ const CABLES: &str = "
 
 For up to six seconds, in each phase of a job. Bytes on the line at that moment still arrive. If afterwards the base is at
 exactly 0, as after a reset, and the joints are elsewhere, the arm may have been reset or may have moved on: its pose is not
-trusted, the commands that it had received count as lost, and the person who confirms the pose is told so. These cases are counted separately.
+trusted, the commands that it had received count as lost, and the person who confirms the pose is informed. These cases are counted separately.
 ";
 
 const LINES: &str = "
