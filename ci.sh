@@ -204,7 +204,7 @@ step_doc() {
       fail "$readme: the example is not that of $library (<), which is tested"
   done
   diff <(cargo run --locked --quiet -p dobot-examples --example crates) docs/crates.md ||
-    fail "docs/crates.md is not what the manifests say (<); CONTRIBUTING tells how to write it again"
+    fail "docs/crates.md is not what the manifests say (<); regenerate it (docs/recipes.md)"
 }
 
 step_doc-all() {

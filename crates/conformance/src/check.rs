@@ -112,7 +112,7 @@ impl Check {
             .says("a move of whole ticks: when the next one begins")
             .by("N29, N45"),
         check("move-pause", |rig| judged(moves::pause(rig)))
-            .says("waits after a move as long as told")
+            .says("waits after a move as long as commanded")
             .by("Table 3.7, N10"),
         check("default-pause", |rig| judged(moves::default_pause(rig)))
             .says("the default pause of 9/1")

@@ -131,21 +131,20 @@ fn shows(name: &str) -> &'static str {
 const HEAD: &str = "\
 # Fidelity
 
-This page says how far the twin (`--personality firmware-1.1`) differs from the controller of a stock arm. The program
-of such a controller, version 1.1, was run instruction by instruction on a simulated processor. Its uploads and actions
-are recorded in [`vectors/traces/`](../vectors/traces/README.md). Here the twin gets the same bytes at the same
-times, and every status and every control tick of both are compared:
+For users who rely on the twin (`--personality firmware-1.1`): how far it differs from the controller of a stock arm. That
+controller's program, version 1.1, was run instruction by instruction on a simulated processor; its uploads and actions are
+the recordings in [`vectors/traces/`](../vectors/traces/README.md). The twin gets the same bytes at the same times, and every status
+and control tick of both are compared:
 
-- **statuses**: how many there are, at the same times in both
+- **statuses**: their number, at equal times in both
 - **mm**: the largest deviation of x, y and z in any status
 - **degrees**: the largest deviation of the angles of base, rear arm, forearm, servo, tool and gripper
 - **pulses**: the largest deviation of the motor pulses sent since power-up, in any tick; 88.89 pulses are a degree
 - **outputs**: servo values, pump, valve and laser in every tick
-- **text**: what is printed on the port that is not in use
+- **text**: what is printed on the unused port
 
-Where the recording has NaN, the twin must have NaN. A 0 is not a rounded value: every digit is the same.
-`crates/sim/tests/it/traces.rs` allows no difference, and fails if this page differs from what
-`cargo run -p dobot-examples --example fidelity` prints.
+Where the recording has NaN, the twin must have NaN. A 0 is not rounded: every digit is equal. `crates/sim/tests/it/traces.rs`
+allows no difference, and fails if this page is not the output of `cargo run -p dobot-examples --example fidelity`.
 ";
 
 const TABLE_HEAD: &str = "\

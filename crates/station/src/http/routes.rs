@@ -1,6 +1,6 @@
 //! The table of all routes: router and document both come from it.
 //!
-//! A request is a row of it, with its body beside it: see `CONTRIBUTING.md`, "a new request".
+//! A request is a row of it, with its body beside it: see `docs/recipes.md`, "Add a request".
 
 mod agents;
 mod arm;

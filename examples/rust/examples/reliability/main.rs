@@ -1,6 +1,6 @@
-//! `cargo run -p dobot-examples --example reliability -- --quick`: what becomes of jobs when everything goes wrong.
+//! `cargo run -p dobot-examples --example reliability -- --quick`: measures jobs under faults.
 //!
-//! Without `--quick`, and with `> docs/reliability.md` behind it, it writes that file anew.
+//! Without `--quick`, its output is `docs/reliability.md`.
 
 #[path = "../../../../crates/host/tests/it/cases/mod.rs"]
 mod cases;

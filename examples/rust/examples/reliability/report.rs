@@ -1,4 +1,4 @@
-//! The figures as a document.
+//! The generated document.
 
 use std::fmt::{Display, Write};
 
@@ -7,17 +7,17 @@ use crate::cases::{
     stops, watchdogs,
 };
 
-/// The document, and what should not be.
+/// The document, and the errors found.
 #[derive(Debug, Default)]
 pub(crate) struct Report {
     /// Markdown.
     pub text: String,
-    /// What should not be, a line each.
+    /// The errors, one per line.
     pub wrong: Vec<String>,
 }
 
 impl Report {
-    /// All figures, with so many times fewer cases.
+    /// Writes all sections, with the number of cases divided by `fewer`.
     pub(crate) fn all(&mut self, fewer: u64) {
         self.line(HEAD);
         self.kills(1_000 / fewer);
@@ -43,20 +43,18 @@ impl Report {
         self.table(["", ""], &[]);
         self.row("kills", it.times);
         self.row("while a job had the arm", it.at_work);
-        self.row("while the laser burnt", it.burning);
-        self.row("jobs, all of them done in the end", it.jobs);
+        self.row("while the laser burned", it.burning);
+        self.row("jobs, all completed", it.jobs);
         self.row("**commands lost**", it.lost);
         self.row("**commands repeated**", it.repeated);
-        self.row("places that a person had to tell", it.unclear);
+        self.row("positions that a person had to give", it.unclear);
         self.row(
             "first packet after the start not laser off",
             it.not_off_first,
         );
-        self.row("laser on when the arm had come to rest", it.burnt_at_rest);
+        self.row("laser on after the arm had come to rest", it.burnt_at_rest);
         self.line("");
-        self.times(
-            "From the start of the new station to the end of the light, where it burnt then",
-        );
+        self.times("From the start of the new station to the end of the light, if it burned");
         self.row("light", &it.off_after_s);
         self.wrong(it.wrong);
     }
@@ -71,12 +69,12 @@ impl Report {
             &[
                 "first packet, s",
                 "arm at rest, s",
-                "way, mm",
-                "way of the joint, degrees",
+                "distance, mm",
+                "joint motion, degrees",
                 "end of the light, s",
                 "light on a spot, s",
-                "**motion that nobody asked for**",
-                "**light in the end**",
+                "**unrequested motion**",
+                "**light at the end**",
             ],
         );
         for it in all {
@@ -103,10 +101,10 @@ impl Report {
         self.row("cycles", it.cycles);
         self.row("grips", it.cycles * 4);
         self.row("kills", it.kills);
-        self.row("commands that were lost, and sent again", it.again);
+        self.row("lost commands, resent", it.again);
         let hours = format!("{:.1} h", it.took.as_secs_f64() / 3600.0);
         self.row("on the arm's clock", hours);
-        self.row("the program is in the end", &it.state);
+        self.row("final state of the program", &it.state);
         self.row("**cubes lost or misplaced**", u8::from(!it.is_right));
         self.line(CARRIES_END);
         if !it.is_right || it.state != "done" {
@@ -123,7 +121,7 @@ impl Report {
                 "looked reset",
                 "**lost**",
                 "**repeated**",
-                "dark after the cable is back, at the most",
+                "laser off after reconnection, at most",
             ],
         );
         for it in cables::run(pulls) {
@@ -150,7 +148,7 @@ impl Report {
                 "paused",
                 "of these spoilt",
                 "failed",
-                "wrong and not told",
+                "wrong without a report",
             ],
         );
         for it in lines::run(drawings) {
@@ -175,7 +173,7 @@ impl Report {
             self.row("to the stopping packet, s", &it.packet_s);
             self.row("to rest, or the end of the light, s", &it.over_s);
             if it.went_mm.most() > 0.0 {
-                self.row("way from there, mm", &it.went_mm);
+                self.row("distance from there, mm", &it.went_mm);
             }
             self.row(
                 "control not free afterwards",
@@ -192,7 +190,7 @@ impl Report {
             &[
                 "passed on",
                 "**lost by the arm**",
-                "waiting at the most",
+                "waiting at most",
                 "others not served",
             ],
         );
@@ -210,13 +208,13 @@ impl Report {
         let it = disks::run(jobs);
         self.line(DISKS);
         self.table(["", ""], &[]);
-        self.row("jobs, all of them done in the end", it.jobs);
+        self.row("jobs, all completed", it.jobs);
         self.row("paused for it, with the reason", it.paused);
-        self.row("needed the disk no more", it.done);
+        self.row("did not need the disk again", it.done);
         self.row("**commands lost**", it.lost);
         self.row("**commands repeated**", it.repeated);
         self.row(
-            "dark after the pause, at the most",
+            "laser off after the pause, at most",
             format!("{:.2} s", it.dark_s.most()),
         );
         self.wrong(it.wrong);
@@ -231,7 +229,7 @@ impl Report {
             ["the arm does", "stops"],
             &[
                 "**at rest too late**",
-                "**dark too late**",
+                "**laser off too late**",
                 "promised, s: least",
                 "middle",
                 "99 %",
@@ -257,14 +255,14 @@ impl Report {
         self.line(SESSIONS);
         self.table(["", ""], &[]);
         self.row("sessions", sessions);
-        self.row("**sessions in which something was wrong**", it.wrong.len());
+        self.row("**sessions with an error**", it.wrong.len());
         self.row("incidents before the last stop", it.incidents);
-        self.row("jobs that were done in the end", it.jobs);
-        self.row("stops without a cable", it.undelivered);
+        self.row("jobs completed", it.jobs);
+        self.row("stops without a link", it.undelivered);
         self.line("");
         self.times("From the last stop");
         self.row("rest", &it.rest_s);
-        self.row("end of the light, where it burnt", &it.dark_s);
+        self.row("end of the light, if it burned", &it.dark_s);
         self.wrong(it.wrong);
     }
 
@@ -293,15 +291,14 @@ impl Report {
         self.line(LONG_LINES_END);
     }
 
-    /// What a million requests came to stands in a file of its own, for they take their time; a few are
-    /// asked here, too.
+    /// Includes the table of a million requests from its file, because they take long, and runs a few.
     fn fuzz(&mut self, cases: u64) {
         self.line(FUZZ);
         self.line(include_str!("fuzz.md").trim_end());
         self.wrong(fuzz::run(0, cases).wrong);
     }
 
-    /// What the storms of the fleet came to stands in a file of its own: the fleet is above the rules.
+    /// Includes the results of the fleet from their file.
     fn work(&mut self) {
         self.line(WORK);
         self.line(include_str!("work.md").trim_end());
@@ -315,7 +312,7 @@ impl Report {
                 "programs",
                 "**for more than 0.3 s**",
                 "switched off by the station",
-                "jobs displaced, and told",
+                "jobs reported as displaced",
                 "stood, s: least",
                 "middle",
                 "99 %",
@@ -333,7 +330,7 @@ impl Report {
         }
     }
 
-    /// The head of a table of spreads.
+    /// Writes the head of a table of distributions.
     fn times(&mut self, what: &str) {
         self.table([what, "least"], &["middle", "99 %", "most"]);
     }
@@ -359,178 +356,166 @@ impl Report {
 
 const HEAD: &str = "# Reliability
 
-This page says what happens to arm, laser and drawing when something goes wrong. The figures were measured with the
-supervisor of the station, a virtual arm and a real journal in virtual time. Nothing here was measured on a real arm.
+For everyone who wants to know what arm, laser and drawing do when something fails: the tested failures, and their outcome.
+Measured with the station's supervisor, virtual arms and a real journal in virtual time; never on a real arm.
 
 ```sh
-cargo run -p dobot-examples --example reliability > docs/reliability.md    # the numbers below
-cargo run -p dobot-examples --example reliability -- --quick               # a fortieth of it, as CI does
-cargo test -p dobot-host faults::                                         # the same, with what must hold
+cargo run -p dobot-examples --example reliability > docs/reliability.md    # regenerates this page
+cargo run -p dobot-examples --example reliability -- --quick               # a fortieth of the cases, as CI does
+cargo test -p dobot-host faults::                                          # the same cases as tests
 ```
 
-Every case has a number, counted from 0, which is the seed of all its random choices. Even numbers are arms of the
-document (`specification`), odd ones are the twin of the arms that were sold (`firmware-1.1`). Jobs are, in turn, pen
-drawings of closed loops (some of 0.3 mm), the same loops burned, and programs of targets with pauses. The example ends
-with an error if one of the bold figures is not 0.
+Each case has a number from 0, the seed of its random choices. Even numbers are arms of the document (`specification`), odd
+ones twins of the sold arms (`firmware-1.1`). Jobs are, in turn, pen drawings of closed loops (some of 0.3 mm), the same loops
+burned, and programs of targets with pauses. The example fails if a bold figure is not 0.
 
-\"Lost\" and \"repeated\" count the vectors that draw or burn, and the targets of programs, by the packets on the wire. Pen
-drawings are also compared with the paper: no ink may be further than 0.3 mm from its line, and no line may be missing.
-Each line may be up to 0.1 mm longer, because of the steps of the motors.";
+\"Lost\" and \"repeated\" count drawing and burning vectors and targets of programs, by the packets on the wire. Pen drawings
+are also compared with the paper: no ink further than 0.3 mm from its line, no line missing. A line may be up to 0.1 mm
+longer, because of the motor steps.";
 
 const KILLS: &str = "
 ## The station is killed
 
-The station is killed at random moments, up to three times in a job, also while the job is paused. It is started again
-up to five seconds later. Then a person confirms the pose and continues the job. There is no watchdog in these cases:
-until the new station runs, nobody switches the laser off. The arm finishes what it has received, half a second and a
-vector at the most, and the laser stays on.
+At random moments, up to three times in a job, also while it is paused. The station restarts up to five seconds later; then a
+person confirms the pose and resumes the job. There is no watchdog here, so the laser stays on until the new station runs,
+while the arm finishes what it has received: half a second and one vector at most.
 ";
 
 const WATCHDOGS: &str = "
-## The station is gone, and its watchdog is there
+## The station is gone, and its watchdog acts
 
-The station is killed, stands still (SIGSTOP, swap, a debugger), or panics. This happens at a random moment of a jog of
-20 to 100 % of the speed, of a job that burns, or of a motion to a point; nobody starts the station again. Its watchdog,
-a process of its own with the arm's port, acts at once when the station ends without a goodbye, and otherwise after 0.3
-s without a heartbeat. Each figure is the longest or farthest of all cases: the time from the last heartbeat to the
-first packet, and the time and the way from the end of the station to the arm's rest and to the end of the light. A
-light on a spot is a laser that is on while the arm stands.
+The station is killed, freezes (SIGSTOP, swap, a debugger) or panics, at a random moment of a jog at 20 to 100 % of the speed,
+of a burning job, or of a motion to a point, and is not restarted. The watchdog, a separate process with access to the arm's port, acts
+immediately if the station ends without a goodbye, otherwise after 0.3 s without a heartbeat. Each figure is the maximum of all
+cases: the time from the last heartbeat to the first packet, and time and distance from the end of the station to the
+arm's rest and to the end of the light. Light on a spot is a laser that is on while the arm stands.
 ";
 
 const WATCHDOGS_END: &str = "
-A jog slows down with its acceleration, from full speed in half a second to a second. The arm finishes what it has
-received: a vector and half a second of vectors, with their burning, or the motion to the point. Laser off waits behind
-that in the arm, because the protocol has no stop.";
+A jog slows down with its acceleration, in up to a second from full speed. The arm finishes what it has received: one vector
+and half a second of vectors, burning included, or the motion to the point. Laser off waits behind these in the arm,
+because the protocol has no stop.";
 
 const CARRIES: &str = "
 ## A program carries something, on a bad line, and is killed
 
-A suction cup takes a cube, carries it to another place, puts it down, takes it again and carries it back. In both
-directions one packet of a thousand has a flipped bit, and every fifty cycles the station is killed and started again; a
-person confirms the pose and continues the program. The arm is the virtual arm of the document.
+A suction cup takes a cube to another place and back. One packet of a thousand has a flipped bit, in both directions. Every
+fifty cycles the station is killed and restarted; a person confirms the pose and resumes the program. The arm is the virtual
+arm of the document.
 ";
 
 const CARRIES_END: &str = "
-A command that changes what is held is sent only when all before it are over, and nothing is sent behind it until a
-status shows the pump or the gripper as it should be. This costs 0.35 s for each grip. If a command was lost, the arm
-comes to rest, and the program continues by itself from what the arm has done. A stock arm hangs at a packet whose state
-is damaged, until a person switches it off and on; no program on the computer can prevent that.
+A command that changes the grip is sent only when all earlier commands are done, and nothing follows it until a status shows the
+new state of pump or gripper. This costs 0.35 s per grip. After a lost command the arm comes to rest, and the program resumes
+by itself. A stock arm hangs at a packet with a damaged state until it is switched off and on; no
+program on the computer can prevent that.
 ";
 
 const CABLES: &str = "
 ## The cable is pulled
 
-The cable is pulled for up to six seconds, in each phase of a job. Here, bytes that are on the line at that moment still
-arrive. If the base stands at exactly 0 afterwards, as after a reset, and the joints are elsewhere, the arm may have
-been reset or may have continued. Then its pose is not trusted, the commands that it had received count as lost, and the
-person who confirms its pose is told so. These cases are counted separately.
+For up to six seconds, in each phase of a job. Bytes on the line at that moment still arrive. If afterwards the base is at
+exactly 0, as after a reset, and the joints are elsewhere, the arm may have been reset or may have moved on: its pose is not
+trusted, the commands that it had received count as lost, and the person who confirms the pose is informed. These cases are counted separately.
 ";
 
 const LINES: &str = "
 ## The line is bad
 
-The jobs are pen drawings. Nobody continues a drawing that is paused. `drop=0.1%` loses one byte of a thousand, so one
-packet of 24. `:from` means the statuses of the arm, `:to` the commands to it.
+The jobs are pen drawings; a paused one is not resumed. `drop=0.1%` loses one byte of a thousand, so one packet of 24. `:from`
+affects statuses from the arm, `:to` commands to it.
 ";
 
 const LINES_END: &str = "
-Lost, damaged and late statuses do no harm, because there will be another one. A lost command cannot be sent again in
-time, because the protocol has no acknowledgement: the commands behind it are already on their way, and are drawn from
-the wrong place until the statuses show it, half a second and a vector later. Then the job is paused; the message names
-the place where the arm rests and the place where it should rest. A drawing that ends elsewhere than planned is reported
-as failed. One loss was not noticed (seed 52, of the document): a part of a loop of 0.36 mm is missing, and the arm
-rested where the drawing ends.";
+Lost, damaged and late statuses do no harm; another one follows. A lost command cannot be resent in time, because the protocol has no
+acknowledgement: the next commands are already sent, and are drawn from the wrong position until the statuses show it, half a
+second and a vector later. Then the job is paused, and the message names where the arm rests and where it should rest. A drawing that ends
+at another position than planned is reported as failed. One loss was not noticed (seed 52, of the document): part of a loop of 0.36 mm
+is missing, and the arm rested where the drawing ends.";
 
 const CLIENTS: &str = "
 ## A client vanishes
 
-A silent client keeps its connection; its button is released after 0.15 s (`jog.dead_man_s` of the policy). The way is
-the distance that the tool moves after the client vanished. Jogs are of all speeds. A job that burns is paused.";
+The button of a silent but connected client is released after 0.15 s (`jog.dead_man_s` of the policy). The distance is that of the tool
+after the client vanished, for jogs of all speeds. A burning job is paused.";
 
 const FLOODS: &str = "
-## Somebody sends too much
+## A client floods the station
 
-Forty requests or packets come in 50 ms, 60 times, while the arm carries out a long command or a job. The arm loses
-packets for which it has no room, and packets that come too soon behind another one. For stops only the former count,
-because the first packet of a stop does not wait until the line is free, and is sent again. \"Others\" are a job of
-another client, which must still be drawn, and somebody who may only watch, and stops the arm.
+Forty requests or packets in 50 ms, 60 times, while the arm executes a long command or a job. The arm loses packets for which it
+has no room, and packets that follow another one too closely. For stops only the former count, because the first packet of a
+stop does not wait for a free line, and is repeated. \"Others\" are a job of another client, which must still be
+drawn, and an observer, who stops the arm.
 ";
 
 const DISKS: &str = "
 ## The disk of the journal is full
 
-The disk becomes full at a random moment of a job, and stays full until the arm rests. Then there is room again.
+From a random moment of a job until the arm rests.
 ";
 
 const STOPS: &str = "
 ## A stop
 
-Somebody stops the arm at a random moment. The answer says within what time it will certainly rest. The laser must be
-off by then, too.
+At a random moment. The reply promises a time within which the arm will rest; the laser must be off by then, too.
 ";
 
 const SESSIONS: &str = "
 ## Random sessions
 
-Up to five things go wrong one after the other, at random moments of jobs, targets and held buttons: somebody who may
-only watch stops the arm, the station stands still, it is killed and its watchdog sends its packets, the cable is pulled
-(and perhaps the arm is stopped meanwhile), the token of the person who has control is removed. Each time the arm has to
-come to rest with its laser off, an answer to a stop has to say truly whether it was delivered, laser off has to be the
-first packet, and a job has to be done in the end with nothing lost, repeated or spoilt. A last stop has to keep what it
-promises.
+Up to five incidents at random moments of jobs, targets and held buttons: an observer stops the arm, the station freezes, it is killed
+and its watchdog acts, the cable is pulled (perhaps with a stop meanwhile), the token of the lease holder is removed. Each time the
+arm must come to rest with the laser off, the reply to a stop must be right about its delivery, laser off must be the first
+packet, and jobs must end with nothing lost, repeated or spoilt. A last stop must keep its promise.
 ";
 
 const LONG_LINES: &str = "
 ## One long line
 
-A line of 96 mm in each material and with each pen, which takes up to half a minute. In the middle of it somebody stops
-the arm or pauses the job, or the station is killed or stands still while its watchdog is there. The figures are the
-longest times in seconds from then until the laser is off, or until a pen does not move any more. A laser has to be off
-within 0.5 s, and a pen has to rest within 0.7 s; in a pause it slows down on its line, and rests within 1.5 s. A marker
-is drawn at 60 mm/s and speeds up for longer, which cannot be cut: 0.8 s, and 1.7 s in a pause.
+A line of 96 mm in each material and with each pen, up to half a minute long. In its middle the arm is stopped, the job is paused, or the
+station is killed or freezes with its watchdog present. The figures are the longest times in seconds until the laser is off, or
+the pen rests. Limits: 0.5 s for a laser; 0.7 s for a pen, 1.5 s in a pause, in which it slows down on its line. A marker draws
+at 60 mm/s, and its run-up cannot be split: 0.8 s, and 1.7 s in a pause.
 ";
 
 const LONG_LINES_END: &str = "
-The planner cuts long lines into vectors of 0.18 s for a laser and 0.34 s for a pen, in which the arm goes on at the same
-speed. A vector that burns is sent only when it should end within `queue.ahead_s`, but early enough for the arm not to
-wait. On a stock arm a vector that only speeds up and brakes is not cut; at 30 mm/s it takes up to 0.6 s, and the light
-of what the arm has received lasts up to 0.9 s then. The policy refuses a vector that burns for longer than
-`laser.longest_s`. A link that is slower than usual needs vectors earlier, and the light lasts longer by as much.
+The planner splits long lines into vectors of 0.18 s for a laser and 0.34 s for a pen, without a change of speed. A
+burning vector is sent only if it should end within `queue.ahead_s`, but early enough that the arm does not wait. On a stock arm a vector that
+only speeds up and brakes is not split: at 30 mm/s it takes up to 0.6 s, and the light of what the arm has received lasts up
+to 0.9 s. The policy refuses a vector that burns for longer than `laser.longest_s`. A slower link needs vectors
+earlier, and the light lasts longer by as much.
 ";
 
 const STANDS: &str = "
 ## The laser and an arm that stands
 
-Vectors that burn and others come at random, with and without time between them: as requests of a client, as packets of
-a raw program, and as jobs that are paused and continued. A stock arm leaves its laser on after a burning vector (note
-N36); the station switches it off. The time is the longest in a program for which the laser was on while the arm stood.
-`delay` makes several packets arrive at once; a stock arm may lose one of them while it calculates (note N39). The job
-then fails, and reports that it is displaced. `drop=1%:from` loses every third status, `withhold` loses all of them for
-a while. Commands that a bad line loses may have worse effects, because nobody sees whether the laser is on.
+Burning and other vectors at random, with and without pauses between them: requests of a client, packets of a raw program, and jobs that are
+paused and resumed. A stock arm leaves its laser on after a burning vector (note N36); the station switches it off. The figures are
+the longest times per program with the laser on while the arm stood. `delay` makes several packets arrive together; a stock
+arm may lose one while it calculates (note N39), and the job then fails and reports that it is displaced. `drop=1%:from` loses
+every third status, `withhold` all of them for a while. Lost commands may have worse effects, because no status shows whether the laser is on.
 ";
 
 const TAIL: &str = "
-The arm has no command that stops it. It finishes the command in execution and those that it has received, which begin
-within half a second (`queue.ahead_s` of the policy). The promised time is the longest that these may take,
-so it is longer than the time that they take. Just after a start nobody knows what the arm was sent before. The promised
-time is then the time of all commands that, by the journal, the arm may have.";
+The arm has no stop command. It finishes the command in execution and those that it has received, which begin within half a
+second (`queue.ahead_s` of the policy). The promised time is an upper bound. Just after a start it is
+the time of all commands that, by the journal, the arm may have.";
 
 const WORK: &str = "
 ## Work for any arm
 
-A drawing that is submitted to \"any arm that has a pen\" is offered to one station after another, while stations are killed and the
-network falls apart (`docs/fleet.md`). After each storm the journals of all arms say which drawings were begun.
+A drawing submitted to \"any arm that has a pen\" is offered to one station after another while stations are killed and the network
+splits (`docs/fleet.md`). After each storm the journals of all arms show which drawings were started.
 ";
 
 const FUZZ: &str = "
-## Anything that anybody may ask
+## Any request
 
-Requests of all kinds and packets of all states are sent: good ones, ones at the limits, and absurd ones (`NaN`,
-infinities, lengths of zero). They come from three people, a raw program and a watcher. Buttons are pressed, changed and
-released; there are rows of mouse and hand packets, voice, jobs, leases, stops, pulled cables and three policies. A
-third of the cases have a fault: statuses are lost, damaged, doubled, late or withheld, the port is closed, the arm is
-reset or its power is cut. At every control tick a separate check compares the true place of the twin with the limits of
-the policy. Three arms of four are stock arms.
+Requests of all kinds and packets of all states: valid, borderline and absurd ones (`NaN`, infinities, zero lengths), from three people, a raw
+program and an observer. They include pressed, changed and released buttons, rows of mouse and hand packets, voice, jobs, leases, stops, pulled cables and
+three policies. A third of the cases have a fault: statuses are lost, damaged, doubled, late or withheld, the port is closed,
+the arm is reset or loses power. At every control tick a separate check compares the true position of the twin with the limits of
+the policy. Three of four arms are stock arms.
 
 ```sh
 cargo run --release -p dobot-examples --example fuzz -- --requests 1000000 > examples/rust/examples/reliability/fuzz.md
@@ -538,7 +523,6 @@ cargo run -p dobot-examples --example fuzz -- --seed 42    # one case
 cargo test -p dobot-host faults::an_arm_is_never_lost         # 80,000 of them, as CI does
 ```
 
-Some cases are left out, because no station can promise anything there: packets that get lost on the way to the arm,
-buttons held while the port is closed, and wrong initial angles. The places to which an arm moves after a reset are not
-judged, because the arm does not know its pose then.
+Left out, because no station can promise anything there: packets lost on the way to the arm, buttons held while the port is
+closed, and wrong initial angles. Targets after a reset are not judged, because the arm does not know its pose then.
 ";

@@ -44,12 +44,12 @@ impl During {
 impl fmt::Display for During {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Approach => "on the way to its beginning",
+            Self::Approach => "moving to its start",
             Self::Running => "at work",
             Self::Draining => "just paused",
             Self::Lifting => "lifting the tool",
             Self::Paused => "paused",
-            Self::Resuming => "just gone on with",
+            Self::Resuming => "just resumed",
         })
     }
 }

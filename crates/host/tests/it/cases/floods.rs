@@ -35,9 +35,9 @@ pub(crate) struct Floods {
 const HOLDER: &str = "commands of the client in control";
 const NONSENSE: &str = "forbidden commands of the client in control";
 const RAW: &str = "raw packets of a program in control";
-const STRANGER: &str = "requests of somebody else, while a job runs";
-const STRANGER_RAW: &str = "raw packets of somebody else, while a job runs";
-const STOPS: &str = "stops, one after the other";
+const STRANGER: &str = "requests of another client, while a job runs";
+const STRANGER_RAW: &str = "raw packets of another client, while a job runs";
+const STOPS: &str = "consecutive stops";
 
 /// Floods so often in each way, with so many requests for each moment.
 pub(crate) fn run(floods: u64) -> Vec<Floods> {

@@ -40,7 +40,7 @@ impl fmt::Display for LineEnd {
             Self::Stopped => "stop",
             Self::Paused => "pause",
             Self::Killed => "station killed",
-            Self::Frozen => "station stands still",
+            Self::Frozen => "station freezes",
         })
     }
 }

@@ -47,8 +47,8 @@ impl fmt::Display for StoppedMotion {
             Self::Job(sort) => sort.fmt(f),
             Self::Targets => f.write_str("targets of a client"),
             Self::Jog => f.write_str("a jog"),
-            Self::Pausing => f.write_str("a job that is paused and goes on"),
-            Self::Killed => f.write_str("a job whose station was just started again"),
+            Self::Pausing => f.write_str("a job that is paused and resumed"),
+            Self::Killed => f.write_str("a job whose station has just restarted"),
         }
     }
 }

@@ -94,7 +94,7 @@ impl fmt::Display for GuardedMotion {
             Self::Joint(axis) => write!(f, "joint jog {}", name(axis)),
             Self::Linear(axis) => write!(f, "linear jog {}", name(axis)),
             Self::Burning => f.write_str("a burning job"),
-            Self::Moving => f.write_str("a way to a point"),
+            Self::Moving => f.write_str("a motion to a point"),
         }
     }
 }

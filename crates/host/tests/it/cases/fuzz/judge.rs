@@ -28,9 +28,9 @@ pub(crate) struct Judge {
 }
 
 pub(crate) const HANGS: &str = "the arm hangs";
-pub(crate) const NAN: &str = "the pose is no number";
-pub(crate) const OUTSIDE: &str = "the arm left what the policy allows";
-pub(crate) const LASER: &str = "the laser was on, armed by nobody";
+pub(crate) const NAN: &str = "the pose is NaN";
+pub(crate) const OUTSIDE: &str = "the arm broke the policy";
+pub(crate) const LASER: &str = "the laser was on without being armed";
 
 impl Judge {
     pub(crate) const fn new(policy: Policy, burns: bool, resets: bool) -> Self {
