@@ -179,12 +179,12 @@ mod tests {
         let folders = Folders::at(folder.path());
         let policy = Policy::default();
         let supervisor = Supervisor::new(policy.clone(), Some(Dialect::FIRMWARE_1_1));
-        let (handle, ends) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
+        let (handle, channels) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
         let own = handle.messages.clone();
         let journal = Journal::in_memory().unwrap();
         let driver = Driver::new(DriverParts {
             supervisor,
-            ends,
+            channels,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
             arms: KnownArms::read(&folders.arms()).unwrap(),
             slots: KeptSlots::at(&folders.slots()),

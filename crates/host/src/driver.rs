@@ -20,7 +20,7 @@ use self::log::log;
 use crate::Found;
 use crate::connect::{Connecting, Source};
 use crate::disk::Disk;
-use crate::handle::{Ends, Message, PassedPacket};
+use crate::handle::{DriverChannels, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::kept_slots::KeptSlots;
@@ -34,7 +34,7 @@ use crate::watchdog::HeartbeatSender;
 pub(crate) struct Driver {
     supervisor: Supervisor,
     started: Instant,
-    ends: Ends,
+    channels: DriverChannels,
     source: Source,
     arms: KnownArms,
     slots: KeptSlots,
@@ -67,7 +67,7 @@ pub(crate) struct Driver {
 #[derive(Debug)]
 pub(crate) struct DriverParts {
     pub(crate) supervisor: Supervisor,
-    pub(crate) ends: Ends,
+    pub(crate) channels: DriverChannels,
     pub(crate) source: Source,
     pub(crate) arms: KnownArms,
     pub(crate) slots: KeptSlots,
@@ -102,7 +102,7 @@ impl Driver {
         Self {
             supervisor: parts.supervisor,
             started: Instant::now(),
-            ends: parts.ends,
+            ends: parts.channels,
             source: parts.source,
             arms: parts.arms,
             slots: parts.slots,
@@ -287,7 +287,7 @@ impl Driver {
             // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
             // before it says more, or is slowed down where it need not.
             biased;
-            message = self.ends.messages.recv() => DriverEvent::Message(message),
+            message = self.channels.messages.recv() => DriverEvent::Message(message),
             written = self.written.recv() => DriverEvent::Written(written),
             heard = receive(link, until, &mut self.incoming) => DriverEvent::Link(heard),
             news = listen(self.connecting.as_mut()) => DriverEvent::Connecting(news),
@@ -310,7 +310,7 @@ impl Driver {
             log(&notice);
             self.recording.notice(self.now(), &notice);
             self.remember(&notice);
-            self.ends.announce(notice);
+            self.channels.announce(notice);
         }
         self.keep_stops();
         if self.supervisor.poll_changed() {
@@ -347,14 +347,14 @@ impl Driver {
         while let Some(status) = self.supervisor.poll_status() {
             let bytes = Packet::from(status.emit()).to_bytes();
             if self.supervisor.permits_raw() {
-                self.ends.pass_on(bytes);
+                self.channels.pass_on(bytes);
             }
             self.tell_passed(false, bytes);
         }
     }
 
     fn tell_passed(&self, to_arm: bool, bytes: [u8; 42]) {
-        self.ends.tell_passed(PassedPacket {
+        self.channels.tell_passed(PassedPacket {
             at: self.now(),
             to_arm,
             bytes,
@@ -365,7 +365,7 @@ impl Driver {
     fn publish(&mut self) {
         let state = self.supervisor.state();
         self.recording.state(self.now(), &state);
-        self.ends.tell(state);
+        self.channels.tell(state);
     }
 
     fn handle(&mut self, message: Message) {
@@ -462,7 +462,7 @@ impl Driver {
         self.supervisor.handle_policy(now, client, of_arm)?;
         self.jobs.set_policy(policy);
         self.recording.tools(now, policy);
-        self.ends.change_rules(|it| {
+        self.channels.change_rules(|it| {
             it.policy = policy.clone();
             it.dead_man_s = policy.jog.dead_man_s;
         });
@@ -493,7 +493,7 @@ impl Driver {
             .handle_calibration(now, client, &calibrations)?;
         let new = self.arms.calibrate(&address, calibrations.clone());
         self.write_file(new, "the calibration of the arm cannot be kept");
-        self.ends
+        self.channels
             .change_rules(|it| it.calibrations = calibrations.clone());
         Ok(calibrations)
     }
@@ -671,7 +671,8 @@ impl Driver {
         let calibrations = self.arms.calibrations(&address);
         self.supervisor
             .handle_known_calibration(&address, &calibrations);
-        self.ends.change_rules(|it| it.calibrations = calibrations);
+        self.channels
+            .change_rules(|it| it.calibrations = calibrations);
         self.supervisor.handle_link_up(now, &address);
         self.recording.heard(now, &found.bytes);
         self.supervisor.handle_bytes(now, &found.bytes);

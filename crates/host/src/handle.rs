@@ -29,9 +29,9 @@ pub struct Handle {
     pub(crate) rules: Arc<RwLock<Arc<Rules>>>,
 }
 
-/// The other end of all [`Handle`]s: what the driver of the arm hears, and where it tells.
+/// The driver's side of all [`Handle`]s: receives their messages and publishes states, notices and packets.
 #[derive(Debug)]
-pub struct Ends {
+pub struct DriverChannels {
     /// What clients ask.
     pub messages: mpsc::Receiver<Message>,
     states: watch::Sender<Arc<Snapshot>>,
@@ -278,7 +278,7 @@ pub enum OfferAnswer {
     Unknown,
 }
 
-impl Ends {
+impl DriverChannels {
     /// Tells a new state.
     pub fn tell(&self, state: State) {
         let snapshot = Arc::new(Snapshot::new(state));
@@ -337,13 +337,13 @@ impl Handle {
 
     /// A handle, and its other end for the driver of the arm.
     #[must_use]
-    pub fn new(first: State, rules: Rules) -> (Self, Ends) {
+    pub fn new(first: State, rules: Rules) -> (Self, DriverChannels) {
         Self::with_packets(first, rules, PACKETS)
     }
 
     /// The same, where a raw program may lag so many packets behind before it loses some.
     #[must_use]
-    pub fn with_packets(first: State, rules: Rules, kept: usize) -> (Self, Ends) {
+    pub fn with_packets(first: State, rules: Rules, kept: usize) -> (Self, DriverChannels) {
         let (asking, messages) = mpsc::channel(MESSAGES);
         let (telling, states) = watch::channel(Arc::new(Snapshot::new(first)));
         let handle = Self {
@@ -356,7 +356,7 @@ impl Handle {
             passed: broadcast::Sender::new(PASSED),
             rules: Arc::new(RwLock::new(Arc::new(rules))),
         };
-        let ends = Ends {
+        let channels = DriverChannels {
             messages,
             states: telling,
             every: handle.every.clone(),
@@ -366,7 +366,7 @@ impl Handle {
             rules: handle.rules.clone(),
             passed: handle.passed.clone(),
         };
-        (handle, ends)
+        (handle, channels)
     }
 
     /// Makes a client known under a name, with what it may do.

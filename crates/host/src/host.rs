@@ -93,7 +93,7 @@ impl Host {
         let source = approach.source;
         let virtual_arm = source.virtual_arm();
         let supervisor = supervisor(&setup, &source);
-        let (handle, ends) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
+        let (handle, channels) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
         let own = handle.messages.clone();
         let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
@@ -102,7 +102,7 @@ impl Host {
         let heartbeats = HeartbeatSender::new(setup.watchdog, note.clone(), approach.panic_stop);
         let mut driver = Driver::new(DriverParts {
             supervisor,
-            ends,
+            channels,
             source,
             arms,
             slots: KeptSlots::at(&setup.folders.slots()),
@@ -156,7 +156,7 @@ impl Host {
         self.thread.spawn(task);
     }
 
-    /// Ends it: laser off first, then what is under way comes to its end, then journal and recording
+    /// Ends the station: laser off first, then what is under way comes to its end, then journal and recording
     /// are closed.
     ///
     /// # Errors

@@ -62,7 +62,7 @@ pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 pub use handle::{
-    Client, Ends, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+    Client, DriverChannels, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
 };
 pub use host::{Host, HostError, Setup};
 pub use jobs::WITHDRAWN;

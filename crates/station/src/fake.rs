@@ -5,7 +5,7 @@ mod harness;
 use dobot_api::{ClientId, Role};
 #[cfg(feature = "full")]
 use dobot_host::PassedPacket;
-use dobot_host::{Ends, Handle, Message, Rules};
+use dobot_host::{DriverChannels, Handle, Message, Rules};
 use dobot_supervisor::Refusal;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
@@ -15,7 +15,7 @@ use crate::sample::state;
 
 /// A driver of the arm that does what a test tells it.
 pub(crate) struct FakeDriver {
-    ends: Ends,
+    ends: DriverChannels,
     clients: u64,
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use dobot_api::{ClientId, FleetWideStop, JobPath, JobView, LeaseView, Reply, Request, Role};
-use dobot_host::{Ends, Handle, Message, OfferAnswer, OfferAsk, Rules};
+use dobot_host::{DriverChannels, Handle, Message, OfferAnswer, OfferAsk, Rules};
 use dobot_supervisor::Refusal;
 use tokio::sync::mpsc;
 
@@ -47,7 +47,7 @@ pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
 /// What tells states and notices in the name of the driver.
 #[derive(Debug)]
 pub(super) struct FakeNews {
-    pub(super) ends: Ends,
+    pub(super) ends: DriverChannels,
     /// Clients that came: what each is called, and by which name time slots know it.
     pub(super) came: Mutex<Vec<(String, String)>>,
     /// Clients that left.
