@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use dobot_api::{ApiAnswer, Member, MemberAbout, MemberAnswer};
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi, UNSETTLED};
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};
@@ -369,7 +369,7 @@ impl Joined {
         });
     }
 
-    fn to_tell(&self) -> (Option<Way>, Handle) {
+    fn to_tell(&self) -> (Option<Way>, StationHandle) {
         let way = self.network.as_ref().map(Network::way).cloned();
         (way, self.api.handle().clone())
     }

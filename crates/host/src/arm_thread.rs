@@ -179,7 +179,7 @@ mod tests {
         let folders = Folders::at(folder.path());
         let policy = Policy::default();
         let supervisor = Supervisor::new(policy.clone(), Some(Dialect::FIRMWARE_1_1));
-        let (handle, channels) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
+        let (handle, channels) = crate::StationHandle::new(supervisor.state(), Rules::of(&policy));
         let own = handle.messages.clone();
         let journal = Journal::in_memory().unwrap();
         let driver = Driver::new(DriverParts {

@@ -102,7 +102,7 @@ impl Driver {
         Self {
             supervisor: parts.supervisor,
             started: Instant::now(),
-            ends: parts.channels,
+            channels: parts.channels,
             source: parts.source,
             arms: parts.arms,
             slots: parts.slots,

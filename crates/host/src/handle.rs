@@ -18,7 +18,7 @@ use dobot_supervisor::{Begun, Refusal, StoppedBy};
 
 /// How the rest of the station talks to the task that owns the arm; clones share it.
 #[derive(Clone, Debug)]
-pub struct Handle {
+pub struct StationHandle {
     pub(crate) messages: mpsc::Sender<Message>,
     pub(crate) states: watch::Receiver<Arc<Snapshot>>,
     pub(crate) every: broadcast::Sender<Arc<Snapshot>>,
@@ -29,7 +29,7 @@ pub struct Handle {
     pub(crate) rules: Arc<RwLock<Arc<Rules>>>,
 }
 
-/// The driver's side of all [`Handle`]s: receives their messages and publishes states, notices and packets.
+/// The driver's side of all [`StationHandle`]s: receives their messages and publishes states, notices and packets.
 #[derive(Debug)]
 pub struct DriverChannels {
     /// What clients ask.
@@ -132,7 +132,7 @@ pub struct Client {
     id: ClientId,
     role: Role,
     person: String,
-    handle: Handle,
+    handle: StationHandle,
 }
 
 /// What reaches the driver.
@@ -330,7 +330,7 @@ const PASSED: usize = 1024;
 /// How many notices are kept for those who ask later.
 const RECENT: usize = 200;
 
-impl Handle {
+impl StationHandle {
     /// How many states a client may lag behind before it loses some: at a thousand times the speed of time 12,500 come
     /// in a second.
     pub const STATES: usize = 2048;
@@ -580,7 +580,7 @@ impl Client {
 
     /// The station.
     #[must_use]
-    pub const fn handle(&self) -> &Handle {
+    pub const fn handle(&self) -> &StationHandle {
         &self.handle
     }
 

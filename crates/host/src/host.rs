@@ -16,7 +16,7 @@ use crate::arm_thread::ArmAtWork;
 use crate::connect::{OwnVirtualArm, Source};
 use crate::disk::Disk;
 use crate::driver::{Driver, DriverParts};
-use crate::handle::{Handle, Rules};
+use crate::handle::{Rules, StationHandle};
 use crate::jobs::Jobs;
 use crate::kept_slots::KeptSlots;
 use crate::kept_stop::KeptStop;
@@ -49,7 +49,7 @@ pub struct Setup {
 /// The rules for one arm, at work in a thread of their own.
 #[derive(Debug)]
 pub struct Host {
-    handle: Handle,
+    handle: StationHandle,
     virtual_arm: Option<OwnVirtualArm>,
     thread: ArmAtWork,
     notes: Vec<String>,
@@ -93,7 +93,7 @@ impl Host {
         let source = approach.source;
         let virtual_arm = source.virtual_arm();
         let supervisor = supervisor(&setup, &source);
-        let (handle, channels) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
+        let (handle, channels) = StationHandle::new(supervisor.state(), Rules::of(&setup.policy));
         let own = handle.messages.clone();
         let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
@@ -129,7 +129,7 @@ impl Host {
 
     /// How to talk to it.
     #[must_use]
-    pub const fn handle(&self) -> &Handle {
+    pub const fn handle(&self) -> &StationHandle {
         &self.handle
     }
 

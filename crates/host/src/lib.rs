@@ -1,7 +1,7 @@
 //! Drives the supervisor of an arm: port, finder, watchdog process, journal thread, recordings and clients.
 //!
 //! A [`StationClient`] sends requests to a supervisor, wherever it runs: in a station, in this process for an arm at an
-//! address, or in virtual time. A [`Handle`] is the same for a station's own tasks: it leads to the one task that owns the
+//! address, or in virtual time. A [`StationHandle`] is the same for a station's own tasks: it leads to the one task that owns the
 //! port. A [`VirtualStation`] runs a supervisor in virtual time, with a virtual arm:
 //!
 //! ```
@@ -62,7 +62,8 @@ pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
 pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
 pub use handle::{
-    Client, DriverChannels, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+    Client, DriverChannels, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+    StationHandle,
 };
 pub use host::{Host, HostError, Setup};
 pub use jobs::WITHDRAWN;

@@ -5,7 +5,7 @@ mod harness;
 use dobot_api::{ClientId, Role};
 #[cfg(feature = "full")]
 use dobot_host::PassedPacket;
-use dobot_host::{DriverChannels, Handle, Message, Rules};
+use dobot_host::{DriverChannels, Message, Rules, StationHandle};
 use dobot_supervisor::Refusal;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
@@ -21,9 +21,9 @@ pub(crate) struct FakeDriver {
 
 impl FakeDriver {
     /// A driver, and the way to it; it keeps `kept` statuses for whoever is slow.
-    pub(crate) fn new(kept: usize) -> (Handle, Self) {
+    pub(crate) fn new(kept: usize) -> (StationHandle, Self) {
         let rules = Rules::of(&dobot_safety::Policy::default());
-        let (handle, ends) = Handle::with_packets(state(0.0), rules, kept);
+        let (handle, ends) = StationHandle::with_packets(state(0.0), rules, kept);
         (handle, Self { ends, clients: 0 })
     }
 

@@ -4,7 +4,7 @@ use std::io::ErrorKind;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
-use dobot_host::{Approach, Handle, Host, HostError, ServiceManager, Setup};
+use dobot_host::{Approach, Host, HostError, ServiceManager, Setup, StationHandle};
 use dobot_safety::{Policy, PolicyError};
 use dobot_session::Address;
 
@@ -139,7 +139,7 @@ impl Station {
 
     /// How to talk to it in this process.
     #[must_use]
-    pub const fn handle(&self) -> &Handle {
+    pub const fn handle(&self) -> &StationHandle {
         self.host.handle()
     }
 
@@ -267,7 +267,7 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
 }
 
 /// Lets those who watch know what goes wrong with an old program.
-fn tell(handle: &Handle, news: &ProgramNews) {
+fn tell(handle: &StationHandle, news: &ProgramNews) {
     if let Some(trouble) = news.trouble() {
         handle.tell_trouble(trouble);
     }

@@ -17,7 +17,7 @@ struct Station {
     served: Served,
     telling: std::sync::Arc<FakeNews>,
     asked: Asked,
-    handle: dobot_host::Handle,
+    handle: dobot_host::StationHandle,
     folder: tempfile::TempDir,
 }
 
