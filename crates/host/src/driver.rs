@@ -217,7 +217,7 @@ impl Driver {
             self.connect();
         }
         loop {
-            self.carry_out();
+            self.drain_outputs();
             if self.is_over() {
                 break;
             }
@@ -296,10 +296,10 @@ impl Driver {
     }
 
     /// Does what the supervisor wants: packets first.
-    fn carry_out(&mut self) {
+    fn drain_outputs(&mut self) {
         self.send();
         self.relay();
-        self.write_effects();
+        self.write_journal();
         while let Some((client, answer)) = self.supervisor.poll_answer() {
             if let Some(reply) = self.waiting.remove(&client) {
                 // Whoever asked may have left.
@@ -319,7 +319,7 @@ impl Driver {
     }
 
     /// Hands all that is to be kept to the journal.
-    fn write_effects(&mut self) {
+    fn write_journal(&mut self) {
         while let Some(effect) = self.supervisor.poll_effect() {
             self.write(effect);
         }
@@ -593,7 +593,7 @@ impl Driver {
             Ok(model) => {
                 let own = self.own.clone();
                 // The journal has to know that it is paused, which may have come just now.
-                self.write_effects();
+                self.write_journal();
                 self.jobs.clone().plan(held.start, model, own);
             }
         }
@@ -739,7 +739,7 @@ impl Driver {
     }
 
     async fn part(mut self) -> Result<(), String> {
-        self.carry_out();
+        self.drain_outputs();
         if let Some(link) = &mut self.link {
             // A link that is broken takes nothing any more.
             let _ = link.flush().await;
