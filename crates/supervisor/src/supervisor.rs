@@ -186,7 +186,7 @@ impl Supervisor {
         self.save.handle_time(self.arm.now());
         self.watch_delivery();
         // The job last: nothing of it is given before all that may hinder it was heard.
-        self.pump();
+        self.feed();
     }
 
     /// Takes a status: each part sees it, in this order. None of them gives the arm a command of a job;
@@ -225,7 +225,7 @@ impl Supervisor {
             self.let_go_of_fleet();
         }
         self.judge_grip(&status);
-        self.of_run(Run::handle_status);
+        self.with_run(Run::handle_status);
         // The detection last: it sets the dialect, which a job that has the arm would forbid.
         self.watch_detection(&status);
     }
@@ -244,23 +244,23 @@ impl Supervisor {
     }
 
     /// Keeps the session and the journal supplied with what the job needs next.
-    fn pump(&mut self) {
+    fn feed(&mut self) {
         let may_lift = !self.stop.holds() && self.link.is_there();
-        self.of_run(|run, arm| run.pump(arm, may_lift));
+        self.with_run(|run, arm| run.feed(arm, may_lift));
     }
 
     /// Has the job do something, if there is one, and what it wants.
-    fn of_run<W: IntoIterator<Item = JobEffect>>(
+    fn with_run<W: IntoIterator<Item = JobEffect>>(
         &mut self,
         act: impl FnOnce(&mut Run, &mut Arm) -> W,
     ) {
         if let Some(run) = &mut self.run {
             let effects = act(run, &mut self.arm);
-            self.fulfil(effects);
+            self.apply_effects(effects);
         }
     }
 
-    fn fulfil(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
+    fn apply_effects(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
         for effect in effects {
             match effect {
                 JobEffect::Ask(effect) => self.save.ask(effect),

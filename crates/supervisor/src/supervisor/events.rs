@@ -46,7 +46,7 @@ impl Supervisor {
         self.follow_session();
         // The status that shows the arm at rest has the permit for the press that waits for it.
         self.watch_press();
-        self.pump();
+        self.feed();
     }
 
     /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
@@ -198,7 +198,7 @@ impl Supervisor {
             Ok(()) => self.written(effect),
             Err(why) => self.not_written(effect, &why),
         }
-        self.pump();
+        self.feed();
     }
 
     fn written(&mut self, effect: &Effect) {
@@ -322,8 +322,8 @@ impl Supervisor {
     /// The commands that are not over, of clients and of the job.
     fn under_way(&self) -> Vec<CommandId> {
         let of_clients = self.commands.ids();
-        let of_run = self.run.iter().flat_map(Run::under_way);
-        let mut ids: Vec<_> = of_clients.chain(of_run).collect();
+        let of_job = self.run.iter().flat_map(Run::under_way);
+        let mut ids: Vec<_> = of_clients.chain(of_job).collect();
         ids.sort_unstable();
         ids
     }

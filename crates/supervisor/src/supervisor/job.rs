@@ -28,7 +28,7 @@ impl Supervisor {
         if let Err(refusal) = &started {
             self.tell_refused(client, refusal);
         }
-        self.pump();
+        self.feed();
         started
     }
 
@@ -54,7 +54,7 @@ impl Supervisor {
         self.halt.forget();
         self.run = Some(run);
         self.confirmed_job = None;
-        self.fulfil(effects);
+        self.apply_effects(effects);
         Ok(self.job_reply())
     }
 
@@ -154,10 +154,10 @@ impl Supervisor {
         if at_work {
             self.come_to_rest(JobPhase::Stopped, &why);
         } else {
-            self.of_run(|run, _| run.end(&why));
+            self.with_run(|run, _| run.end(&why));
         }
         let reply = self.job_reply();
-        self.of_run(Run::handle_status);
+        self.with_run(Run::handle_status);
         Ok(reply)
     }
 
@@ -183,7 +183,7 @@ impl Supervisor {
             run.check_speed(percent)?;
         }
         self.take_back();
-        self.of_run(|run, _| Some(run.set_speed(percent)));
+        self.with_run(|run, _| Some(run.set_speed(percent)));
         Ok(self.job_reply())
     }
 
@@ -200,7 +200,7 @@ impl Supervisor {
         self.take_back();
         if let Some(run) = &mut self.run {
             let effect = run.set_height(offset_mm, self.arm.policy())?;
-            self.fulfil([effect]);
+            self.apply_effects([effect]);
         }
         Ok(self.job_reply())
     }
@@ -232,13 +232,13 @@ impl Supervisor {
     /// The job goes no further: it comes to rest on its way, and the tool is lifted.
     fn come_to_rest(&mut self, then: JobPhase, why: &str) {
         self.drop_waiting(why);
-        self.of_run(|run, _| Some(run.come_to_rest(then, why)));
-        self.pump();
+        self.with_run(|run, _| Some(run.come_to_rest(then, why)));
+        self.feed();
     }
 
     /// The job goes no further: what is under way comes to its end, then it is paused.
     pub(super) fn interrupt_run(&mut self, why: &str) {
-        self.of_run(|run, _| run.interrupt(why));
+        self.with_run(|run, _| run.interrupt(why));
     }
 
     /// A job that burns goes no further.
@@ -246,7 +246,7 @@ impl Supervisor {
         let burns = |it: &Run| it.burns() && it.is_at_work();
         if self.run.as_ref().is_some_and(burns) {
             self.drop_waiting(why);
-            self.of_run(|run, _| Some(run.interrupt_burning(why)));
+            self.with_run(|run, _| Some(run.interrupt_burning(why)));
         }
     }
 
@@ -268,7 +268,7 @@ impl Supervisor {
     fn fail_run(&mut self, why: &str) {
         self.arm.part_from_laser();
         self.drop_waiting(why);
-        self.of_run(|run, _| run.fail(why));
+        self.with_run(|run, _| run.fail(why));
     }
 
     /// With each status: is the grip seen that was waited for?
@@ -288,12 +288,12 @@ impl Supervisor {
         match run.try_again(&mut self.arm) {
             Ok((run, effects)) => {
                 self.run = Some(run);
-                self.fulfil(effects);
+                self.apply_effects(effects);
             }
             Err(refusal) => {
                 self.run = Some(run);
                 let why = refusal.to_string();
-                self.of_run(|run, _| Some(run.give_up(&why)));
+                self.with_run(|run, _| Some(run.give_up(&why)));
             }
         }
     }

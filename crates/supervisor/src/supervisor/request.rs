@@ -56,7 +56,7 @@ impl Supervisor {
         if let Err(refusal) = &taken {
             self.tell_refused(client, refusal);
         }
-        self.pump();
+        self.feed();
         taken
     }
 
@@ -101,7 +101,7 @@ impl Supervisor {
             }
         }
         self.outbox.note_change();
-        self.pump();
+        self.feed();
         answer
     }
 
@@ -134,7 +134,7 @@ impl Supervisor {
         let text = format!("{} changed the safety policy", self.client_name(client));
         self.notify(News::PolicyChanged, text);
         self.outbox.note_change();
-        self.pump();
+        self.feed();
         Ok(())
     }
 
@@ -177,7 +177,7 @@ impl Supervisor {
             format!("{name} calibrated {arm}: places are true ones from now on")
         };
         self.notify(News::Calibrated, text);
-        self.pump();
+        self.feed();
         Ok(())
     }
 

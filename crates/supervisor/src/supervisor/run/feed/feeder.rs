@@ -57,7 +57,7 @@ impl Run {
     }
 
     /// Keeps the session and the journal supplied. The tool is lifted only where it may.
-    pub(in crate::supervisor) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
+    pub(in crate::supervisor) fn feed(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
         if matches!(self.phase, Phase::Approaching { last: None }) {
             self.set_out(arm.now());
         }
