@@ -197,7 +197,7 @@ impl Supervisor {
         if self.link.handle_status() {
             self.notify(News::LinkUp, "the arm tells its state".into());
         }
-        if self.link.greet() {
+        if self.link.take_pending_laser_off() {
             // What was said last may have got lost with the link.
             self.arm.send_urgent(LASER_OFF);
             self.halt.release_again(&self.arm);
