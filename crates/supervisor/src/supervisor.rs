@@ -341,7 +341,7 @@ impl Supervisor {
     pub fn poll_wakeup(&self) -> Duration {
         [
             Some(self.arm.session().poll_wakeup()).filter(|_| self.link.is_there()),
-            self.jogging.falls_silent(),
+            self.jogging.times_out_at(),
             self.arm.session().laser_armed_until(),
             self.halt.next(),
             self.save.next(),

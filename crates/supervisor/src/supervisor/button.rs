@@ -2,7 +2,7 @@
 
 use dobot_api::{ClientId, Jog, News, Reply};
 
-use super::jog::{EndedPress, JogSilence, Press, Still, act, is_released, moves};
+use super::jog::{EndedPress, HoldOutcome, JogSilence, Press, act, is_released, moves};
 use super::{Supervisor, seconds};
 use crate::refusal::Refusal;
 
@@ -12,11 +12,11 @@ impl Supervisor {
         &mut self,
         client: ClientId,
         jog: Jog,
-        patience_s: f64,
+        hold_timeout_s: f64,
     ) -> Result<Reply, Refusal> {
         self.leases.check(client)?;
         if is_released(jog) {
-            self.let_go();
+            self.release_button();
             return Ok(Reply::Done);
         }
         if !moves(jog) {
@@ -24,15 +24,15 @@ impl Supervisor {
         }
         if let Some(held) = self.jogging.handle_hold(self.arm.now(), client, jog) {
             return match held? {
-                Still::Same => Ok(Reply::Done),
-                Still::OtherSpeed => self.change_speed(jog),
+                HoldOutcome::Unchanged => Ok(Reply::Done),
+                HoldOutcome::SpeedChanged => self.change_speed(jog),
             };
         }
-        self.let_go();
+        self.release_button();
         let press = Press {
             client,
             jog,
-            patience: seconds(patience_s),
+            timeout: seconds(hold_timeout_s),
         };
         let (free, within) = (self.check_free(), self.rests_within());
         let pressed = self
@@ -85,7 +85,7 @@ impl Supervisor {
     }
 
     pub(super) fn watch_dead_man(&mut self) {
-        let Some(JogSilence { client, lasts }) = self.jogging.silence(self.arm.now()) else {
+        let Some(JogSilence { client, lasts }) = self.jogging.expired(self.arm.now()) else {
             return;
         };
         let who = client.map_or_else(|| "the arm".into(), |it| self.client_name(it));
@@ -101,8 +101,8 @@ impl Supervisor {
 
     /// Lets go of the button, if one is pressed: its client did. Who pressed it so shortly that the arm was never told,
     /// is told that.
-    pub(super) fn let_go(&mut self) {
-        let Some(ended) = self.jogging.let_go() else {
+    pub(super) fn release_button(&mut self) {
+        let Some(ended) = self.jogging.release() else {
             return;
         };
         if !self.release_button(ended) {
@@ -113,7 +113,7 @@ impl Supervisor {
     /// The station lets go of the button, and its client has to press it anew; says whether the arm
     /// moved by it.
     pub(super) fn withdraw(&mut self, why: Refusal) -> bool {
-        let ended = self.jogging.bar(why);
+        let ended = self.jogging.revoke(why);
         ended.is_some_and(|it| self.release_button(it) || it.command.is_some())
     }
 

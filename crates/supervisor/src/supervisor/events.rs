@@ -173,7 +173,7 @@ impl Supervisor {
 
     /// Lets the arm go whose stop of the fleet was reset elsewhere.
     pub(super) fn let_go_of_fleet(&mut self) {
-        if self.stop.let_go(self.arm.last().is_some()) {
+        if self.stop.release(self.arm.last().is_some()) {
             self.halt.forget();
             let text = "the stop of the fleet was reset: the arm may move again".to_owned();
             self.notify(News::StopReset, text);
@@ -184,7 +184,7 @@ impl Supervisor {
     pub fn handle_end(&mut self, now: Duration) {
         self.handle_time(now);
         self.halt.begin(&mut self.arm);
-        self.jogging.let_go();
+        self.jogging.release();
         self.drop_waiting("the station ended");
         self.interrupt_run("the station ended");
         self.end_detection("the station ended");
@@ -362,7 +362,7 @@ impl Supervisor {
         // Statuses may be lost on a line that still carries packets.
         self.arm.release_urgently();
         self.jogging
-            .bar(Refusal::LetGo("the link to the arm was lost".into()));
+            .revoke(Refusal::LetGo("the link to the arm was lost".into()));
         self.drop_waiting("the link to the arm was lost");
         let text = self.link.loss();
         self.interrupt_run(&text);
@@ -371,7 +371,8 @@ impl Supervisor {
     }
 
     fn notice_reset(&mut self, evidence: &str) {
-        self.jogging.bar(Refusal::LetGo("the arm was reset".into()));
+        self.jogging
+            .revoke(Refusal::LetGo("the arm was reset".into()));
         self.arm.part_from_laser();
         // Nothing is sent again before a person has looked where the arm stands.
         self.interrupt_run("the arm was reset");

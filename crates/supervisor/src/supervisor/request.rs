@@ -145,7 +145,7 @@ impl Supervisor {
             return Err(Refusal::JobRunning(job.job));
         }
         self.detecting.check()?;
-        if !self.arm.is_idle() || self.jogging.falls_silent().is_some() {
+        if !self.arm.is_idle() || self.jogging.times_out_at().is_some() {
             return Err(still_moving(self.rests_within()));
         }
         Ok(())
@@ -233,7 +233,7 @@ impl Supervisor {
             Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
             Request::Release => {
                 self.leases.check(client)?;
-                self.let_go();
+                self.release_button();
                 self.check_delivered("the release")
             }
             Request::Step { button, by } => self.step(client, button, by),
@@ -312,7 +312,7 @@ impl Supervisor {
         let rests_within = self.rests_within();
         self.halt.begin(&mut self.arm);
         self.disarm_laser("the arm was stopped");
-        self.jogging.bar(Refusal::LetGo(why.to_owned()));
+        self.jogging.revoke(Refusal::LetGo(why.to_owned()));
         self.drop_waiting(why);
         self.interrupt_run(why);
         self.end_detection(why);
@@ -434,7 +434,7 @@ impl Supervisor {
     fn lease_over(&mut self, client: ClientId, why: &str) {
         self.arm.part_from_laser();
         self.disarm_laser(why);
-        self.let_go();
+        self.release_button();
         self.end_detection(why);
         if self.commands.any_of(client) {
             self.drop_waiting(why);
@@ -464,7 +464,7 @@ impl Supervisor {
         }
         self.check_may_move(client)?;
         // Whoever sends another command does not hold his button any more.
-        self.let_go();
+        self.release_button();
         let within = self.rests_within();
         let id = self
             .commands
@@ -504,13 +504,13 @@ impl Supervisor {
         self.leases.check(client)?;
         let packet = &self.amended(client, packet);
         let command = self.arm.session().parse(packet)?;
-        let patience_s = self.arm.policy().jog.raw_dead_man_s;
+        let hold_timeout_s = self.arm.policy().jog.raw_dead_man_s;
         match command {
-            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), patience_s),
-            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), patience_s),
+            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), hold_timeout_s),
+            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), hold_timeout_s),
             command => {
                 // Another packet than that of the button means that it is not held any more.
-                self.let_go();
+                self.release_button();
                 self.command(client, &command)
             }
         }
@@ -538,7 +538,7 @@ impl Supervisor {
 
     /// Tells all who watch that something was refused.
     pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
-        if self.jogging.is_told(client, refusal) {
+        if self.jogging.was_reported(client, refusal) {
             return;
         }
         // The arm's own protocol has no words for that: whoever reads this is the only one to know.

@@ -162,7 +162,7 @@ impl Stop {
 
     /// Lets the arm go once nothing stops it any more; says whether it does so now. An arm that was met has to have been seen
     /// at rest.
-    pub(super) fn let_go(&mut self, was_met: bool) -> bool {
+    pub(super) fn release(&mut self, was_met: bool) -> bool {
         let is_over = self.cause().is_none();
         let over = self
             .holding
