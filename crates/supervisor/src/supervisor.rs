@@ -20,7 +20,7 @@ mod request;
 mod run;
 mod save;
 mod slots;
-mod stop;
+mod stop_latch;
 mod urgent;
 
 use std::time::Duration;
@@ -44,14 +44,14 @@ use self::link::Link;
 use self::outbox::Outbox;
 use self::run::{JobEffect, Run};
 use self::save::Save;
-use self::stop::Stop;
+use self::stop_latch::StopLatch;
 use crate::refusal::Refusal;
 
 pub use self::fleet_stops::KeptFleetStop;
 pub use self::job::FORGETTABLE;
 pub use self::plan::{JobPlan, draws_below_mm};
 pub use self::run::{Begun, Effect};
-pub use self::stop::StoppedBy;
+pub use self::stop_latch::StoppedBy;
 
 /// The supervisor of the arm, as an engine: it owns no port, no file and no clock.
 ///
@@ -68,7 +68,7 @@ pub struct Supervisor {
     leases: Leases,
     link: Link,
     arm: Arm,
-    stop: Stop,
+    stop_latch: StopLatch,
     halt: Halt,
     jogging: Jogging,
     commands: Commands,
@@ -93,7 +93,7 @@ impl Supervisor {
             leases: Leases::new(),
             link: Link::default(),
             arm: Arm::new(policy, dialect),
-            stop: Stop::default(),
+            stop_latch: StopLatch::default(),
             halt: Halt::default(),
             jogging: Jogging::default(),
             commands: Commands::default(),
@@ -201,7 +201,7 @@ impl Supervisor {
             // What was said last may have got lost with the link.
             self.arm.send_urgent(LASER_OFF);
             self.halt.release_again(&self.arm);
-            if self.stop.handle_delivered() {
+            if self.stop_latch.handle_delivered() {
                 self.notify(
                     News::Trouble,
                     "the stop is delivered now: the link to the arm is back".into(),
@@ -220,7 +220,7 @@ impl Supervisor {
         let rests = self.arm.is_at_rest();
         self.halt.handle_status(rests);
         // The stop before the job: that the arm rests is told before what it means for the job.
-        if self.stop.handle_status(rests) {
+        if self.stop_latch.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
             self.let_go_of_fleet();
         }
@@ -245,7 +245,7 @@ impl Supervisor {
 
     /// Keeps the session and the journal supplied with what the job needs next.
     fn feed(&mut self) {
-        let may_lift = !self.stop.holds() && self.link.is_there();
+        let may_lift = !self.stop_latch.holds() && self.link.is_there();
         self.with_run(|run, arm| run.feed(arm, may_lift));
     }
 
@@ -302,8 +302,8 @@ impl Supervisor {
             lease: self.leases.view(),
             lock: self.leases.lock_view(),
             slots: self.leases.slots_view(),
-            stop: self.stop.view(),
-            fleet_stops: self.stop.fleet_stops(),
+            stop: self.stop_latch.view(),
+            fleet_stops: self.stop_latch.fleet_stops(),
             laser: self.arm.laser_view(),
             job: self.job(),
             jobs_missing: self.jobs_missing.clone(),
@@ -345,7 +345,7 @@ impl Supervisor {
             self.arm.session().laser_armed_until(),
             self.halt.next(),
             self.save.next(),
-            self.stop.wakeup(),
+            self.stop_latch.wakeup(),
             self.leases.wakeup(),
             self.arm.line_wakeup(),
         ]

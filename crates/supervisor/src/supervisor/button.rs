@@ -57,7 +57,7 @@ impl Supervisor {
     /// Whether nothing hinders the arm from being moved by hand.
     pub(super) fn check_free(&self) -> Result<(), Refusal> {
         self.link.check()?;
-        self.stop.check()?;
+        self.stop_latch.check()?;
         self.check_guarded()?;
         self.detecting.check()?;
         match &self.run {

@@ -10,8 +10,8 @@ use super::Supervisor;
 use super::fleet_stops::KeptFleetStop;
 use super::request::REASON_LEN;
 use super::run::{Effect, Run};
-use super::stop::Stop;
-use super::stop::StoppedBy;
+use super::stop_latch::Stop;
+use super::stop_latch::StoppedBy;
 use crate::plain;
 use crate::refusal::Refusal;
 
@@ -95,7 +95,7 @@ impl Supervisor {
 
     /// People are told every second that a stop was not delivered.
     pub(super) fn watch_delivery(&mut self) {
-        if self.stop.is_due(self.arm.now()) {
+        if self.stop_latch.is_due(self.arm.now()) {
             self.notify(News::Trouble, NOT_DELIVERED.to_owned());
         }
     }
@@ -108,7 +108,7 @@ impl Supervisor {
         fleet: Vec<KeptFleetStop>,
     ) {
         self.handle_time(now);
-        self.stop.handle_kept(self.arm.now(), own, fleet);
+        self.stop_latch.handle_kept(self.arm.now(), own, fleet);
         self.outbox.note_change();
     }
 
@@ -127,7 +127,7 @@ impl Supervisor {
             by: plain(&by.by, REASON_LEN),
             reason: by.reason.map(|it| plain(&it, REASON_LEN)),
         };
-        let stop = self.stop.make_fleet_stop(origin, by, now_ms);
+        let stop = self.stop_latch.make_fleet_stop(origin, by, now_ms);
         let reply = self.bring_to_rest(&stop.text(), Stop::hold);
         self.outbox.note_change();
         (stop, reply)
@@ -137,43 +137,43 @@ impl Supervisor {
     /// more is let go as soon as it rests. `None` where no stop holds it then.
     pub fn handle_fleet_stops(&mut self, now: Duration, stops: &[FleetWideStop]) -> Option<Reply> {
         self.handle_time(now);
-        let reply = if self.stop.adopt(stops) {
+        let reply = if self.stop_latch.adopt(stops) {
             self.bring_to_rest("the fleet was stopped", Stop::hold)
         } else {
             Reply::Stopping {
                 rests_within_s: self.rests_within().as_secs_f64(),
-                delivered: self.stop.view().is_none_or(|it| it.delivered),
+                delivered: self.stop_latch.view().is_none_or(|it| it.delivered),
             }
         };
         self.let_go_of_fleet();
         self.outbox.note_change();
-        self.stop.holds().then_some(reply)
+        self.stop_latch.holds().then_some(reply)
     }
 
     /// Takes that somebody lets the whole fleet move again: this arm as soon as it rests, unless it was stopped by itself
     /// too. The others are to be told of the stops that are returned.
     pub fn handle_fleet_reset(&mut self, now: Duration, by: &str) -> Vec<FleetWideStop> {
         self.handle_time(now);
-        self.stop.reset_fleet(&plain(by, REASON_LEN));
+        self.stop_latch.reset_fleet(&plain(by, REASON_LEN));
         self.let_go_of_fleet();
         self.outbox.note_change();
-        self.stop.fleet_stops()
+        self.stop_latch.fleet_stops()
     }
 
     /// Whether a stop holds the arm.
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
-        self.stop.holds()
+        self.stop_latch.holds()
     }
 
     /// The stops to keep on the disk, if they have changed: the one of this arm, and those of the fleet.
     pub fn poll_kept_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
-        self.stop.poll_kept()
+        self.stop_latch.poll_kept()
     }
 
     /// Lets the arm go whose stop of the fleet was reset elsewhere.
     pub(super) fn let_go_of_fleet(&mut self) {
-        if self.stop.release(self.arm.last().is_some()) {
+        if self.stop_latch.release(self.arm.last().is_some()) {
             self.halt.forget();
             let text = "the stop of the fleet was reset: the arm may move again".to_owned();
             self.notify(News::StopReset, text);

@@ -12,8 +12,8 @@ use super::commands::{button, understood};
 use super::events::NOT_DELIVERED;
 use super::lease::{Change, TimeOver};
 use super::slots::Turn;
-use super::stop::Stop;
-use super::stop::StoppedBy;
+use super::stop_latch::Stop;
+use super::stop_latch::StoppedBy;
 use super::{Supervisor, still_moving};
 use crate::plain;
 use crate::refusal::{Refusal, span};
@@ -318,7 +318,12 @@ impl Supervisor {
         self.end_detection(why);
         // Without an arm there is nothing to deliver to.
         let delivered = self.link.is_there() || self.arm.last().is_none();
-        let told = hold(&mut self.stop, self.arm.now(), rests_within, delivered);
+        let told = hold(
+            &mut self.stop_latch,
+            self.arm.now(),
+            rests_within,
+            delivered,
+        );
         if let Some(text) = told {
             self.notify(News::Stopped, text);
             if !delivered {
@@ -332,7 +337,10 @@ impl Supervisor {
     }
 
     fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        if self.stop.reset(self.arm.now(), self.link.is_there())? {
+        if self
+            .stop_latch
+            .reset(self.arm.now(), self.link.is_there())?
+        {
             self.halt.forget();
             let text = format!("{} lets the arm move again", self.client_name(client));
             self.notify(News::StopReset, text);
@@ -444,7 +452,7 @@ impl Supervisor {
 
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
         self.leases.check_arms_laser(client)?;
-        self.stop.check()?;
+        self.stop_latch.check()?;
         self.check_guarded()?;
         self.arm.arm_laser(for_s)?;
         let name = self.client_name(client);
