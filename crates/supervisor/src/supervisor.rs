@@ -7,7 +7,6 @@ mod commands;
 mod detecting;
 mod events;
 mod fleet_stops;
-mod halt;
 mod job;
 mod jog;
 mod laser;
@@ -21,6 +20,7 @@ mod run;
 mod save;
 mod slots;
 mod stop_latch;
+mod stop_sequence;
 mod urgent;
 
 use std::time::Duration;
@@ -37,7 +37,6 @@ use dobot_wire::{Dialect, Finding, Packet, Status};
 use self::arm::Arm;
 use self::commands::Commands;
 use self::detecting::Detecting;
-use self::halt::Halt;
 use self::jog::Jogging;
 use self::lease::Leases;
 use self::link::Link;
@@ -45,6 +44,7 @@ use self::outbox::Outbox;
 use self::run::{JobEffect, Run};
 use self::save::Save;
 use self::stop_latch::StopLatch;
+use self::stop_sequence::StopSequence;
 use crate::refusal::Refusal;
 
 pub use self::fleet_stops::KeptFleetStop;
@@ -69,7 +69,7 @@ pub struct Supervisor {
     link: Link,
     arm: Arm,
     stop_latch: StopLatch,
-    halt: Halt,
+    stop_sequence: StopSequence,
     jogging: Jogging,
     commands: Commands,
     detecting: Detecting,
@@ -94,7 +94,7 @@ impl Supervisor {
             link: Link::default(),
             arm: Arm::new(policy, dialect),
             stop_latch: StopLatch::default(),
-            halt: Halt::default(),
+            stop_sequence: StopSequence::default(),
             jogging: Jogging::default(),
             commands: Commands::default(),
             detecting: Detecting::default(),
@@ -182,7 +182,7 @@ impl Supervisor {
         self.watch_press();
         // Behind both, for the one begins a halt, and the other ends one.
         let (is_linked, unknown) = (self.link.is_there(), self.unknown_motion());
-        self.halt.repeat(&mut self.arm, is_linked, unknown);
+        self.stop_sequence.repeat(&mut self.arm, is_linked, unknown);
         self.save.handle_time(self.arm.now());
         self.watch_delivery();
         // The job last: nothing of it is given before all that may hinder it was heard.
@@ -200,7 +200,7 @@ impl Supervisor {
         if self.link.take_pending_laser_off() {
             // What was said last may have got lost with the link.
             self.arm.send_urgent(LASER_OFF);
-            self.halt.release_again(&self.arm);
+            self.stop_sequence.release_again(&self.arm);
             if self.stop_latch.handle_delivered() {
                 self.notify(
                     News::Trouble,
@@ -218,7 +218,7 @@ impl Supervisor {
             self.tell_refused(client, &refusal);
         }
         let rests = self.arm.is_at_rest();
-        self.halt.handle_status(rests);
+        self.stop_sequence.handle_status(rests);
         // The stop before the job: that the arm rests is told before what it means for the job.
         if self.stop_latch.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
@@ -343,7 +343,7 @@ impl Supervisor {
             Some(self.arm.session().poll_wakeup()).filter(|_| self.link.is_there()),
             self.jogging.times_out_at(),
             self.arm.session().laser_armed_until(),
-            self.halt.next(),
+            self.stop_sequence.next(),
             self.save.next(),
             self.stop_latch.wakeup(),
             self.leases.wakeup(),

@@ -39,7 +39,7 @@ impl Supervisor {
             .jogging
             .handle_press(&mut self.arm, press, free, within);
         if pressed? {
-            self.halt.forget();
+            self.stop_sequence.forget();
         }
         Ok(Reply::Done)
     }
@@ -50,7 +50,7 @@ impl Supervisor {
             self.withdraw(why.clone());
             return Err(why);
         }
-        self.halt.forget();
+        self.stop_sequence.forget();
         Ok(Reply::Done)
     }
 
@@ -74,7 +74,7 @@ impl Supervisor {
         };
         match self.check_free().and_then(|()| act(&mut self.arm, jog)) {
             Ok(command) => {
-                self.halt.forget();
+                self.stop_sequence.forget();
                 self.jogging.handle_moves(self.arm.now(), command);
             }
             Err(refusal) => {
@@ -123,7 +123,7 @@ impl Supervisor {
             return false;
         };
         let forgotten = self.drop_waiting("the button was released");
-        self.halt.release(&mut self.arm);
+        self.stop_sequence.release(&mut self.arm);
         !forgotten.contains(&command)
     }
 

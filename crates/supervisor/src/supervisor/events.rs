@@ -174,7 +174,7 @@ impl Supervisor {
     /// Lets the arm go whose stop of the fleet was reset elsewhere.
     pub(super) fn let_go_of_fleet(&mut self) {
         if self.stop_latch.release(self.arm.last().is_some()) {
-            self.halt.forget();
+            self.stop_sequence.forget();
             let text = "the stop of the fleet was reset: the arm may move again".to_owned();
             self.notify(News::StopReset, text);
         }
@@ -183,7 +183,7 @@ impl Supervisor {
     /// Takes that the station ends: nothing more is sent, and the laser goes off first.
     pub fn handle_end(&mut self, now: Duration) {
         self.handle_time(now);
-        self.halt.begin(&mut self.arm);
+        self.stop_sequence.begin(&mut self.arm);
         self.jogging.release();
         self.drop_waiting("the station ended");
         self.interrupt_run("the station ended");

@@ -51,7 +51,7 @@ impl Supervisor {
             });
         }
         let (run, effects) = Run::begin(begun, &mut self.arm, self.run.as_ref())?;
-        self.halt.forget();
+        self.stop_sequence.forget();
         self.run = Some(run);
         self.confirmed_job = None;
         self.apply_effects(effects);

@@ -220,7 +220,7 @@ impl Supervisor {
         self.arm.check_trust()?;
         let rests_within = self.rests_within();
         self.detecting.begin(client, &self.arm, rests_within)?;
-        self.halt.forget();
+        self.stop_sequence.forget();
         Ok(())
     }
 
@@ -310,7 +310,7 @@ impl Supervisor {
         hold: impl FnOnce(&mut Stop, Duration, Duration, bool) -> Option<String>,
     ) -> Reply {
         let rests_within = self.rests_within();
-        self.halt.begin(&mut self.arm);
+        self.stop_sequence.begin(&mut self.arm);
         self.disarm_laser("the arm was stopped");
         self.jogging.revoke(Refusal::LetGo(why.to_owned()));
         self.drop_waiting(why);
@@ -341,7 +341,7 @@ impl Supervisor {
             .stop_latch
             .reset(self.arm.now(), self.link.is_there())?
         {
-            self.halt.forget();
+            self.stop_sequence.forget();
             let text = format!("{} lets the arm move again", self.client_name(client));
             self.notify(News::StopReset, text);
         }
@@ -477,7 +477,7 @@ impl Supervisor {
         let id = self
             .commands
             .handle_command(&mut self.arm, client, command, within)?;
-        self.halt.forget();
+        self.stop_sequence.forget();
         Ok(Reply::Accepted {
             command: id.0,
             takes_s: Some(self.arm.session().ahead_s()),
