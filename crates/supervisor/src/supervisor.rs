@@ -9,6 +9,7 @@ mod events;
 mod fleet_stops;
 mod job;
 mod jog;
+mod journal_requests;
 mod laser;
 mod lease;
 mod link;
@@ -17,7 +18,6 @@ mod outbox;
 mod plan;
 mod request;
 mod run;
-mod save;
 mod slots;
 mod stop_latch;
 mod stop_sequence;
@@ -38,11 +38,11 @@ use self::arm::Arm;
 use self::commands::Commands;
 use self::detecting::Detecting;
 use self::jog::Jogging;
+use self::journal_requests::JournalRequests;
 use self::lease::Leases;
 use self::link::Link;
 use self::outbox::Outbox;
 use self::run::{JobEffect, Run};
-use self::save::Save;
 use self::stop_latch::StopLatch;
 use self::stop_sequence::StopSequence;
 use crate::refusal::Refusal;
@@ -80,7 +80,7 @@ pub struct Supervisor {
     unguarded: Option<String>,
     /// What is missing of the kept jobs.
     jobs_missing: Option<String>,
-    save: Save,
+    journal_requests: JournalRequests,
     outbox: Outbox,
 }
 
@@ -102,7 +102,7 @@ impl Supervisor {
             confirmed_job: None,
             unguarded: None,
             jobs_missing: None,
-            save: Save::default(),
+            journal_requests: JournalRequests::default(),
             outbox: Outbox::new(),
         }
     }
@@ -183,7 +183,7 @@ impl Supervisor {
         // Behind both, for the one begins a halt, and the other ends one.
         let (is_linked, unknown) = (self.link.is_there(), self.unknown_motion());
         self.stop_sequence.repeat(&mut self.arm, is_linked, unknown);
-        self.save.handle_time(self.arm.now());
+        self.journal_requests.handle_time(self.arm.now());
         self.watch_delivery();
         // The job last: nothing of it is given before all that may hinder it was heard.
         self.feed();
@@ -263,8 +263,8 @@ impl Supervisor {
     fn apply_effects(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
         for effect in effects {
             match effect {
-                JobEffect::Ask(effect) => self.save.ask(effect),
-                JobEffect::Keep(effect) => self.save.keep_phase(effect),
+                JobEffect::Ask(effect) => self.journal_requests.ask(effect),
+                JobEffect::Keep(effect) => self.journal_requests.keep_phase(effect),
                 JobEffect::Notify(news, text) => self.notify(news, text),
                 JobEffect::Forget => self.run = None,
                 JobEffect::TryAgain => self.try_again(),
@@ -328,7 +328,7 @@ impl Supervisor {
 
     /// What the journal is to keep, in order.
     pub fn poll_effect(&mut self) -> Option<Effect> {
-        self.save.poll_effect()
+        self.journal_requests.poll_effect()
     }
 
     /// Whether something changed since this was asked last.
@@ -344,7 +344,7 @@ impl Supervisor {
             self.jogging.times_out_at(),
             self.arm.session().laser_armed_until(),
             self.stop_sequence.next(),
-            self.save.next(),
+            self.journal_requests.next(),
             self.stop_latch.wakeup(),
             self.leases.wakeup(),
             self.arm.line_wakeup(),

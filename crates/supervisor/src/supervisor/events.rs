@@ -202,7 +202,7 @@ impl Supervisor {
     }
 
     fn written(&mut self, effect: &Effect) {
-        if self.save.handle_written(effect) {
+        if self.journal_requests.handle_written(effect) {
             let text = "the journal of jobs can be written again".to_owned();
             self.notify(News::Trouble, text);
         }
@@ -212,7 +212,9 @@ impl Supervisor {
     }
 
     fn not_written(&mut self, effect: &Effect, why: &str) {
-        let is_news = self.save.handle_not_written(self.arm.now(), effect, why);
+        let is_news = self
+            .journal_requests
+            .handle_not_written(self.arm.now(), effect, why);
         let why = format!("the journal of jobs cannot be written: {why}");
         if self.run.as_ref().is_some_and(Run::has_the_arm) {
             self.arm.part_from_laser();

@@ -35,7 +35,7 @@ impl Supervisor {
     fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         self.arm.check_trust()?;
-        self.save.check()?;
+        self.journal_requests.check()?;
         if !self.arm.is_idle() {
             return Err(self.still_moving());
         }
