@@ -14,7 +14,7 @@ mod laser;
 mod lease;
 mod link;
 mod near;
-mod outbox;
+mod outgoing_events;
 mod plan;
 mod request;
 mod run;
@@ -41,7 +41,7 @@ use self::jog::Jogging;
 use self::journal_requests::JournalRequests;
 use self::lease::Leases;
 use self::link::Link;
-use self::outbox::Outbox;
+use self::outgoing_events::OutgoingEvents;
 use self::run::{JobEffect, Run};
 use self::stop_latch::StopLatch;
 use self::stop_sequence::StopSequence;
@@ -81,7 +81,7 @@ pub struct Supervisor {
     /// What is missing of the kept jobs.
     jobs_missing: Option<String>,
     journal_requests: JournalRequests,
-    outbox: Outbox,
+    outgoing: OutgoingEvents,
 }
 
 impl Supervisor {
@@ -103,7 +103,7 @@ impl Supervisor {
             unguarded: None,
             jobs_missing: None,
             journal_requests: JournalRequests::default(),
-            outbox: Outbox::new(),
+            outgoing: OutgoingEvents::new(),
         }
     }
 
@@ -127,7 +127,7 @@ impl Supervisor {
     /// The pose is not to be trusted until a person confirms it, and why.
     pub fn distrust(&mut self, reason: &str) {
         self.arm.session_mut().distrust(reason);
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// The dialect that the arm speaks, if that is known.
@@ -146,7 +146,7 @@ impl Supervisor {
     pub fn handle_known_dialect(&mut self, dialect: Dialect) {
         if self.arm.session().dialect().is_none() {
             self.arm.session_mut().set_dialect(dialect);
-            self.outbox.note_change();
+            self.outgoing.note_change();
         }
     }
 
@@ -154,7 +154,7 @@ impl Supervisor {
     /// been plugged in there, so people are told which one it is taken to be.
     pub fn handle_known_calibration(&mut self, address: &str, known: &Calibrations) {
         self.arm.set_calibration(known.arm());
-        self.outbox.note_change();
+        self.outgoing.note_change();
         if known.calibration.is_some() {
             let name = known.name().unwrap_or("the arm that was calibrated there");
             let text = format!(
@@ -209,7 +209,7 @@ impl Supervisor {
             }
         }
         // From here on it is known where the arm is, and whether it rests.
-        self.outbox.pass_on(status);
+        self.outgoing.pass_on(status);
         self.arm.handle_status(status);
         // A button that leads to where the arm may not be is let go of before anything else is decided,
         // and before the halt, for it begins one.
@@ -239,7 +239,7 @@ impl Supervisor {
                 self.set_dialect(finding.dialect)
                     .map(|_| Reply::Found { finding })
             });
-            self.outbox.answer(client, answer);
+            self.outgoing.answer(client, answer);
         }
     }
 
@@ -269,7 +269,7 @@ impl Supervisor {
                 JobEffect::Forget => self.run = None,
                 JobEffect::TryAgain => self.try_again(),
             }
-            self.outbox.note_change();
+            self.outgoing.note_change();
         }
     }
 
@@ -313,17 +313,17 @@ impl Supervisor {
 
     /// The next thing that happened, for all who watch.
     pub fn poll_notice(&mut self) -> Option<Notice> {
-        self.outbox.poll_notice()
+        self.outgoing.poll_notice()
     }
 
     /// The next status of the arm, as it came.
     pub fn poll_status(&mut self) -> Option<Status> {
-        self.outbox.poll_status()
+        self.outgoing.poll_status()
     }
 
     /// The answer to a request that took its time.
     pub fn poll_answer(&mut self) -> Option<(ClientId, Result<Reply, Refusal>)> {
-        self.outbox.poll_answer()
+        self.outgoing.poll_answer()
     }
 
     /// What the journal is to keep, in order.
@@ -333,7 +333,7 @@ impl Supervisor {
 
     /// Whether something changed since this was asked last.
     pub fn poll_changed(&mut self) -> bool {
-        self.outbox.poll_changed()
+        self.outgoing.poll_changed()
     }
 
     /// When [`Supervisor::handle_time`] wants to be called next, at the latest.
@@ -403,7 +403,7 @@ impl Supervisor {
     }
 
     fn notify(&mut self, news: News, text: String) {
-        self.outbox.notify(self.arm.now(), news, text);
+        self.outgoing.notify(self.arm.now(), news, text);
     }
 
     /// The model from which a job is planned: the arm as it will be after all that it was given.
@@ -439,7 +439,7 @@ impl Supervisor {
     pub fn handle_kept_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
         self.handle_time(now);
         self.leases.set_slots(self.arm.now(), slots)?;
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.watch_slots();
         Ok(())
     }

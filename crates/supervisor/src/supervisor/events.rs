@@ -25,14 +25,14 @@ impl Supervisor {
         }
         self.link.handle_up(address);
         self.arm.handle_open();
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// Takes that the port is gone, or could not be opened, and why.
     pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
         self.handle_time(now);
         let lost = self.link.handle_down(phase, problem);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         if lost {
             self.lose_link();
             self.disarm_laser("the link to the arm was lost");
@@ -109,7 +109,7 @@ impl Supervisor {
     ) {
         self.handle_time(now);
         self.stop_latch.handle_kept(self.arm.now(), own, fleet);
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// Takes that somebody stops the whole fleet at this station, which goes by the number `origin`: this arm is stopped,
@@ -129,7 +129,7 @@ impl Supervisor {
         };
         let stop = self.stop_latch.make_fleet_stop(origin, by, now_ms);
         let reply = self.bring_to_rest(&stop.text(), Stop::hold);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         (stop, reply)
     }
 
@@ -146,7 +146,7 @@ impl Supervisor {
             }
         };
         self.let_go_of_fleet();
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.stop_latch.holds().then_some(reply)
     }
 
@@ -156,7 +156,7 @@ impl Supervisor {
         self.handle_time(now);
         self.stop_latch.reset_fleet(&plain(by, REASON_LEN));
         self.let_go_of_fleet();
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.stop_latch.fleet_stops()
     }
 
@@ -229,7 +229,7 @@ impl Supervisor {
     /// Takes what happened in the session.
     pub(super) fn follow_session(&mut self) {
         while let Some(event) = self.arm.session_mut().poll_event() {
-            self.outbox.note_change();
+            self.outgoing.note_change();
             match event {
                 Event::Status(status) => self.see(status),
                 Event::Completed(id) => self.command_over(id, None),
@@ -334,7 +334,7 @@ impl Supervisor {
     pub(super) fn end_detection(&mut self, why: &str) {
         if let Some(client) = self.detecting.end() {
             let refusal = Refusal::NotFound(why.to_owned());
-            self.outbox.answer(client, Err(refusal));
+            self.outgoing.answer(client, Err(refusal));
         }
     }
 

@@ -74,7 +74,7 @@ impl Supervisor {
         self.handle_time(now);
         self.arm.session_mut().distrust(Run::RESTARTED);
         self.run = Some(Run::recovered(begun, window));
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// Whether a job may be started as far as its own last motion goes: one that was paused a

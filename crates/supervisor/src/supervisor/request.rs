@@ -28,7 +28,7 @@ impl Supervisor {
         person: &str,
     ) -> ClientId {
         self.handle_time(now);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.leases.handle_client(name, role, person)
     }
 
@@ -37,7 +37,7 @@ impl Supervisor {
         self.handle_time(now);
         let changes = self.leases.handle_left(client);
         self.follow_lease(changes);
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// Takes a packet of a raw program. The first one takes the lease if nobody has it.
@@ -100,7 +100,7 @@ impl Supervisor {
                 self.arm.part_from_laser();
             }
         }
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.feed();
         answer
     }
@@ -133,7 +133,7 @@ impl Supervisor {
         self.arm.set_policy(policy);
         let text = format!("{} changed the safety policy", self.client_name(client));
         self.notify(News::PolicyChanged, text);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.feed();
         Ok(())
     }
@@ -168,7 +168,7 @@ impl Supervisor {
         self.disarm_laser("the arm was calibrated");
         let calibration = calibrations.arm();
         self.arm.set_calibration(calibration);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         let name = self.client_name(client);
         let text = if calibration.is_none() {
             format!("{name} takes the arm to be as drawn: no calibration holds")
