@@ -139,10 +139,10 @@ impl Driver {
         let Some(job) = interrupted else {
             return Ok(());
         };
-        match self.jobs.begun(&job, recovery_model(&job)) {
-            Ok(begun) => {
+        match self.jobs.started_job(&job, recovery_model(&job)) {
+            Ok(started) => {
                 let now = self.now();
-                self.supervisor.handle_recovered(now, begun, job.window);
+                self.supervisor.handle_recovered(now, started, job.window);
                 Ok(())
             }
             Err(refusal) => {
@@ -405,11 +405,11 @@ impl Driver {
             }
             Message::Planned {
                 client,
-                begun,
+                started,
                 reply,
             } => {
-                let started = self.supervisor.handle_start(now, client, *begun);
-                let _ = reply.send(started);
+                let answer = self.supervisor.handle_start(now, client, *started);
+                let _ = reply.send(answer);
             }
             Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
             Message::Policy {

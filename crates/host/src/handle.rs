@@ -14,7 +14,7 @@ use dobot_safety::Policy;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
-use dobot_supervisor::{Begun, Refusal, StoppedBy};
+use dobot_supervisor::{Refusal, StartedJob, StoppedBy};
 
 /// How the rest of the station talks to the task that owns the arm; clones share it.
 #[derive(Clone, Debug)]
@@ -174,7 +174,7 @@ pub enum Message {
         /// Who.
         client: ClientId,
         /// The job.
-        begun: Box<Begun>,
+        started: Box<StartedJob>,
         /// The answer.
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },

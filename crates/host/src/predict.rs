@@ -68,7 +68,7 @@ struct DryRun {
     station: VirtualStation,
     client: ClientId,
     job: u64,
-    begun: Duration,
+    started: Duration,
     /// How long people were waited for.
     waited: Duration,
 }
@@ -90,7 +90,7 @@ impl DryRun {
         let job = station.submit(job)?;
         station.start(client, job)?;
         Ok(Self {
-            begun: station.now(),
+            started: station.now(),
             station,
             client,
             job,
@@ -135,7 +135,9 @@ impl DryRun {
     }
 
     fn elapsed(&self) -> Duration {
-        self.station.now().saturating_sub(self.begun + self.waited)
+        self.station
+            .now()
+            .saturating_sub(self.started + self.waited)
     }
 
     fn state(&self) -> Result<JobState, Refusal> {
@@ -160,7 +162,7 @@ impl DryRun {
         let latest = self.station.now() + LONGEST;
         self.station
             .run_until(latest, |it| it.supervisor().job_is_under_way());
-        self.waited = self.station.now().saturating_sub(self.begun + until);
+        self.waited = self.station.now().saturating_sub(self.started + until);
         Ok(())
     }
 }

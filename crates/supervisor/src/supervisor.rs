@@ -50,7 +50,7 @@ use crate::refusal::Refusal;
 pub use self::fleet_stops::KeptFleetStop;
 pub use self::job::FORGETTABLE;
 pub use self::plan::{JobPlan, draws_below_mm};
-pub use self::run::{Begun, Effect};
+pub use self::run::{Effect, StartedJob};
 pub use self::stop_latch::StoppedBy;
 
 /// The supervisor of the arm, as an engine: it owns no port, no file and no clock.

@@ -105,7 +105,7 @@ impl Supervisor {
         let Some(ended) = self.jogging.release() else {
             return;
         };
-        if !self.release_button(ended) {
+        if !self.end_press(ended) {
             self.tell_lost_press(ended.client);
         }
     }
@@ -114,11 +114,11 @@ impl Supervisor {
     /// moved by it.
     pub(super) fn withdraw(&mut self, why: Refusal) -> bool {
         let ended = self.jogging.revoke(why);
-        ended.is_some_and(|it| self.release_button(it) || it.command.is_some())
+        ended.is_some_and(|it| self.end_press(it) || it.command.is_some())
     }
 
     /// Says whether the arm was told of the press that ends.
-    fn release_button(&mut self, ended: EndedPress) -> bool {
+    fn end_press(&mut self, ended: EndedPress) -> bool {
         let Some(command) = ended.command else {
             return false;
         };

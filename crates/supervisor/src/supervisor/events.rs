@@ -10,7 +10,7 @@ use super::Supervisor;
 use super::fleet_stops::KeptFleetStop;
 use super::request::REASON_LEN;
 use super::run::{Effect, Run};
-use super::stop_latch::Stop;
+use super::stop_latch::StopLatch;
 use super::stop_latch::StoppedBy;
 use crate::plain;
 use crate::refusal::Refusal;
@@ -128,7 +128,7 @@ impl Supervisor {
             reason: by.reason.map(|it| plain(&it, REASON_LEN)),
         };
         let stop = self.stop_latch.make_fleet_stop(origin, by, now_ms);
-        let reply = self.bring_to_rest(&stop.text(), Stop::hold);
+        let reply = self.bring_to_rest(&stop.text(), StopLatch::hold);
         self.outgoing.note_change();
         (stop, reply)
     }
@@ -138,7 +138,7 @@ impl Supervisor {
     pub fn handle_fleet_stops(&mut self, now: Duration, stops: &[FleetWideStop]) -> Option<Reply> {
         self.handle_time(now);
         let reply = if self.stop_latch.adopt(stops) {
-            self.bring_to_rest("the fleet was stopped", Stop::hold)
+            self.bring_to_rest("the fleet was stopped", StopLatch::hold)
         } else {
             Reply::Stopping {
                 rests_within_s: self.rests_within().as_secs_f64(),

@@ -8,7 +8,7 @@ use dobot_session::CommandId;
 use dobot_wire::Status;
 
 use super::Supervisor;
-use super::run::{Begun, Run, check_height};
+use super::run::{Run, StartedJob, check_height};
 use crate::refusal::Refusal;
 
 impl Supervisor {
@@ -21,36 +21,36 @@ impl Supervisor {
         &mut self,
         now: Duration,
         client: ClientId,
-        begun: Begun,
+        started: StartedJob,
     ) -> Result<Reply, Refusal> {
         self.handle_time(now);
-        let started = self.start(client, begun);
-        if let Err(refusal) = &started {
+        let reply = self.start(client, started);
+        if let Err(refusal) = &reply {
             self.tell_refused(client, refusal);
         }
         self.feed();
-        started
+        reply
     }
 
-    fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
+    fn start(&mut self, client: ClientId, started: StartedJob) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         self.arm.check_trust()?;
         self.journal_requests.check()?;
         if !self.arm.is_idle() {
             return Err(self.still_moving());
         }
-        if begun.plan.burns() {
+        if started.plan.burns() {
             self.arm.check_laser_armed()?;
         }
-        if let Some(message) = begun.waits_for_person()
-            && self.confirmed_job != Some(begun.job)
+        if let Some(message) = started.waits_for_person()
+            && self.confirmed_job != Some(started.job)
         {
             return Err(Refusal::NeedsPerson {
-                job: begun.job,
+                job: started.job,
                 message: message.to_owned(),
             });
         }
-        let (run, effects) = Run::begin(begun, &mut self.arm, self.run.as_ref())?;
+        let (run, effects) = Run::begin(started, &mut self.arm, self.run.as_ref())?;
         self.stop_sequence.forget();
         self.run = Some(run);
         self.confirmed_job = None;
@@ -70,10 +70,10 @@ impl Supervisor {
 
     /// Takes a job that was at work when the station ended without saying so: the laser goes off,
     /// and where the arm comes to rest tells how far the job got.
-    pub fn handle_recovered(&mut self, now: Duration, begun: Begun, window: Window) {
+    pub fn handle_recovered(&mut self, now: Duration, started: StartedJob, window: Window) {
         self.handle_time(now);
         self.arm.session_mut().distrust(Run::RESTARTED);
-        self.run = Some(Run::recovered(begun, window));
+        self.run = Some(Run::recovered(started, window));
         self.outgoing.note_change();
     }
 

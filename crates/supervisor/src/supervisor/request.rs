@@ -12,7 +12,7 @@ use super::commands::{button, understood};
 use super::events::NOT_DELIVERED;
 use super::lease::{Change, TimeOver};
 use super::slots::Turn;
-use super::stop_latch::Stop;
+use super::stop_latch::StopLatch;
 use super::stop_latch::StoppedBy;
 use super::{Supervisor, still_moving};
 use crate::plain;
@@ -307,7 +307,7 @@ impl Supervisor {
     pub(super) fn bring_to_rest(
         &mut self,
         why: &str,
-        hold: impl FnOnce(&mut Stop, Duration, Duration, bool) -> Option<String>,
+        hold: impl FnOnce(&mut StopLatch, Duration, Duration, bool) -> Option<String>,
     ) -> Reply {
         let rests_within = self.rests_within();
         self.stop_sequence.begin(&mut self.arm);

@@ -25,7 +25,7 @@ struct Slot {
     from: Duration,
     until: Duration,
     /// It is under way.
-    begun: bool,
+    started: bool,
     /// Its student was told that it ends soon.
     warned: bool,
 }
@@ -60,7 +60,7 @@ impl Slots {
         // Whose time goes on notices nothing of another list.
         let student = self.student();
         if let Some(first) = all.first_mut().filter(|it| it.from <= now) {
-            first.begun = student.is_some_and(|it| is_same_person(it, &first.student));
+            first.started = student.is_some_and(|it| is_same_person(it, &first.student));
         }
         self.all = all.into();
         Ok(())
@@ -73,7 +73,7 @@ impl Slots {
         while self
             .all
             .front()
-            .is_some_and(|it| !it.begun && it.until <= now)
+            .is_some_and(|it| !it.started && it.until <= now)
         {
             self.all.pop_front();
         }
@@ -84,14 +84,14 @@ impl Slots {
             self.all.pop_front();
             return Some(Turn::Ended { student });
         }
-        if !first.begun && first.from <= now {
-            first.begun = true;
+        if !first.started && first.from <= now {
+            first.started = true;
             return Some(Turn::Began {
                 student,
                 lasts: left,
             });
         }
-        if first.begun && !first.warned && left <= WARNING {
+        if first.started && !first.warned && left <= WARNING {
             first.warned = true;
             return Some(Turn::Ending { student, left });
         }
@@ -101,7 +101,7 @@ impl Slots {
     /// When it wants to know the time next.
     pub(super) fn wakeup(&self) -> Option<Duration> {
         let first = self.all.front()?;
-        Some(if !first.begun {
+        Some(if !first.started {
             first.from
         } else if first.warned {
             first.until
@@ -150,7 +150,7 @@ impl Slots {
     }
 
     fn under_way(&self) -> Option<&Slot> {
-        self.all.front().filter(|it| it.begun)
+        self.all.front().filter(|it| it.started)
     }
 
     /// The end of what follows without a break.
@@ -233,7 +233,7 @@ fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
         group: slot.group.clone(),
         from: now + Duration::from_secs_f64(starts_s),
         until: now + Duration::from_secs_f64(ends_s),
-        begun: false,
+        started: false,
         warned: false,
     })
 }

@@ -86,14 +86,15 @@ impl Run {
             return None;
         }
         let speed_mm_s = self.speed_mm_s();
-        self.speeds.command(&self.begun.plan, self.next, speed_mm_s)
+        self.speeds
+            .command(&self.started.plan, self.next, speed_mm_s)
     }
 
     /// A program that is done at another speed goes to its targets at that.
     fn scaled(&self, command: Command) -> Command {
         match command {
-            Command::PlaybackAdjustment(it) if self.begun.kind == JobKind::Program => {
-                self.begun.at_speed(it).into()
+            Command::PlaybackAdjustment(it) if self.started.kind == JobKind::Program => {
+                self.started.at_speed(it).into()
             }
             command => command,
         }
@@ -147,12 +148,12 @@ impl Run {
     }
 
     fn wait_for_person(&mut self) -> Option<JobEffect> {
-        let here = self.begun.next_pause().filter(|it| it.0 == self.next);
+        let here = self.started.next_pause().filter(|it| it.0 == self.next);
         if let Some((_, message)) = here {
             let message = message.to_owned();
             return Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson));
         }
-        let is_over = self.next == self.begun.end();
+        let is_over = self.next == self.started.end();
         let here = self.step_end.filter(|it| *it == self.next && !is_over);
         here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
     }
@@ -162,9 +163,9 @@ impl Run {
         if !self.permit.is_low(self.next) {
             return None;
         }
-        let completed = self.begun.completed;
+        let completed = self.started.completed;
         let upto = self.window_end(&status?).min(self.upto());
-        let counted = self.begun.counted(Window {
+        let counted = self.started.counted(Window {
             completed,
             upto,
             start: self.start(),
@@ -216,7 +217,7 @@ impl Run {
         if let Some(ran) = &mut self.ran {
             ran.last_over = now;
         }
-        if !is_done || self.begun.completed != given.index {
+        if !is_done || self.started.completed != given.index {
             return;
         }
         if status.is_some_and(|it| self.shows_grip(given.index, it)) {
@@ -231,7 +232,7 @@ impl Run {
     }
 
     pub(in crate::supervisor::run) fn handle_done(&mut self, given: SentCommand, now: Duration) {
-        self.begun.completed = given.index + 1;
+        self.started.completed = given.index + 1;
         self.left = given.left;
         self.handle_progress(now);
     }
