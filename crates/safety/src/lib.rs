@@ -51,4 +51,4 @@ pub use sections::{
     AccelerationCeilings, ArmBody, JogRules, JointLimits, JumpRules, LaserRules, QueueRules,
     SpeedCeilings, Table, ToolLengths, Workspace,
 };
-pub use violation::{Judged, Spot, Violation};
+pub use violation::{Location, RejectedValue, Violation};

@@ -24,16 +24,16 @@ pub struct Violation {
     /// What is wrong, in one line.
     pub message: String,
     /// What was found and what is allowed, where the rule is about a value.
-    pub value: Option<Box<Judged>>,
+    pub value: Option<Box<RejectedValue>>,
     /// The first place on the way that is forbidden.
-    pub at: Option<Box<Spot>>,
+    pub at: Option<Box<Location>>,
     /// The last place on the way that is allowed: x, y and z in mm.
     pub nearest: Option<[f64; 3]>,
 }
 
 /// A value that is not allowed, in the unit of its rule.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Judged {
+pub struct RejectedValue {
     /// What was found: on a way the value farthest from what is allowed.
     pub found: f64,
     /// What is allowed.
@@ -44,7 +44,7 @@ pub struct Judged {
 
 /// A place on a way.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Spot {
+pub struct Location {
     /// x, y and z of the tool in mm, as the arm tells them.
     pub position_mm: [f64; 3],
     /// Base, rear arm, forearm and servo in degrees.
@@ -78,7 +78,7 @@ impl Violation {
             format!("{name} would be {found_here}{unit}; {rule} allows {least} to {most}{unit}")
         };
         Self {
-            value: Some(Box::new(Judged::new(found, allowed))),
+            value: Some(Box::new(RejectedValue::new(found, allowed))),
             ..Self::of_words(rule, message)
         }
     }
@@ -115,7 +115,7 @@ impl Violation {
             } => {
                 let allowed = Bounds::new(if min.is_finite() { min } else { LEAST }, max);
                 Self {
-                    value: Some(Box::new(Judged::new(found, allowed))),
+                    value: Some(Box::new(RejectedValue::new(found, allowed))),
                     ..Self::of_words(key_of(quantity), message)
                 }
             }
@@ -134,14 +134,14 @@ impl Violation {
             Rounded(breach.gone_mm),
             Seconds(breach.at_s),
         );
-        let spot = |stop: PathPoint| Spot {
+        let location = |stop: PathPoint| Location {
             along_mm: breach.gone_mm,
             after_s: breach.at_s,
-            ..Spot::of(&stop)
+            ..Location::of(&stop)
         };
         Self {
             message,
-            at: breach.at.map(spot).map(Box::new),
+            at: breach.at.map(location).map(Box::new),
             nearest: Some(nearest),
             ..told
         }
@@ -150,7 +150,7 @@ impl Violation {
     /// A place that breaks a rule, while nothing moves.
     pub(crate) fn of_place(broken: &Broken, stop: &PathPoint) -> Self {
         Self {
-            at: Some(Box::new(Spot::of(stop))),
+            at: Some(Box::new(Location::of(stop))),
             ..Self::of_broken(broken, |limit| stop.measures[limit.measure as usize])
         }
     }
@@ -178,7 +178,7 @@ impl Violation {
     }
 }
 
-impl Judged {
+impl RejectedValue {
     const fn new(found: f64, allowed: Bounds) -> Self {
         Self {
             found,
@@ -188,7 +188,7 @@ impl Judged {
     }
 }
 
-impl Spot {
+impl Location {
     const fn of(stop: &PathPoint) -> Self {
         let joints = stop.place.joints;
         Self {
