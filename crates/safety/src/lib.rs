@@ -25,7 +25,7 @@ mod body;
 mod bounds;
 mod check;
 mod distance;
-mod fence;
+mod effective_rules;
 mod jog;
 mod keep_out;
 mod keep_out_edit;

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::Bounds;
-use crate::fence::{Broken, PathPoint};
+use crate::effective_rules::{Broken, PathPoint};
 use crate::limits::{BELOW_PAPER, Limit, TABLE};
 use crate::path_check::Breach;
 
@@ -125,33 +125,33 @@ impl Violation {
 
     /// A way that breaks a rule; `worst` is its value farthest from what the rule allows.
     pub(crate) fn of_breach(breach: &Breach, worst: impl Fn(&Limit) -> f64) -> Self {
-        let told = Self::of_broken(&breach.broken, worst);
+        let violation = Self::of_broken(&breach.broken, worst);
         let nearest = position(&breach.nearest);
         let [x, y, z] = nearest.map(Rounded);
         let message = format!(
             "{}; the way is free for {} mm{}, as far as x {x} y {y} z {z} mm",
-            told.message,
+            violation.message,
             Rounded(breach.gone_mm),
             Seconds(breach.at_s),
         );
-        let location = |stop: PathPoint| Location {
+        let location = |point: PathPoint| Location {
             along_mm: breach.gone_mm,
             after_s: breach.at_s,
-            ..Location::of(&stop)
+            ..Location::of(&point)
         };
         Self {
             message,
             at: breach.at.map(location).map(Box::new),
             nearest: Some(nearest),
-            ..told
+            ..violation
         }
     }
 
     /// A place that breaks a rule, while nothing moves.
-    pub(crate) fn of_place(broken: &Broken, stop: &PathPoint) -> Self {
+    pub(crate) fn of_place(broken: &Broken, point: &PathPoint) -> Self {
         Self {
-            at: Some(Box::new(Location::of(stop))),
-            ..Self::of_broken(broken, |limit| stop.measures[limit.measure as usize])
+            at: Some(Box::new(Location::of(point))),
+            ..Self::of_broken(broken, |limit| point.measures[limit.measure as usize])
         }
     }
 
@@ -189,10 +189,10 @@ impl RejectedValue {
 }
 
 impl Location {
-    const fn of(stop: &PathPoint) -> Self {
-        let joints = stop.place.joints;
+    const fn of(point: &PathPoint) -> Self {
+        let joints = point.place.joints;
         Self {
-            position_mm: position(stop),
+            position_mm: position(point),
             joints_deg: [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0],
             along_mm: 0.0,
             after_s: None,
@@ -200,8 +200,8 @@ impl Location {
     }
 }
 
-const fn position(stop: &PathPoint) -> [f64; 3] {
-    let position = stop.place.pose.position;
+const fn position(point: &PathPoint) -> [f64; 3] {
+    let position = point.place.pose.position;
     [position.x.0, position.y.0, position.z.0]
 }
 
