@@ -5,7 +5,7 @@ use dobot_motion::{ArmPlace, Bend};
 
 use crate::body::{Body, MEASURES, measures};
 use crate::limits::{LASER_AREA, Limit};
-use crate::sweep::Sweep;
+use crate::swept_path::SweptPath;
 use crate::{Bounds, KeepOut, Policy};
 
 /// The rules in force on a way.
@@ -157,12 +157,12 @@ impl<'a> EffectiveRules<'a> {
         a: &PathPoint,
         b: &PathPoint,
     ) -> Option<Broken> {
-        let Some(sweep) = Sweep::between(bend, &a.raw, &b.raw, self.tool, &self.arm) else {
+        let Some(swept) = SweptPath::between(bend, &a.raw, &b.raw, self.tool, &self.arm) else {
             return Some(Broken::Unclear);
         };
         let outside = |effective: &&EffectiveLimit| {
             let index = effective.limit.measure as usize;
-            let span = sweep.span(
+            let span = swept.span(
                 effective.limit.measure,
                 a.measures[index],
                 b.measures[index],
@@ -175,7 +175,7 @@ impl<'a> EffectiveRules<'a> {
         let keep_outs = &self.keep_outs;
         keep_outs
             .iter()
-            .find_map(|keep_out| keep_out.broken_between(&sweep, &a.body, &b.body))
+            .find_map(|keep_out| keep_out.broken_between(&swept, &a.body, &b.body))
     }
 }
 
@@ -211,8 +211,8 @@ impl EffectiveKeepOut<'_> {
         !lines.any(|line| self.shape.touches(&line, self.strict_mm))
     }
 
-    fn broken_between(&self, sweep: &Sweep, a: &Body, b: &Body) -> Option<Broken> {
-        let (from, to, strays) = (a.lines(), b.lines(), sweep.strays_mm());
+    fn broken_between(&self, swept: &SweptPath, a: &Body, b: &Body) -> Option<Broken> {
+        let (from, to, strays) = (a.lines(), b.lines(), swept.strays_mm());
         let touched = |&part: &usize| {
             let swept = [from[part], to[part]];
             !self.shape.is_clear_of(&swept, self.now_mm + strays[part])

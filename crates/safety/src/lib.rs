@@ -38,7 +38,7 @@ mod policy;
 mod policy_error;
 mod sections;
 mod settings;
-mod sweep;
+mod swept_path;
 mod validate;
 mod violation;
 
