@@ -60,7 +60,9 @@ pub use background::Background;
 pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
-pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
+pub use finder::{
+    Finder, FinderNews, Found, NothingFound, ProbeFailure, Reconnect, Search, WhereFound,
+};
 pub use handle::{
     Client, DriverChannels, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
     StationHandle,

@@ -174,7 +174,7 @@ pub(crate) fn worst(
 /// Whether a command does nothing but stop something.
 fn stops(command: &Command) -> bool {
     match command {
-        Command::WriteVector(vector) => vector.point && !vector.laser,
+        Command::WriteVector(vector) => vector.stop && !vector.laser,
         _ => matches!(
             Button::of(command),
             Some(Button::Released | Button::Laser(false) | Button::Suction(false))
