@@ -29,7 +29,6 @@
 //! # Ok::<(), dobot_supervisor::Refusal>(())
 //! ```
 
-mod approach;
 mod arm_thread;
 mod background;
 mod client;
@@ -48,6 +47,7 @@ mod known_arms;
 mod long_work;
 mod planned_for;
 mod predict;
+mod prepared_arm;
 mod priority;
 mod recording;
 mod service_manager;
@@ -55,7 +55,6 @@ mod target;
 mod virtual_station;
 mod watchdog;
 
-pub use approach::{Approach, WantedArm};
 pub use background::Background;
 pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
@@ -73,6 +72,7 @@ pub use known_arms::KnownArmsError;
 pub use long_work::{LongWorkError, run_long};
 pub use planned_for::PlannedFor;
 pub use predict::{Prediction, predict};
+pub use prepared_arm::{PreparedArm, WantedArm};
 pub use recording::{notice_topic, state_topic, tools_of};
 pub use service_manager::{Notification, ServiceManager};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};

@@ -4,7 +4,7 @@ use std::io::ErrorKind;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
-use dobot_host::{Approach, Host, HostError, ServiceManager, Setup, StationHandle};
+use dobot_host::{Host, HostError, PreparedArm, ServiceManager, Setup, StationHandle};
 use dobot_safety::{Policy, PolicyError};
 use dobot_session::Address;
 
@@ -95,11 +95,11 @@ impl Station {
     /// # Panics
     ///
     /// Outside of a tokio runtime.
-    pub async fn begin(config: Config, approach: Approach) -> Result<Self, StartError> {
+    pub async fn begin(config: Config, approach: PreparedArm) -> Result<Self, StartError> {
         Box::pin(Self::open(config, approach)).await
     }
 
-    async fn open(config: Config, approach: Approach) -> Result<Self, StartError> {
+    async fn open(config: Config, approach: PreparedArm) -> Result<Self, StartError> {
         let policy = read_policy(&config)?;
         // The raw port first: where another station has it, nothing of its journal is touched.
         let raw = match config.raw {
