@@ -310,7 +310,7 @@ impl Driver {
             log(&notice);
             self.recording.notice(self.now(), &notice);
             self.remember(&notice);
-            self.channels.announce(notice);
+            self.channels.publish_notice(notice);
         }
         self.keep_stops();
         if self.supervisor.poll_changed() {
@@ -337,7 +337,7 @@ impl Driver {
                 link.push();
                 let pen_below_mm = self.supervisor.pen_draws_below_mm();
                 self.recording.sent(self.now(), &bytes, pen_below_mm);
-                self.tell_passed(true, bytes);
+                self.publish_packet(true, bytes);
             }
         }
     }
@@ -349,12 +349,12 @@ impl Driver {
             if self.supervisor.permits_raw() {
                 self.channels.pass_on(bytes);
             }
-            self.tell_passed(false, bytes);
+            self.publish_packet(false, bytes);
         }
     }
 
-    fn tell_passed(&self, to_arm: bool, bytes: [u8; 42]) {
-        self.channels.tell_passed(PassedPacket {
+    fn publish_packet(&self, to_arm: bool, bytes: [u8; 42]) {
+        self.channels.publish_packet(PassedPacket {
             at: self.now(),
             to_arm,
             bytes,
@@ -365,7 +365,7 @@ impl Driver {
     fn publish(&mut self) {
         let state = self.supervisor.state();
         self.recording.state(self.now(), &state);
-        self.channels.tell(state);
+        self.channels.publish_state(state);
     }
 
     fn handle(&mut self, message: Message) {

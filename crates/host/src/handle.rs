@@ -280,7 +280,7 @@ pub enum OfferAnswer {
 
 impl DriverChannels {
     /// Tells a new state.
-    pub fn tell(&self, state: State) {
+    pub fn publish_state(&self, state: State) {
         let snapshot = Arc::new(Snapshot::new(state));
         self.states.send_replace(snapshot.clone());
         // Nobody may be watching.
@@ -294,7 +294,7 @@ impl DriverChannels {
     }
 
     /// Tells what happened.
-    pub fn announce(&self, notice: Notice) {
+    pub fn publish_notice(&self, notice: Notice) {
         let notice = Arc::new(notice);
         let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
         if recent.len() == RECENT {
@@ -313,7 +313,7 @@ impl DriverChannels {
     }
 
     /// Tells that a packet has passed between the station and the arm.
-    pub fn tell_passed(&self, packet: PassedPacket) {
+    pub fn publish_packet(&self, packet: PassedPacket) {
         // Mostly nobody listens; then it costs nothing.
         let _ = self.passed.send(packet);
     }
@@ -514,13 +514,13 @@ impl StationHandle {
     }
 
     /// Lets those who watch know that a client behaves badly.
-    pub async fn trouble(&self, text: String) {
+    pub async fn report_trouble(&self, text: String) {
         // Without a driver nobody is there to know.
         let _ = self.send(Message::Trouble(text)).await;
     }
 
     /// The same, at once; where very much waits for the driver already, this is left out.
-    pub fn tell_trouble(&self, text: String) {
+    pub fn try_report_trouble(&self, text: String) {
         let _ = self.messages.try_send(Message::Trouble(text));
     }
 

@@ -101,13 +101,13 @@ impl FakeDriver {
     /// Tells a state.
     #[cfg(feature = "full")]
     pub(crate) fn tell(&self, state: dobot_api::State) {
-        self.ends.tell(state);
+        self.ends.publish_state(state);
     }
 
     /// Tells that a packet passed.
     #[cfg(feature = "full")]
     pub(crate) fn tell_passed(&self, packet: PassedPacket) {
-        self.ends.tell_passed(packet);
+        self.ends.publish_packet(packet);
     }
 
     /// Sends a status to all who listen.

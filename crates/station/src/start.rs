@@ -114,7 +114,7 @@ impl Station {
         let arm = approach.address();
         let host = Host::start(approach, setup(&config, policy))?;
         for line in host.of_watchdog() {
-            host.handle().tell_trouble(line.clone());
+            host.handle().try_report_trouble(line.clone());
         }
         let raw = raw.map(|port| serve_raw(port, &host));
         let pty = virtual_port.map(|port| serve_pty(port, &host));
@@ -259,7 +259,7 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
     host.spawn(async move {
         if let Err(error) = port.serve(&handle).await {
             handle
-                .trouble(format!("Foxglove is told nothing: {error}"))
+                .report_trouble(format!("Foxglove is told nothing: {error}"))
                 .await;
         }
     });
@@ -269,7 +269,7 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
 /// Lets those who watch know what goes wrong with an old program.
 fn tell(handle: &StationHandle, news: &ProgramNews) {
     if let Some(trouble) = news.trouble() {
-        handle.tell_trouble(trouble);
+        handle.try_report_trouble(trouble);
     }
 }
 
@@ -302,7 +302,7 @@ fn serve_pty(port: VirtualPort, host: &Host) -> PathBuf {
         let served = port.serve(&handle, |news| tell(&handle, &news)).await;
         if let Err(error) = served {
             let text = format!("the virtual serial port cannot be served any more: {error}");
-            handle.trouble(text).await;
+            handle.report_trouble(text).await;
         }
     });
     path

@@ -73,7 +73,7 @@ impl Local {
         let host = Host::start(prepared_arm, setup(&arm))?;
         let handle = host.handle().clone();
         for text in host.notes().iter().chain(host.of_watchdog()) {
-            handle.tell_trouble(text.clone());
+            handle.try_report_trouble(text.clone());
         }
         let (states, notices) = (handle.every_state(), handle.notices());
         let client = handle.client(name, Role::Admin).await;
