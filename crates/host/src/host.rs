@@ -124,7 +124,7 @@ impl Host {
                 .chain(driver.recover_slots().err())
                 .collect(),
             of_watchdog: take_note(&note),
-            thread: prepared_arm.thread.give(driver, prepared_arm.first),
+            thread: prepared_arm.thread.run(driver, prepared_arm.first),
         })
     }
 

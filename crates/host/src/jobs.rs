@@ -513,7 +513,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             completed,
             upto,
             start,
-        } => journal.give(
+        } => journal.extend_window(
             JobId(*job),
             &Window {
                 completed: *completed,
@@ -532,7 +532,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             if let Some(window) = window
                 && journal.job(JobId(*job))?.state == JobState::Running
             {
-                journal.give(JobId(*job), window)?;
+                journal.extend_window(JobId(*job), window)?;
             }
             let state = JobState::new(*phase, reason.clone());
             journal.set_state_behind(JobId(*job), &state, *behind)

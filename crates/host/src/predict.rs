@@ -161,7 +161,7 @@ impl DryRun {
         self.station.start(self.client, self.job)?;
         let latest = self.station.now() + LONGEST;
         self.station
-            .run_until(latest, |it| it.supervisor().job_is_under_way());
+            .run_until(latest, |it| it.supervisor().has_active_job());
         self.waited = self.station.now().saturating_sub(self.started + until);
         Ok(())
     }

@@ -191,7 +191,7 @@ impl Supervisor {
 
     /// Takes a status: each part sees it, in this order. None of them gives the arm a command of a job;
     /// that comes behind all events.
-    fn see(&mut self, status: Status) {
+    fn handle_status(&mut self, status: Status) {
         // The link first: the first packet to an arm that is heard again switches the laser off.
         // Whatever was before: a crash, another program, a cable that was out.
         if self.link.handle_status() {
@@ -215,14 +215,14 @@ impl Supervisor {
         // and before the halt, for it begins one.
         if let Some((client, refusal)) = self.jogging.handle_status(&self.arm) {
             self.withdraw(refusal.clone());
-            self.tell_refused(client, &refusal);
+            self.notify_refused(client, &refusal);
         }
         let rests = self.arm.is_at_rest();
         self.stop_sequence.handle_status(rests);
         // The stop before the job: that the arm rests is told before what it means for the job.
         if self.stop_latch.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
-            self.let_go_of_fleet();
+            self.release_fleet_stop();
         }
         self.judge_grip(&status);
         self.with_run(Run::handle_status);
@@ -279,11 +279,11 @@ impl Supervisor {
         State {
             at_s: self.arm.now().as_secs_f64(),
             link: self.link.view(&self.arm.session().link()),
-            arm: self.arm.last().map(|told| {
-                let status = self.arm.true_status(&told);
+            arm: self.arm.last().map(|reported| {
+                let status = self.arm.true_status(&reported);
                 ArmView {
                     status,
-                    told: Some(told).filter(|_| self.arm.is_calibrated()),
+                    told: Some(reported).filter(|_| self.arm.is_calibrated()),
                     moving: self.arm.still() == 0,
                     near: self.arm.near(&ArmPlace::of_status(&status)),
                 }

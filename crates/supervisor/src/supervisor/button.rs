@@ -79,7 +79,7 @@ impl Supervisor {
             }
             Err(refusal) => {
                 self.withdraw(refusal.clone());
-                self.tell_refused(client, &refusal);
+                self.notify_refused(client, &refusal);
             }
         }
     }
@@ -95,7 +95,7 @@ impl Supervisor {
         if self.withdraw(Refusal::LetGo(why.clone())) {
             self.notify(News::DeadMan, format!("{why}: the button was released"));
         } else if let Some((client, _)) = waited {
-            self.tell_lost_press(client);
+            self.notify_lost_press(client);
         }
     }
 
@@ -106,7 +106,7 @@ impl Supervisor {
             return;
         };
         if !self.end_press(ended) {
-            self.tell_lost_press(ended.client);
+            self.notify_lost_press(ended.client);
         }
     }
 
@@ -127,7 +127,7 @@ impl Supervisor {
         !forgotten.contains(&command)
     }
 
-    fn tell_lost_press(&mut self, client: ClientId) {
+    fn notify_lost_press(&mut self, client: ClientId) {
         let name = self.client_name(client);
         let kind = Refusal::LetGo(String::new()).kind().to_owned();
         let text = format!(

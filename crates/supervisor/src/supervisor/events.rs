@@ -145,7 +145,7 @@ impl Supervisor {
                 delivered: self.stop_latch.view().is_none_or(|it| it.delivered),
             }
         };
-        self.let_go_of_fleet();
+        self.release_fleet_stop();
         self.outgoing.note_change();
         self.stop_latch.holds().then_some(reply)
     }
@@ -155,7 +155,7 @@ impl Supervisor {
     pub fn handle_fleet_reset(&mut self, now: Duration, by: &str) -> Vec<FleetWideStop> {
         self.handle_time(now);
         self.stop_latch.reset_fleet(&plain(by, REASON_LEN));
-        self.let_go_of_fleet();
+        self.release_fleet_stop();
         self.outgoing.note_change();
         self.stop_latch.fleet_stops()
     }
@@ -172,7 +172,7 @@ impl Supervisor {
     }
 
     /// Lets the arm go whose stop of the fleet was reset elsewhere.
-    pub(super) fn let_go_of_fleet(&mut self) {
+    pub(super) fn release_fleet_stop(&mut self) {
         if self.stop_latch.release(self.arm.last().is_some()) {
             self.stop_sequence.forget();
             let text = "the stop of the fleet was reset: the arm may move again".to_owned();
@@ -231,7 +231,7 @@ impl Supervisor {
         while let Some(event) = self.arm.session_mut().poll_event() {
             self.outgoing.note_change();
             match event {
-                Event::Status(status) => self.see(status),
+                Event::Status(status) => self.handle_status(status),
                 Event::Completed(id) => self.command_over(id, None),
                 Event::NotReached { command, .. } => {
                     self.command_over(command, Some(failure(event)));
@@ -240,7 +240,7 @@ impl Supervisor {
                     command,
                     lasts,
                     by_default,
-                } => self.tell_pause(command, lasts, by_default),
+                } => self.notify_pause(command, lasts, by_default),
                 Event::LinkLost { .. } => self.fall_silent(event),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
                 Event::NotSent { command, reason } => {
@@ -322,9 +322,9 @@ impl Supervisor {
     }
 
     /// The commands that are not over, of clients and of the job.
-    fn under_way(&self) -> Vec<CommandId> {
+    fn in_flight(&self) -> Vec<CommandId> {
         let of_clients = self.commands.ids();
-        let of_job = self.run.iter().flat_map(Run::under_way);
+        let of_job = self.run.iter().flat_map(Run::in_flight);
         let mut ids: Vec<_> = of_clients.chain(of_job).collect();
         ids.sort_unstable();
         ids
@@ -339,7 +339,7 @@ impl Supervisor {
     }
 
     /// An arm that stands still without a word looks dead.
-    fn tell_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
+    fn notify_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
         let (command, lasts_s) = (command.0, lasts.as_secs_f64());
         let whose = if by_default {
             "its default pause (state 9, mode 1)".to_owned()
@@ -379,7 +379,7 @@ impl Supervisor {
         // Nothing is sent again before a person has looked where the arm stands.
         self.interrupt_run("the arm was reset");
         // The session has forgotten what was under way, too.
-        for id in self.under_way() {
+        for id in self.in_flight() {
             self.command_over(id, Some("the arm was reset".into()));
         }
         self.end_detection("the arm was reset");

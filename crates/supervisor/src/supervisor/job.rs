@@ -26,7 +26,7 @@ impl Supervisor {
         self.handle_time(now);
         let reply = self.start(client, started);
         if let Err(refusal) = &reply {
-            self.tell_refused(client, refusal);
+            self.notify_refused(client, refusal);
         }
         self.feed();
         reply
@@ -114,7 +114,7 @@ impl Supervisor {
 
     /// Whether a job is at its commands, and not on the way to where it goes on.
     #[must_use]
-    pub fn job_is_under_way(&self) -> bool {
+    pub fn has_active_job(&self) -> bool {
         self.run.as_ref().is_some_and(Run::is_running)
     }
 

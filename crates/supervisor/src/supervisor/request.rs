@@ -54,7 +54,7 @@ impl Supervisor {
         self.handle_time(now);
         let taken = self.take_raw(client, packet);
         if let Err(refusal) = &taken {
-            self.tell_refused(client, refusal);
+            self.notify_refused(client, refusal);
         }
         self.feed();
         taken
@@ -94,7 +94,7 @@ impl Supervisor {
             Ok(()) => Some(self.obey(client, request)),
         };
         if let Some(Err(refusal)) = &answer {
-            self.tell_refused(client, refusal);
+            self.notify_refused(client, refusal);
             if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
                 // What its client believes about the arm is wrong.
                 self.arm.part_from_laser();
@@ -141,7 +141,7 @@ impl Supervisor {
     /// Whether a client may change by what the arm is judged: nothing may be under way.
     fn check_may_change(&self, client: ClientId) -> Result<(), Refusal> {
         self.leases.check_role(client, Role::Admin)?;
-        if let Some(job) = self.job().filter(|_| self.job_is_under_way()) {
+        if let Some(job) = self.job().filter(|_| self.has_active_job()) {
             return Err(Refusal::JobRunning(job.job));
         }
         self.detecting.check()?;
@@ -183,7 +183,7 @@ impl Supervisor {
 
     /// Tells a calibrated arm its true angles. Its base has to stand straight ahead, for that is what it believes
     /// then (note N26).
-    fn tell_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+    fn set_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         let model = self.arm.session().model().copied();
         let Some(model) = model.filter(|_| self.arm.is_at_rest() && self.arm.is_idle()) else {
@@ -208,7 +208,7 @@ impl Supervisor {
 
     /// Where a command would lead if it were sent now.
     fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
-        let command = &self.arm.told(command)?;
+        let command = &self.arm.raw_command(command)?;
         let command = understood(&self.arm, command, self.rests_within())?;
         let way = self.arm.foresee(&command)?;
         Ok(Reply::Way { way })
@@ -227,8 +227,8 @@ impl Supervisor {
     fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
         match request {
             Request::Command { command } => {
-                let told = self.arm.told(&command)?;
-                self.command(client, &told)
+                let raw = self.arm.raw_command(&command)?;
+                self.command(client, &raw)
             }
             Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
             Request::Release => {
@@ -266,7 +266,7 @@ impl Supervisor {
                 self.check_delivered("laser off")
             }
             Request::ConfirmPose => self.confirm_pose(client),
-            Request::TellAngles => self.tell_angles(client),
+            Request::TellAngles => self.set_angles(client),
             Request::SetDialect { dialect } => {
                 self.detecting.forget_finding();
                 self.set_dialect(dialect)
@@ -318,13 +318,13 @@ impl Supervisor {
         self.end_detection(why);
         // Without an arm there is nothing to deliver to.
         let delivered = self.link.is_there() || self.arm.last().is_none();
-        let told = hold(
+        let notice = hold(
             &mut self.stop_latch,
             self.arm.now(),
             rests_within,
             delivered,
         );
-        if let Some(text) = told {
+        if let Some(text) = notice {
             self.notify(News::Stopped, text);
             if !delivered {
                 self.notify(News::Trouble, NOT_DELIVERED.to_owned());
@@ -395,7 +395,7 @@ impl Supervisor {
             let _ = self.pause_for(&why);
         }
         for turn in turns {
-            let (news, text) = told(turn);
+            let (news, text) = slot_notice(turn);
             self.notify(news, text);
         }
     }
@@ -502,7 +502,7 @@ impl Supervisor {
                 button.name()
             )));
         };
-        let command = self.arm.told(&command)?;
+        let command = self.arm.raw_command(&command)?;
         self.command(client, &command)
     }
 
@@ -545,7 +545,7 @@ impl Supervisor {
     }
 
     /// Tells all who watch that something was refused.
-    pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
+    pub(super) fn notify_refused(&mut self, client: ClientId, refusal: &Refusal) {
         if self.jogging.was_reported(client, refusal) {
             return;
         }
@@ -594,7 +594,7 @@ impl Supervisor {
 }
 
 /// What is told of a time slot.
-fn told(turn: Turn) -> (News, String) {
+fn slot_notice(turn: Turn) -> (News, String) {
     match turn {
         Turn::Began { student, lasts } => {
             let text = format!(

@@ -199,7 +199,7 @@ impl Run {
     }
 
     /// What was given to the session and is not over.
-    pub(super) fn under_way(&self) -> impl Iterator<Item = CommandId> {
+    pub(super) fn in_flight(&self) -> impl Iterator<Item = CommandId> {
         self.given.iter().map(|it| it.id)
     }
 
@@ -344,7 +344,7 @@ impl Run {
             return known.upto;
         }
         let (plan, dialect) = (&self.started.plan, self.started.dialect);
-        let model = model_at(dialect, plan.told_before(completed), &self.certain());
+        let model = model_at(dialect, plan.settings_before(completed), &self.certain());
         let end = |model| window_end(plan.commands(), completed, model, plan.lift(), WINDOW);
         match &model {
             Some(model) => {

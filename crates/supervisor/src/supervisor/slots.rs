@@ -112,12 +112,12 @@ impl Slots {
 
     /// Whose time it is.
     pub(super) fn student(&self) -> Option<&str> {
-        self.under_way().map(|it| it.student.as_str())
+        self.current().map(|it| it.student.as_str())
     }
 
     /// Whose time it is, where it is not that of this person.
     pub(super) fn others_time(&self, person: &str) -> Option<OthersTime<'_>> {
-        let it = self.under_way()?;
+        let it = self.current()?;
         (!is_same_person(&it.student, person)).then(|| OthersTime {
             student: &it.student,
             group: it.group.as_deref(),
@@ -127,20 +127,20 @@ impl Slots {
     }
 
     /// All of them, from now on.
-    pub(super) fn told(&self, now: Duration) -> Vec<TimeSlot> {
+    pub(super) fn upcoming(&self, now: Duration) -> Vec<TimeSlot> {
         let from_now = |at: Duration| at.saturating_sub(now).as_secs_f64();
-        let told = |it: &Slot| TimeSlot {
-            student: it.student.clone(),
-            group: it.group.clone(),
-            starts_in_s: from_now(it.from),
-            ends_in_s: from_now(it.until),
+        let time_slot = |slot: &Slot| TimeSlot {
+            student: slot.student.clone(),
+            group: slot.group.clone(),
+            starts_in_s: from_now(slot.from),
+            ends_in_s: from_now(slot.until),
         };
-        self.all.iter().map(told).collect()
+        self.all.iter().map(time_slot).collect()
     }
 
     /// What those who watch have to know.
     pub(super) fn view(&self) -> Option<SlotsView> {
-        let now = self.under_way();
+        let now = self.current();
         let next = self.all.get(usize::from(now.is_some()));
         (!self.all.is_empty()).then(|| SlotsView {
             now: now.map(Slot::view),
@@ -149,7 +149,7 @@ impl Slots {
         })
     }
 
-    fn under_way(&self) -> Option<&Slot> {
+    fn current(&self) -> Option<&Slot> {
         self.all.front().filter(|it| it.started)
     }
 
@@ -370,6 +370,6 @@ mod tests {
             let text = refused.to_string();
             assert!(text.contains(told), "{text}; expected {told}");
         }
-        assert_eq!(slots.told(s(9)), [slot("Anna", 0.0, 51.0)]);
+        assert_eq!(slots.upcoming(s(9)), [slot("Anna", 0.0, 51.0)]);
     }
 }

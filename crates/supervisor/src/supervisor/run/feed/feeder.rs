@@ -70,7 +70,7 @@ impl Run {
         {
             let command = self.scaled(command);
             let given = self.set_target_speed(arm).and_then(|()| self.lower(arm));
-            let given = given.and_then(|()| self.give(arm, &command));
+            let given = given.and_then(|()| self.send(arm, &command));
             if let Err(refusal) = given {
                 arm.part_from_laser();
                 effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
@@ -118,7 +118,7 @@ impl Run {
         Ok(())
     }
 
-    fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
+    fn send(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
         let id = arm.send(command)?;
         let (index, left) = (self.next, self.after(self.left(), command));
         self.given.push_back(SentCommand { id, index, left });

@@ -148,8 +148,8 @@ pub(crate) fn locate_at(
         return Ok(window.completed);
     }
     let (commands, dialect) = (started.plan.commands(), started.dialect);
-    let told = started.plan.told_before(window.completed);
-    let model = model_at(dialect, told, window).unwrap_or_else(|| Model::new(dialect, status));
+    let settings = started.plan.settings_before(window.completed);
+    let model = model_at(dialect, settings, window).unwrap_or_else(|| Model::new(dialect, status));
     let lift_mm = started.plan.lift();
     let next = locate(commands, window, &model, lift_mm, position(status))?.next;
     Ok(behind_seen_grips(&started.plan, next..window.upto, status))

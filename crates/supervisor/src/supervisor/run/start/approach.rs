@@ -88,7 +88,7 @@ fn located(mut started: StartedJob, status: Option<Status>) -> Result<StartedJob
 /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
 /// and the way there. A tool that is lifted in a pause comes down from above.
 fn approach(started: &StartedJob, status: Option<Status>) -> JobApproach {
-    let mut first = prelude(started.plan.told_before(started.completed));
+    let mut first = prelude(started.plan.settings_before(started.completed));
     let (Some(planned), Some(status)) = (started.plan.start(started.completed), status) else {
         return JobApproach { first, lower: None };
     };
