@@ -225,7 +225,7 @@ impl Session {
     async fn pass(&mut self, time: Duration) -> Result<(), Failure> {
         if self.client.virtual_arm().is_some() {
             self.client.wait(time).await;
-            while let Some(event) = self.client.told() {
+            while let Some(event) = self.client.buffered() {
                 self.hear(&event);
             }
             // A stop gets its turn.

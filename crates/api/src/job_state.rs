@@ -80,7 +80,7 @@ impl JobState {
 
     /// Whether it has begun and is not over: running or paused.
     #[must_use]
-    pub const fn is_under_way(&self) -> bool {
+    pub const fn is_active(&self) -> bool {
         matches!(self, Self::Running | Self::Paused { .. })
     }
 }

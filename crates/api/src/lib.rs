@@ -25,6 +25,7 @@ mod message;
 mod near;
 mod not_built;
 mod notice;
+mod path_preview;
 #[cfg(feature = "remote")]
 mod private;
 mod problem;
@@ -38,7 +39,6 @@ mod role;
 mod running;
 mod slot;
 mod state;
-mod way;
 mod work;
 
 pub use button::{Button, ButtonError, JogFrame};
@@ -59,6 +59,7 @@ pub use message::{FromClient, Hello, ToClient};
 pub use near::{BoundedQuantity, NearLimit, NearView};
 pub use not_built::NotBuilt;
 pub use notice::{News, Notice};
+pub use path_preview::{JobPath, PathPreview};
 #[cfg(feature = "remote")]
 pub use private::write_private;
 pub use problem::Problem;
@@ -80,5 +81,4 @@ pub use state::{
     ArmView, CalibratedView, LaserView, LinkPhase, LinkView, LockView, QueueView, State, StopView,
     TrustView,
 };
-pub use way::{JobPath, WayView};
 pub use work::{TakesWork, WorkBefore, WorkMember, WorkPhase, WorkView};

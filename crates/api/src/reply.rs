@@ -4,7 +4,7 @@ use dobot_wire::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Calibrations, JobView, LeaseView, NearView, TimeSlot, WayView};
+use crate::{Calibrations, JobView, LeaseView, NearView, PathPreview, TimeSlot};
 
 /// The answer to a request that was granted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -22,7 +22,7 @@ pub enum Reply {
     /// Where the command would lead; nothing was sent.
     Way {
         /// The way.
-        way: WayView,
+        way: PathPreview,
     },
     /// What an arm at the place would be near to.
     Near {

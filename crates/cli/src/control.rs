@@ -106,7 +106,7 @@ pub(crate) async fn planned_for(
     station: &mut StationClient,
     policy: &Policy,
 ) -> Result<PlannedFor, Failure> {
-    let state = station.heard().await?;
+    let state = station.first_state().await?;
     Ok(station.planned_for(Rules::of(policy), &state).await?)
 }
 
@@ -115,7 +115,7 @@ pub(crate) async fn planned_for(
 pub(crate) async fn arm(
     station: &mut StationClient,
 ) -> Result<(ArmView, Option<Dialect>), Failure> {
-    let state = station.heard().await?;
+    let state = station.first_state().await?;
     let arm = state.arm.ok_or(RemoteError::Silent)?;
     Ok((arm, state.dialect))
 }

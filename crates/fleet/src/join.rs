@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use dobot_api::{ApiAnswer, Member, MemberAbout, MemberAnswer};
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use dobot_station::{FleetEnd, FleetPort, FleetWish, StationApi, UNSETTLED};
 use tokio::sync::oneshot;
 use tokio::task::{JoinHandle, JoinSet};
@@ -148,7 +148,7 @@ fn open_work(config: &FleetConfig, api: &StationApi) -> Result<Working, FleetErr
     })?;
     for file in wrong {
         let text = format!("{file}; this work for the fleet is left as it is");
-        api.handle().tell_trouble(text);
+        api.handle().try_report_trouble(text);
     }
     Ok(work)
 }
@@ -193,7 +193,7 @@ impl Joined {
                     match opened {
                         Ok(network) => self.network = Some(network),
                         Err(error) => {
-                            self.api.handle().tell_trouble(error.to_string());
+                            self.api.handle().try_report_trouble(error.to_string());
                         }
                     }
                 }
@@ -242,7 +242,7 @@ impl Joined {
                 }
                 Some(done) = self.work.doing.join_next() => {
                     if let Some(trouble) = self.work.settle(done) {
-                        self.api.handle().tell_trouble(trouble);
+                        self.api.handle().try_report_trouble(trouble);
                     }
                 }
                 _ = looks.tick() => {
@@ -298,7 +298,7 @@ impl Joined {
                 self.roster.came(alive, peer, at_s);
                 if self.roster.is_full() && !was_full {
                     let many = "the fleet has more stations than this one keeps in mind; some are not shown";
-                    self.api.handle().tell_trouble(many.to_owned());
+                    self.api.handle().try_report_trouble(many.to_owned());
                 }
             }
             SampleKind::Delete if alive.member == self.own => {}
@@ -369,7 +369,7 @@ impl Joined {
         });
     }
 
-    fn to_tell(&self) -> (Option<Way>, Handle) {
+    fn to_tell(&self) -> (Option<Way>, StationHandle) {
         let way = self.network.as_ref().map(Network::way).cloned();
         (way, self.api.handle().clone())
     }

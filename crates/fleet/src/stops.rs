@@ -5,7 +5,7 @@ use std::time::{Duration, SystemTime};
 
 use dobot_api::problem_kinds::MEMBER_AWAY;
 use dobot_api::{ApiAnswer, FleetWideStop};
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use serde_json::json;
 use zenoh::query::Query;
 
@@ -104,7 +104,11 @@ impl StopTelling {
 }
 
 /// Tells another station which stops of the fleet are known here, and takes those that it knows of.
-pub(crate) async fn exchange(way: Option<&Way>, handle: &Handle, member: &MemberKey) -> ApiAnswer {
+pub(crate) async fn exchange(
+    way: Option<&Way>,
+    handle: &StationHandle,
+    member: &MemberKey,
+) -> ApiAnswer {
     let learned = match way {
         Some(way) => ask(way, handle, member).await,
         None => Err("cannot be reached yet".to_owned()),
@@ -121,7 +125,7 @@ pub(crate) async fn exchange(way: Option<&Way>, handle: &Handle, member: &Member
     }
 }
 
-async fn ask(way: &Way, handle: &Handle, member: &MemberKey) -> Result<(), String> {
+async fn ask(way: &Way, handle: &StationHandle, member: &MemberKey) -> Result<(), String> {
     let known = handle.adopt_fleet_stops(Vec::new()).await;
     let (known, _) = known.map_err(|refusal| refusal.to_string())?;
     let theirs = way.ask_first(member, STOPS, &emit(&known), WITHIN).await?;
@@ -131,7 +135,7 @@ async fn ask(way: &Way, handle: &Handle, member: &MemberKey) -> Result<(), Strin
 }
 
 /// Takes which stops another station knows of, and answers with those that are known here then.
-pub(crate) async fn answer(handle: Handle, answering: Answering, query: Query) {
+pub(crate) async fn answer(handle: StationHandle, answering: Answering, query: Query) {
     let payload = query.payload().map(|it| it.to_bytes()).unwrap_or_default();
     match parse(&payload) {
         // Without an answer the sender tells it again.

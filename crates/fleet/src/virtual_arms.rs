@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use dobot_api::problem_kinds::{ALL_ARMS_GIVEN, ARM_NOT_STARTED, NAME_TAKEN, NO_SUCH_ARM};
 use dobot_api::{GivenArm, GivenArms, JobPhase, LinkPhase, MemberAbout, Problem};
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use dobot_session::Address;
 use dobot_station::{ArmWish, ArmsPort, Config, Station, StationApi, WantedArm};
 use tokio::sync::{mpsc, oneshot};
@@ -82,7 +82,7 @@ pub fn page_of(computer: &str, station: &Station) -> String {
 struct Giving {
     config: VirtualArmsConfig,
     /// The station that gives them.
-    handle: Handle,
+    handle: StationHandle,
     given: Vec<Given>,
     /// Those that come to rest.
     ending: JoinSet<()>,

@@ -74,7 +74,7 @@ impl ArmThread {
 
     /// Lets the driver run there, beginning with what is known of its arm already; the thread ends
     /// with it, and with the thread all else that runs there.
-    pub(crate) fn give(self, driver: Driver, first: Option<Connecting>) -> ArmAtWork {
+    pub(crate) fn run(self, driver: Driver, first: Option<Connecting>) -> ArmAtWork {
         // A thread that is gone says so when it is waited for.
         let _ = self.driver.send((driver, first));
         ArmAtWork {
@@ -179,12 +179,12 @@ mod tests {
         let folders = Folders::at(folder.path());
         let policy = Policy::default();
         let supervisor = Supervisor::new(policy.clone(), Some(Dialect::FIRMWARE_1_1));
-        let (handle, ends) = crate::Handle::new(supervisor.state(), Rules::of(&policy));
+        let (handle, channels) = crate::StationHandle::new(supervisor.state(), Rules::of(&policy));
         let own = handle.messages.clone();
         let journal = Journal::in_memory().unwrap();
         let driver = Driver::new(DriverParts {
             supervisor,
-            ends,
+            channels,
             source: Source::Port(Arc::new(Mutex::new(Finder::new(Search::default())))),
             arms: KnownArms::read(&folders.arms()).unwrap(),
             slots: KeptSlots::at(&folders.slots()),
@@ -204,7 +204,7 @@ mod tests {
             bytes: Vec::new(),
         };
         let thread = ArmThread::start(panic_stop.clone()).unwrap();
-        (thread.give(driver, Some(Connecting::Up(found))), own)
+        (thread.run(driver, Some(Connecting::Up(found))), own)
     }
 
     fn commands(far: &mut impl Read) -> Vec<Command> {

@@ -205,9 +205,9 @@ impl StationClient {
     }
 
     /// What was told already, of rules in virtual time; no time passes.
-    pub fn told(&mut self) -> Option<StationEvent> {
+    pub fn buffered(&mut self) -> Option<StationEvent> {
         match &mut self.way {
-            ClientRoute::Virtual(station) => station.told(),
+            ClientRoute::Virtual(station) => station.buffered(),
             ClientRoute::Running(..) | ClientRoute::Local(_) => None,
         }
     }
@@ -239,7 +239,7 @@ impl StationClient {
     /// # Errors
     ///
     /// [`NoArm`] where there is none to be heard.
-    pub async fn heard(&mut self) -> Result<State, NoArm> {
+    pub async fn first_state(&mut self) -> Result<State, NoArm> {
         let mut missing = NoArm::Silent(RemoteError::Silent);
         let until = self.now() + FIRST_STATUS;
         while self.now() < until {

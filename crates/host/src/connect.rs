@@ -107,7 +107,7 @@ async fn connect(source: Source, tell: mpsc::Sender<Connecting>) {
         if tell.send(news).await.is_err() || up {
             return;
         }
-        again.handle_missed(started.elapsed());
+        again.handle_failure(started.elapsed());
         tokio::select! {
             () = sleep_until(started + again.poll_wakeup()) => {}
             () = tell.closed() => return,

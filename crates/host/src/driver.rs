@@ -20,7 +20,7 @@ use self::log::log;
 use crate::Found;
 use crate::connect::{Connecting, Source};
 use crate::disk::Disk;
-use crate::handle::{Ends, Message, PassedPacket};
+use crate::handle::{DriverChannels, Message, PassedPacket};
 use crate::host::in_time_of_arm;
 use crate::jobs::{JobStart, Jobs, Written, recovery_model};
 use crate::kept_slots::KeptSlots;
@@ -34,7 +34,7 @@ use crate::watchdog::HeartbeatSender;
 pub(crate) struct Driver {
     supervisor: Supervisor,
     started: Instant,
-    ends: Ends,
+    channels: DriverChannels,
     source: Source,
     arms: KnownArms,
     slots: KeptSlots,
@@ -67,7 +67,7 @@ pub(crate) struct Driver {
 #[derive(Debug)]
 pub(crate) struct DriverParts {
     pub(crate) supervisor: Supervisor,
-    pub(crate) ends: Ends,
+    pub(crate) channels: DriverChannels,
     pub(crate) source: Source,
     pub(crate) arms: KnownArms,
     pub(crate) slots: KeptSlots,
@@ -102,7 +102,7 @@ impl Driver {
         Self {
             supervisor: parts.supervisor,
             started: Instant::now(),
-            ends: parts.ends,
+            channels: parts.channels,
             source: parts.source,
             arms: parts.arms,
             slots: parts.slots,
@@ -139,10 +139,10 @@ impl Driver {
         let Some(job) = interrupted else {
             return Ok(());
         };
-        match self.jobs.begun(&job, recovery_model(&job)) {
-            Ok(begun) => {
+        match self.jobs.started_job(&job, recovery_model(&job)) {
+            Ok(started) => {
                 let now = self.now();
-                self.supervisor.handle_recovered(now, begun, job.window);
+                self.supervisor.handle_recovered(now, started, job.window);
                 Ok(())
             }
             Err(refusal) => {
@@ -217,7 +217,7 @@ impl Driver {
             self.connect();
         }
         loop {
-            self.carry_out();
+            self.drain_outputs();
             if self.is_over() {
                 break;
             }
@@ -287,7 +287,7 @@ impl Driver {
             // A stop is a message, so messages come first. They starve nobody: each client waits for its answer
             // before it says more, or is slowed down where it need not.
             biased;
-            message = self.ends.messages.recv() => DriverEvent::Message(message),
+            message = self.channels.messages.recv() => DriverEvent::Message(message),
             written = self.written.recv() => DriverEvent::Written(written),
             heard = receive(link, until, &mut self.incoming) => DriverEvent::Link(heard),
             news = listen(self.connecting.as_mut()) => DriverEvent::Connecting(news),
@@ -296,10 +296,10 @@ impl Driver {
     }
 
     /// Does what the supervisor wants: packets first.
-    fn carry_out(&mut self) {
+    fn drain_outputs(&mut self) {
         self.send();
         self.relay();
-        self.write_effects();
+        self.write_journal();
         while let Some((client, answer)) = self.supervisor.poll_answer() {
             if let Some(reply) = self.waiting.remove(&client) {
                 // Whoever asked may have left.
@@ -310,7 +310,7 @@ impl Driver {
             log(&notice);
             self.recording.notice(self.now(), &notice);
             self.remember(&notice);
-            self.ends.announce(notice);
+            self.channels.publish_notice(notice);
         }
         self.keep_stops();
         if self.supervisor.poll_changed() {
@@ -319,7 +319,7 @@ impl Driver {
     }
 
     /// Hands all that is to be kept to the journal.
-    fn write_effects(&mut self) {
+    fn write_journal(&mut self) {
         while let Some(effect) = self.supervisor.poll_effect() {
             self.write(effect);
         }
@@ -337,7 +337,7 @@ impl Driver {
                 link.push();
                 let pen_below_mm = self.supervisor.pen_draws_below_mm();
                 self.recording.sent(self.now(), &bytes, pen_below_mm);
-                self.tell_passed(true, bytes);
+                self.publish_packet(true, bytes);
             }
         }
     }
@@ -347,14 +347,14 @@ impl Driver {
         while let Some(status) = self.supervisor.poll_status() {
             let bytes = Packet::from(status.emit()).to_bytes();
             if self.supervisor.permits_raw() {
-                self.ends.pass_on(bytes);
+                self.channels.pass_on(bytes);
             }
-            self.tell_passed(false, bytes);
+            self.publish_packet(false, bytes);
         }
     }
 
-    fn tell_passed(&self, to_arm: bool, bytes: [u8; 42]) {
-        self.ends.tell_passed(PassedPacket {
+    fn publish_packet(&self, to_arm: bool, bytes: [u8; 42]) {
+        self.channels.publish_packet(PassedPacket {
             at: self.now(),
             to_arm,
             bytes,
@@ -365,7 +365,7 @@ impl Driver {
     fn publish(&mut self) {
         let state = self.supervisor.state();
         self.recording.state(self.now(), &state);
-        self.ends.tell(state);
+        self.channels.publish_state(state);
     }
 
     fn handle(&mut self, message: Message) {
@@ -405,11 +405,11 @@ impl Driver {
             }
             Message::Planned {
                 client,
-                begun,
+                started,
                 reply,
             } => {
-                let started = self.supervisor.handle_start(now, client, *begun);
-                let _ = reply.send(started);
+                let answer = self.supervisor.handle_start(now, client, *started);
+                let _ = reply.send(answer);
             }
             Message::Jobs(reply) => self.jobs.clone().list(self.supervisor.job(), reply),
             Message::Policy {
@@ -462,7 +462,7 @@ impl Driver {
         self.supervisor.handle_policy(now, client, of_arm)?;
         self.jobs.set_policy(policy);
         self.recording.tools(now, policy);
-        self.ends.change_rules(|it| {
+        self.channels.change_rules(|it| {
             it.policy = policy.clone();
             it.dead_man_s = policy.jog.dead_man_s;
         });
@@ -493,7 +493,7 @@ impl Driver {
             .handle_calibration(now, client, &calibrations)?;
         let new = self.arms.calibrate(&address, calibrations.clone());
         self.write_file(new, "the calibration of the arm cannot be kept");
-        self.ends
+        self.channels
             .change_rules(|it| it.calibrations = calibrations.clone());
         Ok(calibrations)
     }
@@ -593,7 +593,7 @@ impl Driver {
             Ok(model) => {
                 let own = self.own.clone();
                 // The journal has to know that it is paused, which may have come just now.
-                self.write_effects();
+                self.write_journal();
                 self.jobs.clone().plan(held.start, model, own);
             }
         }
@@ -671,7 +671,8 @@ impl Driver {
         let calibrations = self.arms.calibrations(&address);
         self.supervisor
             .handle_known_calibration(&address, &calibrations);
-        self.ends.change_rules(|it| it.calibrations = calibrations);
+        self.channels
+            .change_rules(|it| it.calibrations = calibrations);
         self.supervisor.handle_link_up(now, &address);
         self.recording.heard(now, &found.bytes);
         self.supervisor.handle_bytes(now, &found.bytes);
@@ -738,7 +739,7 @@ impl Driver {
     }
 
     async fn part(mut self) -> Result<(), String> {
-        self.carry_out();
+        self.drain_outputs();
         if let Some(link) = &mut self.link {
             // A link that is broken takes nothing any more.
             let _ = link.flush().await;

@@ -3,7 +3,7 @@
 mod candidate;
 mod failed_attempts;
 mod listening;
-mod missed;
+mod probe_failures;
 mod reconnect;
 mod search;
 
@@ -18,7 +18,7 @@ use self::candidate::{Candidate, Choice, choose};
 use self::failed_attempts::FailedAttempts;
 use self::listening::Listening;
 
-pub use missed::{Missed, NothingFound};
+pub use probe_failures::{NothingFound, ProbeFailure};
 pub use reconnect::Reconnect;
 pub use search::{Search, WhereFound};
 
@@ -69,7 +69,7 @@ pub enum FinderNews {
         device: Option<String>,
     },
     /// There is no arm to be heard.
-    Missed {
+    Failed {
         /// Where.
         address: Address,
         /// Why not.
@@ -127,27 +127,27 @@ impl Finder {
             passed_over,
         } = choose(&self.search, ports);
         self.failed_attempts.keep(&candidates);
-        let mut missed = Vec::new();
+        let mut failures = Vec::new();
         for candidate in candidates {
             match self.try_one(&candidate, &mut tell).await {
                 Ok(found) => {
                     self.search.last = candidate.place().or(self.search.last.take());
                     return Ok(found);
                 }
-                Err(why) => missed.push((candidate.address, why)),
+                Err(why) => failures.push((candidate.address, why)),
             }
         }
-        Err(NothingFound::new(missed, passed_over))
+        Err(NothingFound::new(failures, passed_over))
     }
 
     async fn try_one(
         &mut self,
         candidate: &Candidate,
         tell: &mut impl FnMut(FinderNews),
-    ) -> Result<Found, Missed> {
+    ) -> Result<Found, ProbeFailure> {
         let now = self.started.elapsed();
         if let Some(why) = self.failed_attempts.reason_to_wait(candidate, now) {
-            return Err(Missed::Before {
+            return Err(ProbeFailure::Before {
                 why: why.to_owned(),
             });
         }
@@ -156,25 +156,25 @@ impl Finder {
             address: candidate.address.clone(),
             device: candidate.device.clone(),
         });
-        let missed = match listen(candidate).await {
+        let failure = match listen(candidate).await {
             Ok(found) => return Ok(found),
-            Err(missed) => missed,
+            Err(failure) => failure,
         };
-        tracing::debug!(address = %candidate.address, why = %missed, "no arm is heard there");
+        tracing::debug!(address = %candidate.address, why = %failure, "no arm is heard there");
         self.failed_attempts
-            .note(candidate, &missed, self.started.elapsed());
-        tell(FinderNews::Missed {
+            .note(candidate, &failure, self.started.elapsed());
+        tell(FinderNews::Failed {
             address: candidate.address.clone(),
-            why: missed.to_string(),
-            hint: missed.hint(),
+            why: failure.to_string(),
+            hint: failure.hint(),
         });
-        Err(missed)
+        Err(failure)
     }
 }
 
 /// Opens a port and listens until an arm is heard. Where it is known to be an arm, its laser is
 /// switched off before it says anything; where it shows to be one, in that moment.
-async fn listen(candidate: &Candidate) -> Result<Found, Missed> {
+async fn listen(candidate: &Candidate) -> Result<Found, ProbeFailure> {
     let address = &candidate.address;
     let mut link = Link::open(address).await?;
     if candidate.sure {
@@ -185,7 +185,7 @@ async fn listen(candidate: &Candidate) -> Result<Found, Missed> {
     while link.now() < Listening::UNTIL {
         let open = match link.receive(Listening::UNTIL, &mut some).await {
             Ok(open) => open,
-            Err(LinkError::Broken(source)) => return Err(Missed::Broken(source)),
+            Err(LinkError::Broken(source)) => return Err(ProbeFailure::Broken(source)),
             Err(_) => false,
         };
         if listening.handle_bytes(&some) {
@@ -197,11 +197,11 @@ async fn listen(candidate: &Candidate) -> Result<Found, Missed> {
             });
         }
         if !open {
-            return Err(Missed::Closed);
+            return Err(ProbeFailure::Closed);
         }
         some.clear();
     }
-    Err(listening.missed())
+    Err(listening.failure())
 }
 
 /// Laser off: whatever the arm was told before, and whoever told it.

@@ -14,11 +14,11 @@ use dobot_safety::Policy;
 use dobot_wire::Packet;
 use tokio::sync::{broadcast, mpsc, oneshot, watch};
 
-use dobot_supervisor::{Begun, Refusal, StoppedBy};
+use dobot_supervisor::{Refusal, StartedJob, StoppedBy};
 
 /// How the rest of the station talks to the task that owns the arm; clones share it.
 #[derive(Clone, Debug)]
-pub struct Handle {
+pub struct StationHandle {
     pub(crate) messages: mpsc::Sender<Message>,
     pub(crate) states: watch::Receiver<Arc<Snapshot>>,
     pub(crate) every: broadcast::Sender<Arc<Snapshot>>,
@@ -29,9 +29,9 @@ pub struct Handle {
     pub(crate) rules: Arc<RwLock<Arc<Rules>>>,
 }
 
-/// The other end of all [`Handle`]s: what the driver of the arm hears, and where it tells.
+/// The driver's side of all [`StationHandle`]s: receives their messages and publishes states, notices and packets.
 #[derive(Debug)]
-pub struct Ends {
+pub struct DriverChannels {
     /// What clients ask.
     pub messages: mpsc::Receiver<Message>,
     states: watch::Sender<Arc<Snapshot>>,
@@ -132,7 +132,7 @@ pub struct Client {
     id: ClientId,
     role: Role,
     person: String,
-    handle: Handle,
+    handle: StationHandle,
 }
 
 /// What reaches the driver.
@@ -174,7 +174,7 @@ pub enum Message {
         /// Who.
         client: ClientId,
         /// The job.
-        begun: Box<Begun>,
+        started: Box<StartedJob>,
         /// The answer.
         reply: oneshot::Sender<Result<Reply, Refusal>>,
     },
@@ -278,9 +278,9 @@ pub enum OfferAnswer {
     Unknown,
 }
 
-impl Ends {
+impl DriverChannels {
     /// Tells a new state.
-    pub fn tell(&self, state: State) {
+    pub fn publish_state(&self, state: State) {
         let snapshot = Arc::new(Snapshot::new(state));
         self.states.send_replace(snapshot.clone());
         // Nobody may be watching.
@@ -294,7 +294,7 @@ impl Ends {
     }
 
     /// Tells what happened.
-    pub fn announce(&self, notice: Notice) {
+    pub fn publish_notice(&self, notice: Notice) {
         let notice = Arc::new(notice);
         let mut recent = self.recent.lock().unwrap_or_else(PoisonError::into_inner);
         if recent.len() == RECENT {
@@ -313,7 +313,7 @@ impl Ends {
     }
 
     /// Tells that a packet has passed between the station and the arm.
-    pub fn tell_passed(&self, packet: PassedPacket) {
+    pub fn publish_packet(&self, packet: PassedPacket) {
         // Mostly nobody listens; then it costs nothing.
         let _ = self.passed.send(packet);
     }
@@ -330,20 +330,20 @@ const PASSED: usize = 1024;
 /// How many notices are kept for those who ask later.
 const RECENT: usize = 200;
 
-impl Handle {
+impl StationHandle {
     /// How many states a client may lag behind before it loses some: at a thousand times the speed of time 12,500 come
     /// in a second.
     pub const STATES: usize = 2048;
 
     /// A handle, and its other end for the driver of the arm.
     #[must_use]
-    pub fn new(first: State, rules: Rules) -> (Self, Ends) {
+    pub fn new(first: State, rules: Rules) -> (Self, DriverChannels) {
         Self::with_packets(first, rules, PACKETS)
     }
 
     /// The same, where a raw program may lag so many packets behind before it loses some.
     #[must_use]
-    pub fn with_packets(first: State, rules: Rules, kept: usize) -> (Self, Ends) {
+    pub fn with_packets(first: State, rules: Rules, kept: usize) -> (Self, DriverChannels) {
         let (asking, messages) = mpsc::channel(MESSAGES);
         let (telling, states) = watch::channel(Arc::new(Snapshot::new(first)));
         let handle = Self {
@@ -356,7 +356,7 @@ impl Handle {
             passed: broadcast::Sender::new(PASSED),
             rules: Arc::new(RwLock::new(Arc::new(rules))),
         };
-        let ends = Ends {
+        let channels = DriverChannels {
             messages,
             states: telling,
             every: handle.every.clone(),
@@ -366,7 +366,7 @@ impl Handle {
             rules: handle.rules.clone(),
             passed: handle.passed.clone(),
         };
-        (handle, ends)
+        (handle, channels)
     }
 
     /// Makes a client known under a name, with what it may do.
@@ -514,13 +514,13 @@ impl Handle {
     }
 
     /// Lets those who watch know that a client behaves badly.
-    pub async fn trouble(&self, text: String) {
+    pub async fn report_trouble(&self, text: String) {
         // Without a driver nobody is there to know.
         let _ = self.send(Message::Trouble(text)).await;
     }
 
     /// The same, at once; where very much waits for the driver already, this is left out.
-    pub fn tell_trouble(&self, text: String) {
+    pub fn try_report_trouble(&self, text: String) {
         let _ = self.messages.try_send(Message::Trouble(text));
     }
 
@@ -580,7 +580,7 @@ impl Client {
 
     /// The station.
     #[must_use]
-    pub const fn handle(&self) -> &Handle {
+    pub const fn handle(&self) -> &StationHandle {
         &self.handle
     }
 

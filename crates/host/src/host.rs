@@ -11,16 +11,16 @@ use dobot_sim::Speed;
 use dobot_supervisor::Supervisor;
 use dobot_wire::Dialect;
 
-use crate::approach::Approach;
 use crate::arm_thread::ArmAtWork;
 use crate::connect::{OwnVirtualArm, Source};
 use crate::disk::Disk;
 use crate::driver::{Driver, DriverParts};
-use crate::handle::{Handle, Rules};
+use crate::handle::{Rules, StationHandle};
 use crate::jobs::Jobs;
 use crate::kept_slots::KeptSlots;
 use crate::kept_stop::KeptStop;
 use crate::known_arms::{KnownArms, KnownArmsError};
+use crate::prepared_arm::PreparedArm;
 use crate::recording::{self, Recording};
 use crate::service_manager::ServiceManager;
 use crate::watchdog::{HeartbeatSender, take_note};
@@ -49,7 +49,7 @@ pub struct Setup {
 /// The rules for one arm, at work in a thread of their own.
 #[derive(Debug)]
 pub struct Host {
-    handle: Handle,
+    handle: StationHandle,
     virtual_arm: Option<OwnVirtualArm>,
     thread: ArmAtWork,
     notes: Vec<String>,
@@ -86,23 +86,24 @@ impl Host {
     /// # Errors
     ///
     /// [`HostError`]; nothing is left running then.
-    pub fn start(approach: Approach, setup: Setup) -> Result<Self, HostError> {
+    pub fn start(prepared_arm: PreparedArm, setup: Setup) -> Result<Self, HostError> {
         make_folder(&setup.folders)?;
         let arms = KnownArms::read(&setup.common.arms())?;
         let journal = Journal::open(&setup.folders.journal())?;
-        let source = approach.source;
+        let source = prepared_arm.source;
         let virtual_arm = source.virtual_arm();
         let supervisor = supervisor(&setup, &source);
-        let (handle, ends) = Handle::new(supervisor.state(), Rules::of(&setup.policy));
+        let (handle, channels) = StationHandle::new(supervisor.state(), Rules::of(&setup.policy));
         let own = handle.messages.clone();
         let disk = Disk::start(own.clone()).map_err(HostError::Thread)?;
         let (recorder, trouble) = recording::start(&setup.common);
         let personality = source.personality().map(|it| it.to_string());
         let note = setup.folders.watchdog();
-        let heartbeats = HeartbeatSender::new(setup.watchdog, note.clone(), approach.panic_stop);
+        let heartbeats =
+            HeartbeatSender::new(setup.watchdog, note.clone(), prepared_arm.panic_stop);
         let mut driver = Driver::new(DriverParts {
             supervisor,
-            ends,
+            channels,
             source,
             arms,
             slots: KeptSlots::at(&setup.folders.slots()),
@@ -113,7 +114,7 @@ impl Host {
             own,
             heartbeats: heartbeats.supervised(setup.service_manager.unwrap_or_default()),
         });
-        let notes = approach.notes.into_iter().chain(trouble);
+        let notes = prepared_arm.notes.into_iter().chain(trouble);
         driver.recover_stop();
         Ok(Self {
             handle,
@@ -123,13 +124,13 @@ impl Host {
                 .chain(driver.recover_slots().err())
                 .collect(),
             of_watchdog: take_note(&note),
-            thread: approach.thread.give(driver, approach.first),
+            thread: prepared_arm.thread.run(driver, prepared_arm.first),
         })
     }
 
     /// How to talk to it.
     #[must_use]
-    pub const fn handle(&self) -> &Handle {
+    pub const fn handle(&self) -> &StationHandle {
         &self.handle
     }
 
@@ -156,7 +157,7 @@ impl Host {
         self.thread.spawn(task);
     }
 
-    /// Ends it: laser off first, then what is under way comes to its end, then journal and recording
+    /// Ends the station: laser off first, then what is under way comes to its end, then journal and recording
     /// are closed.
     ///
     /// # Errors

@@ -12,7 +12,7 @@ use dobot_arm::{Joints, Tool};
 use dobot_journal::{Job, JobId, Journal, JournalError, PlannedJob, Window};
 use dobot_motion::{ArmPlace, Model};
 use dobot_safety::Policy;
-use dobot_supervisor::{Begun, Effect, JobPlan, Refusal, plain};
+use dobot_supervisor::{Effect, JobPlan, Refusal, StartedJob, plain};
 use tokio::sync::{mpsc, oneshot};
 
 use self::check::check_new;
@@ -103,7 +103,7 @@ impl Jobs {
     }
 
     /// Looks at a job again, and gives what the supervisor needs of it.
-    pub(crate) fn begun(&self, job: &Job, model: Model) -> Result<Begun, Refusal> {
+    pub(crate) fn started_job(&self, job: &Job, model: Model) -> Result<StartedJob, Refusal> {
         look_again(&self.journal, &self.policy, job, model)
     }
 
@@ -193,15 +193,15 @@ impl Jobs {
                 // Whoever asked may have left.
                 let _ = reply.send(Err(refusal));
             }
-            Ok(begun) => {
-                let begun = Box::new(Begun {
+            Ok(started) => {
+                let started = Box::new(StartedJob {
                     single_step,
-                    ..begun
+                    ..started
                 });
                 // A driver that ends drops the message, and with it the reply.
                 let _ = driver.blocking_send(Message::Planned {
                     client,
-                    begun,
+                    started,
                     reply,
                 });
             }
@@ -286,7 +286,7 @@ impl Jobs {
         Ok(Reply::Job { job: view(&job) })
     }
 
-    fn startable(&self, job: u64, model: Model) -> Result<Begun, Refusal> {
+    fn startable(&self, job: u64, model: Model) -> Result<StartedJob, Refusal> {
         self.catch_up();
         startable(&self.journal, &self.policy, job, model)
     }
@@ -404,7 +404,7 @@ pub(crate) fn startable(
     policy: &Policy,
     job: u64,
     model: Model,
-) -> Result<Begun, Refusal> {
+) -> Result<StartedJob, Refusal> {
     let job = find(journal, job)?;
     if !matches!(job.state, JobState::Queued | JobState::Paused { .. }) {
         return Err(Refusal::JobPhase {
@@ -446,7 +446,7 @@ pub(crate) fn look_again(
     policy: &Policy,
     job: &Job,
     model: Model,
-) -> Result<Begun, Refusal> {
+) -> Result<StartedJob, Refusal> {
     let commands = journal
         .commands(job.id)
         .map_err(|error| journal_refusal(&error))?;
@@ -460,7 +460,7 @@ pub(crate) fn look_again(
         job.window.upto,
         &job.program,
     )?;
-    Ok(Begun::new(job, plan))
+    Ok(StartedJob::new(job, plan))
 }
 
 /// The model from which an interrupted job is looked at again: its first target says where it
@@ -513,7 +513,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             completed,
             upto,
             start,
-        } => journal.give(
+        } => journal.extend_window(
             JobId(*job),
             &Window {
                 completed: *completed,
@@ -532,7 +532,7 @@ pub(crate) fn write(journal: &Journal, effect: &Effect) -> Result<(), JournalErr
             if let Some(window) = window
                 && journal.job(JobId(*job))?.state == JobState::Running
             {
-                journal.give(JobId(*job), window)?;
+                journal.extend_window(JobId(*job), window)?;
             }
             let state = JobState::new(*phase, reason.clone());
             journal.set_state_behind(JobId(*job), &state, *behind)

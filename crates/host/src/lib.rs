@@ -1,7 +1,7 @@
 //! Drives the supervisor of an arm: port, finder, watchdog process, journal thread, recordings and clients.
 //!
 //! A [`StationClient`] sends requests to a supervisor, wherever it runs: in a station, in this process for an arm at an
-//! address, or in virtual time. A [`Handle`] is the same for a station's own tasks: it leads to the one task that owns the
+//! address, or in virtual time. A [`StationHandle`] is the same for a station's own tasks: it leads to the one task that owns the
 //! port. A [`VirtualStation`] runs a supervisor in virtual time, with a virtual arm:
 //!
 //! ```
@@ -29,7 +29,6 @@
 //! # Ok::<(), dobot_supervisor::Refusal>(())
 //! ```
 
-mod approach;
 mod arm_thread;
 mod background;
 mod client;
@@ -48,6 +47,7 @@ mod known_arms;
 mod long_work;
 mod planned_for;
 mod predict;
+mod prepared_arm;
 mod priority;
 mod recording;
 mod service_manager;
@@ -55,14 +55,16 @@ mod target;
 mod virtual_station;
 mod watchdog;
 
-pub use approach::{Approach, WantedArm};
 pub use background::Background;
 pub use client::{JobWatch, JobsError, LocalArm, NoArm, OpenArmError, StationClient};
 pub use connect::OwnVirtualArm;
 pub use drawing_job::drawing_job;
-pub use finder::{Finder, FinderNews, Found, Missed, NothingFound, Reconnect, Search, WhereFound};
+pub use finder::{
+    Finder, FinderNews, Found, NothingFound, ProbeFailure, Reconnect, Search, WhereFound,
+};
 pub use handle::{
-    Client, Ends, Handle, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+    Client, DriverChannels, Message, OfferAnswer, OfferAsk, PassedPacket, Rules, Snapshot,
+    StationHandle,
 };
 pub use host::{Host, HostError, Setup};
 pub use jobs::WITHDRAWN;
@@ -70,6 +72,7 @@ pub use known_arms::KnownArmsError;
 pub use long_work::{LongWorkError, run_long};
 pub use planned_for::PlannedFor;
 pub use predict::{Prediction, predict};
+pub use prepared_arm::{PreparedArm, WantedArm};
 pub use recording::{notice_topic, state_topic, tools_of};
 pub use service_manager::{Notification, ServiceManager};
 pub use target::{PathName, Target, TargetPlace, UnknownPath};

@@ -68,7 +68,7 @@ struct DryRun {
     station: VirtualStation,
     client: ClientId,
     job: u64,
-    begun: Duration,
+    started: Duration,
     /// How long people were waited for.
     waited: Duration,
 }
@@ -90,7 +90,7 @@ impl DryRun {
         let job = station.submit(job)?;
         station.start(client, job)?;
         Ok(Self {
-            begun: station.now(),
+            started: station.now(),
             station,
             client,
             job,
@@ -135,7 +135,9 @@ impl DryRun {
     }
 
     fn elapsed(&self) -> Duration {
-        self.station.now().saturating_sub(self.begun + self.waited)
+        self.station
+            .now()
+            .saturating_sub(self.started + self.waited)
     }
 
     fn state(&self) -> Result<JobState, Refusal> {
@@ -159,8 +161,8 @@ impl DryRun {
         self.station.start(self.client, self.job)?;
         let latest = self.station.now() + LONGEST;
         self.station
-            .run_until(latest, |it| it.supervisor().job_is_under_way());
-        self.waited = self.station.now().saturating_sub(self.begun + until);
+            .run_until(latest, |it| it.supervisor().has_active_job());
+        self.waited = self.station.now().saturating_sub(self.started + until);
         Ok(())
     }
 }

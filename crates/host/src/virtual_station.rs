@@ -11,7 +11,7 @@ use dobot_controller::{Controller, PowerUp};
 use dobot_journal::{JobId, Journal, JournalError};
 use dobot_safety::Policy;
 use dobot_sim::{SerialLine, VirtualArm};
-use dobot_supervisor::{Begun, Effect, KeptFleetStop, Refusal, StoppedBy, Supervisor};
+use dobot_supervisor::{Effect, KeptFleetStop, Refusal, StartedJob, StoppedBy, Supervisor};
 use dobot_wire::Packet;
 
 use crate::job_path::path_of;
@@ -389,13 +389,13 @@ impl VirtualStation {
     ) -> Result<Reply, Refusal> {
         self.supervisor.check_rests(job)?;
         let model = self.supervisor.planning_model()?;
-        let begun = jobs::startable(&self.journal, &self.policy, job, model)?;
-        let begun = Begun {
+        let started = jobs::startable(&self.journal, &self.policy, job, model)?;
+        let started = StartedJob {
             single_step,
-            ..begun
+            ..started
         };
         let now = self.supervisor_now();
-        let reply = self.supervisor.handle_start(now, client, begun);
+        let reply = self.supervisor.handle_start(now, client, started);
         self.settle();
         reply
     }
@@ -543,13 +543,13 @@ impl VirtualStation {
             return Ok(());
         };
         let model = jobs::recovery_model(&job);
-        let begun = self.begun(job.id.0, model)?;
+        let started = self.started_job(job.id.0, model)?;
         let now = self.supervisor_now();
-        self.supervisor.handle_recovered(now, begun, job.window);
+        self.supervisor.handle_recovered(now, started, job.window);
         Ok(())
     }
 
-    fn begun(&self, job: u64, model: dobot_motion::Model) -> Result<Begun, Refusal> {
+    fn started_job(&self, job: u64, model: dobot_motion::Model) -> Result<StartedJob, Refusal> {
         let job = self
             .journal
             .job(JobId(job))

@@ -79,7 +79,7 @@ enum WatchdogPhase {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Speech {
     why: Silence,
-    begun: Duration,
+    started: Duration,
     /// When the next packet is due.
     next: Duration,
     /// Packets of this round said already.
@@ -204,7 +204,7 @@ impl Watchdog {
         let free = self.last_heartbeat + GAP;
         self.phase = WatchdogPhase::Speaking(Speech {
             why,
-            begun: self.now,
+            started: self.now,
             next: self.now.max(free),
             said: 0,
             rounds: 0,
@@ -234,7 +234,7 @@ impl Speech {
         }
         let rounds = self.rounds + 1;
         let heard_enough = rounds >= ROUNDS && self.heard;
-        if heard_enough || now >= self.begun + LONGEST {
+        if heard_enough || now >= self.started + LONGEST {
             return match self.why {
                 Silence::Ended => WatchdogPhase::Over,
                 Silence::Stalled => WatchdogPhase::Spoken(self.why),

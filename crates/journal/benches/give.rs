@@ -20,7 +20,7 @@ fn give_one_window(bencher: Bencher<'_, '_>, commands: usize) {
         upto: 32,
         start: Some(START),
     };
-    bencher.bench_local(|| journal.give(id, divan::black_box(&window)));
+    bencher.bench_local(|| journal.extend_window(id, divan::black_box(&window)));
 }
 
 /// A large drawing taken.

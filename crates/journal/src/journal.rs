@@ -163,7 +163,7 @@ impl Journal {
     ///
     /// [`JournalError`] where the job does not run, the window leaves it or goes back behind what
     /// is done, or the storage fails. Nothing may be sent then that was not given before.
-    pub fn give(&self, id: JobId, window: &Window) -> Result<(), JournalError> {
+    pub fn extend_window(&self, id: JobId, window: &Window) -> Result<(), JournalError> {
         let start = rows::start_bytes(id, window.start.as_ref())?;
         let mut store = self.store();
         check_window(id, &store.row(id)?, store.window(id)?.completed, window)?;
@@ -272,7 +272,7 @@ impl Journal {
     pub fn remove(&self, id: JobId) -> Result<(), JournalError> {
         let mut store = self.store();
         let state = store.row(id)?.state;
-        if state.is_under_way() {
+        if state.is_active() {
             return Err(JournalError::Unfinished { job: id, state });
         }
         store.write(|change| forget(change, &[id]))

@@ -2,7 +2,7 @@
 //!
 //! A job is a drawing or a program: commands for the arm, with what becomes of them. The protocol
 //! has no acknowledgement, so the journal writes down what *may* have been done before it is done:
-//! no command may be sent before [`Journal::give`] has put it into the job's [`Window`] for good.
+//! no command may be sent before [`Journal::extend_window`] has put it into the job's [`Window`] for good.
 //! After a crash the commands of the window are the doubtful ones, and [`locate`] tells by where the
 //! arm rests which of them were done. That it can is cared for by [`window_end`]: no two commands of
 //! a window end at one place.
@@ -29,7 +29,7 @@
 //!
 //! journal.set_state(id, &JobState::Running)?;
 //! let first = Window { completed: 0, upto: 1, start: None };
-//! journal.give(id, &first)?;
+//! journal.extend_window(id, &first)?;
 //! // From here on the command may be sent; a program that is started after a crash finds:
 //! assert_eq!(journal.progress(id)?, first);
 //! # Ok::<(), dobot_journal::JournalError>(())

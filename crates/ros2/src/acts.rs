@@ -31,7 +31,7 @@ pub(crate) async fn take_at_rest(station: &mut StationClient) -> Result<Stand, S
 /// How the arm stands, as soon as it does.
 async fn stands(station: &mut StationClient) -> Result<Stand, String> {
     loop {
-        let state = station.heard().await.map_err(|it| match it.hint() {
+        let state = station.first_state().await.map_err(|it| match it.hint() {
             Some(hint) => format!("{it}; {hint}"),
             None => it.to_string(),
         })?;

@@ -181,7 +181,7 @@ mod tests {
     async fn state() -> State {
         let power_up = PowerUp::new(Personality::Firmware11);
         let mut station = StationClient::with_virtual_arm(power_up, Policy::default(), "test");
-        station.heard().await.expect("it tells")
+        station.first_state().await.expect("it tells")
     }
 
     fn level(found: &DiagnosticArray, name: &str) -> u8 {

@@ -5,7 +5,7 @@ use dobot_motion::{ArmPlace, Button, Model, Trajectory, burns};
 use dobot_wire::{Command, Configuration, MoveTo, single};
 
 use crate::body::measures;
-use crate::fence::Fence;
+use crate::effective_rules::EffectiveRules;
 use crate::limits::{LASER_AREA, Limit};
 use crate::path::Path;
 use crate::path_check::PathCheck;
@@ -64,15 +64,15 @@ impl Policy {
         on_the_way: Option<[f64; 3]>,
     ) -> Option<[f64; 3]> {
         let from = model.place.pose.position;
-        let told = |[x, y, z]: [f64; 3]| {
+        let raw = |[x, y, z]: [f64; 3]| {
             let place = Position::new(x, y, z);
             model.calibration.told_place(place, model.tool).ok()
         };
-        let is_allowed = |told: Position| {
+        let is_allowed = |raw: Position| {
             let command = MoveTo {
-                x_mm: single(told.x.0),
-                y_mm: single(told.y.0),
-                z_mm: single(told.z.0),
+                x_mm: single(raw.x.0),
+                y_mm: single(raw.y.0),
+                z_mm: single(raw.z.0),
                 ..*target
             };
             self.judge(model, &command.into()).is_ok()
@@ -84,10 +84,10 @@ impl Policy {
                 let place = end + back * f64::from(tenths);
                 let place = model.calibration.true_place(place, model.tool).ok()?;
                 let place = [place.x.0, place.y.0, place.z.0].map(to_tenths);
-                told(place).is_some_and(is_allowed).then_some(place)
+                raw(place).is_some_and(is_allowed).then_some(place)
             })
         };
-        let on_the_way = on_the_way.and_then(told).and_then(rounded);
+        let on_the_way = on_the_way.and_then(raw).and_then(rounded);
         on_the_way.or_else(|| {
             let to = Position::new(target.x_mm.into(), target.y_mm.into(), target.z_mm.into());
             let place = |share: f64| from + (to - from) * share;
@@ -113,14 +113,14 @@ impl Policy {
         let burning = trajectory.laser() || burns(command);
         let paths = paths(trajectory);
         let mut walk = PathCheck::begin(
-            Fence::new(self, model.tool, model.calibration, burning),
+            EffectiveRules::new(self, model.tool, model.calibration, burning),
             &paths[0],
         )
         .map_err(|error| Violation::of_arm(&error))?;
         let duration_s = trajectory.motion_s().unwrap_or_default();
         let place = |share: f64| {
-            let told = trajectory.place_at(share * duration_s).ok()?;
-            Some(model.true_place(&told))
+            let raw = trajectory.place_at(share * duration_s).ok()?;
+            Some(model.true_place(&raw))
         };
         paths
             .iter()
@@ -147,11 +147,11 @@ impl Policy {
             Command::Configuration(Configuration::EndEffector { .. }) => true,
             _ => burns(command) && rule == LASER_AREA,
         };
-        let fence = Fence::new(self, after.tool, after.calibration, burns(command));
-        let stop = fence.stop(0.0, after.place);
-        fence
-            .broken_at(&stop)
-            .map(|broken| Violation::of_place(&broken, &stop))
+        let rules = EffectiveRules::new(self, after.tool, after.calibration, burns(command));
+        let point = rules.point_at(0.0, after.place);
+        rules
+            .broken_at(&point)
+            .map(|broken| Violation::of_place(&broken, &point))
             .find(|violation| applies(&violation.rule))
             .map_or(Ok(()), Err)
     }

@@ -5,7 +5,7 @@ use dobot_motion::{ArmPlace, JogAxis, JogTrajectory, Model};
 use dobot_wire::Command;
 
 use crate::check::worst;
-use crate::fence::Fence;
+use crate::effective_rules::EffectiveRules;
 use crate::limits::Limit;
 use crate::path::Path;
 use crate::path_check::PathCheck;
@@ -59,8 +59,8 @@ impl Policy {
         let Some(path) = path(model, jog.axis(), by) else {
             return Ok(());
         };
-        let fence = Fence::new(self, model.tool, model.calibration, burning);
-        PathCheck::begin(fence, &path)
+        let rules = EffectiveRules::new(self, model.tool, model.calibration, burning);
+        PathCheck::begin(rules, &path)
             .map_err(|error| Violation::of_arm(&error))?
             .along(&path)
             .map_err(|breach| {

@@ -25,7 +25,7 @@ mod body;
 mod bounds;
 mod check;
 mod distance;
-mod fence;
+mod effective_rules;
 mod jog;
 mod keep_out;
 mod keep_out_edit;
@@ -38,7 +38,7 @@ mod policy;
 mod policy_error;
 mod sections;
 mod settings;
-mod sweep;
+mod swept_path;
 mod validate;
 mod violation;
 
@@ -51,4 +51,4 @@ pub use sections::{
     AccelerationCeilings, ArmBody, JogRules, JointLimits, JumpRules, LaserRules, QueueRules,
     SpeedCeilings, Table, ToolLengths, Workspace,
 };
-pub use violation::{Judged, Spot, Violation};
+pub use violation::{Location, RejectedValue, Violation};

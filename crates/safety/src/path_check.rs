@@ -3,7 +3,7 @@
 use dobot_arm::Unreachable;
 
 use crate::distance::distance;
-use crate::fence::{Broken, Fence, PathPoint};
+use crate::effective_rules::{Broken, EffectiveRules, PathPoint};
 use crate::path::Path;
 
 /// Where and why a way is forbidden.
@@ -23,7 +23,7 @@ pub(crate) struct Breach {
 /// A way so far.
 #[derive(Debug)]
 pub(crate) struct PathCheck<'a> {
-    fence: Fence<'a>,
+    rules: EffectiveRules<'a>,
     /// Where the arm is.
     here: PathPoint,
     gone_mm: f64,
@@ -31,11 +31,11 @@ pub(crate) struct PathCheck<'a> {
 
 impl<'a> PathCheck<'a> {
     /// Begins where a path does.
-    pub(crate) fn begin(mut fence: Fence<'a>, path: &Path) -> Result<Self, Unreachable> {
-        let here = fence.stop(0.0, path.place_at(0.0)?);
-        fence.begin(&here);
+    pub(crate) fn begin(mut rules: EffectiveRules<'a>, path: &Path) -> Result<Self, Unreachable> {
+        let here = rules.point_at(0.0, path.place_at(0.0)?);
+        rules.begin(&here);
         Ok(Self {
-            fence,
+            rules,
             here,
             gone_mm: 0.0,
         })
@@ -44,7 +44,7 @@ impl<'a> PathCheck<'a> {
     /// Goes along a whole path, which begins where the way is.
     pub(crate) fn along(&mut self, path: &Path) -> Result<(), Box<Breach>> {
         self.here.share = 0.0;
-        if let Some(broken) = self.fence.broken_at(&self.here).next() {
+        if let Some(broken) = self.rules.broken_at(&self.here).next() {
             let at_s = path.time_at(0.0);
             return Err(Box::new(self.breach(broken, Some(self.here), at_s)));
         }
@@ -63,19 +63,19 @@ impl<'a> PathCheck<'a> {
         depth: usize,
     ) -> Result<(), Box<Breach>> {
         let broken = match &to {
-            Ok(stop) => self.fence.broken_between(path.bend(), &self.here, stop),
+            Ok(point) => self.rules.broken_between(path.bend(), &self.here, point),
             Err(error) => Some(Broken::Unreachable(*error)),
         };
-        let is_leaf = |stop: &PathPoint| self.here.is_next_to(stop) || depth == DEEPEST;
+        let is_leaf = |point: &PathPoint| self.here.is_next_to(point) || depth == DEEPEST;
         match (broken, to) {
-            (None, Ok(stop)) => {
-                self.advance(stop);
+            (None, Ok(point)) => {
+                self.advance(point);
                 return Ok(());
             }
-            (Some(broken), Ok(stop)) if is_leaf(&stop) => {
+            (Some(broken), Ok(point)) if is_leaf(&point) => {
                 return Err(Box::new(self.breach(
                     broken,
-                    Some(stop),
+                    Some(point),
                     path.time_at(share),
                 )));
             }
@@ -90,12 +90,12 @@ impl<'a> PathCheck<'a> {
     }
 
     fn look(&self, path: &Path, share: f64) -> Result<PathPoint, Unreachable> {
-        Ok(self.fence.stop(share, path.place_at(share)?))
+        Ok(self.rules.point_at(share, path.place_at(share)?))
     }
 
     fn advance(&mut self, to: PathPoint) {
         self.gone_mm += distance(self.here.body.tool, to.body.tool);
-        self.fence.advance(&to);
+        self.rules.advance(&to);
         self.here = to;
     }
 

@@ -3,7 +3,7 @@
 use dobot_arm::{Calibration, Tool};
 use dobot_motion::ArmPlace;
 
-use crate::fence::Fence;
+use crate::effective_rules::EffectiveRules;
 use crate::{Policy, Violation};
 
 impl Policy {
@@ -19,9 +19,9 @@ impl Policy {
         tool: Tool,
         arm: &Calibration,
     ) -> Result<(), Violation> {
-        let fence = Fence::new(self, tool, *arm, false);
-        let stop = fence.stop(0.0, *place);
-        let broken = fence.broken_at(&stop).next();
-        broken.map_or(Ok(()), |it| Err(Violation::of_place(&it, &stop)))
+        let rules = EffectiveRules::new(self, tool, *arm, false);
+        let point = rules.point_at(0.0, *place);
+        let broken = rules.broken_at(&point).next();
+        broken.map_or(Ok(()), |it| Err(Violation::of_place(&it, &point)))
     }
 }

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::Bounds;
-use crate::fence::{Broken, PathPoint};
+use crate::effective_rules::{Broken, PathPoint};
 use crate::limits::{BELOW_PAPER, Limit, TABLE};
 use crate::path_check::Breach;
 
@@ -24,16 +24,16 @@ pub struct Violation {
     /// What is wrong, in one line.
     pub message: String,
     /// What was found and what is allowed, where the rule is about a value.
-    pub value: Option<Box<Judged>>,
+    pub value: Option<Box<RejectedValue>>,
     /// The first place on the way that is forbidden.
-    pub at: Option<Box<Spot>>,
+    pub at: Option<Box<Location>>,
     /// The last place on the way that is allowed: x, y and z in mm.
     pub nearest: Option<[f64; 3]>,
 }
 
 /// A value that is not allowed, in the unit of its rule.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Judged {
+pub struct RejectedValue {
     /// What was found: on a way the value farthest from what is allowed.
     pub found: f64,
     /// What is allowed.
@@ -44,7 +44,7 @@ pub struct Judged {
 
 /// A place on a way.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Spot {
+pub struct Location {
     /// x, y and z of the tool in mm, as the arm tells them.
     pub position_mm: [f64; 3],
     /// Base, rear arm, forearm and servo in degrees.
@@ -78,7 +78,7 @@ impl Violation {
             format!("{name} would be {found_here}{unit}; {rule} allows {least} to {most}{unit}")
         };
         Self {
-            value: Some(Box::new(Judged::new(found, allowed))),
+            value: Some(Box::new(RejectedValue::new(found, allowed))),
             ..Self::of_words(rule, message)
         }
     }
@@ -115,7 +115,7 @@ impl Violation {
             } => {
                 let allowed = Bounds::new(if min.is_finite() { min } else { LEAST }, max);
                 Self {
-                    value: Some(Box::new(Judged::new(found, allowed))),
+                    value: Some(Box::new(RejectedValue::new(found, allowed))),
                     ..Self::of_words(key_of(quantity), message)
                 }
             }
@@ -125,33 +125,33 @@ impl Violation {
 
     /// A way that breaks a rule; `worst` is its value farthest from what the rule allows.
     pub(crate) fn of_breach(breach: &Breach, worst: impl Fn(&Limit) -> f64) -> Self {
-        let told = Self::of_broken(&breach.broken, worst);
+        let violation = Self::of_broken(&breach.broken, worst);
         let nearest = position(&breach.nearest);
         let [x, y, z] = nearest.map(Rounded);
         let message = format!(
             "{}; the way is free for {} mm{}, as far as x {x} y {y} z {z} mm",
-            told.message,
+            violation.message,
             Rounded(breach.gone_mm),
             Seconds(breach.at_s),
         );
-        let spot = |stop: PathPoint| Spot {
+        let location = |point: PathPoint| Location {
             along_mm: breach.gone_mm,
             after_s: breach.at_s,
-            ..Spot::of(&stop)
+            ..Location::of(&point)
         };
         Self {
             message,
-            at: breach.at.map(spot).map(Box::new),
+            at: breach.at.map(location).map(Box::new),
             nearest: Some(nearest),
-            ..told
+            ..violation
         }
     }
 
     /// A place that breaks a rule, while nothing moves.
-    pub(crate) fn of_place(broken: &Broken, stop: &PathPoint) -> Self {
+    pub(crate) fn of_place(broken: &Broken, point: &PathPoint) -> Self {
         Self {
-            at: Some(Box::new(Spot::of(stop))),
-            ..Self::of_broken(broken, |limit| stop.measures[limit.measure as usize])
+            at: Some(Box::new(Location::of(point))),
+            ..Self::of_broken(broken, |limit| point.measures[limit.measure as usize])
         }
     }
 
@@ -178,7 +178,7 @@ impl Violation {
     }
 }
 
-impl Judged {
+impl RejectedValue {
     const fn new(found: f64, allowed: Bounds) -> Self {
         Self {
             found,
@@ -188,11 +188,11 @@ impl Judged {
     }
 }
 
-impl Spot {
-    const fn of(stop: &PathPoint) -> Self {
-        let joints = stop.place.joints;
+impl Location {
+    const fn of(point: &PathPoint) -> Self {
+        let joints = point.place.joints;
         Self {
-            position_mm: position(stop),
+            position_mm: position(point),
             joints_deg: [joints.base.0, joints.rear.0, joints.fore.0, joints.servo.0],
             along_mm: 0.0,
             after_s: None,
@@ -200,8 +200,8 @@ impl Spot {
     }
 }
 
-const fn position(stop: &PathPoint) -> [f64; 3] {
-    let position = stop.place.pose.position;
+const fn position(point: &PathPoint) -> [f64; 3] {
+    let position = point.place.pose.position;
     [position.x.0, position.y.0, position.z.0]
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use dobot_api::{Folders, Role};
 use dobot_controller::Personality;
-use dobot_host::{Approach, WantedArm};
+use dobot_host::{PreparedArm, WantedArm};
 use dobot_session::Address;
 use dobot_sim::Speed;
 use dobot_wire::Dialect;
@@ -112,13 +112,13 @@ impl Config {
     /// # Panics
     ///
     /// Outside of a tokio runtime.
-    pub async fn approach(&self) -> Result<Approach, StartError> {
+    pub async fn approach(&self) -> Result<PreparedArm, StartError> {
         let arm = WantedArm {
             address: self.arm.clone(),
             personality: self.personality,
             speed: self.speed,
         };
-        let approach = Approach::new(&arm, &self.folders.watchdog()).await;
+        let approach = PreparedArm::new(&arm, &self.folders.watchdog()).await;
         approach.map_err(StartError::Thread)
     }
 }

@@ -5,7 +5,7 @@ mod harness;
 use dobot_api::{ClientId, Role};
 #[cfg(feature = "full")]
 use dobot_host::PassedPacket;
-use dobot_host::{Ends, Handle, Message, Rules};
+use dobot_host::{DriverChannels, Message, Rules, StationHandle};
 use dobot_supervisor::Refusal;
 use dobot_wire::{Command, Dialect, JointJog, JointJogAxis, PACKET_LEN, Packet};
 use tokio::sync::oneshot;
@@ -15,15 +15,15 @@ use crate::sample::state;
 
 /// A driver of the arm that does what a test tells it.
 pub(crate) struct FakeDriver {
-    ends: Ends,
+    ends: DriverChannels,
     clients: u64,
 }
 
 impl FakeDriver {
     /// A driver, and the way to it; it keeps `kept` statuses for whoever is slow.
-    pub(crate) fn new(kept: usize) -> (Handle, Self) {
+    pub(crate) fn new(kept: usize) -> (StationHandle, Self) {
         let rules = Rules::of(&dobot_safety::Policy::default());
-        let (handle, ends) = Handle::with_packets(state(0.0), rules, kept);
+        let (handle, ends) = StationHandle::with_packets(state(0.0), rules, kept);
         (handle, Self { ends, clients: 0 })
     }
 
@@ -101,13 +101,13 @@ impl FakeDriver {
     /// Tells a state.
     #[cfg(feature = "full")]
     pub(crate) fn tell(&self, state: dobot_api::State) {
-        self.ends.tell(state);
+        self.ends.publish_state(state);
     }
 
     /// Tells that a packet passed.
     #[cfg(feature = "full")]
     pub(crate) fn tell_passed(&self, packet: PassedPacket) {
-        self.ends.tell_passed(packet);
+        self.ends.publish_packet(packet);
     }
 
     /// Sends a status to all who listen.

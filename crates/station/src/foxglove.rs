@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use dobot_host::{Handle, PassedPacket, Snapshot, notice_topic, state_topic, tools_of};
+use dobot_host::{PassedPacket, Snapshot, StationHandle, notice_topic, state_topic, tools_of};
 use dobot_record::{About, INK, Live, Record, Topic, topics};
 use dobot_safety::{Policy, ToolLengths};
 use dobot_wire::Dialect;
@@ -108,7 +108,7 @@ impl FoxglovePort {
     /// # Errors
     ///
     /// A line where the clock of this machine is before 1970 or a channel cannot be made: nothing is told then.
-    pub async fn serve(mut self, handle: &Handle) -> Result<(), String> {
+    pub async fn serve(mut self, handle: &StationHandle) -> Result<(), String> {
         let mut teller = Teller::new(&self.context, &handle.state())?;
         let (mut passed, mut states, mut notices) =
             (handle.passed(), handle.states(), handle.notices());

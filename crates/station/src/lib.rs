@@ -4,7 +4,7 @@
 //!   browsers, programs      old programs
 //!    http, WebSocket     raw port, virtual port
 //!          |                     |
-//!          `------ Handle -------+----> dobot_host::Host ----> the arm
+//!          `--- StationHandle ---+----> dobot_host::Host ----> the arm
 //! ```
 //!
 //! [`Station::start`] puts all of it together. The rules are those of `dobot_host`, and what is said over

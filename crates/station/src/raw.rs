@@ -6,7 +6,7 @@ use std::pin::{Pin, pin};
 use std::time::Duration;
 
 use dobot_api::Role;
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use dobot_supervisor::Refusal;
 use tokio::io::AsyncWriteExt;
 use tokio::net::{TcpListener, TcpStream};
@@ -93,7 +93,7 @@ impl RawPort {
     }
 
     /// Serves programs, one after the other, until the station ends.
-    pub async fn serve(self, handle: &Handle, mut tell: impl FnMut(ProgramNews)) {
+    pub async fn serve(self, handle: &StationHandle, mut tell: impl FnMut(ProgramNews)) {
         let mut next = None;
         loop {
             let program = if let Some(program) = next.take() {
@@ -119,7 +119,7 @@ impl RawPort {
     async fn serve_one(
         &self,
         program: Program,
-        handle: &Handle,
+        handle: &StationHandle,
         tell: &mut impl FnMut(ProgramNews),
     ) -> Result<Option<Program>, Refusal> {
         let Program { mut stream, name } = program;

@@ -4,7 +4,7 @@ use std::io::ErrorKind;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
-use dobot_host::{Approach, Handle, Host, HostError, ServiceManager, Setup};
+use dobot_host::{Host, HostError, PreparedArm, ServiceManager, Setup, StationHandle};
 use dobot_safety::{Policy, PolicyError};
 use dobot_session::Address;
 
@@ -95,11 +95,11 @@ impl Station {
     /// # Panics
     ///
     /// Outside of a tokio runtime.
-    pub async fn begin(config: Config, approach: Approach) -> Result<Self, StartError> {
+    pub async fn begin(config: Config, approach: PreparedArm) -> Result<Self, StartError> {
         Box::pin(Self::open(config, approach)).await
     }
 
-    async fn open(config: Config, approach: Approach) -> Result<Self, StartError> {
+    async fn open(config: Config, approach: PreparedArm) -> Result<Self, StartError> {
         let policy = read_policy(&config)?;
         // The raw port first: where another station has it, nothing of its journal is touched.
         let raw = match config.raw {
@@ -114,7 +114,7 @@ impl Station {
         let arm = approach.address();
         let host = Host::start(approach, setup(&config, policy))?;
         for line in host.of_watchdog() {
-            host.handle().tell_trouble(line.clone());
+            host.handle().try_report_trouble(line.clone());
         }
         let raw = raw.map(|port| serve_raw(port, &host));
         let pty = virtual_port.map(|port| serve_pty(port, &host));
@@ -139,7 +139,7 @@ impl Station {
 
     /// How to talk to it in this process.
     #[must_use]
-    pub const fn handle(&self) -> &Handle {
+    pub const fn handle(&self) -> &StationHandle {
         self.host.handle()
     }
 
@@ -259,7 +259,7 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
     host.spawn(async move {
         if let Err(error) = port.serve(&handle).await {
             handle
-                .trouble(format!("Foxglove is told nothing: {error}"))
+                .report_trouble(format!("Foxglove is told nothing: {error}"))
                 .await;
         }
     });
@@ -267,9 +267,9 @@ fn serve_foxglove(port: FoxglovePort, host: &Host) -> SocketAddr {
 }
 
 /// Lets those who watch know what goes wrong with an old program.
-fn tell(handle: &Handle, news: &ProgramNews) {
+fn tell(handle: &StationHandle, news: &ProgramNews) {
     if let Some(trouble) = news.trouble() {
-        handle.tell_trouble(trouble);
+        handle.try_report_trouble(trouble);
     }
 }
 
@@ -302,7 +302,7 @@ fn serve_pty(port: VirtualPort, host: &Host) -> PathBuf {
         let served = port.serve(&handle, |news| tell(&handle, &news)).await;
         if let Err(error) = served {
             let text = format!("the virtual serial port cannot be served any more: {error}");
-            handle.trouble(text).await;
+            handle.report_trouble(text).await;
         }
     });
     path

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use dobot_api::Role;
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use dobot_sim::{Pty, PtyClient};
 use dobot_supervisor::Refusal;
 use tokio::time::{MissedTickBehavior, interval};
@@ -47,7 +47,7 @@ impl VirtualPort {
     /// What the operating system says about the port.
     pub async fn serve(
         mut self,
-        handle: &Handle,
+        handle: &StationHandle,
         mut tell: impl FnMut(ProgramNews),
     ) -> io::Result<()> {
         loop {
@@ -84,7 +84,7 @@ impl VirtualPort {
     async fn serve_one(
         &self,
         program: PtyClient,
-        handle: &Handle,
+        handle: &StationHandle,
         tell: &mut impl FnMut(ProgramNews),
     ) -> Result<(), Refusal> {
         let name = format!("serial program {}", self.path().display());

@@ -18,6 +18,6 @@ mod text;
 
 pub use refusal::{Holder, Refusal};
 pub use supervisor::{
-    Begun, Effect, FORGETTABLE, JobPlan, KeptFleetStop, StoppedBy, Supervisor, draws_below_mm,
+    Effect, FORGETTABLE, JobPlan, KeptFleetStop, StartedJob, StoppedBy, Supervisor, draws_below_mm,
 };
 pub use text::{is_plain, plain};

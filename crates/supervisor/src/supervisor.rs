@@ -7,20 +7,20 @@ mod commands;
 mod detecting;
 mod events;
 mod fleet_stops;
-mod halt;
 mod job;
 mod jog;
+mod journal_requests;
 mod laser;
 mod lease;
 mod link;
 mod near;
-mod outbox;
+mod outgoing_events;
 mod plan;
 mod request;
 mod run;
-mod save;
 mod slots;
-mod stop;
+mod stop_latch;
+mod stop_sequence;
 mod urgent;
 
 use std::time::Duration;
@@ -37,21 +37,21 @@ use dobot_wire::{Dialect, Finding, Packet, Status};
 use self::arm::Arm;
 use self::commands::Commands;
 use self::detecting::Detecting;
-use self::halt::Halt;
 use self::jog::Jogging;
+use self::journal_requests::JournalRequests;
 use self::lease::Leases;
 use self::link::Link;
-use self::outbox::Outbox;
+use self::outgoing_events::OutgoingEvents;
 use self::run::{JobEffect, Run};
-use self::save::Save;
-use self::stop::Stop;
+use self::stop_latch::StopLatch;
+use self::stop_sequence::StopSequence;
 use crate::refusal::Refusal;
 
 pub use self::fleet_stops::KeptFleetStop;
 pub use self::job::FORGETTABLE;
 pub use self::plan::{JobPlan, draws_below_mm};
-pub use self::run::{Begun, Effect};
-pub use self::stop::StoppedBy;
+pub use self::run::{Effect, StartedJob};
+pub use self::stop_latch::StoppedBy;
 
 /// The supervisor of the arm, as an engine: it owns no port, no file and no clock.
 ///
@@ -68,8 +68,8 @@ pub struct Supervisor {
     leases: Leases,
     link: Link,
     arm: Arm,
-    stop: Stop,
-    halt: Halt,
+    stop_latch: StopLatch,
+    stop_sequence: StopSequence,
     jogging: Jogging,
     commands: Commands,
     detecting: Detecting,
@@ -80,8 +80,8 @@ pub struct Supervisor {
     unguarded: Option<String>,
     /// What is missing of the kept jobs.
     jobs_missing: Option<String>,
-    save: Save,
-    outbox: Outbox,
+    journal_requests: JournalRequests,
+    outgoing: OutgoingEvents,
 }
 
 impl Supervisor {
@@ -93,8 +93,8 @@ impl Supervisor {
             leases: Leases::new(),
             link: Link::default(),
             arm: Arm::new(policy, dialect),
-            stop: Stop::default(),
-            halt: Halt::default(),
+            stop_latch: StopLatch::default(),
+            stop_sequence: StopSequence::default(),
             jogging: Jogging::default(),
             commands: Commands::default(),
             detecting: Detecting::default(),
@@ -102,8 +102,8 @@ impl Supervisor {
             confirmed_job: None,
             unguarded: None,
             jobs_missing: None,
-            save: Save::default(),
-            outbox: Outbox::new(),
+            journal_requests: JournalRequests::default(),
+            outgoing: OutgoingEvents::new(),
         }
     }
 
@@ -127,7 +127,7 @@ impl Supervisor {
     /// The pose is not to be trusted until a person confirms it, and why.
     pub fn distrust(&mut self, reason: &str) {
         self.arm.session_mut().distrust(reason);
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// The dialect that the arm speaks, if that is known.
@@ -146,7 +146,7 @@ impl Supervisor {
     pub fn handle_known_dialect(&mut self, dialect: Dialect) {
         if self.arm.session().dialect().is_none() {
             self.arm.session_mut().set_dialect(dialect);
-            self.outbox.note_change();
+            self.outgoing.note_change();
         }
     }
 
@@ -154,7 +154,7 @@ impl Supervisor {
     /// been plugged in there, so people are told which one it is taken to be.
     pub fn handle_known_calibration(&mut self, address: &str, known: &Calibrations) {
         self.arm.set_calibration(known.arm());
-        self.outbox.note_change();
+        self.outgoing.note_change();
         if known.calibration.is_some() {
             let name = known.name().unwrap_or("the arm that was calibrated there");
             let text = format!(
@@ -182,26 +182,26 @@ impl Supervisor {
         self.watch_press();
         // Behind both, for the one begins a halt, and the other ends one.
         let (is_linked, unknown) = (self.link.is_there(), self.unknown_motion());
-        self.halt.repeat(&mut self.arm, is_linked, unknown);
-        self.save.handle_time(self.arm.now());
+        self.stop_sequence.repeat(&mut self.arm, is_linked, unknown);
+        self.journal_requests.handle_time(self.arm.now());
         self.watch_delivery();
         // The job last: nothing of it is given before all that may hinder it was heard.
-        self.pump();
+        self.feed();
     }
 
     /// Takes a status: each part sees it, in this order. None of them gives the arm a command of a job;
     /// that comes behind all events.
-    fn see(&mut self, status: Status) {
+    fn handle_status(&mut self, status: Status) {
         // The link first: the first packet to an arm that is heard again switches the laser off.
         // Whatever was before: a crash, another program, a cable that was out.
         if self.link.handle_status() {
             self.notify(News::LinkUp, "the arm tells its state".into());
         }
-        if self.link.greet() {
+        if self.link.take_pending_laser_off() {
             // What was said last may have got lost with the link.
             self.arm.send_urgent(LASER_OFF);
-            self.halt.release_again(&self.arm);
-            if self.stop.handle_delivered() {
+            self.stop_sequence.release_again(&self.arm);
+            if self.stop_latch.handle_delivered() {
                 self.notify(
                     News::Trouble,
                     "the stop is delivered now: the link to the arm is back".into(),
@@ -209,23 +209,23 @@ impl Supervisor {
             }
         }
         // From here on it is known where the arm is, and whether it rests.
-        self.outbox.pass_on(status);
+        self.outgoing.pass_on(status);
         self.arm.handle_status(status);
         // A button that leads to where the arm may not be is let go of before anything else is decided,
         // and before the halt, for it begins one.
         if let Some((client, refusal)) = self.jogging.handle_status(&self.arm) {
             self.withdraw(refusal.clone());
-            self.tell_refused(client, &refusal);
+            self.notify_refused(client, &refusal);
         }
         let rests = self.arm.is_at_rest();
-        self.halt.handle_status(rests);
+        self.stop_sequence.handle_status(rests);
         // The stop before the job: that the arm rests is told before what it means for the job.
-        if self.stop.handle_status(rests) {
+        if self.stop_latch.handle_status(rests) {
             self.notify(News::AtRest, "the arm is at rest".into());
-            self.let_go_of_fleet();
+            self.release_fleet_stop();
         }
         self.judge_grip(&status);
-        self.of_run(Run::handle_status);
+        self.with_run(Run::handle_status);
         // The detection last: it sets the dialect, which a job that has the arm would forbid.
         self.watch_detection(&status);
     }
@@ -239,37 +239,37 @@ impl Supervisor {
                 self.set_dialect(finding.dialect)
                     .map(|_| Reply::Found { finding })
             });
-            self.outbox.answer(client, answer);
+            self.outgoing.answer(client, answer);
         }
     }
 
     /// Keeps the session and the journal supplied with what the job needs next.
-    fn pump(&mut self) {
-        let may_lift = !self.stop.holds() && self.link.is_there();
-        self.of_run(|run, arm| run.pump(arm, may_lift));
+    fn feed(&mut self) {
+        let may_lift = !self.stop_latch.holds() && self.link.is_there();
+        self.with_run(|run, arm| run.feed(arm, may_lift));
     }
 
     /// Has the job do something, if there is one, and what it wants.
-    fn of_run<W: IntoIterator<Item = JobEffect>>(
+    fn with_run<W: IntoIterator<Item = JobEffect>>(
         &mut self,
         act: impl FnOnce(&mut Run, &mut Arm) -> W,
     ) {
         if let Some(run) = &mut self.run {
             let effects = act(run, &mut self.arm);
-            self.fulfil(effects);
+            self.apply_effects(effects);
         }
     }
 
-    fn fulfil(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
+    fn apply_effects(&mut self, effects: impl IntoIterator<Item = JobEffect>) {
         for effect in effects {
             match effect {
-                JobEffect::Ask(effect) => self.save.ask(effect),
-                JobEffect::Keep(effect) => self.save.keep_phase(effect),
+                JobEffect::Ask(effect) => self.journal_requests.ask(effect),
+                JobEffect::Keep(effect) => self.journal_requests.keep_phase(effect),
                 JobEffect::Notify(news, text) => self.notify(news, text),
                 JobEffect::Forget => self.run = None,
                 JobEffect::TryAgain => self.try_again(),
             }
-            self.outbox.note_change();
+            self.outgoing.note_change();
         }
     }
 
@@ -279,11 +279,11 @@ impl Supervisor {
         State {
             at_s: self.arm.now().as_secs_f64(),
             link: self.link.view(&self.arm.session().link()),
-            arm: self.arm.last().map(|told| {
-                let status = self.arm.true_status(&told);
+            arm: self.arm.last().map(|reported| {
+                let status = self.arm.true_status(&reported);
                 ArmView {
                     status,
-                    told: Some(told).filter(|_| self.arm.is_calibrated()),
+                    told: Some(reported).filter(|_| self.arm.is_calibrated()),
                     moving: self.arm.still() == 0,
                     near: self.arm.near(&ArmPlace::of_status(&status)),
                 }
@@ -302,8 +302,8 @@ impl Supervisor {
             lease: self.leases.view(),
             lock: self.leases.lock_view(),
             slots: self.leases.slots_view(),
-            stop: self.stop.view(),
-            fleet_stops: self.stop.fleet_stops(),
+            stop: self.stop_latch.view(),
+            fleet_stops: self.stop_latch.fleet_stops(),
             laser: self.arm.laser_view(),
             job: self.job(),
             jobs_missing: self.jobs_missing.clone(),
@@ -313,27 +313,27 @@ impl Supervisor {
 
     /// The next thing that happened, for all who watch.
     pub fn poll_notice(&mut self) -> Option<Notice> {
-        self.outbox.poll_notice()
+        self.outgoing.poll_notice()
     }
 
     /// The next status of the arm, as it came.
     pub fn poll_status(&mut self) -> Option<Status> {
-        self.outbox.poll_status()
+        self.outgoing.poll_status()
     }
 
     /// The answer to a request that took its time.
     pub fn poll_answer(&mut self) -> Option<(ClientId, Result<Reply, Refusal>)> {
-        self.outbox.poll_answer()
+        self.outgoing.poll_answer()
     }
 
     /// What the journal is to keep, in order.
     pub fn poll_effect(&mut self) -> Option<Effect> {
-        self.save.poll_effect()
+        self.journal_requests.poll_effect()
     }
 
     /// Whether something changed since this was asked last.
     pub fn poll_changed(&mut self) -> bool {
-        self.outbox.poll_changed()
+        self.outgoing.poll_changed()
     }
 
     /// When [`Supervisor::handle_time`] wants to be called next, at the latest.
@@ -341,11 +341,11 @@ impl Supervisor {
     pub fn poll_wakeup(&self) -> Duration {
         [
             Some(self.arm.session().poll_wakeup()).filter(|_| self.link.is_there()),
-            self.jogging.falls_silent(),
+            self.jogging.times_out_at(),
             self.arm.session().laser_armed_until(),
-            self.halt.next(),
-            self.save.next(),
-            self.stop.wakeup(),
+            self.stop_sequence.next(),
+            self.journal_requests.next(),
+            self.stop_latch.wakeup(),
             self.leases.wakeup(),
             self.arm.line_wakeup(),
         ]
@@ -403,7 +403,7 @@ impl Supervisor {
     }
 
     fn notify(&mut self, news: News, text: String) {
-        self.outbox.notify(self.arm.now(), news, text);
+        self.outgoing.notify(self.arm.now(), news, text);
     }
 
     /// The model from which a job is planned: the arm as it will be after all that it was given.
@@ -439,7 +439,7 @@ impl Supervisor {
     pub fn handle_kept_slots(&mut self, now: Duration, slots: &[TimeSlot]) -> Result<(), Refusal> {
         self.handle_time(now);
         self.leases.set_slots(self.arm.now(), slots)?;
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.watch_slots();
         Ok(())
     }

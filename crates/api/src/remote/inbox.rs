@@ -20,18 +20,18 @@ pub(super) struct Inbox {
 
 #[derive(Default)]
 struct Shared {
-    told: Mutex<Told>,
+    received: Mutex<Received>,
     /// Something was told.
-    news: Notify,
+    arrived: Notify,
 }
 
 /// What was told and not taken.
 #[derive(Default)]
-struct Told {
+struct Received {
     /// The oldest first.
-    heard: VecDeque<Result<StationEvent, RemoteError>>,
+    events: VecDeque<Result<StationEvent, RemoteError>>,
     /// The question whose answer is waited for.
-    asked: Option<u64>,
+    expected: Option<u64>,
     answer: Option<Result<Reply, RemoteError>>,
     /// Nothing more comes.
     ended: bool,
@@ -42,13 +42,13 @@ struct Told {
 impl Inbox {
     pub(super) fn listening_to(mut incoming: Incoming) -> Self {
         let shared = Arc::<Shared>::default();
-        let telling = shared.clone();
+        let sender = shared.clone();
         let task = tokio::spawn(async move {
             let mut more = true;
             while more {
                 let message = receive(&mut incoming).await;
-                more = telling.told().note(message);
-                telling.news.notify_one();
+                more = sender.received().note(message);
+                sender.arrived.notify_one();
             }
         });
         Self { shared, task }
@@ -56,44 +56,44 @@ impl Inbox {
 
     /// From now on the answer to this question is kept, and no other.
     pub(super) fn expect(&mut self, question: u64) {
-        let mut told = self.shared.told();
-        told.asked = Some(question);
-        told.answer = None;
-        told.keep_last_state();
+        let mut received = self.shared.received();
+        received.expected = Some(question);
+        received.answer = None;
+        received.keep_last_state();
     }
 
     /// The answer to the question that was expected last.
     pub(super) async fn answer(&mut self) -> Result<Reply, RemoteError> {
-        self.take(|told| told.answer.take()).await
+        self.wait_for(|received| received.answer.take()).await
     }
 
     /// What was told next without being asked. A question that somebody gave up is forgotten.
     pub(super) async fn next(&mut self) -> Result<StationEvent, RemoteError> {
-        self.shared.told().asked = None;
-        self.take(|told| told.heard.pop_front()).await
+        self.shared.received().expected = None;
+        self.wait_for(|received| received.events.pop_front()).await
     }
 
     /// Why nothing more comes, if that is so.
     pub(super) fn ended(&mut self) -> Option<RemoteError> {
-        let mut told = self.shared.told();
-        told.ended.then(|| told.why())
+        let mut received = self.shared.received();
+        received.ended.then(|| received.why())
     }
 
-    async fn take<T>(
+    async fn wait_for<T>(
         &mut self,
-        take: impl Fn(&mut Told) -> Option<Result<T, RemoteError>>,
+        pick: impl Fn(&mut Received) -> Option<Result<T, RemoteError>>,
     ) -> Result<T, RemoteError> {
         loop {
             {
-                let mut told = self.shared.told();
-                if let Some(taken) = take(&mut told) {
+                let mut received = self.shared.received();
+                if let Some(taken) = pick(&mut received) {
                     return taken;
                 }
-                if told.ended {
-                    return Err(told.why());
+                if received.ended {
+                    return Err(received.why());
                 }
             }
-            self.shared.news.notified().await;
+            self.shared.arrived.notified().await;
         }
     }
 }
@@ -105,25 +105,25 @@ impl Drop for Inbox {
 }
 
 impl Shared {
-    fn told(&self) -> MutexGuard<'_, Told> {
-        self.told.lock().unwrap_or_else(PoisonError::into_inner)
+    fn received(&self) -> MutexGuard<'_, Received> {
+        self.received.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-impl Told {
+impl Received {
     /// Takes note of a message, or of what came instead; says whether another one may come.
     fn note(&mut self, message: Result<ToClient<'_>, RemoteError>) -> bool {
         match message {
             Ok(ToClient::State { state }) => {
-                self.heard.push_back(Ok(StationEvent::State(state)));
-                let states = self.heard.iter().filter(|it| is_state(it)).count();
-                if self.asked.is_some() || states > MOST_STATES {
+                self.events.push_back(Ok(StationEvent::State(state)));
+                let states = self.events.iter().filter(|it| is_state(it)).count();
+                if self.expected.is_some() || states > MOST_STATES {
                     self.keep_last_state();
                 }
             }
             Ok(ToClient::Notice { notice }) => {
                 let notice = StationEvent::Notice(notice.into_owned());
-                self.heard.push_back(Ok(notice));
+                self.events.push_back(Ok(notice));
             }
             Ok(ToClient::Reply { id, reply }) => self.note_answer(Some(id), Ok(reply)),
             Ok(ToClient::Problem { id, problem }) => self.note_answer(id, Err(refused(problem))),
@@ -138,9 +138,9 @@ impl Told {
     }
 
     fn keep_last_state(&mut self) {
-        let last = self.heard.iter().rposition(is_state);
+        let last = self.events.iter().rposition(is_state);
         let mut at = 0..;
-        self.heard.retain(|it| at.next() == last || !is_state(it));
+        self.events.retain(|it| at.next() == last || !is_state(it));
     }
 
     fn why(&mut self) -> RemoteError {
@@ -150,17 +150,17 @@ impl Told {
     /// What answers no question in particular answers that which is asked, and else is told as it is. The answer
     /// to a question that somebody gave up is nobody's.
     fn note_answer(&mut self, id: Option<u64>, answer: Result<Reply, RemoteError>) {
-        if self.asked.is_some() && (id.is_none() || id == self.asked) {
-            self.asked = None;
+        if self.expected.is_some() && (id.is_none() || id == self.expected) {
+            self.expected = None;
             self.answer = Some(answer);
         } else if let (None, Err(error)) = (id, answer) {
-            self.heard.push_back(Err(error));
+            self.events.push_back(Err(error));
         }
     }
 }
 
-const fn is_state(heard: &Result<StationEvent, RemoteError>) -> bool {
-    matches!(heard, Ok(StationEvent::State(_)))
+const fn is_state(event: &Result<StationEvent, RemoteError>) -> bool {
+    matches!(event, Ok(StationEvent::State(_)))
 }
 
 /// So many states may come in a burst, a second's: who is later than that is told the last one.

@@ -13,8 +13,8 @@ use dobot_supervisor::Refusal;
 use dobot_wire::Dialect;
 use tokio::sync::broadcast::{self, error::RecvError};
 
-use crate::approach::Approach;
 use crate::host::{Host, HostError, Setup};
+use crate::prepared_arm::PreparedArm;
 use crate::watchdog::wait_for_watchdog;
 use crate::{Client, Snapshot};
 
@@ -69,11 +69,11 @@ impl Local {
         for folders in [&arm.folders, &arm.folders.of_arm(&arm.address.to_string())] {
             wait_for_watchdog(&folders.watchdog()).await;
         }
-        let approach = Approach::to(&arm.address).await?;
-        let host = Host::start(approach, setup(&arm))?;
+        let prepared_arm = PreparedArm::open(&arm.address).await?;
+        let host = Host::start(prepared_arm, setup(&arm))?;
         let handle = host.handle().clone();
         for text in host.notes().iter().chain(host.of_watchdog()) {
-            handle.tell_trouble(text.clone());
+            handle.try_report_trouble(text.clone());
         }
         let (states, notices) = (handle.every_state(), handle.notices());
         let client = handle.client(name, Role::Admin).await;

@@ -43,7 +43,7 @@ impl InVirtualTime {
     }
 
     /// What was told and not asked for yet.
-    pub(super) fn told(&mut self) -> Option<StationEvent> {
+    pub(super) fn buffered(&mut self) -> Option<StationEvent> {
         self.listen();
         self.heard.pop_front()
     }
@@ -51,7 +51,7 @@ impl InVirtualTime {
     /// Lets time pass until something is told.
     pub(super) fn next(&mut self) -> StationEvent {
         loop {
-            if let Some(heard) = self.told() {
+            if let Some(heard) = self.buffered() {
                 return heard;
             }
             self.station.step(Duration::MAX);

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use dobot_session::Address;
 
-use super::Missed;
+use super::ProbeFailure;
 use super::candidate::Candidate;
 
 /// Ports that were tried without success. To open one disturbs what is behind it, so that it is left alone for
@@ -21,13 +21,13 @@ struct Attempt {
 
 impl FailedAttempts {
     /// Takes the outcome of an attempt. Where the port could not even be opened nothing is disturbed.
-    pub(super) fn note(&mut self, candidate: &Candidate, missed: &Missed, now: Duration) {
+    pub(super) fn note(&mut self, candidate: &Candidate, failure: &ProbeFailure, now: Duration) {
         self.0.retain(|it| it.address != candidate.address);
-        if !candidate.sure && missed.was_open() {
+        if !candidate.sure && failure.was_open() {
             self.0.push(Attempt {
                 address: candidate.address.clone(),
                 at: now,
-                why: missed.to_string(),
+                why: failure.to_string(),
             });
         }
     }
@@ -78,9 +78,9 @@ mod tests {
     fn a_silent_port_is_left_alone_for_a_minute_and_the_reason_is_kept() {
         let mut failed_attempts = FailedAttempts::default();
         let candidate = &candidates()[0];
-        failed_attempts.note(candidate, &Missed::Silent, s(10));
+        failed_attempts.note(candidate, &ProbeFailure::Silent, s(10));
         let why = failed_attempts.reason_to_wait(candidate, s(69));
-        assert_eq!(why, Some(Missed::Silent.to_string().as_str()));
+        assert_eq!(why, Some(ProbeFailure::Silent.to_string().as_str()));
         assert_eq!(failed_attempts.reason_to_wait(candidate, s(70)), None);
     }
 
@@ -88,7 +88,7 @@ mod tests {
     fn a_port_that_was_plugged_in_again_is_tried_again() {
         let mut failed_attempts = FailedAttempts::default();
         let candidates = candidates();
-        failed_attempts.note(&candidates[0], &Missed::Silent, s(10));
+        failed_attempts.note(&candidates[0], &ProbeFailure::Silent, s(10));
         failed_attempts.keep(&candidates);
         assert!(
             failed_attempts
@@ -104,8 +104,8 @@ mod tests {
         let mut failed_attempts = FailedAttempts::default();
         let candidate = &candidates()[0];
         let path = "/dev/ttyUSB0".into();
-        let missed = Missed::Open(OpenError::InUse { path });
-        failed_attempts.note(candidate, &missed, s(10));
+        let failure = ProbeFailure::Open(OpenError::InUse { path });
+        failed_attempts.note(candidate, &failure, s(10));
         assert_eq!(failed_attempts.reason_to_wait(candidate, s(10)), None);
     }
 
@@ -116,7 +116,7 @@ mod tests {
             sure: true,
             ..candidates()[0].clone()
         };
-        failed_attempts.note(&candidate, &Missed::Silent, s(10));
+        failed_attempts.note(&candidate, &ProbeFailure::Silent, s(10));
         assert_eq!(failed_attempts.reason_to_wait(&candidate, s(10)), None);
     }
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use dobot_session::plausible;
 use dobot_wire::{Decoder, Status, Statuses};
 
-use super::Missed;
+use super::ProbeFailure;
 
 /// Listens to a port, until a valid status comes or time is up.
 #[derive(Debug)]
@@ -40,10 +40,10 @@ impl Listening {
     }
 
     /// Why no arm was heard when time is up.
-    pub(super) const fn missed(&self) -> Missed {
+    pub(super) const fn failure(&self) -> ProbeFailure {
         match self.received {
-            0 => Missed::Silent,
-            bytes => Missed::Noise { bytes },
+            0 => ProbeFailure::Silent,
+            bytes => ProbeFailure::Noise { bytes },
         }
     }
 
@@ -84,9 +84,12 @@ mod tests {
     fn nothing_is_silence_and_anything_else_is_noise() {
         let mut listening = Listening::new();
         assert!(!listening.handle_bytes(&[]));
-        assert!(matches!(listening.missed(), Missed::Silent));
+        assert!(matches!(listening.failure(), ProbeFailure::Silent));
         assert!(!listening.handle_bytes(b"Start\r\n"));
-        assert!(matches!(listening.missed(), Missed::Noise { bytes: 7 }));
+        assert!(matches!(
+            listening.failure(),
+            ProbeFailure::Noise { bytes: 7 }
+        ));
     }
 
     #[test]

@@ -23,7 +23,7 @@ impl Reconnect {
     }
 
     /// Nothing was found; the search ended now.
-    pub fn handle_missed(&mut self, now: Duration) {
+    pub fn handle_failure(&mut self, now: Duration) {
         self.pause = self.pause.saturating_mul(2).min(LONGEST);
         self.due = now.saturating_add(self.pause);
     }
@@ -52,7 +52,7 @@ mod tests {
             let next = reconnect.poll_wakeup();
             pauses_ms.push(next.abs_diff(now).as_millis());
             now = next + Duration::from_secs(5);
-            reconnect.handle_missed(now);
+            reconnect.handle_failure(now);
         }
         assert_eq!(pauses_ms, [250, 500, 1000, 2000, 2000, 2000]);
     }

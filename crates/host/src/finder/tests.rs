@@ -84,7 +84,7 @@ fn finder() -> Finder {
 fn listened_to(news: &[FinderNews]) -> Vec<String> {
     let path = |it: &FinderNews| match it {
         FinderNews::Listening { address, .. } => Some(address.to_string()),
-        FinderNews::Missed { .. } => None,
+        FinderNews::Failed { .. } => None,
     };
     news.iter().filter_map(path).collect()
 }
@@ -135,7 +135,7 @@ async fn a_silent_port_is_told_and_nothing_was_written_to_it() {
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("nobody is there");
     assert!(
-        matches!(nothing.missed[..], [(_, Missed::Silent)]),
+        matches!(nothing.failures[..], [(_, ProbeFailure::Silent)]),
         "{nothing}"
     );
     assert!(nothing.hint().contains("switched on"), "{}", nothing.hint());
@@ -149,7 +149,7 @@ async fn a_noisy_port_is_told_and_nothing_was_written_to_it() {
     let (came, port) = noisy();
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("no arm is there");
-    let [(_, Missed::Noise { bytes })] = nothing.missed[..] else {
+    let [(_, ProbeFailure::Noise { bytes })] = nothing.failures[..] else {
         panic!("{nothing}");
     };
     assert!((1..=1000).contains(&bytes), "{bytes}");
@@ -168,7 +168,7 @@ async fn a_port_that_goes_away_is_told() {
     let nothing = finder().find_among(&[port], |_| {}).await;
     let nothing = nothing.expect_err("it is gone");
     unplugged.await.expect("it runs");
-    let [(_, Missed::Closed | Missed::Broken(_))] = nothing.missed[..] else {
+    let [(_, ProbeFailure::Closed | ProbeFailure::Broken(_))] = nothing.failures[..] else {
         panic!("{nothing}");
     };
 }
@@ -189,15 +189,15 @@ async fn a_port_that_is_not_there_or_in_use_is_passed_over_with_the_reason() {
         found.address.to_string(),
         format!("serial:{}@9600", arm.path)
     );
-    let missed: Vec<_> = news
+    let failures: Vec<_> = news
         .iter()
         .filter_map(|it| match it {
-            FinderNews::Missed { why, hint, .. } => Some((why.as_str(), hint.clone())),
+            FinderNews::Failed { why, hint, .. } => Some((why.as_str(), hint.clone())),
             FinderNews::Listening { .. } => None,
         })
         .collect();
-    let [(no_port, Some(_)), (in_use, Some(hint))] = &missed[..] else {
-        panic!("{missed:?}");
+    let [(no_port, Some(_)), (in_use, Some(hint))] = &failures[..] else {
+        panic!("{failures:?}");
     };
     assert!(no_port.contains("there is no serial port"), "{no_port}");
     assert!(in_use.contains("in use"), "{in_use}");
@@ -269,7 +269,7 @@ async fn a_named_address_without_anybody_is_told_with_its_reason() {
         ..Search::default()
     });
     let nothing = finder.find(|_| {}).await.expect_err("nobody is there");
-    let [(_, Missed::Open(OpenError::NoSuchPort { .. }))] = &nothing.missed[..] else {
+    let [(_, ProbeFailure::Open(OpenError::NoSuchPort { .. }))] = &nothing.failures[..] else {
         panic!("{nothing}");
     };
 }

@@ -47,7 +47,7 @@ pub(crate) fn move_before(journal: &Journal, job: u64, before: Option<u64>) -> R
 /// Forgets a job that is over, or that has not begun.
 pub(crate) fn forget(journal: &Journal, job: u64) -> Result<(), Refusal> {
     let job = find(journal, job)?;
-    if job.state.is_under_way() {
+    if job.state.is_active() {
         return Err(Refusal::JobPhase {
             job: job.id.0,
             found: job.state.phase(),

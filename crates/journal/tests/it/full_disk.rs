@@ -23,7 +23,7 @@ fn a_full_disk_refuses_a_new_job_and_keeps_the_old_ones() {
         job("a picture", 100).commands
     );
     // A job that runs needs no room to go on.
-    journal.give(id, &window(8)).unwrap();
+    journal.extend_window(id, &window(8)).unwrap();
 
     disk.hold(None);
     journal.submit(&job("too large", u16::MAX)).unwrap();
@@ -33,16 +33,16 @@ fn a_full_disk_refuses_a_new_job_and_keeps_the_old_ones() {
 #[test]
 fn a_disk_that_takes_nothing_stops_the_job_and_nothing_is_lost() {
     let (disk, journal, id) = running_job();
-    journal.give(id, &window(8)).unwrap();
+    journal.extend_window(id, &window(8)).unwrap();
     disk.hold(Some(0));
     for _ in 0..3 {
-        let error = journal.give(id, &window(16)).unwrap_err();
+        let error = journal.extend_window(id, &window(16)).unwrap_err();
         assert!(matches!(error, JournalError::Full { .. }), "{error}");
     }
 
     disk.hold(None);
     assert_eq!(journal.progress(id).unwrap(), window(8));
-    journal.give(id, &window(16)).unwrap();
+    journal.extend_window(id, &window(16)).unwrap();
     let left = disk.after_power_cut(|| false, 1.0);
     assert_eq!(open(&left).progress(id).unwrap(), window(16));
 }
@@ -51,7 +51,7 @@ fn a_disk_that_takes_nothing_stops_the_job_and_nothing_is_lost() {
 fn a_disk_that_fails_is_told_apart_from_a_full_one() {
     let (disk, journal, id) = running_job();
     disk.cut_after(0);
-    let error = journal.give(id, &window(8)).unwrap_err();
+    let error = journal.extend_window(id, &window(8)).unwrap_err();
     assert!(matches!(error, JournalError::Io { .. }), "{error}");
     assert_eq!(
         error.to_string(),

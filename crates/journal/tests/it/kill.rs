@@ -42,7 +42,7 @@ fn the_program_that_is_killed() {
                 upto,
                 start: None,
             };
-            journal.give(id, &window).unwrap();
+            journal.extend_window(id, &window).unwrap();
             writeln!(out, "{ACKNOWLEDGED} {id} {upto}").unwrap();
         }
     }

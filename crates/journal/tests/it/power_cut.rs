@@ -135,7 +135,7 @@ impl Act {
         match self {
             Self::Submit { commands } => journal.submit(&new_job(*commands)).map(|_| ()),
             Self::Give { nth, more } => match content.next_window(*nth, *more) {
-                Some((id, window)) => journal.give(id, &window),
+                Some((id, window)) => journal.extend_window(id, &window),
                 None => Ok(()),
             },
             Self::SetState { nth, state } => match id(*nth) {
@@ -198,7 +198,7 @@ impl Content {
                 if self
                     .jobs
                     .get(*nth)
-                    .is_some_and(|(job, _)| !job.state.is_under_way())
+                    .is_some_and(|(job, _)| !job.state.is_active())
                 {
                     self.jobs.remove(*nth);
                 }

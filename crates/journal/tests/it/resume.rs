@@ -91,7 +91,7 @@ fn live(journal: &Journal, id: JobId, arm: &mut Arm, life: &Life) {
     let mut rounds = life.done_between.iter();
     loop {
         window = next_window(dialect, &commands, arm, &window, life.most);
-        journal.give(id, &window).unwrap();
+        journal.extend_window(id, &window).unwrap();
         if window.completed == commands.len() {
             return journal.set_state(id, &JobState::Done).unwrap();
         }

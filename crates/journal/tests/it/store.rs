@@ -26,7 +26,7 @@ fn a_job_is_there_again_when_the_file_is_opened_again() {
     let id = {
         let journal = Journal::open(&path).unwrap();
         let id = running(&journal, &wanted);
-        journal.give(id, &window).unwrap();
+        journal.extend_window(id, &window).unwrap();
         journal.set_state(id, &paused).unwrap();
         id
     };
@@ -106,7 +106,9 @@ fn the_number_of_a_removed_job_is_not_given_again() {
         journal.progress(first).unwrap_err(),
         journal.remove(first).unwrap_err(),
         journal.set_state(first, &JobState::Done).unwrap_err(),
-        journal.give(first, &Window::default()).unwrap_err(),
+        journal
+            .extend_window(first, &Window::default())
+            .unwrap_err(),
     ] {
         assert!(matches!(error, JournalError::NoSuchJob(id) if id == first));
     }
@@ -176,9 +178,9 @@ fn history_is_bounded_and_unfinished_jobs_stay() {
 fn a_window_neither_leaves_its_job_nor_goes_back() {
     let journal = Journal::in_memory().unwrap();
     let id = running(&journal, &job("a picture", 10));
-    journal.give(id, &window(4, 9)).unwrap();
+    journal.extend_window(id, &window(4, 9)).unwrap();
     for wrong in [window(3, 9), window(5, 11), window(6, 5)] {
-        let error = journal.give(id, &wrong).unwrap_err();
+        let error = journal.extend_window(id, &wrong).unwrap_err();
         assert!(
             matches!(
                 error,
@@ -193,9 +195,9 @@ fn a_window_neither_leaves_its_job_nor_goes_back() {
     }
     assert_eq!(journal.progress(id).unwrap(), window(4, 9));
     // After a crash it is known that commands 7 and 8 were not done.
-    journal.give(id, &window(7, 7)).unwrap();
+    journal.extend_window(id, &window(7, 7)).unwrap();
     journal.set_state(id, &JobState::Done).unwrap();
-    let error = journal.give(id, &window(7, 9)).unwrap_err();
+    let error = journal.extend_window(id, &window(7, 9)).unwrap_err();
     assert_eq!(
         error.to_string(),
         format!("job {id} is done; only a running one is given commands")
@@ -242,7 +244,7 @@ fn a_start_that_no_status_can_hold_is_refused() {
         ..window(0, 2)
     };
     assert!(matches!(
-        journal.give(id, &wrong).unwrap_err(),
+        journal.extend_window(id, &wrong).unwrap_err(),
         JournalError::Start { .. }
     ));
     assert_eq!(journal.progress(id).unwrap(), Window::default());

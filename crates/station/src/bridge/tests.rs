@@ -1,5 +1,5 @@
 use dobot_api::Role;
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use proptest::prelude::*;
 use tokio::io::{DuplexStream, duplex, split};
 use tokio::task::JoinHandle;
@@ -12,7 +12,7 @@ struct Bridged {
     program: DuplexStream,
     driver: FakeDriver,
     bridge: JoinHandle<Traffic>,
-    handle: Handle,
+    handle: StationHandle,
 }
 
 /// What a program has that reads and writes through buffers of so many bytes.

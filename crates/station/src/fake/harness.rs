@@ -1,7 +1,7 @@
 //! A port for old programs with the driver behind it.
 
 use dobot_api::Role;
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 
 use super::FakeDriver;
@@ -16,7 +16,7 @@ pub(crate) struct Harness<At> {
 
 impl<At> Harness<At> {
     /// With what the port is to be served: the way to the driver, and where to tell.
-    pub(crate) fn new(at: At) -> (Self, Handle, impl Fn(ProgramNews) + use<At>) {
+    pub(crate) fn new(at: At) -> (Self, StationHandle, impl Fn(ProgramNews) + use<At>) {
         let (handle, driver) = FakeDriver::new(16);
         let (tell, told) = unbounded_channel();
         let tell = move |news| {

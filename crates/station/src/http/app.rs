@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use dobot_api::problem_kinds::TOO_MANY_CLIENTS;
 use dobot_api::{Problem, Role, StationAddress};
-use dobot_host::{Handle, OwnVirtualArm, PlannedFor};
+use dobot_host::{OwnVirtualArm, PlannedFor, StationHandle};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
 use tokio::time::Instant;
 
@@ -25,7 +25,7 @@ use crate::{ArmsPort, FleetPort};
 /// What all requests share.
 #[derive(Debug)]
 pub(super) struct App {
-    pub(super) handle: Handle,
+    pub(super) handle: StationHandle,
     tokens: Mutex<Tokens>,
     /// What those may do who come without a token; nobody may where there is none.
     pub(super) without_token: Option<Role>,
@@ -80,7 +80,7 @@ pub(super) struct AppFiles {
 
 impl App {
     pub(super) fn new(
-        handle: Handle,
+        handle: StationHandle,
         tokens: Tokens,
         without_token: Option<Role>,
         reach: Reach,

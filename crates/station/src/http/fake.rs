@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use dobot_api::{ClientId, FleetWideStop, JobPath, JobView, LeaseView, Reply, Request, Role};
-use dobot_host::{Ends, Handle, Message, OfferAnswer, OfferAsk, Rules};
+use dobot_host::{DriverChannels, Message, OfferAnswer, OfferAsk, Rules, StationHandle};
 use dobot_supervisor::Refusal;
 use tokio::sync::mpsc;
 
@@ -27,9 +27,9 @@ impl Asked {
 }
 
 /// A stand-in for the driver, and what tells states and notices in its name.
-pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
+pub(super) fn driver() -> (StationHandle, Arc<FakeNews>, Asked) {
     let rules = Rules::of(&dobot_safety::Policy::default());
-    let (handle, mut ends) = Handle::new(state(0.0), rules);
+    let (handle, mut ends) = StationHandle::new(state(0.0), rules);
     let (_, nothing) = mpsc::channel(1);
     let messages = std::mem::replace(&mut ends.messages, nothing);
     let telling = Arc::new(FakeNews {
@@ -47,7 +47,7 @@ pub(super) fn driver() -> (Handle, Arc<FakeNews>, Asked) {
 /// What tells states and notices in the name of the driver.
 #[derive(Debug)]
 pub(super) struct FakeNews {
-    pub(super) ends: Ends,
+    pub(super) ends: DriverChannels,
     /// Clients that came: what each is called, and by which name time slots know it.
     pub(super) came: Mutex<Vec<(String, String)>>,
     /// Clients that left.

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::net::SocketAddr;
 
 use dobot_api::NotBuilt;
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 
 /// A port that this build cannot open.
 #[derive(Debug)]
@@ -36,7 +36,7 @@ impl FoxglovePort {
     ///
     /// None: there is no such port.
     #[expect(clippy::unused_async, reason = "with the feature `full` it waits")]
-    pub async fn serve(self, _: &Handle) -> Result<(), String> {
+    pub async fn serve(self, _: &StationHandle) -> Result<(), String> {
         match self.0 {}
     }
 }

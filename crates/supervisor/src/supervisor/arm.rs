@@ -146,7 +146,7 @@ impl Arm {
     }
 
     /// What the arm has to be told for a command that speaks of true places.
-    pub(super) fn told(&self, command: &Command) -> Result<Command, Refusal> {
+    pub(super) fn raw_command(&self, command: &Command) -> Result<Command, Refusal> {
         let Some(model) = self.session.model() else {
             return Ok(*command);
         };

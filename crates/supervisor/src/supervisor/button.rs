@@ -2,7 +2,7 @@
 
 use dobot_api::{ClientId, Jog, News, Reply};
 
-use super::jog::{EndedPress, JogSilence, Press, Still, act, is_released, moves};
+use super::jog::{EndedPress, HoldOutcome, JogSilence, Press, act, is_released, moves};
 use super::{Supervisor, seconds};
 use crate::refusal::Refusal;
 
@@ -12,11 +12,11 @@ impl Supervisor {
         &mut self,
         client: ClientId,
         jog: Jog,
-        patience_s: f64,
+        hold_timeout_s: f64,
     ) -> Result<Reply, Refusal> {
         self.leases.check(client)?;
         if is_released(jog) {
-            self.let_go();
+            self.release_button();
             return Ok(Reply::Done);
         }
         if !moves(jog) {
@@ -24,22 +24,22 @@ impl Supervisor {
         }
         if let Some(held) = self.jogging.handle_hold(self.arm.now(), client, jog) {
             return match held? {
-                Still::Same => Ok(Reply::Done),
-                Still::OtherSpeed => self.change_speed(jog),
+                HoldOutcome::Unchanged => Ok(Reply::Done),
+                HoldOutcome::SpeedChanged => self.change_speed(jog),
             };
         }
-        self.let_go();
+        self.release_button();
         let press = Press {
             client,
             jog,
-            patience: seconds(patience_s),
+            timeout: seconds(hold_timeout_s),
         };
         let (free, within) = (self.check_free(), self.rests_within());
         let pressed = self
             .jogging
             .handle_press(&mut self.arm, press, free, within);
         if pressed? {
-            self.halt.forget();
+            self.stop_sequence.forget();
         }
         Ok(Reply::Done)
     }
@@ -50,14 +50,14 @@ impl Supervisor {
             self.withdraw(why.clone());
             return Err(why);
         }
-        self.halt.forget();
+        self.stop_sequence.forget();
         Ok(Reply::Done)
     }
 
     /// Whether nothing hinders the arm from being moved by hand.
     pub(super) fn check_free(&self) -> Result<(), Refusal> {
         self.link.check()?;
-        self.stop.check()?;
+        self.stop_latch.check()?;
         self.check_guarded()?;
         self.detecting.check()?;
         match &self.run {
@@ -74,18 +74,18 @@ impl Supervisor {
         };
         match self.check_free().and_then(|()| act(&mut self.arm, jog)) {
             Ok(command) => {
-                self.halt.forget();
+                self.stop_sequence.forget();
                 self.jogging.handle_moves(self.arm.now(), command);
             }
             Err(refusal) => {
                 self.withdraw(refusal.clone());
-                self.tell_refused(client, &refusal);
+                self.notify_refused(client, &refusal);
             }
         }
     }
 
     pub(super) fn watch_dead_man(&mut self) {
-        let Some(JogSilence { client, lasts }) = self.jogging.silence(self.arm.now()) else {
+        let Some(JogSilence { client, lasts }) = self.jogging.expired(self.arm.now()) else {
             return;
         };
         let who = client.map_or_else(|| "the arm".into(), |it| self.client_name(it));
@@ -95,39 +95,39 @@ impl Supervisor {
         if self.withdraw(Refusal::LetGo(why.clone())) {
             self.notify(News::DeadMan, format!("{why}: the button was released"));
         } else if let Some((client, _)) = waited {
-            self.tell_lost_press(client);
+            self.notify_lost_press(client);
         }
     }
 
     /// Lets go of the button, if one is pressed: its client did. Who pressed it so shortly that the arm was never told,
     /// is told that.
-    pub(super) fn let_go(&mut self) {
-        let Some(ended) = self.jogging.let_go() else {
+    pub(super) fn release_button(&mut self) {
+        let Some(ended) = self.jogging.release() else {
             return;
         };
-        if !self.release_button(ended) {
-            self.tell_lost_press(ended.client);
+        if !self.end_press(ended) {
+            self.notify_lost_press(ended.client);
         }
     }
 
     /// The station lets go of the button, and its client has to press it anew; says whether the arm
     /// moved by it.
     pub(super) fn withdraw(&mut self, why: Refusal) -> bool {
-        let ended = self.jogging.bar(why);
-        ended.is_some_and(|it| self.release_button(it) || it.command.is_some())
+        let ended = self.jogging.revoke(why);
+        ended.is_some_and(|it| self.end_press(it) || it.command.is_some())
     }
 
     /// Says whether the arm was told of the press that ends.
-    fn release_button(&mut self, ended: EndedPress) -> bool {
+    fn end_press(&mut self, ended: EndedPress) -> bool {
         let Some(command) = ended.command else {
             return false;
         };
         let forgotten = self.drop_waiting("the button was released");
-        self.halt.release(&mut self.arm);
+        self.stop_sequence.release(&mut self.arm);
         !forgotten.contains(&command)
     }
 
-    fn tell_lost_press(&mut self, client: ClientId) {
+    fn notify_lost_press(&mut self, client: ClientId) {
         let name = self.client_name(client);
         let kind = Refusal::LetGo(String::new()).kind().to_owned();
         let text = format!(

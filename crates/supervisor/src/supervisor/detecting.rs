@@ -15,7 +15,7 @@ use crate::refusal::Refusal;
 /// The detection that is under way, if one is, and what the last one found.
 #[derive(Debug, Default)]
 pub(super) struct Detecting {
-    under_way: Option<RunningDetection>,
+    running: Option<RunningDetection>,
     finding: Option<Finding>,
     /// By when the arm is through with the last packet of a detection, even of one that ended early.
     busy_until: Duration,
@@ -49,12 +49,12 @@ impl Detecting {
         };
         let detection = Detection::new(&status, allowed)
             .map_err(|error| Refusal::NotFound(error.to_string()))?;
-        self.under_way = Some(RunningDetection { client, detection });
+        self.running = Some(RunningDetection { client, detection });
         Ok(())
     }
 
     pub(super) const fn check(&self) -> Result<(), Refusal> {
-        match self.under_way {
+        match self.running {
             None => Ok(()),
             Some(_) => Err(Refusal::Detecting),
         }
@@ -68,7 +68,7 @@ impl Detecting {
 
     /// With each status: what is to be sent now.
     pub(super) fn handle_status(&mut self, now: Duration, status: &Status) -> Option<Packet> {
-        let RunningDetection { detection, .. } = self.under_way.as_mut()?;
+        let RunningDetection { detection, .. } = self.running.as_mut()?;
         detection.handle_status(now, status);
         let packet = detection.poll_packet()?;
         self.busy_until = now + MOTION;
@@ -77,9 +77,9 @@ impl Detecting {
 
     /// What came of it, and who asked for it, once it is over.
     pub(super) fn poll_outcome(&mut self) -> Option<(ClientId, Result<Finding, Refusal>)> {
-        let RunningDetection { client, detection } = self.under_way.as_mut()?;
+        let RunningDetection { client, detection } = self.running.as_mut()?;
         let (client, outcome) = (*client, detection.poll_outcome()?);
-        self.under_way = None;
+        self.running = None;
         if outcome.is_ok() {
             // Its last packets configure, and the arm rested before.
             self.busy_until = Duration::ZERO;
@@ -91,7 +91,7 @@ impl Detecting {
 
     /// Ends a detection that cannot go on; says whose it was.
     pub(super) fn end(&mut self) -> Option<ClientId> {
-        self.under_way.take().map(|it| it.client)
+        self.running.take().map(|it| it.client)
     }
 
     /// How the dialect was found, if the arm was asked for it.

@@ -10,8 +10,8 @@ use super::Supervisor;
 use super::fleet_stops::KeptFleetStop;
 use super::request::REASON_LEN;
 use super::run::{Effect, Run};
-use super::stop::Stop;
-use super::stop::StoppedBy;
+use super::stop_latch::StopLatch;
+use super::stop_latch::StoppedBy;
 use crate::plain;
 use crate::refusal::Refusal;
 
@@ -25,14 +25,14 @@ impl Supervisor {
         }
         self.link.handle_up(address);
         self.arm.handle_open();
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// Takes that the port is gone, or could not be opened, and why.
     pub fn handle_link_down(&mut self, now: Duration, phase: LinkPhase, problem: Option<String>) {
         self.handle_time(now);
         let lost = self.link.handle_down(phase, problem);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         if lost {
             self.lose_link();
             self.disarm_laser("the link to the arm was lost");
@@ -46,7 +46,7 @@ impl Supervisor {
         self.follow_session();
         // The status that shows the arm at rest has the permit for the press that waits for it.
         self.watch_press();
-        self.pump();
+        self.feed();
     }
 
     /// Takes that the station stood still for so long: what it would have said meanwhile is said now,
@@ -95,7 +95,7 @@ impl Supervisor {
 
     /// People are told every second that a stop was not delivered.
     pub(super) fn watch_delivery(&mut self) {
-        if self.stop.is_due(self.arm.now()) {
+        if self.stop_latch.is_due(self.arm.now()) {
             self.notify(News::Trouble, NOT_DELIVERED.to_owned());
         }
     }
@@ -108,8 +108,8 @@ impl Supervisor {
         fleet: Vec<KeptFleetStop>,
     ) {
         self.handle_time(now);
-        self.stop.handle_kept(self.arm.now(), own, fleet);
-        self.outbox.note_change();
+        self.stop_latch.handle_kept(self.arm.now(), own, fleet);
+        self.outgoing.note_change();
     }
 
     /// Takes that somebody stops the whole fleet at this station, which goes by the number `origin`: this arm is stopped,
@@ -127,9 +127,9 @@ impl Supervisor {
             by: plain(&by.by, REASON_LEN),
             reason: by.reason.map(|it| plain(&it, REASON_LEN)),
         };
-        let stop = self.stop.make_fleet_stop(origin, by, now_ms);
-        let reply = self.bring_to_rest(&stop.text(), Stop::hold);
-        self.outbox.note_change();
+        let stop = self.stop_latch.make_fleet_stop(origin, by, now_ms);
+        let reply = self.bring_to_rest(&stop.text(), StopLatch::hold);
+        self.outgoing.note_change();
         (stop, reply)
     }
 
@@ -137,44 +137,44 @@ impl Supervisor {
     /// more is let go as soon as it rests. `None` where no stop holds it then.
     pub fn handle_fleet_stops(&mut self, now: Duration, stops: &[FleetWideStop]) -> Option<Reply> {
         self.handle_time(now);
-        let reply = if self.stop.adopt(stops) {
-            self.bring_to_rest("the fleet was stopped", Stop::hold)
+        let reply = if self.stop_latch.adopt(stops) {
+            self.bring_to_rest("the fleet was stopped", StopLatch::hold)
         } else {
             Reply::Stopping {
                 rests_within_s: self.rests_within().as_secs_f64(),
-                delivered: self.stop.view().is_none_or(|it| it.delivered),
+                delivered: self.stop_latch.view().is_none_or(|it| it.delivered),
             }
         };
-        self.let_go_of_fleet();
-        self.outbox.note_change();
-        self.stop.holds().then_some(reply)
+        self.release_fleet_stop();
+        self.outgoing.note_change();
+        self.stop_latch.holds().then_some(reply)
     }
 
     /// Takes that somebody lets the whole fleet move again: this arm as soon as it rests, unless it was stopped by itself
     /// too. The others are to be told of the stops that are returned.
     pub fn handle_fleet_reset(&mut self, now: Duration, by: &str) -> Vec<FleetWideStop> {
         self.handle_time(now);
-        self.stop.reset_fleet(&plain(by, REASON_LEN));
-        self.let_go_of_fleet();
-        self.outbox.note_change();
-        self.stop.fleet_stops()
+        self.stop_latch.reset_fleet(&plain(by, REASON_LEN));
+        self.release_fleet_stop();
+        self.outgoing.note_change();
+        self.stop_latch.fleet_stops()
     }
 
     /// Whether a stop holds the arm.
     #[must_use]
     pub const fn is_stopped(&self) -> bool {
-        self.stop.holds()
+        self.stop_latch.holds()
     }
 
     /// The stops to keep on the disk, if they have changed: the one of this arm, and those of the fleet.
     pub fn poll_kept_stops(&mut self) -> Option<(Option<StoppedBy>, Vec<KeptFleetStop>)> {
-        self.stop.poll_kept()
+        self.stop_latch.poll_kept()
     }
 
     /// Lets the arm go whose stop of the fleet was reset elsewhere.
-    pub(super) fn let_go_of_fleet(&mut self) {
-        if self.stop.let_go(self.arm.last().is_some()) {
-            self.halt.forget();
+    pub(super) fn release_fleet_stop(&mut self) {
+        if self.stop_latch.release(self.arm.last().is_some()) {
+            self.stop_sequence.forget();
             let text = "the stop of the fleet was reset: the arm may move again".to_owned();
             self.notify(News::StopReset, text);
         }
@@ -183,8 +183,8 @@ impl Supervisor {
     /// Takes that the station ends: nothing more is sent, and the laser goes off first.
     pub fn handle_end(&mut self, now: Duration) {
         self.handle_time(now);
-        self.halt.begin(&mut self.arm);
-        self.jogging.let_go();
+        self.stop_sequence.begin(&mut self.arm);
+        self.jogging.release();
         self.drop_waiting("the station ended");
         self.interrupt_run("the station ended");
         self.end_detection("the station ended");
@@ -198,11 +198,11 @@ impl Supervisor {
             Ok(()) => self.written(effect),
             Err(why) => self.not_written(effect, &why),
         }
-        self.pump();
+        self.feed();
     }
 
     fn written(&mut self, effect: &Effect) {
-        if self.save.handle_written(effect) {
+        if self.journal_requests.handle_written(effect) {
             let text = "the journal of jobs can be written again".to_owned();
             self.notify(News::Trouble, text);
         }
@@ -212,7 +212,9 @@ impl Supervisor {
     }
 
     fn not_written(&mut self, effect: &Effect, why: &str) {
-        let is_news = self.save.handle_not_written(self.arm.now(), effect, why);
+        let is_news = self
+            .journal_requests
+            .handle_not_written(self.arm.now(), effect, why);
         let why = format!("the journal of jobs cannot be written: {why}");
         if self.run.as_ref().is_some_and(Run::has_the_arm) {
             self.arm.part_from_laser();
@@ -227,9 +229,9 @@ impl Supervisor {
     /// Takes what happened in the session.
     pub(super) fn follow_session(&mut self) {
         while let Some(event) = self.arm.session_mut().poll_event() {
-            self.outbox.note_change();
+            self.outgoing.note_change();
             match event {
-                Event::Status(status) => self.see(status),
+                Event::Status(status) => self.handle_status(status),
                 Event::Completed(id) => self.command_over(id, None),
                 Event::NotReached { command, .. } => {
                     self.command_over(command, Some(failure(event)));
@@ -238,7 +240,7 @@ impl Supervisor {
                     command,
                     lasts,
                     by_default,
-                } => self.tell_pause(command, lasts, by_default),
+                } => self.notify_pause(command, lasts, by_default),
                 Event::LinkLost { .. } => self.fall_silent(event),
                 Event::Reset { evidence, .. } => self.notice_reset(&evidence.to_string()),
                 Event::NotSent { command, reason } => {
@@ -322,8 +324,8 @@ impl Supervisor {
     /// The commands that are not over, of clients and of the job.
     fn in_flight(&self) -> Vec<CommandId> {
         let of_clients = self.commands.ids();
-        let of_run = self.run.iter().flat_map(Run::in_flight);
-        let mut ids: Vec<_> = of_clients.chain(of_run).collect();
+        let of_job = self.run.iter().flat_map(Run::in_flight);
+        let mut ids: Vec<_> = of_clients.chain(of_job).collect();
         ids.sort_unstable();
         ids
     }
@@ -332,12 +334,12 @@ impl Supervisor {
     pub(super) fn end_detection(&mut self, why: &str) {
         if let Some(client) = self.detecting.end() {
             let refusal = Refusal::NotFound(why.to_owned());
-            self.outbox.answer(client, Err(refusal));
+            self.outgoing.answer(client, Err(refusal));
         }
     }
 
     /// An arm that stands still without a word looks dead.
-    fn tell_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
+    fn notify_pause(&mut self, command: CommandId, lasts: Duration, by_default: bool) {
         let (command, lasts_s) = (command.0, lasts.as_secs_f64());
         let whose = if by_default {
             "its default pause (state 9, mode 1)".to_owned()
@@ -362,7 +364,7 @@ impl Supervisor {
         // Statuses may be lost on a line that still carries packets.
         self.arm.release_urgently();
         self.jogging
-            .bar(Refusal::LetGo("the link to the arm was lost".into()));
+            .revoke(Refusal::LetGo("the link to the arm was lost".into()));
         self.drop_waiting("the link to the arm was lost");
         let text = self.link.loss();
         self.interrupt_run(&text);
@@ -371,7 +373,8 @@ impl Supervisor {
     }
 
     fn notice_reset(&mut self, evidence: &str) {
-        self.jogging.bar(Refusal::LetGo("the arm was reset".into()));
+        self.jogging
+            .revoke(Refusal::LetGo("the arm was reset".into()));
         self.arm.part_from_laser();
         // Nothing is sent again before a person has looked where the arm stands.
         self.interrupt_run("the arm was reset");

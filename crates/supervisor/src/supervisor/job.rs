@@ -8,7 +8,7 @@ use dobot_session::CommandId;
 use dobot_wire::Status;
 
 use super::Supervisor;
-use super::run::{Begun, Run, check_height};
+use super::run::{Run, StartedJob, check_height};
 use crate::refusal::Refusal;
 
 impl Supervisor {
@@ -21,40 +21,40 @@ impl Supervisor {
         &mut self,
         now: Duration,
         client: ClientId,
-        begun: Begun,
+        started: StartedJob,
     ) -> Result<Reply, Refusal> {
         self.handle_time(now);
-        let started = self.start(client, begun);
-        if let Err(refusal) = &started {
-            self.tell_refused(client, refusal);
+        let reply = self.start(client, started);
+        if let Err(refusal) = &reply {
+            self.notify_refused(client, refusal);
         }
-        self.pump();
-        started
+        self.feed();
+        reply
     }
 
-    fn start(&mut self, client: ClientId, begun: Begun) -> Result<Reply, Refusal> {
+    fn start(&mut self, client: ClientId, started: StartedJob) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         self.arm.check_trust()?;
-        self.save.check()?;
+        self.journal_requests.check()?;
         if !self.arm.is_idle() {
             return Err(self.still_moving());
         }
-        if begun.plan.burns() {
+        if started.plan.burns() {
             self.arm.check_laser_armed()?;
         }
-        if let Some(message) = begun.waits_for_person()
-            && self.confirmed_job != Some(begun.job)
+        if let Some(message) = started.waits_for_person()
+            && self.confirmed_job != Some(started.job)
         {
             return Err(Refusal::NeedsPerson {
-                job: begun.job,
+                job: started.job,
                 message: message.to_owned(),
             });
         }
-        let (run, effects) = Run::begin(begun, &mut self.arm, self.run.as_ref())?;
-        self.halt.forget();
+        let (run, effects) = Run::begin(started, &mut self.arm, self.run.as_ref())?;
+        self.stop_sequence.forget();
         self.run = Some(run);
         self.confirmed_job = None;
-        self.fulfil(effects);
+        self.apply_effects(effects);
         Ok(self.job_reply())
     }
 
@@ -70,11 +70,11 @@ impl Supervisor {
 
     /// Takes a job that was at work when the station ended without saying so: the laser goes off,
     /// and where the arm comes to rest tells how far the job got.
-    pub fn handle_recovered(&mut self, now: Duration, begun: Begun, window: Window) {
+    pub fn handle_recovered(&mut self, now: Duration, started: StartedJob, window: Window) {
         self.handle_time(now);
         self.arm.session_mut().distrust(Run::RESTARTED);
-        self.run = Some(Run::recovered(begun, window));
-        self.outbox.note_change();
+        self.run = Some(Run::recovered(started, window));
+        self.outgoing.note_change();
     }
 
     /// Whether a job may be started as far as its own last motion goes: one that was paused a
@@ -114,7 +114,7 @@ impl Supervisor {
 
     /// Whether a job is at its commands, and not on the way to where it goes on.
     #[must_use]
-    pub fn job_is_under_way(&self) -> bool {
+    pub fn has_active_job(&self) -> bool {
         self.run.as_ref().is_some_and(Run::is_running)
     }
 
@@ -154,10 +154,10 @@ impl Supervisor {
         if at_work {
             self.come_to_rest(JobPhase::Stopped, &why);
         } else {
-            self.of_run(|run, _| run.end(&why));
+            self.with_run(|run, _| run.end(&why));
         }
         let reply = self.job_reply();
-        self.of_run(Run::handle_status);
+        self.with_run(Run::handle_status);
         Ok(reply)
     }
 
@@ -183,7 +183,7 @@ impl Supervisor {
             run.check_speed(percent)?;
         }
         self.take_back();
-        self.of_run(|run, _| Some(run.set_speed(percent)));
+        self.with_run(|run, _| Some(run.set_speed(percent)));
         Ok(self.job_reply())
     }
 
@@ -200,7 +200,7 @@ impl Supervisor {
         self.take_back();
         if let Some(run) = &mut self.run {
             let effect = run.set_height(offset_mm, self.arm.policy())?;
-            self.fulfil([effect]);
+            self.apply_effects([effect]);
         }
         Ok(self.job_reply())
     }
@@ -232,13 +232,13 @@ impl Supervisor {
     /// The job goes no further: it comes to rest on its way, and the tool is lifted.
     fn come_to_rest(&mut self, then: JobPhase, why: &str) {
         self.drop_waiting(why);
-        self.of_run(|run, _| Some(run.come_to_rest(then, why)));
-        self.pump();
+        self.with_run(|run, _| Some(run.come_to_rest(then, why)));
+        self.feed();
     }
 
     /// The job goes no further: what is under way comes to its end, then it is paused.
     pub(super) fn interrupt_run(&mut self, why: &str) {
-        self.of_run(|run, _| run.interrupt(why));
+        self.with_run(|run, _| run.interrupt(why));
     }
 
     /// A job that burns goes no further.
@@ -246,7 +246,7 @@ impl Supervisor {
         let burns = |it: &Run| it.burns() && it.is_at_work();
         if self.run.as_ref().is_some_and(burns) {
             self.drop_waiting(why);
-            self.of_run(|run, _| Some(run.interrupt_burning(why)));
+            self.with_run(|run, _| Some(run.interrupt_burning(why)));
         }
     }
 
@@ -268,7 +268,7 @@ impl Supervisor {
     fn fail_run(&mut self, why: &str) {
         self.arm.part_from_laser();
         self.drop_waiting(why);
-        self.of_run(|run, _| run.fail(why));
+        self.with_run(|run, _| run.fail(why));
     }
 
     /// With each status: is the grip seen that was waited for?
@@ -288,12 +288,12 @@ impl Supervisor {
         match run.try_again(&mut self.arm) {
             Ok((run, effects)) => {
                 self.run = Some(run);
-                self.fulfil(effects);
+                self.apply_effects(effects);
             }
             Err(refusal) => {
                 self.run = Some(run);
                 let why = refusal.to_string();
-                self.of_run(|run, _| Some(run.give_up(&why)));
+                self.with_run(|run, _| Some(run.give_up(&why)));
             }
         }
     }

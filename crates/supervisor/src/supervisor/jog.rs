@@ -21,9 +21,9 @@ struct Held {
     client: ClientId,
     jog: Jog,
     /// When it was said last.
-    said: Duration,
+    last_hold: Duration,
     /// How long its client may be silent.
-    patience: Duration,
+    timeout: Duration,
     phase: JogPhase,
 }
 
@@ -33,16 +33,16 @@ pub(super) struct Press {
     pub(super) client: ClientId,
     pub(super) jog: Jog,
     /// How long its client may be silent.
-    pub(super) patience: Duration,
+    pub(super) timeout: Duration,
 }
 
 /// What is done about a button that is still held.
 #[derive(Debug)]
-pub(super) enum Still {
+pub(super) enum HoldOutcome {
     /// Nothing.
-    Same,
+    Unchanged,
     /// The arm is to move at another speed.
-    OtherSpeed,
+    SpeedChanged,
 }
 
 /// A button that was pressed and is not any more.
@@ -65,39 +65,39 @@ pub(super) struct JogSilence {
 #[derive(Clone, Debug)]
 enum JogPhase {
     /// Nothing yet: the arm still runs down from what was before.
-    Waits,
+    Waiting,
     /// The arm moves.
-    Acts {
+    Moving {
         command: CommandId,
         /// When a status showed last where the arm is.
         seen: Duration,
     },
     /// Nothing any more: it was refused, or let go by the station. A new press is needed, be it of the
     /// same button, so that no arm moves again because a client wakes up or a limit moves away.
-    Over {
+    Ended {
         why: Refusal,
         /// Those who watch know it.
-        told: bool,
+        reported: bool,
     },
 }
 
 impl Held {
     /// When it is let go of: its client or the arm has fallen silent.
-    fn falls_silent(&self) -> Option<Duration> {
-        let silent = self.said + self.patience;
+    fn times_out_at(&self) -> Option<Duration> {
+        let silent = self.last_hold + self.timeout;
         match self.phase {
-            JogPhase::Waits => Some(silent),
-            JogPhase::Acts { seen, .. } => Some(silent.min(seen + BLIND)),
-            JogPhase::Over { .. } => None,
+            JogPhase::Waiting => Some(silent),
+            JogPhase::Moving { seen, .. } => Some(silent.min(seen + BLIND)),
+            JogPhase::Ended { .. } => None,
         }
     }
 
     /// The press that ends with it, if it is not over already.
     const fn ended(&self) -> Option<EndedPress> {
         let command = match self.phase {
-            JogPhase::Waits => None,
-            JogPhase::Acts { command, .. } => Some(command),
-            JogPhase::Over { .. } => return None,
+            JogPhase::Waiting => None,
+            JogPhase::Moving { command, .. } => Some(command),
+            JogPhase::Ended { .. } => return None,
         };
         Some(EndedPress {
             client: self.client,
@@ -113,16 +113,16 @@ impl Jogging {
         now: Duration,
         client: ClientId,
         jog: Jog,
-    ) -> Option<Result<Still, Refusal>> {
+    ) -> Option<Result<HoldOutcome, Refusal>> {
         let same = |it: &&mut Held| it.client == client && is_same_button(it.jog, jog);
         let held = self.held.as_mut().filter(same)?;
-        held.said = now;
+        held.last_hold = now;
         let changed = held.jog != jog;
         held.jog = jog;
         Some(match &held.phase {
-            JogPhase::Over { why, .. } => Err(why.clone()),
-            JogPhase::Acts { .. } if changed => Ok(Still::OtherSpeed),
-            JogPhase::Acts { .. } | JogPhase::Waits => Ok(Still::Same),
+            JogPhase::Ended { why, .. } => Err(why.clone()),
+            JogPhase::Moving { .. } if changed => Ok(HoldOutcome::SpeedChanged),
+            JogPhase::Moving { .. } | JogPhase::Waiting => Ok(HoldOutcome::Unchanged),
         })
     }
 
@@ -140,67 +140,73 @@ impl Jogging {
         let held = self.held.insert(Held {
             client: press.client,
             jog: press.jog,
-            said: arm.now(),
-            patience: press.patience,
-            phase: pressed.unwrap_or_else(|why| JogPhase::Over { why, told: false }),
+            last_hold: arm.now(),
+            timeout: press.timeout,
+            phase: pressed.unwrap_or_else(|why| JogPhase::Ended {
+                why,
+                reported: false,
+            }),
         });
-        let acts = matches!(held.phase, JogPhase::Acts { .. });
+        let acts = matches!(held.phase, JogPhase::Moving { .. });
         refused.map_or(Ok(acts), Err)
     }
 
     /// The press that waits for the arm to rest.
     pub(super) fn waits(&self) -> Option<(ClientId, Jog)> {
         let held = self.held.as_ref();
-        let waits = held.filter(|it| matches!(it.phase, JogPhase::Waits));
+        let waits = held.filter(|it| matches!(it.phase, JogPhase::Waiting));
         waits.map(|it| (it.client, it.jog))
     }
 
     /// Takes that the press that waited moves the arm now.
     pub(super) fn handle_moves(&mut self, now: Duration, command: CommandId) {
         if let Some(held) = &mut self.held {
-            held.phase = JogPhase::Acts { command, seen: now };
+            held.phase = JogPhase::Moving { command, seen: now };
         }
     }
 
     /// Lets go of the button, if one is pressed: its client did. Gives the press that ends.
-    pub(super) fn let_go(&mut self) -> Option<EndedPress> {
+    pub(super) fn release(&mut self) -> Option<EndedPress> {
         self.held.take().and_then(|it| it.ended())
     }
 
     /// Lets go of the button, and its client has to press it anew. Gives the press that ends.
-    pub(super) fn bar(&mut self, why: Refusal) -> Option<EndedPress> {
+    pub(super) fn revoke(&mut self, why: Refusal) -> Option<EndedPress> {
         let held = self.held.as_mut()?;
         let ended = held.ended()?;
-        held.phase = JogPhase::Over { why, told: false };
+        held.phase = JogPhase::Ended {
+            why,
+            reported: false,
+        };
         Some(ended)
     }
 
     /// Whether those who watch know already why a button does nothing, which is said as often as its
     /// client says it; from now on they do.
-    pub(super) fn is_told(&mut self, client: ClientId, refusal: &Refusal) -> bool {
+    pub(super) fn was_reported(&mut self, client: ClientId, refusal: &Refusal) -> bool {
         match &mut self.held {
             Some(Held {
                 client: whose,
-                phase: JogPhase::Over { why, told },
+                phase: JogPhase::Ended { why, reported },
                 ..
-            }) if *whose == client && why == refusal => std::mem::replace(told, true),
+            }) if *whose == client && why == refusal => std::mem::replace(reported, true),
             _ => false,
         }
     }
 
     /// When the button is let go of: its client or the arm has fallen silent.
-    pub(super) fn falls_silent(&self) -> Option<Duration> {
-        self.held.as_ref().and_then(Held::falls_silent)
+    pub(super) fn times_out_at(&self) -> Option<Duration> {
+        self.held.as_ref().and_then(Held::times_out_at)
     }
 
     /// Who has fallen silent, so that the button has to be let go of.
-    pub(super) fn silence(&self, now: Duration) -> Option<JogSilence> {
+    pub(super) fn expired(&self, now: Duration) -> Option<JogSilence> {
         let held = self.held.as_ref()?;
-        held.falls_silent().filter(|it| *it <= now)?;
-        let of_client = held.said + held.patience <= now;
+        held.times_out_at().filter(|it| *it <= now)?;
+        let of_client = held.last_hold + held.timeout <= now;
         Some(JogSilence {
             client: of_client.then_some(held.client),
-            lasts: if of_client { held.patience } else { BLIND },
+            lasts: if of_client { held.timeout } else { BLIND },
         })
     }
 
@@ -208,11 +214,11 @@ impl Jogging {
     /// Says what hinders whose button.
     pub(super) fn handle_status(&mut self, arm: &Arm) -> Option<(ClientId, Refusal)> {
         let (held, model) = (self.held.as_mut()?, arm.session().seen_model()?);
-        let JogPhase::Acts { seen, .. } = &mut held.phase else {
+        let JogPhase::Moving { seen, .. } = &mut held.phase else {
             return None;
         };
         *seen = arm.now();
-        let within_s = held.patience.min(BLIND).as_secs_f64() + LINE_S;
+        let within_s = held.timeout.min(BLIND).as_secs_f64() + LINE_S;
         let checked = arm
             .policy()
             .check_jog(&model, &held.jog.command(), within_s);
@@ -225,11 +231,11 @@ fn begin(arm: &mut Arm, jog: Jog, rests_within: Duration) -> Result<JogPhase, Re
     if !arm.session().is_moving() {
         let command = act(arm, jog)?;
         let seen = arm.now();
-        return Ok(JogPhase::Acts { command, seen });
+        return Ok(JogPhase::Moving { command, seen });
     }
     // Whoever presses while the arm is at something longer means that, and not what follows it.
     if arm.session().waiting() == 0 && rests_within <= LONGEST_RUN_DOWN {
-        return Ok(JogPhase::Waits);
+        return Ok(JogPhase::Waiting);
     }
     Err(still_moving(rests_within))
 }

@@ -120,7 +120,7 @@ impl Leases {
         if self.lease.is_some() {
             self.check(client)?;
         } else {
-            changes.push(self.give(now, client));
+            changes.push(self.grant(now, client));
         }
         Ok(changes)
     }
@@ -206,7 +206,7 @@ impl Leases {
 
     /// All time slots, from now on.
     pub(super) fn slots(&self, now: Duration) -> Vec<TimeSlot> {
-        self.slots.told(now)
+        self.slots.upcoming(now)
     }
 
     pub(super) fn slots_view(&self) -> Option<SlotsView> {
@@ -273,7 +273,7 @@ impl Leases {
         }
         self.check_allowed(to)?;
         let mut changes = self.end("control was given to another client");
-        changes.push(self.give(now, to));
+        changes.push(self.grant(now, to));
         Ok(changes)
     }
 
@@ -282,7 +282,7 @@ impl Leases {
             return Vec::new();
         }
         let mut changes = self.end("control was taken by an administrator");
-        changes.push(self.give(now, client));
+        changes.push(self.grant(now, client));
         changes
     }
 
@@ -292,7 +292,7 @@ impl Leases {
             known.is_program = true;
         }
         let may_have = self.lease.is_none() && self.check_allowed(client).is_ok();
-        may_have.then(|| self.give(now, client))
+        may_have.then(|| self.grant(now, client))
     }
 
     /// Takes what is changed of what a client sends; says whether that is news.
@@ -386,7 +386,7 @@ impl Leases {
         known.is_some_and(|it| it.role == Role::Admin)
     }
 
-    fn give(&mut self, now: Duration, client: ClientId) -> Change {
+    fn grant(&mut self, now: Duration, client: ClientId) -> Change {
         self.lease = Some(Lease {
             client,
             since: now,

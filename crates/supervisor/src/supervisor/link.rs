@@ -14,7 +14,7 @@ pub(super) struct Link {
     /// Why there is none any more, where there was one.
     lost: Option<String>,
     /// The laser has been switched off since the link came up.
-    greeted: bool,
+    laser_off_sent: bool,
 }
 
 impl Default for Link {
@@ -25,7 +25,7 @@ impl Default for Link {
             address: None,
             problem: None,
             lost: None,
-            greeted: false,
+            laser_off_sent: false,
         }
     }
 }
@@ -45,7 +45,7 @@ impl Link {
         let is_lost = self.is_there();
         self.phase = phase;
         if is_lost {
-            self.greeted = false;
+            self.laser_off_sent = false;
             self.lost = problem;
             self.problem.clone_from(&self.lost);
         } else {
@@ -61,7 +61,7 @@ impl Link {
     /// Takes that nothing comes over it any more.
     pub(super) fn handle_silence(&mut self, why: &str) {
         self.phase = LinkPhase::Lost;
-        self.greeted = false;
+        self.laser_off_sent = false;
         self.problem = Some(format!(
             "{why}; is the arm switched on, and the cable in its place?"
         ));
@@ -79,8 +79,8 @@ impl Link {
     }
 
     /// Whether the laser has still to be switched off since it came up: by whoever asks.
-    pub(super) const fn greet(&mut self) -> bool {
-        !std::mem::replace(&mut self.greeted, true)
+    pub(super) const fn take_pending_laser_off(&mut self) -> bool {
+        !std::mem::replace(&mut self.laser_off_sent, true)
     }
 
     pub(super) const fn is_there(&self) -> bool {

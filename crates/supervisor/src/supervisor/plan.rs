@@ -295,9 +295,10 @@ impl JobPlan {
     }
 
     /// Those before a command that set something.
-    pub(super) fn told_before(&self, index: usize) -> impl Iterator<Item = &Command> {
-        let told = self.settings.iter().skip(1).map(|it| it.0 - 1);
-        told.take_while(move |it| *it < index)
+    pub(super) fn settings_before(&self, index: usize) -> impl Iterator<Item = &Command> {
+        let indices = self.settings.iter().skip(1).map(|it| it.0 - 1);
+        indices
+            .take_while(move |index| *index < index)
             .map(|it| &self.commands[it])
     }
 

@@ -12,8 +12,8 @@ use super::commands::{button, understood};
 use super::events::NOT_DELIVERED;
 use super::lease::{Change, TimeOver};
 use super::slots::Turn;
-use super::stop::Stop;
-use super::stop::StoppedBy;
+use super::stop_latch::StopLatch;
+use super::stop_latch::StoppedBy;
 use super::{Supervisor, still_moving};
 use crate::plain;
 use crate::refusal::{Refusal, span};
@@ -28,7 +28,7 @@ impl Supervisor {
         person: &str,
     ) -> ClientId {
         self.handle_time(now);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         self.leases.handle_client(name, role, person)
     }
 
@@ -37,7 +37,7 @@ impl Supervisor {
         self.handle_time(now);
         let changes = self.leases.handle_left(client);
         self.follow_lease(changes);
-        self.outbox.note_change();
+        self.outgoing.note_change();
     }
 
     /// Takes a packet of a raw program. The first one takes the lease if nobody has it.
@@ -54,9 +54,9 @@ impl Supervisor {
         self.handle_time(now);
         let taken = self.take_raw(client, packet);
         if let Err(refusal) = &taken {
-            self.tell_refused(client, refusal);
+            self.notify_refused(client, refusal);
         }
-        self.pump();
+        self.feed();
         taken
     }
 
@@ -94,14 +94,14 @@ impl Supervisor {
             Ok(()) => Some(self.obey(client, request)),
         };
         if let Some(Err(refusal)) = &answer {
-            self.tell_refused(client, refusal);
+            self.notify_refused(client, refusal);
             if matches!(refusal, Refusal::Policy(_) | Refusal::Send(_)) && self.leases.has(client) {
                 // What its client believes about the arm is wrong.
                 self.arm.part_from_laser();
             }
         }
-        self.outbox.note_change();
-        self.pump();
+        self.outgoing.note_change();
+        self.feed();
         answer
     }
 
@@ -133,19 +133,19 @@ impl Supervisor {
         self.arm.set_policy(policy);
         let text = format!("{} changed the safety policy", self.client_name(client));
         self.notify(News::PolicyChanged, text);
-        self.outbox.note_change();
-        self.pump();
+        self.outgoing.note_change();
+        self.feed();
         Ok(())
     }
 
     /// Whether a client may change by what the arm is judged: nothing may be under way.
     fn check_may_change(&self, client: ClientId) -> Result<(), Refusal> {
         self.leases.check_role(client, Role::Admin)?;
-        if let Some(job) = self.job().filter(|_| self.job_is_under_way()) {
+        if let Some(job) = self.job().filter(|_| self.has_active_job()) {
             return Err(Refusal::JobRunning(job.job));
         }
         self.detecting.check()?;
-        if !self.arm.is_idle() || self.jogging.falls_silent().is_some() {
+        if !self.arm.is_idle() || self.jogging.times_out_at().is_some() {
             return Err(still_moving(self.rests_within()));
         }
         Ok(())
@@ -168,7 +168,7 @@ impl Supervisor {
         self.disarm_laser("the arm was calibrated");
         let calibration = calibrations.arm();
         self.arm.set_calibration(calibration);
-        self.outbox.note_change();
+        self.outgoing.note_change();
         let name = self.client_name(client);
         let text = if calibration.is_none() {
             format!("{name} takes the arm to be as drawn: no calibration holds")
@@ -177,13 +177,13 @@ impl Supervisor {
             format!("{name} calibrated {arm}: places are true ones from now on")
         };
         self.notify(News::Calibrated, text);
-        self.pump();
+        self.feed();
         Ok(())
     }
 
     /// Tells a calibrated arm its true angles. Its base has to stand straight ahead, for that is what it believes
     /// then (note N26).
-    fn tell_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
+    fn set_angles(&mut self, client: ClientId) -> Result<Reply, Refusal> {
         self.check_may_move(client)?;
         let model = self.arm.session().model().copied();
         let Some(model) = model.filter(|_| self.arm.is_at_rest() && self.arm.is_idle()) else {
@@ -208,7 +208,7 @@ impl Supervisor {
 
     /// Where a command would lead if it were sent now.
     fn foresee(&self, command: &Command) -> Result<Reply, Refusal> {
-        let command = &self.arm.told(command)?;
+        let command = &self.arm.raw_command(command)?;
         let command = understood(&self.arm, command, self.rests_within())?;
         let way = self.arm.foresee(&command)?;
         Ok(Reply::Way { way })
@@ -220,20 +220,20 @@ impl Supervisor {
         self.arm.check_trust()?;
         let rests_within = self.rests_within();
         self.detecting.begin(client, &self.arm, rests_within)?;
-        self.halt.forget();
+        self.stop_sequence.forget();
         Ok(())
     }
 
     fn obey(&mut self, client: ClientId, request: Request) -> Result<Reply, Refusal> {
         match request {
             Request::Command { command } => {
-                let told = self.arm.told(&command)?;
-                self.command(client, &told)
+                let raw = self.arm.raw_command(&command)?;
+                self.command(client, &raw)
             }
             Request::Jog { jog } => self.jog(client, jog, self.arm.policy().jog.dead_man_s),
             Request::Release => {
                 self.leases.check(client)?;
-                self.let_go();
+                self.release_button();
                 self.check_delivered("the release")
             }
             Request::Step { button, by } => self.step(client, button, by),
@@ -266,7 +266,7 @@ impl Supervisor {
                 self.check_delivered("laser off")
             }
             Request::ConfirmPose => self.confirm_pose(client),
-            Request::TellAngles => self.tell_angles(client),
+            Request::TellAngles => self.set_angles(client),
             Request::SetDialect { dialect } => {
                 self.detecting.forget_finding();
                 self.set_dialect(dialect)
@@ -307,19 +307,24 @@ impl Supervisor {
     pub(super) fn bring_to_rest(
         &mut self,
         why: &str,
-        hold: impl FnOnce(&mut Stop, Duration, Duration, bool) -> Option<String>,
+        hold: impl FnOnce(&mut StopLatch, Duration, Duration, bool) -> Option<String>,
     ) -> Reply {
         let rests_within = self.rests_within();
-        self.halt.begin(&mut self.arm);
+        self.stop_sequence.begin(&mut self.arm);
         self.disarm_laser("the arm was stopped");
-        self.jogging.bar(Refusal::LetGo(why.to_owned()));
+        self.jogging.revoke(Refusal::LetGo(why.to_owned()));
         self.drop_waiting(why);
         self.interrupt_run(why);
         self.end_detection(why);
         // Without an arm there is nothing to deliver to.
         let delivered = self.link.is_there() || self.arm.last().is_none();
-        let told = hold(&mut self.stop, self.arm.now(), rests_within, delivered);
-        if let Some(text) = told {
+        let notice = hold(
+            &mut self.stop_latch,
+            self.arm.now(),
+            rests_within,
+            delivered,
+        );
+        if let Some(text) = notice {
             self.notify(News::Stopped, text);
             if !delivered {
                 self.notify(News::Trouble, NOT_DELIVERED.to_owned());
@@ -332,8 +337,11 @@ impl Supervisor {
     }
 
     fn reset_stop(&mut self, client: ClientId) -> Result<Reply, Refusal> {
-        if self.stop.reset(self.arm.now(), self.link.is_there())? {
-            self.halt.forget();
+        if self
+            .stop_latch
+            .reset(self.arm.now(), self.link.is_there())?
+        {
+            self.stop_sequence.forget();
             let text = format!("{} lets the arm move again", self.client_name(client));
             self.notify(News::StopReset, text);
         }
@@ -387,7 +395,7 @@ impl Supervisor {
             let _ = self.pause_for(&why);
         }
         for turn in turns {
-            let (news, text) = told(turn);
+            let (news, text) = slot_notice(turn);
             self.notify(news, text);
         }
     }
@@ -434,7 +442,7 @@ impl Supervisor {
     fn lease_over(&mut self, client: ClientId, why: &str) {
         self.arm.part_from_laser();
         self.disarm_laser(why);
-        self.let_go();
+        self.release_button();
         self.end_detection(why);
         if self.commands.any_of(client) {
             self.drop_waiting(why);
@@ -444,7 +452,7 @@ impl Supervisor {
 
     fn arm_laser(&mut self, client: ClientId, for_s: f64) -> Result<Reply, Refusal> {
         self.leases.check_arms_laser(client)?;
-        self.stop.check()?;
+        self.stop_latch.check()?;
         self.check_guarded()?;
         self.arm.arm_laser(for_s)?;
         let name = self.client_name(client);
@@ -464,12 +472,12 @@ impl Supervisor {
         }
         self.check_may_move(client)?;
         // Whoever sends another command does not hold his button any more.
-        self.let_go();
+        self.release_button();
         let within = self.rests_within();
         let id = self
             .commands
             .handle_command(&mut self.arm, client, command, within)?;
-        self.halt.forget();
+        self.stop_sequence.forget();
         Ok(Reply::Accepted {
             command: id.0,
             takes_s: Some(self.arm.session().ahead_s()),
@@ -494,7 +502,7 @@ impl Supervisor {
                 button.name()
             )));
         };
-        let command = self.arm.told(&command)?;
+        let command = self.arm.raw_command(&command)?;
         self.command(client, &command)
     }
 
@@ -504,13 +512,13 @@ impl Supervisor {
         self.leases.check(client)?;
         let packet = &self.amended(client, packet);
         let command = self.arm.session().parse(packet)?;
-        let patience_s = self.arm.policy().jog.raw_dead_man_s;
+        let hold_timeout_s = self.arm.policy().jog.raw_dead_man_s;
         match command {
-            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), patience_s),
-            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), patience_s),
+            Command::JointJog(jog) => self.jog(client, Jog::Joint(jog), hold_timeout_s),
+            Command::LinearJog(jog) => self.jog(client, Jog::Linear(jog), hold_timeout_s),
             command => {
                 // Another packet than that of the button means that it is not held any more.
-                self.let_go();
+                self.release_button();
                 self.command(client, &command)
             }
         }
@@ -537,8 +545,8 @@ impl Supervisor {
     }
 
     /// Tells all who watch that something was refused.
-    pub(super) fn tell_refused(&mut self, client: ClientId, refusal: &Refusal) {
-        if self.jogging.is_told(client, refusal) {
+    pub(super) fn notify_refused(&mut self, client: ClientId, refusal: &Refusal) {
+        if self.jogging.was_reported(client, refusal) {
             return;
         }
         // The arm's own protocol has no words for that: whoever reads this is the only one to know.
@@ -586,7 +594,7 @@ impl Supervisor {
 }
 
 /// What is told of a time slot.
-fn told(turn: Turn) -> (News, String) {
+fn slot_notice(turn: Turn) -> (News, String) {
     match turn {
         Turn::Began { student, lasts } => {
             let text = format!(

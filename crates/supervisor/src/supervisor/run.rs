@@ -21,12 +21,12 @@ use self::feed::speeds::Speeds;
 use self::observe::grip_check::UnseenGrip;
 use self::observe::resend::Retries;
 use self::start::approach::straight;
-pub use self::start::started_job::{Begun, Effect};
+pub use self::start::started_job::{Effect, StartedJob};
 
 /// The job that the arm is at, or that is paused.
 #[derive(Debug)]
 pub(super) struct Run {
-    begun: Begun,
+    started: StartedJob,
     phase: Phase,
     /// The arm when the job was started or gone on with.
     from: Option<Status>,
@@ -159,23 +159,23 @@ impl Run {
     pub(super) const RESTARTED: &str = "the station was restarted in the middle of the job";
 
     /// A job that was at work when the station ended without saying so.
-    pub(super) fn recovered(mut begun: Begun, window: Window) -> Self {
+    pub(super) fn recovered(mut started: StartedJob, window: Window) -> Self {
         // How long it ran nobody knows any more.
-        begun.behind.ran_s = None;
-        let window = begun.in_plan(window);
-        let kept = begun.completed;
-        let mut run = Self::new(begun, kept, Phase::Locating { window }, None);
+        started.behind.ran_s = None;
+        let window = started.in_plan(window);
+        let kept = started.completed;
+        let mut run = Self::new(started, kept, Phase::Locating { window }, None);
         run.left.is_unknown = true;
         run
     }
 
     /// A job of which so many commands are done as the journal has it.
-    fn new(begun: Begun, kept: usize, phase: Phase, from: Option<Status>) -> Self {
-        let completed = begun.completed;
-        let machine = Machine::of(begun.dialect);
-        let speeds = Speeds::new(begun.adjustment.speed_percent, machine);
+    fn new(started: StartedJob, kept: usize, phase: Phase, from: Option<Status>) -> Self {
+        let completed = started.completed;
+        let machine = Machine::of(started.dialect);
+        let speeds = Speeds::new(started.adjustment.speed_percent, machine);
         Self {
-            begun,
+            started,
             phase,
             from,
             next: completed,
@@ -195,7 +195,7 @@ impl Run {
     }
 
     pub(super) const fn job(&self) -> u64 {
-        self.begun.job
+        self.started.job
     }
 
     /// What was given to the session and is not over.
@@ -214,17 +214,17 @@ impl Run {
 
     /// What is left by all that is over, where that was done as planned.
     fn planned_left(&self) -> CarriedOver {
-        let next = self.begun.plan.chain(self.begun.completed).next();
+        let next = self.started.plan.chain(self.started.completed).next();
         CarriedOver {
             speed_mm_s: next.map_or(0.0, |it| it.start_speed_mm_s),
-            is_unknown: self.begun.completed > 0,
+            is_unknown: self.started.completed > 0,
             ..CarriedOver::default()
         }
     }
 
     /// What a command leaves that comes next, on what the one before has left.
     fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
-        let machine = self.speeds.machine_at(&self.begun.plan, self.next);
+        let machine = self.speeds.machine_at(&self.started.plan, self.next);
         match command {
             Command::WriteVector(it) => CarriedOver {
                 speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &machine),
@@ -266,15 +266,15 @@ impl Run {
 
     /// Below which height of the tool its pen draws, in mm and the arm's own words.
     pub(super) fn draws_below_mm(&self) -> Option<f64> {
-        self.begun.plan.draws_below_mm(self.begun.height_mm())
+        self.started.plan.draws_below_mm(self.started.height_mm())
     }
 
     pub(super) const fn burns(&self) -> bool {
-        self.begun.plan.burns()
+        self.started.plan.burns()
     }
 
     const fn lift_mm(&self) -> f32 {
-        self.begun.plan.lift_mm()
+        self.started.plan.lift_mm()
     }
 
     /// Takes what the journal has, perhaps of this job.
@@ -282,7 +282,7 @@ impl Run {
         match effect {
             Effect::Give { job, upto, .. } if *job == self.job() => {
                 self.permit
-                    .handle_given(upto.saturating_sub(self.begun.back));
+                    .handle_given(upto.saturating_sub(self.started.back));
             }
             Effect::Adjust { job, adjustment } if *job == self.job() => {
                 self.permit.handle_adjusted(adjustment);
@@ -293,7 +293,7 @@ impl Run {
 
     /// Takes note of how long it ran.
     fn note_ran(&mut self) {
-        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.begun.behind.ran_s) {
+        if let (Some(ran), Some(before_s)) = (self.ran.take(), &mut self.started.behind.ran_s) {
             *before_s += ran.last_over.saturating_sub(ran.since).as_secs_f64();
         }
     }
@@ -303,7 +303,7 @@ impl Run {
         let Phase::Locating { window } = &self.phase else {
             return 0.0;
         };
-        let plan = &self.begun.plan;
+        let plan = &self.started.plan;
         let given_s = plan.takes_s(window.completed..window.upto);
         let commands = u32::try_from(window.upto - window.completed).unwrap_or(u32::MAX);
         given_s * ROUNDING + f64::from(commands) * COMMAND_S + APPROACH_S
@@ -329,7 +329,7 @@ impl Run {
 
     /// How far it is when nothing is under way.
     fn certain(&self) -> Window {
-        let completed = self.begun.completed;
+        let completed = self.started.completed;
         Window {
             completed,
             upto: completed,
@@ -339,12 +339,12 @@ impl Run {
 
     /// How far the journal may be asked to let the job go on. It changes only with what is done, and with the plan.
     fn window_end(&mut self, status: &Status) -> usize {
-        let completed = self.begun.completed;
+        let completed = self.started.completed;
         if let Some(known) = self.reach.filter(|it| it.completed == completed) {
             return known.upto;
         }
-        let (plan, dialect) = (&self.begun.plan, self.begun.dialect);
-        let model = model_at(dialect, plan.told_before(completed), &self.certain());
+        let (plan, dialect) = (&self.started.plan, self.started.dialect);
+        let model = model_at(dialect, plan.settings_before(completed), &self.certain());
         let end = |model| window_end(plan.commands(), completed, model, plan.lift(), WINDOW);
         match &model {
             Some(model) => {
@@ -358,15 +358,21 @@ impl Run {
 
     /// The arm as the first command that is not over finds it.
     fn start(&self) -> Option<Status> {
-        self.begun.plan.start(self.begun.completed).or(self.from)
+        self.started
+            .plan
+            .start(self.started.completed)
+            .or(self.from)
     }
 
     pub(super) const fn progress(&self) -> (usize, JobPhase) {
-        (self.begun.completed + self.begun.back, self.view_phase())
+        (
+            self.started.completed + self.started.back,
+            self.view_phase(),
+        )
     }
 
     pub(super) fn view(&self) -> JobView {
-        let Begun {
+        let StartedJob {
             job,
             title,
             kind,
@@ -376,7 +382,7 @@ impl Run {
             completed,
             back,
             ..
-        } = &self.begun;
+        } = &self.started;
         let counted = completed + back;
         JobView {
             job: *job,
@@ -386,16 +392,16 @@ impl Run {
             phase: self.view_phase(),
             reason: self.reason(),
             waits_for_person: matches!(self.phase, Phase::Paused { .. })
-                && self.begun.waits_for_person().is_some(),
-            commands: self.begun.commands,
-            completed: self.begun.program.at(counted, self.begun.commands).1,
+                && self.started.waits_for_person().is_some(),
+            commands: self.started.commands,
+            completed: self.started.program.at(counted, self.started.commands).1,
             planned_s: plan.planned_s(),
             left_s: self
                 .left_s()
                 .map(|it| it * 100.0 / adjustment.speed_percent),
             took_s: None,
             speed_percent: adjustment.speed_percent,
-            height_mm: self.begun.height_mm(),
+            height_mm: self.started.height_mm(),
             program: self.program_view(counted),
         }
     }

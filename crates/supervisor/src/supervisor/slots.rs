@@ -25,7 +25,7 @@ struct Slot {
     from: Duration,
     until: Duration,
     /// It is under way.
-    begun: bool,
+    started: bool,
     /// Its student was told that it ends soon.
     warned: bool,
 }
@@ -60,7 +60,7 @@ impl Slots {
         // Whose time goes on notices nothing of another list.
         let student = self.student();
         if let Some(first) = all.first_mut().filter(|it| it.from <= now) {
-            first.begun = student.is_some_and(|it| is_same_person(it, &first.student));
+            first.started = student.is_some_and(|it| is_same_person(it, &first.student));
         }
         self.all = all.into();
         Ok(())
@@ -73,7 +73,7 @@ impl Slots {
         while self
             .all
             .front()
-            .is_some_and(|it| !it.begun && it.until <= now)
+            .is_some_and(|it| !it.started && it.until <= now)
         {
             self.all.pop_front();
         }
@@ -84,14 +84,14 @@ impl Slots {
             self.all.pop_front();
             return Some(Turn::Ended { student });
         }
-        if !first.begun && first.from <= now {
-            first.begun = true;
+        if !first.started && first.from <= now {
+            first.started = true;
             return Some(Turn::Began {
                 student,
                 lasts: left,
             });
         }
-        if first.begun && !first.warned && left <= WARNING {
+        if first.started && !first.warned && left <= WARNING {
             first.warned = true;
             return Some(Turn::Ending { student, left });
         }
@@ -101,7 +101,7 @@ impl Slots {
     /// When it wants to know the time next.
     pub(super) fn wakeup(&self) -> Option<Duration> {
         let first = self.all.front()?;
-        Some(if !first.begun {
+        Some(if !first.started {
             first.from
         } else if first.warned {
             first.until
@@ -112,12 +112,12 @@ impl Slots {
 
     /// Whose time it is.
     pub(super) fn student(&self) -> Option<&str> {
-        self.under_way().map(|it| it.student.as_str())
+        self.current().map(|it| it.student.as_str())
     }
 
     /// Whose time it is, where it is not that of this person.
     pub(super) fn others_time(&self, person: &str) -> Option<OthersTime<'_>> {
-        let it = self.under_way()?;
+        let it = self.current()?;
         (!is_same_person(&it.student, person)).then(|| OthersTime {
             student: &it.student,
             group: it.group.as_deref(),
@@ -127,20 +127,20 @@ impl Slots {
     }
 
     /// All of them, from now on.
-    pub(super) fn told(&self, now: Duration) -> Vec<TimeSlot> {
+    pub(super) fn upcoming(&self, now: Duration) -> Vec<TimeSlot> {
         let from_now = |at: Duration| at.saturating_sub(now).as_secs_f64();
-        let told = |it: &Slot| TimeSlot {
-            student: it.student.clone(),
-            group: it.group.clone(),
-            starts_in_s: from_now(it.from),
-            ends_in_s: from_now(it.until),
+        let time_slot = |slot: &Slot| TimeSlot {
+            student: slot.student.clone(),
+            group: slot.group.clone(),
+            starts_in_s: from_now(slot.from),
+            ends_in_s: from_now(slot.until),
         };
-        self.all.iter().map(told).collect()
+        self.all.iter().map(time_slot).collect()
     }
 
     /// What those who watch have to know.
     pub(super) fn view(&self) -> Option<SlotsView> {
-        let now = self.under_way();
+        let now = self.current();
         let next = self.all.get(usize::from(now.is_some()));
         (!self.all.is_empty()).then(|| SlotsView {
             now: now.map(Slot::view),
@@ -149,8 +149,8 @@ impl Slots {
         })
     }
 
-    fn under_way(&self) -> Option<&Slot> {
-        self.all.front().filter(|it| it.begun)
+    fn current(&self) -> Option<&Slot> {
+        self.all.front().filter(|it| it.started)
     }
 
     /// The end of what follows without a break.
@@ -233,7 +233,7 @@ fn read_one(now: Duration, slot: &TimeSlot) -> Result<Slot, String> {
         group: slot.group.clone(),
         from: now + Duration::from_secs_f64(starts_s),
         until: now + Duration::from_secs_f64(ends_s),
-        begun: false,
+        started: false,
         warned: false,
     })
 }
@@ -370,6 +370,6 @@ mod tests {
             let text = refused.to_string();
             assert!(text.contains(told), "{text}; expected {told}");
         }
-        assert_eq!(slots.told(s(9)), [slot("Anna", 0.0, 51.0)]);
+        assert_eq!(slots.upcoming(s(9)), [slot("Anna", 0.0, 51.0)]);
     }
 }

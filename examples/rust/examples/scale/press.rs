@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use dobot_api::{JobKind, JobProgram, MemberAnswer, NewJob, Reply, Request, State, StationAddress};
 use dobot_arm::Tool;
-use dobot_host::{Client, Handle, PassedPacket};
+use dobot_host::{Client, PassedPacket, StationHandle};
 use dobot_motion::LASER_OFF;
 use dobot_wire::{Command, Configuration, Dialect, MoveTo, MovingMode, WriteVector};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -189,7 +189,7 @@ async fn burn(teacher: &Client) -> Result<u64, Box<dyn Error + Send + Sync>> {
 }
 
 async fn until(
-    handle: &Handle,
+    handle: &StationHandle,
     is_so: impl Fn(&State) -> bool,
 ) -> Result<(), Box<dyn Error + Send + Sync>> {
     handle.states().wait_for(|it| is_so(it.state())).await?;

@@ -100,7 +100,7 @@ mod joined {
                 None => Credentials::of_person(&config.name)?,
             };
             if let Some(warning) = credentials.warning() {
-                station.handle().tell_trouble(warning);
+                station.handle().try_report_trouble(warning);
             }
             let session = FleetSession::open(&self.connect, &credentials).await?;
             let fleet = Fleet::join(&session, &config, &id, station.api()).await?;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use dobot_api::{BoundedQuantity, ClientId, NearLimit, Reply, Request, WayView};
+use dobot_api::{BoundedQuantity, ClientId, NearLimit, PathPreview, Reply, Request};
 use dobot_controller::Personality;
 use dobot_geometry::{Point, Stroke};
 use dobot_host::VirtualStation;
@@ -12,7 +12,11 @@ use dobot_wire::{Command, MoveTo, MovingMode};
 use super::releases::over;
 use super::strokes::{PERSONALITIES, pen_job, started, view};
 
-fn asked(it: &mut VirtualStation, client: ClientId, command: Command) -> Result<WayView, Refusal> {
+fn asked(
+    it: &mut VirtualStation,
+    client: ClientId,
+    command: Command,
+) -> Result<PathPreview, Refusal> {
     match it.ask(client, Request::CheckCommand { command })? {
         Reply::Way { way } => Ok(way),
         other => panic!("{other:?}"),

@@ -15,7 +15,7 @@ use axum::{Extension, Router};
 use dobot_api::problem_kinds::UNAUTHORISED;
 use dobot_api::problem_kinds::{INVALID, MALFORMED, TIMEOUT, TOO_LARGE};
 use dobot_api::{ApiAnswer, ApiRequest, Problem};
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use serde_json::Value;
 use tokio::time::timeout;
 use tower::ServiceExt;
@@ -51,7 +51,7 @@ impl StationApi {
 
     /// The states, notices and packets of the station.
     #[must_use]
-    pub fn handle(&self) -> &Handle {
+    pub fn handle(&self) -> &StationHandle {
         &self.app.handle
     }
 

@@ -12,7 +12,7 @@ use dobot_api::{
     JobPhase, JobView, NewJob, Problem, Request, Role, State, TakesWork, is_same_person,
 };
 use dobot_arm::Calibration;
-use dobot_host::{Handle, OfferAnswer, OfferAsk};
+use dobot_host::{OfferAnswer, OfferAsk, StationHandle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -215,7 +215,7 @@ fn others_time(state: &State, student: &str) -> Option<String> {
 
 /// Starts a job of the fleet, where its owner has allowed it and nobody has control; where it cannot be started a person
 /// does it.
-async fn start(handle: Handle, job: u64, student: String) {
+async fn start(handle: StationHandle, job: u64, student: String) {
     let coming = handle.client_of("work of the fleet", Role::Control, &student);
     let Ok(client) = coming.await else {
         return;

@@ -5,7 +5,7 @@ use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 
 use dobot_api::{Folders, Role, Running, RunningError, StationAddress, StationAddressError};
-use dobot_host::{Handle, OwnVirtualArm};
+use dobot_host::{OwnVirtualArm, StationHandle};
 use tokio::net::TcpListener;
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
@@ -81,7 +81,7 @@ pub struct Served {
 /// # Errors
 ///
 /// [`ServeError`]; nothing is served then.
-pub async fn serve(web: &Web, handle: Handle) -> Result<Served, ServeError> {
+pub async fn serve(web: &Web, handle: StationHandle) -> Result<Served, ServeError> {
     let mut tokens = Tokens::open(&web.folders.tokens())?;
     if !web.is_near() && tokens.list().next().is_none() {
         return Err(ServeError::NoTokens(web.address));

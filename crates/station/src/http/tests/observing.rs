@@ -32,7 +32,7 @@ async fn health_is_for_everyone_and_figures_are_for_those_who_may_watch() {
 async fn the_figures_are_those_of_the_state_each_explained_once() {
     let harness = Harness::near();
     let told = state(7.5);
-    harness.telling.ends.tell(told.clone());
+    harness.telling.ends.publish_state(told.clone());
     let answer = harness.get("/metrics").await;
     let text = &answer.is(200).body;
     let figure = |name: &str| {
@@ -93,10 +93,10 @@ fn events(text: &str) -> Vec<(String, Value)> {
 #[tokio::test]
 async fn events_begin_with_the_state_and_the_notices_that_were_missed() {
     let harness = Harness::near();
-    harness.telling.ends.tell(state(7.5));
+    harness.telling.ends.publish_state(state(7.5));
     for number in 1..=4 {
         let notice = notice(number, News::LinkUp, "the link came up");
-        harness.telling.ends.announce(notice);
+        harness.telling.ends.publish_notice(notice);
     }
     let request = harness
         .request("GET", "/api/v1/events")
@@ -151,7 +151,7 @@ async fn packets_are_told_both_ways_and_decoded_and_what_came_too_fast_is_counte
     let tell = |to_arm: bool, bytes: [u8; 42]| {
         let at = Duration::from_millis(1_500);
         let ends = &harness.telling.ends;
-        ends.tell_passed(PassedPacket {
+        ends.publish_packet(PassedPacket {
             at,
             to_arm,
             bytes,

@@ -15,7 +15,7 @@ const MOVE: &str = r#"{"type": "move_to", "x_mm": 200, "y_mm": 0, "z_mm": 50, "r
 #[tokio::test]
 async fn the_state_is_what_was_told_last() {
     let harness = Harness::near();
-    harness.telling.ends.tell(state(7.5));
+    harness.telling.ends.publish_state(state(7.5));
     let answer = harness.get("/api/v1/state").await;
     assert_eq!(
         answer.is(200).value(),
@@ -31,7 +31,7 @@ async fn notices_are_kept_for_those_who_ask_later() {
         harness
             .telling
             .ends
-            .announce(notice(number, News::LinkUp, "the link came up"));
+            .publish_notice(notice(number, News::LinkUp, "the link came up"));
     }
     let notices = harness.get("/api/v1/notices").await.is(200).value();
     let numbers: Vec<_> = notices
@@ -84,14 +84,15 @@ async fn who_waits_is_told_when_the_arm_is_there_and_when_it_is_not() {
             while harness.asked().is_empty() {
                 tokio::task::yield_now().await;
             }
+            harness.telling.ends.publish_notice(notice(
+                1,
+                News::CommandDone { command: 11 },
+                "another",
+            ));
             harness
                 .telling
                 .ends
-                .announce(notice(1, News::CommandDone { command: 11 }, "another"));
-            harness
-                .telling
-                .ends
-                .announce(notice(2, news, "it stopped at a limit"));
+                .publish_notice(notice(2, news, "it stopped at a limit"));
         };
         let (answer, ()) = tokio::join!(harness.json("POST", "/api/v1/commands", body), telling);
         answer.is(status);

@@ -104,7 +104,7 @@ pub(super) fn is_time_of(harness: &Harness, student: &str) {
         next: None,
         free_s: Some(900.0),
     };
-    harness.telling.ends.tell(State {
+    harness.telling.ends.publish_state(State {
         slots: Some(slots),
         ..crate::sample::state(1.0)
     });

@@ -17,7 +17,7 @@ struct Station {
     served: Served,
     telling: std::sync::Arc<FakeNews>,
     asked: Asked,
-    handle: dobot_host::Handle,
+    handle: dobot_host::StationHandle,
     folder: tempfile::TempDir,
 }
 
@@ -97,12 +97,12 @@ async fn a_client_is_greeted_and_told_the_state_and_what_happens() {
     assert_eq!(hello["hello"]["role"], "admin");
     assert_eq!(hello["hello"]["dead_man_s"], 0.15);
     assert_eq!(next(&mut socket).await, json!({"state": state(0.0)}));
-    station.telling.ends.tell(state(1.0));
+    station.telling.ends.publish_state(state(1.0));
     assert_eq!(next(&mut socket).await, json!({"state": state(1.0)}));
     station
         .telling
         .ends
-        .announce(notice(4, News::LinkLost, "the link is lost"));
+        .publish_notice(notice(4, News::LinkLost, "the link is lost"));
     assert_eq!(
         next(&mut socket).await["notice"]["text"],
         "the link is lost"
@@ -297,7 +297,7 @@ async fn a_hundred_watchers_miss_nothing() {
         }));
     }
     for n in 1..=STATES {
-        station.telling.ends.tell(state(f64::from(n)));
+        station.telling.ends.publish_state(state(f64::from(n)));
     }
     for watcher in watching {
         watcher.await.unwrap();

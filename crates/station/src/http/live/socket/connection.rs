@@ -114,7 +114,7 @@ async fn report(app: &App, client: ClientId, name: &str, end: &End) {
     if matches!(end, End::Slow | End::Flood | End::Revoked | End::Broken(_)) {
         let (number, why) = (client.0, words(end));
         app.handle
-            .trouble(format!("client {number} ({name}) was dropped: {why}"))
+            .report_trouble(format!("client {number} ({name}) was dropped: {why}"))
             .await;
     }
 }

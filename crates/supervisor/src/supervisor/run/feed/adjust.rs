@@ -15,7 +15,7 @@ pub(in crate::supervisor) fn check_height(offset_mm: f64) -> Result<(), Refusal>
 impl Run {
     /// Whether speed and height of a job that is not coming to rest can be changed.
     pub(in crate::supervisor) fn check_adjustable(&self) -> Result<(), Refusal> {
-        if self.begun.doubt.is_some() {
+        if self.started.doubt.is_some() {
             let why = "nobody knows yet how far it is; start it first".to_owned();
             return Err(Refusal::CannotResume(why));
         }
@@ -24,15 +24,15 @@ impl Run {
 
     /// Whether a job may be done at this share of its speed.
     pub(in crate::supervisor) fn check_speed(&self, percent: f64) -> Result<(), Refusal> {
-        let most = self.begun.most_percent().min(FASTEST_PERCENT);
+        let most = self.started.most_percent().min(FASTEST_PERCENT);
         check_range("percent", percent, SLOWEST_PERCENT, most, "%")
     }
 
     /// Does what is not given yet at another speed: vectors, and the targets of a program, which an arm goes to
     /// at 100 % of its configured speed at the most.
     pub(in crate::supervisor) fn set_speed(&mut self, percent: f64) -> JobEffect {
-        self.begun.adjustment.speed_percent = percent;
-        self.target_speed = self.begun.target_speed(self.next);
+        self.started.adjustment.speed_percent = percent;
+        self.target_speed = self.started.target_speed(self.next);
         self.change_speeds();
         self.keep_adjustment()
     }
@@ -43,31 +43,31 @@ impl Run {
         offset_mm: f64,
         policy: &Policy,
     ) -> Result<JobEffect, Refusal> {
-        if !self.begun.plan.has_vectors() || self.begun.plan.cycle().is_some() {
+        if !self.started.plan.has_vectors() || self.started.plan.cycle().is_some() {
             return Err(Refusal::NoVectors(self.job()));
         }
         let (plan, change) = self.at_height(offset_mm);
         plan.check_lowest(policy, change.from)?;
-        self.begun.plan = plan;
+        self.started.plan = plan;
         self.reach = None;
         self.note_height(change);
         self.change_speeds();
-        self.permit.wait_for(self.begun.adjustment.clone());
+        self.permit.wait_for(self.started.adjustment.clone());
         Ok(self.keep_adjustment())
     }
 
     fn keep_adjustment(&self) -> JobEffect {
         JobEffect::Ask(Effect::Adjust {
             job: self.job(),
-            adjustment: self.begun.adjustment.clone(),
+            adjustment: self.started.adjustment.clone(),
         })
     }
 
     fn change_speeds(&mut self) {
         let speed_mm_s = self.speed_mm_s();
-        let percent = self.begun.adjustment.speed_percent;
+        let percent = self.started.adjustment.speed_percent;
         self.speeds
-            .change(&self.begun.plan, self.next, speed_mm_s, percent);
+            .change(&self.started.plan, self.next, speed_mm_s, percent);
     }
 
     /// The job with all that is not sent yet at another height.
@@ -75,20 +75,20 @@ impl Run {
         let from = self.next;
         let begin_mm = match self.phase {
             Phase::Paused { .. } => offset_mm,
-            _ => self.begun.plan.raised_mm(from),
+            _ => self.started.plan.raised_mm(from),
         };
         let change = HeightChange {
             from,
             begin_mm,
             offset_mm,
         };
-        let mut plan = self.begun.plan.clone();
+        let mut plan = self.started.plan.clone();
         plan.change_height(&change);
         (plan, change)
     }
 
     fn note_height(&mut self, change: HeightChange) {
-        let heights = &mut self.begun.adjustment.heights;
+        let heights = &mut self.started.adjustment.heights;
         heights.retain(|it| it.from < change.from);
         forget_older(heights, self.permit.kept());
         heights.push(change);

@@ -10,7 +10,7 @@ use crate::supervisor::run::{Phase, Run};
 #[derive(Debug, Default)]
 pub(crate) struct CycleTimes {
     /// When the cycle began that is under way, if it did without a pause since.
-    begun: Option<Duration>,
+    started: Option<Duration>,
     total: Duration,
     count: u32,
 }
@@ -18,15 +18,15 @@ pub(crate) struct CycleTimes {
 impl CycleTimes {
     /// A cycle is over, and the next one begins.
     fn handle_over(&mut self, now: Duration) {
-        if let Some(begun) = self.begun.replace(now) {
-            self.total += now.saturating_sub(begun);
+        if let Some(started) = self.started.replace(now) {
+            self.total += now.saturating_sub(started);
             self.count += 1;
         }
     }
 
     /// The cycle that is under way does not count: the job rests in it.
     pub(crate) const fn forget(&mut self) {
-        self.begun = None;
+        self.started = None;
     }
 
     fn mean_s(&self) -> Option<f64> {
@@ -37,14 +37,14 @@ impl CycleTimes {
 impl Run {
     /// Takes that one more command is over: perhaps a cycle is, and the places in the plan go back.
     pub(crate) fn handle_progress(&mut self, now: Duration) {
-        let Some(cycle) = self.begun.plan.cycle() else {
+        let Some(cycle) = self.started.plan.cycle() else {
             return;
         };
-        let counted = self.begun.completed + self.begun.back;
+        let counted = self.started.completed + self.started.back;
         if counted > cycle.from && (counted - cycle.from).is_multiple_of(cycle.len) {
             self.cycle_times.handle_over(now);
         }
-        if let Some(back) = self.begun.go_back() {
+        if let Some(back) = self.started.go_back() {
             self.go_back(back);
         }
     }
@@ -71,10 +71,10 @@ impl Run {
 
     /// At work, up to where it waits for a person, or ends.
     pub(in crate::supervisor::run) fn running(&self) -> Phase {
-        let pause = self.begun.next_pause().map(|it| it.0);
+        let pause = self.started.next_pause().map(|it| it.0);
         let ends = [
-            Some(self.begun.end()),
-            Some(self.begun.plan.len()),
+            Some(self.started.end()),
+            Some(self.started.plan.len()),
             pause,
             self.step_end,
         ];
@@ -84,18 +84,18 @@ impl Run {
 
     /// How long the rest takes, in seconds, by the motion model.
     pub(crate) fn left_s(&self) -> Option<f64> {
-        let (begun, plan) = (&self.begun, &self.begun.plan);
-        let cycles = plan.cycle().map_or(0, |it| begun.back / it.len);
+        let (started, plan) = (&self.started, &self.started.plan);
+        let cycles = plan.cycle().map_or(0, |it| started.back / it.len);
         #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
         let over_s =
-            plan.cycle_s().unwrap_or(0.0) * cycles as f64 + plan.takes_s(0..begun.completed);
+            plan.cycle_s().unwrap_or(0.0) * cycles as f64 + plan.takes_s(0..started.completed);
         Some(plan.planned_s()? - over_s)
     }
 
     pub(crate) fn program_view(&self, counted: usize) -> Option<ProgramView> {
-        let view = self.begun.program.view(self.begun.commands, counted)?;
+        let view = self.started.program.view(self.started.commands, counted)?;
         Some(ProgramView {
-            planned_cycle_s: self.begun.plan.cycle_s(),
+            planned_cycle_s: self.started.plan.cycle_s(),
             mean_cycle_s: self.cycle_times.mean_s(),
             ..view
         })

@@ -57,7 +57,7 @@ impl Run {
     }
 
     /// Keeps the session and the journal supplied. The tool is lifted only where it may.
-    pub(in crate::supervisor) fn pump(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
+    pub(in crate::supervisor) fn feed(&mut self, arm: &mut Arm, may_lift: bool) -> Vec<JobEffect> {
         if matches!(self.phase, Phase::Approaching { last: None }) {
             self.set_out(arm.now());
         }
@@ -70,7 +70,7 @@ impl Run {
         {
             let command = self.scaled(command);
             let given = self.set_target_speed(arm).and_then(|()| self.lower(arm));
-            let given = given.and_then(|()| self.give(arm, &command));
+            let given = given.and_then(|()| self.send(arm, &command));
             if let Err(refusal) = given {
                 arm.part_from_laser();
                 effects.push(self.drain(JobPhase::Paused, &refusal.to_string(), Rests::Lifted));
@@ -86,14 +86,15 @@ impl Run {
             return None;
         }
         let speed_mm_s = self.speed_mm_s();
-        self.speeds.command(&self.begun.plan, self.next, speed_mm_s)
+        self.speeds
+            .command(&self.started.plan, self.next, speed_mm_s)
     }
 
     /// A program that is done at another speed goes to its targets at that.
     fn scaled(&self, command: Command) -> Command {
         match command {
-            Command::PlaybackAdjustment(it) if self.begun.kind == JobKind::Program => {
-                self.begun.at_speed(it).into()
+            Command::PlaybackAdjustment(it) if self.started.kind == JobKind::Program => {
+                self.started.at_speed(it).into()
             }
             command => command,
         }
@@ -117,7 +118,7 @@ impl Run {
         Ok(())
     }
 
-    fn give(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
+    fn send(&mut self, arm: &mut Arm, command: &Command) -> Result<(), Refusal> {
         let id = arm.send(command)?;
         let (index, left) = (self.next, self.after(self.left(), command));
         self.given.push_back(SentCommand { id, index, left });
@@ -147,12 +148,12 @@ impl Run {
     }
 
     fn wait_for_person(&mut self) -> Option<JobEffect> {
-        let here = self.begun.next_pause().filter(|it| it.0 == self.next);
+        let here = self.started.next_pause().filter(|it| it.0 == self.next);
         if let Some((_, message)) = here {
             let message = message.to_owned();
             return Some(self.drain(JobPhase::Paused, &message, Rests::ForPerson));
         }
-        let is_over = self.next == self.begun.end();
+        let is_over = self.next == self.started.end();
         let here = self.step_end.filter(|it| *it == self.next && !is_over);
         here.map(|_| self.drain(JobPhase::Paused, "the step is done", Rests::AsItIs))
     }
@@ -162,9 +163,9 @@ impl Run {
         if !self.permit.is_low(self.next) {
             return None;
         }
-        let completed = self.begun.completed;
+        let completed = self.started.completed;
         let upto = self.window_end(&status?).min(self.upto());
-        let counted = self.begun.counted(Window {
+        let counted = self.started.counted(Window {
             completed,
             upto,
             start: self.start(),
@@ -216,7 +217,7 @@ impl Run {
         if let Some(ran) = &mut self.ran {
             ran.last_over = now;
         }
-        if !is_done || self.begun.completed != given.index {
+        if !is_done || self.started.completed != given.index {
             return;
         }
         if status.is_some_and(|it| self.shows_grip(given.index, it)) {
@@ -231,7 +232,7 @@ impl Run {
     }
 
     pub(in crate::supervisor::run) fn handle_done(&mut self, given: SentCommand, now: Duration) {
-        self.begun.completed = given.index + 1;
+        self.started.completed = given.index + 1;
         self.left = given.left;
         self.handle_progress(now);
     }

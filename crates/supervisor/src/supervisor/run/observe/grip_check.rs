@@ -21,14 +21,14 @@ pub(crate) struct UnseenGrip {
 impl Run {
     /// Whether the next command has to wait for those before it.
     pub(crate) fn waits_for_grip(&self) -> bool {
-        let grips = |index| self.begun.plan.grips(index);
+        let grips = |index| self.started.plan.grips(index);
         let last = self.given.back().is_some_and(|it| grips(it.index));
         self.unseen.is_some() || last || grips(self.next) && !self.given.is_empty()
     }
 
     /// Whether a status shows what a command did with pump and gripper.
     pub(crate) fn shows_grip(&self, index: usize, status: &Status) -> bool {
-        !self.begun.plan.grips(index) || self.begun.plan.shows_grip(index, status)
+        !self.started.plan.grips(index) || self.started.plan.shows_grip(index, status)
     }
 
     /// The grip was seen, or is not waited for any longer: then says why.

@@ -10,13 +10,13 @@ use dobot_wire::{Command, Status};
 
 use crate::supervisor::JobPlan;
 use crate::supervisor::arm::Arm;
-use crate::supervisor::run::{Begun, Effect, JobEffect, Phase, Run, word};
+use crate::supervisor::run::{Effect, JobEffect, Phase, Run, StartedJob, word};
 
 impl Run {
     /// So many statuses in a row that tell the same: nothing of a window is under way any more, not
     /// even a pause.
     fn rests_after(&self, window: &Window) -> u32 {
-        let commands = self.begun.plan.commands();
+        let commands = self.started.plan.commands();
         let upto = window.upto.min(commands.len());
         let possible = &commands[window.completed.min(upto)..upto];
         let longest_s = possible.iter().map(pause_s).fold(0.0, f32::max);
@@ -32,7 +32,7 @@ impl Run {
     /// What is wrong with the place where the arm rests when all is over. A vector leads from
     /// wherever the arm is: where one was lost, all behind it are displaced.
     fn misses_end(&self, status: &Status) -> Option<String> {
-        let end = self.begun.plan.start_position(self.begun.end())?;
+        let end = self.started.plan.start_position(self.started.end())?;
         let off_mm = end.distance(position(status)).0;
         (off_mm > THERE_MM).then(|| {
             format!(
@@ -43,10 +43,10 @@ impl Run {
 
     /// How long it took, and how far the plan was off, in words.
     fn took(&self) -> String {
-        let Some(ran_s) = self.begun.behind.ran_s else {
+        let Some(ran_s) = self.started.behind.ran_s else {
             return String::new();
         };
-        let planned = self.begun.plan.planned_s();
+        let planned = self.started.plan.planned_s();
         let planned = planned
             .map(|it| format!(", planned were {it:.1} s"))
             .unwrap_or_default();
@@ -82,14 +82,14 @@ impl Run {
     }
 
     fn is_complete(&self) -> bool {
-        self.begun.completed == self.begun.end()
+        self.started.completed == self.started.end()
     }
 
     /// All of the job was seen to be over, and the arm rests: where the job ends?
     fn finish(&mut self, arm: &mut Arm) -> Vec<JobEffect> {
         arm.part_from_laser();
         self.note_ran();
-        let (job, title) = (self.job(), &self.begun.title);
+        let (job, title) = (self.job(), &self.started.title);
         let (phase, reason) = match arm.last().and_then(|status| self.misses_end(&status)) {
             None => (JobPhase::Done, None),
             Some(reason) => (JobPhase::Failed, Some(reason)),
@@ -102,8 +102,8 @@ impl Run {
             job,
             phase,
             reason,
-            window: Some(self.begun.counted(self.certain())),
-            behind: self.begun.behind,
+            window: Some(self.started.counted(self.certain())),
+            behind: self.started.behind,
         };
         vec![
             JobEffect::Keep(effect),
@@ -118,17 +118,17 @@ impl Run {
             return Vec::new();
         };
         let restarted = Self::RESTARTED;
-        let reason = match locate_at(&self.begun, window, &status) {
+        let reason = match locate_at(&self.started, window, &status) {
             Ok(next) => {
-                self.begun.completed = next;
+                self.started.completed = next;
                 let (_, next) = self
-                    .begun
+                    .started
                     .program
-                    .at(next + self.begun.back, self.begun.commands);
+                    .at(next + self.started.back, self.started.commands);
                 format!("{restarted}; the arm rests where command {next} begins")
             }
             Err(unclear) => {
-                self.begun.doubt = Some(*window);
+                self.started.doubt = Some(*window);
                 format!("{restarted}; {unclear}")
             }
         };
@@ -139,16 +139,20 @@ impl Run {
 }
 
 /// Which command is the first that was not done, by where the arm rests.
-pub(crate) fn locate_at(begun: &Begun, window: &Window, status: &Status) -> Result<usize, Unclear> {
+pub(crate) fn locate_at(
+    started: &StartedJob,
+    window: &Window,
+    status: &Status,
+) -> Result<usize, Unclear> {
     if window.completed == window.upto {
         return Ok(window.completed);
     }
-    let (commands, dialect) = (begun.plan.commands(), begun.dialect);
-    let told = begun.plan.told_before(window.completed);
-    let model = model_at(dialect, told, window).unwrap_or_else(|| Model::new(dialect, status));
-    let lift_mm = begun.plan.lift();
+    let (commands, dialect) = (started.plan.commands(), started.dialect);
+    let settings = started.plan.settings_before(window.completed);
+    let model = model_at(dialect, settings, window).unwrap_or_else(|| Model::new(dialect, status));
+    let lift_mm = started.plan.lift();
     let next = locate(commands, window, &model, lift_mm, position(status))?.next;
-    Ok(behind_seen_grips(&begun.plan, next..window.upto, status))
+    Ok(behind_seen_grips(&started.plan, next..window.upto, status))
 }
 
 /// A grip leaves its trace in the status, not in where the arm rests: those that are seen are done.

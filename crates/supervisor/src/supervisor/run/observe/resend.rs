@@ -6,7 +6,7 @@ use dobot_wire::Command;
 
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
-use crate::supervisor::run::{Begun, JobEffect, Phase, Rests, Run};
+use crate::supervisor::run::{JobEffect, Phase, Rests, Run, StartedJob};
 
 /// How often the same command was sent again, one time after the other.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,7 +23,7 @@ impl Run {
         if !is_running || !self.may_try_again() {
             return self.interrupt(why);
         }
-        let counted = self.begun.completed + self.begun.back;
+        let counted = self.started.completed + self.started.back;
         let before = if self.retries.command == counted {
             self.retries.times
         } else {
@@ -34,7 +34,7 @@ impl Run {
             times: before + 1,
         };
         let window = self.certain();
-        self.begun.doubt = Some(Window {
+        self.started.doubt = Some(Window {
             upto: self.next,
             ..window
         });
@@ -48,10 +48,10 @@ impl Run {
     /// A target says itself where it leads: it may be sent again wherever the arm is. Vectors go on from where
     /// they were.
     fn may_try_again(&self) -> bool {
-        let counted = self.begun.completed + self.begun.back;
+        let counted = self.started.completed + self.started.back;
         let is_new = self.retries.command != counted;
-        let sent = self.begun.completed..self.next;
-        let mut sent = self.begun.plan.commands()[sent].iter();
+        let sent = self.started.completed..self.next;
+        let mut sent = self.started.plan.commands()[sent].iter();
         let leads_somewhere = sent.all(|it| !matches!(it, Command::WriteVector(_)));
         leads_somewhere && (is_new || self.retries.times < MOST_RETRIES)
     }
@@ -67,17 +67,17 @@ impl Run {
         &self,
         arm: &mut Arm,
     ) -> Result<(Self, Vec<JobEffect>), Refusal> {
-        let begun = self.begun.clone();
-        let begun = Begun {
+        let started = self.started.clone();
+        let started = StartedJob {
             single_step: self.step_end.is_some(),
-            ..begun
+            ..started
         };
-        let (mut run, effects) = Self::begin(begun.clone(), arm, Some(self)).or_else(|_| {
-            let begun = Begun {
+        let (mut run, effects) = Self::begin(started.clone(), arm, Some(self)).or_else(|_| {
+            let started = StartedJob {
                 doubt: None,
-                ..begun
+                ..started
             };
-            Self::begin(begun, arm, Some(self))
+            Self::begin(started, arm, Some(self))
         })?;
         run.retries = self.retries;
         // Those who watch know that it goes on.

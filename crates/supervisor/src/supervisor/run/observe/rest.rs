@@ -110,7 +110,7 @@ impl Run {
             ..
         } = self.phase
         {
-            self.next = self.begun.completed;
+            self.next = self.started.completed;
             return vec![JobEffect::TryAgain];
         }
         let window = self.come_to_end(&reason);
@@ -120,7 +120,7 @@ impl Run {
             phase: then,
             reason: Some(reason),
             window,
-            behind: self.begun.behind,
+            behind: self.started.behind,
         })];
         effects.extend(then.is_over().then_some(JobEffect::Forget));
         effects
@@ -135,21 +135,21 @@ impl Run {
         if matches!(self.phase, Phase::Lifting { .. }) {
             self.left = self.after(self.left, &straight(self.lift_mm().into()));
         }
-        self.next = self.begun.completed;
+        self.next = self.started.completed;
         self.cycle_times.forget();
         self.step_end = None;
-        let waited = self.begun.next_pause().map(|it| it.0);
+        let waited = self.started.next_pause().map(|it| it.0);
         if for_person && waited == Some(self.next) {
-            self.begun.behind.pauses += 1;
+            self.started.behind.pauses += 1;
         }
         self.note_ran();
         self.phase = Phase::Paused {
             reason: reason.to_owned(),
         };
-        self.begun
+        self.started
             .doubt
             .is_none()
-            .then(|| self.begun.counted(self.certain()))
+            .then(|| self.started.counted(self.certain()))
     }
 
     pub(crate) fn notify(&self, phase: JobPhase, reason: &str) -> JobEffect {
@@ -165,7 +165,7 @@ impl Run {
         if left.moves
             && let Some(end) = self
                 .speeds
-                .brake(&self.begun.plan, self.next, left.speed_mm_s)
+                .brake(&self.started.plan, self.next, left.speed_mm_s)
             && let Phase::Draining { upto, .. } = &mut self.phase
         {
             *upto = end;

@@ -10,29 +10,30 @@ use dobot_wire::{Command, MoveTo, MovingMode, Status, WriteVector, single};
 use crate::refusal::Refusal;
 use crate::supervisor::arm::Arm;
 use crate::supervisor::run::observe::progress::{THERE_MM, locate_at};
-use crate::supervisor::run::{Begun, CarriedOver, Effect, JobEffect, Phase, Run, ToolHeight};
+use crate::supervisor::run::{CarriedOver, Effect, JobEffect, Phase, Run, StartedJob, ToolHeight};
 
 impl Run {
     /// Begins a job, or goes on with a paused one: with this one, if it is the same.
     pub(in crate::supervisor) fn begin(
-        begun: Begun,
+        started: StartedJob,
         arm: &mut Arm,
         paused: Option<&Self>,
     ) -> Result<(Self, [JobEffect; 2]), Refusal> {
         let status = arm.last();
-        let kept = begun.doubt.map_or(begun.completed, |it| it.completed);
-        let begun = located(begun, status)?;
-        check_holds(&begun, status)?;
-        let JobApproach { mut first, lower } = approach(&begun, status);
-        first.extend(behind_cut_line(&begun, status, arm));
-        let step_end = begun.single_step.then(|| begun.step_end());
-        let mut run = Self::new(begun, kept, Phase::Approaching { last: None }, status);
+        let kept = started.doubt.map_or(started.completed, |it| it.completed);
+        let started = located(started, status)?;
+        check_holds(&started, status)?;
+        let JobApproach { mut first, lower } = approach(&started, status);
+        first.extend(behind_cut_line(&started, status, arm));
+        let step_end = started.single_step.then(|| started.step_end());
+        let mut run = Self::new(started, kept, Phase::Approaching { last: None }, status);
         run.step_end = step_end;
-        let is_planned = run.begun.adjustment.speed_percent == 100.0;
-        run.target_speed = run.begun.target_speed(run.next).filter(|_| !is_planned);
+        let is_planned = run.started.adjustment.speed_percent == 100.0;
+        run.target_speed = run.started.target_speed(run.next).filter(|_| !is_planned);
         let left = run.left_before(paused);
         if left.is_unknown {
-            run.speeds.rest_each(&run.begun.plan, run.begun.completed);
+            run.speeds
+                .rest_each(&run.started.plan, run.started.completed);
         }
         let ways = first.iter().chain(&lower);
         run.left = ways.fold(left, |left, it| run.after(left, it));
@@ -51,13 +52,13 @@ impl Run {
 
     fn begins(&self) -> [JobEffect; 2] {
         let (job, phase) = (self.job(), JobPhase::Running);
-        let text = format!("job {job} ({}) is under way", self.begun.title);
+        let text = format!("job {job} ({}) is under way", self.started.title);
         let effect = Effect::Phase {
             job,
             phase,
             reason: None,
             window: None,
-            behind: self.begun.behind,
+            behind: self.started.behind,
         };
         [
             JobEffect::Keep(effect),
@@ -75,20 +76,20 @@ impl Run {
 }
 
 /// A job of which nobody knows how far it got goes on only from where the arm rests.
-fn located(mut begun: Begun, status: Option<Status>) -> Result<Begun, Refusal> {
-    let (Some(window), Some(status)) = (begun.doubt.take(), status) else {
-        return Ok(begun);
+fn located(mut started: StartedJob, status: Option<Status>) -> Result<StartedJob, Refusal> {
+    let (Some(window), Some(status)) = (started.doubt.take(), status) else {
+        return Ok(started);
     };
-    let located = locate_at(&begun, &window, &status);
-    begun.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
-    Ok(begun)
+    let located = locate_at(&started, &window, &status);
+    started.completed = located.map_err(|unclear| Refusal::CannotResume(unclear.to_string()))?;
+    Ok(started)
 }
 
 /// What brings the arm to where a job begins or goes on: settings that a reset may have lost,
 /// and the way there. A tool that is lifted in a pause comes down from above.
-fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
-    let mut first = prelude(begun.plan.told_before(begun.completed));
-    let (Some(planned), Some(status)) = (begun.plan.start(begun.completed), status) else {
+fn approach(started: &StartedJob, status: Option<Status>) -> JobApproach {
+    let mut first = prelude(started.plan.settings_before(started.completed));
+    let (Some(planned), Some(status)) = (started.plan.start(started.completed), status) else {
         return JobApproach { first, lower: None };
     };
     let (start, here) = (position(&planned), position(&status));
@@ -96,24 +97,24 @@ fn approach(begun: &Begun, status: Option<Status>) -> JobApproach {
         let higher_mm = start.z.0 - here.z.0;
         if higher_mm.abs() > LEVEL_MM {
             first.push(straight(higher_mm));
-        } else if may_jump(begun) {
+        } else if may_jump(started) {
             first.extend(settle());
         }
         return JobApproach { first, lower: None };
     }
-    let lift_mm = begun.plan.lift().map_or(0.0, f64::from);
+    let lift_mm = started.plan.lift().map_or(0.0, f64::from);
     let above = start + Position::new(0.0, 0.0, lift_mm);
     let mut below_mm = lift_mm;
     if above.distance(here).0 <= THERE_MM {
         below_mm = here.z.0 - start.z.0;
     } else {
         first.push(hop(above, &planned));
-        if lift_mm == 0.0 && may_jump(begun) {
+        if lift_mm == 0.0 && may_jump(started) {
             first.extend(settle());
         }
     }
     let mut lower = (below_mm > 0.0).then(|| straight(-below_mm));
-    if begun.completed == begun.end() {
+    if started.completed == started.end() {
         // Nothing comes behind it.
         first.extend(lower.take());
     }
@@ -140,10 +141,10 @@ fn settle() -> [Command; 2] {
 
 /// Where a straight line comes next and the one before was perhaps cut short: a MOVJ to where the arm is, without which a
 /// stock arm would begin with a jump (note N46).
-fn behind_cut_line(begun: &Begun, status: Option<Status>, arm: &Arm) -> Option<Command> {
-    let next = begun.plan.commands().get(begun.completed)?;
+fn behind_cut_line(started: &StartedJob, status: Option<Status>, arm: &Arm) -> Option<Command> {
+    let next = started.plan.commands().get(started.completed)?;
     let trap = Err(SendError::Trap(TrajectoryError::BehindCutLine));
-    let here = begun.plan.start(begun.completed).or(status)?;
+    let here = started.plan.start(started.completed).or(status)?;
     (arm.session().check(next) == trap).then(|| go(position(&here), &here, MovingMode::MovJ))
 }
 
@@ -166,20 +167,20 @@ fn go(to: Position, planned: &Status, mode: MovingMode) -> Command {
 
 /// Whether the arm would begin the rest of a stroke with the speed at which it was interrupted,
 /// from a stand: one that does not use the start speed keeps the last end speed (note N48).
-fn may_jump(begun: &Begun) -> bool {
-    let before = begun.completed.checked_sub(1);
-    let before = before.and_then(|it| begun.plan.commands().get(it));
+fn may_jump(started: &StartedJob) -> bool {
+    let before = started.completed.checked_sub(1);
+    let before = before.and_then(|it| started.plan.commands().get(it));
     let moves = |it: &Command| matches!(it, Command::WriteVector(it) if it.end_speed_mm_s > 0.0);
-    !begun.dialect.uses_start_speed && before.is_some_and(moves)
+    !started.dialect.uses_start_speed && before.is_some_and(moves)
 }
 
 /// An object that the arm held has fallen where its pump is off by now: what comes next would do without it.
-fn check_holds(begun: &Begun, status: Option<Status>) -> Result<(), Refusal> {
-    let planned = begun.plan.start(begun.completed);
+fn check_holds(started: &StartedJob, status: Option<Status>) -> Result<(), Refusal> {
+    let planned = started.plan.start(started.completed);
     if planned.is_some_and(|it| it.suction) && status.is_some_and(|it| !it.suction) {
-        let (_, step) = begun
+        let (_, step) = started
             .program
-            .at(begun.completed + begun.back, begun.commands);
+            .at(started.completed + started.back, started.commands);
         return Err(Refusal::CannotResume(format!(
             "the pump is off, and before command {step} the program had it on: what the arm held has fallen. Put it back, and run the program from the step that takes it"
         )));

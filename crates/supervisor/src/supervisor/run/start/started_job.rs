@@ -46,7 +46,7 @@ pub enum Effect {
 
 /// A job that is to be begun, or gone on with.
 #[derive(Clone, Debug)]
-pub struct Begun {
+pub struct StartedJob {
     /// Its number.
     pub job: u64,
     /// What a person calls it.
@@ -79,7 +79,7 @@ pub struct Begun {
     pub single_step: bool,
 }
 
-impl Begun {
+impl StartedJob {
     /// A job as the journal has it, whose way was looked at.
     #[must_use]
     pub fn new(job: &Job, plan: JobPlan) -> Self {

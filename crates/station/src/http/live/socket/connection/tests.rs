@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::task::{Context, Poll};
 
 use dobot_api::{News, Role, StationAddress};
-use dobot_host::Handle;
+use dobot_host::StationHandle;
 use futures_util::stream;
 use tokio::sync::watch;
 use tokio::time::Instant;
@@ -183,8 +183,8 @@ async fn a_client_that_lags_too_many_states_behind_is_dropped() {
     let harness = Harness::new();
     let telling = harness.telling.clone();
     let incoming = Box::pin(stream::once(async move {
-        for _ in 0..2 * Handle::STATES {
-            telling.ends.tell(state(0.0));
+        for _ in 0..2 * StationHandle::STATES {
+            telling.ends.publish_state(state(0.0));
         }
         text(r#"{"id": 1, "request": {"type": "release"}}"#)
     }));
@@ -245,7 +245,7 @@ async fn hello_comes_first_and_what_happened_meanwhile_after_it() {
     let harness = Harness::new();
     let telling = harness.telling.clone();
     let incoming = Box::pin(stream::once(async move {
-        telling.ends.announce(notice(1, News::LinkUp, "up"));
+        telling.ends.publish_notice(notice(1, News::LinkUp, "up"));
         text("")
     }));
     let _ = timeout(

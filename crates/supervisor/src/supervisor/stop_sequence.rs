@@ -8,7 +8,7 @@ use super::arm::Arm;
 
 /// An arm that is being brought to rest, if it is: laser off, button released, and so again.
 #[derive(Debug, Default)]
-pub(super) struct Halt {
+pub(super) struct StopSequence {
     round: Option<Round>,
 }
 
@@ -61,7 +61,7 @@ impl Round {
     }
 }
 
-impl Halt {
+impl StopSequence {
     /// When it has something to say, unless it waits for a status.
     pub(super) fn next(&self) -> Option<Duration> {
         self.round.filter(|it| it.heard).map(|it| it.next)

@@ -10,7 +10,7 @@ use crate::refusal::Refusal;
 
 /// Notices, statuses and answers until they are fetched.
 #[derive(Debug)]
-pub(super) struct Outbox {
+pub(super) struct OutgoingEvents {
     notices: VecDeque<Notice>,
     notice_count: u64,
     /// Statuses for raw programs, to which each one is a permit.
@@ -21,7 +21,7 @@ pub(super) struct Outbox {
     changed: bool,
 }
 
-impl Outbox {
+impl OutgoingEvents {
     /// What there is at the start counts as changed.
     pub(super) const fn new() -> Self {
         Self {

@@ -8,7 +8,7 @@ use crate::refusal::Refusal;
 
 /// What goes to the journal.
 #[derive(Debug, Default)]
-pub(super) struct Save {
+pub(super) struct JournalRequests {
     effects: VecDeque<Effect>,
     /// The last phase of a job that was to be kept.
     kept: Option<Effect>,
@@ -23,7 +23,7 @@ struct Unsaved {
     next: Duration,
 }
 
-impl Save {
+impl JournalRequests {
     pub(super) fn ask(&mut self, effect: Effect) {
         self.effects.push_back(effect);
     }

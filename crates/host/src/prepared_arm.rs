@@ -32,7 +32,7 @@ pub struct WantedArm {
 /// An arm whose rules are about to be set to work. Its laser was switched off, whatever becomes of
 /// that: a power cut is what damages a journal, and what leaves a laser on.
 #[derive(Debug)]
-pub struct Approach {
+pub struct PreparedArm {
     pub(crate) thread: ArmThread,
     pub(crate) panic_stop: Arc<PanicStop>,
     pub(crate) source: Source,
@@ -42,7 +42,7 @@ pub struct Approach {
     pub(crate) notes: Vec<String>,
 }
 
-impl Approach {
+impl PreparedArm {
     /// Opens the port that is named, or looks for one with an arm, and switches the laser off there.
     /// Without an arm there is a virtual one. It waits until the watchdog of a program that was killed
     /// just now has let go of the port.
@@ -55,14 +55,14 @@ impl Approach {
     ///
     /// Outside of a tokio runtime.
     pub async fn new(arm: &WantedArm, note: &Path) -> io::Result<Self> {
-        let mut approach = Self::with_source(port(arm.address.as_ref()))?;
+        let mut prepared = Self::with_source(port(arm.address.as_ref()))?;
         wait_for_watchdog(note).await;
         match arm.address {
-            Some(Address::Virtual) => approach.take_virtual(arm),
-            Some(_) => approach.knock().await,
-            None => approach.look(arm).await,
+            Some(Address::Virtual) => prepared.use_virtual(arm),
+            Some(_) => prepared.open_named().await,
+            None => prepared.search(arm).await,
         }
-        Ok(approach)
+        Ok(prepared)
     }
 
     /// Opens the port of an arm, and switches its laser off.
@@ -70,7 +70,7 @@ impl Approach {
     /// # Errors
     ///
     /// Where the port cannot be opened, or the system has no thread left for the arm.
-    pub(crate) async fn to(address: &Address) -> Result<Self, OpenArmError> {
+    pub(crate) async fn open(address: &Address) -> Result<Self, OpenArmError> {
         let mut link = Link::open(address).await?;
         darken(&mut link).await;
         let found = Found {
@@ -78,9 +78,9 @@ impl Approach {
             link,
             bytes: Vec::new(),
         };
-        let mut approach = Self::with_source(port(Some(address))).map_err(OpenArmError::Thread)?;
-        approach.first = Some(Connecting::Up(found));
-        Ok(approach)
+        let mut prepared = Self::with_source(port(Some(address))).map_err(OpenArmError::Thread)?;
+        prepared.first = Some(Connecting::Up(found));
+        Ok(prepared)
     }
 
     /// Where the arm is, as far as that is known.
@@ -105,7 +105,7 @@ impl Approach {
 
     /// Opens the port that is named. An arm that runs is heard at once; the station goes on to wait
     /// for any other.
-    async fn knock(&mut self) {
+    async fn open_named(&mut self) {
         let mut news = self.source.connect(self.thread.runtime());
         self.first = match tokio::time::timeout(SOON, news.recv()).await {
             Ok(first) => first,
@@ -114,19 +114,19 @@ impl Approach {
     }
 
     /// Looks for an arm; without one there is a virtual arm.
-    async fn look(&mut self, arm: &WantedArm) {
+    async fn search(&mut self, arm: &WantedArm) {
         let mut news = self.source.connect(self.thread.runtime());
         match news.recv().await {
             Some(Connecting::Waiting(nothing)) => {
                 self.notes.push(nothing);
-                self.take_virtual(arm);
+                self.use_virtual(arm);
             }
             first => self.first = first,
         }
     }
 
     /// A virtual arm that lives as long as the station.
-    fn take_virtual(&mut self, wanted: &WantedArm) {
+    fn use_virtual(&mut self, wanted: &WantedArm) {
         let controller = Controller::power_up(PowerUp::new(wanted.personality));
         let scene = Scene::parse(DESK).expect("the desk is a scene");
         let arm = VirtualArm::new(controller, SerialLine::STOCK).with_world(World::new(scene));

@@ -8,7 +8,7 @@ use dobot_session::{Address, OpenError};
 /// Why no arm was heard at a port.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum Missed {
+pub enum ProbeFailure {
     /// It cannot be opened.
     #[error("{}", open_text(.0))]
     Open(#[from] OpenError),
@@ -39,14 +39,14 @@ pub enum Missed {
 #[derive(Debug)]
 pub struct NothingFound {
     /// What came of each port that may have an arm.
-    pub missed: Vec<(Address, Missed)>,
+    pub failures: Vec<(Address, ProbeFailure)>,
     /// Ports that are tried only when a person names them.
     pub passed_over: Vec<String>,
     /// Why the ports of this machine could not be listed.
     pub unlisted: Option<String>,
 }
 
-impl Missed {
+impl ProbeFailure {
     /// What to do about it.
     #[must_use]
     pub fn hint(&self) -> Option<String> {
@@ -67,9 +67,12 @@ impl Missed {
 }
 
 impl NothingFound {
-    pub(super) const fn new(missed: Vec<(Address, Missed)>, passed_over: Vec<String>) -> Self {
+    pub(super) const fn new(
+        failures: Vec<(Address, ProbeFailure)>,
+        passed_over: Vec<String>,
+    ) -> Self {
         Self {
-            missed,
+            failures,
             passed_over,
             unlisted: None,
         }
@@ -85,7 +88,7 @@ impl NothingFound {
     /// What to do about it.
     #[must_use]
     pub fn hint(&self) -> String {
-        let hint = self.missed.iter().find_map(|(_, it)| it.hint());
+        let hint = self.failures.iter().find_map(|(_, it)| it.hint());
         hint.unwrap_or_else(|| {
             "plug the arm in and switch it on; `dobot ports` lists the serial ports of this machine"
                 .into()
@@ -98,11 +101,11 @@ impl fmt::Display for NothingFound {
         f.write_str("no arm was found")?;
         if let Some(error) = &self.unlisted {
             write!(f, "; the ports of this machine cannot be listed: {error}")?;
-        } else if self.missed.is_empty() {
+        } else if self.failures.is_empty() {
             f.write_str("; there is no USB serial port")?;
         }
-        for (address, missed) in &self.missed {
-            write!(f, "; {address}: {missed}")?;
+        for (address, failures) in &self.failure {
+            write!(f, "; {address}: {failure}")?;
         }
         if !self.passed_over.is_empty() {
             let ports = listed(&self.passed_over);
@@ -174,7 +177,7 @@ mod tests {
 
     #[test]
     fn ports_that_cannot_be_listed_are_told() {
-        let nothing = NothingFound::new(vec![(address(), Missed::Silent)], Vec::new());
+        let nothing = NothingFound::new(vec![(address(), ProbeFailure::Silent)], Vec::new());
         let error = io::Error::other("no /sys");
         let text = nothing.without_list(&error).to_string();
         assert!(text.contains("cannot be listed: no /sys"), "{text}");

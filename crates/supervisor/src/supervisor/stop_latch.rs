@@ -22,7 +22,7 @@ pub struct StoppedBy {
 
 /// The stop that holds the arm, if one does: its own, one of the whole fleet, or both.
 #[derive(Debug, Default)]
-pub(super) struct Stop {
+pub(super) struct StopLatch {
     /// Who stopped this arm alone.
     own: Option<StoppedBy>,
     fleet: FleetStops,
@@ -44,7 +44,7 @@ struct Holding {
     last: (StoppedBy, bool),
 }
 
-impl Stop {
+impl StopLatch {
     /// Takes that somebody stops this arm; says what is to be told, unless that is known.
     pub(super) fn handle_stop(
         &mut self,
@@ -71,7 +71,7 @@ impl Stop {
         self.fleet.make(origin, by.by, by.reason, now_ms)
     }
 
-    /// Takes what other stations know; says whether one of these stops is to stop the arm. [`Stop::hold`] does it.
+    /// Takes what other stations know; says whether one of these stops is to stop the arm. [`StopLatch::hold`] does it.
     pub(super) fn adopt(&mut self, stops: &[FleetWideStop]) -> bool {
         let mut is_stopping = false;
         for stop in stops {
@@ -162,7 +162,7 @@ impl Stop {
 
     /// Lets the arm go once nothing stops it any more; says whether it does so now. An arm that was met has to have been seen
     /// at rest.
-    pub(super) fn let_go(&mut self, was_met: bool) -> bool {
+    pub(super) fn release(&mut self, was_met: bool) -> bool {
         let is_over = self.cause().is_none();
         let over = self
             .holding

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// Where a command would lead if it were sent now, behind all that waits: it is allowed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct WayView {
+pub struct PathPreview {
     /// How long motion and pause take, in seconds; nothing for a button, which goes on until it is released.
     pub takes_s: Option<f64>,
     /// The places of the tool on its way, its beginning and its end among them, at equal distances in time: x, y and z

@@ -5,7 +5,7 @@ use dobot_motion::{ArmPlace, Bend};
 
 use crate::body::{Body, MEASURES, measures};
 use crate::limits::{LASER_AREA, Limit};
-use crate::sweep::Sweep;
+use crate::swept_path::SweptPath;
 use crate::{Bounds, KeepOut, Policy};
 
 /// The rules in force on a way.
@@ -14,9 +14,9 @@ use crate::{Bounds, KeepOut, Policy};
 /// as wide as the arm stands outside, and it becomes narrower as the arm comes in; that of a keep-out
 /// when the arm has left it.
 #[derive(Debug)]
-pub(crate) struct Fence<'a> {
-    limits: Vec<Gate>,
-    keep_outs: Vec<Fenced<'a>>,
+pub(crate) struct EffectiveRules<'a> {
+    limits: Vec<EffectiveLimit>,
+    keep_outs: Vec<EffectiveKeepOut<'a>>,
     tool: Tool,
     tip_mm: f64,
     arm: Calibration,
@@ -28,7 +28,7 @@ pub(crate) struct PathPoint {
     /// The share of the segment behind it.
     pub(crate) share: f64,
     /// Where the arm says that it is.
-    pub(crate) told: ArmPlace,
+    pub(crate) raw: ArmPlace,
     /// Where it truly is, by which the rules judge.
     pub(crate) place: ArmPlace,
     pub(crate) measures: [f64; MEASURES],
@@ -50,32 +50,32 @@ pub(crate) enum Broken {
 
 /// A limit, and what it is now.
 #[derive(Debug)]
-struct Gate {
+struct EffectiveLimit {
     limit: Limit,
     now: Bounds,
 }
 
 /// A keep-out, and by how much it is larger now.
 #[derive(Debug)]
-struct Fenced<'a> {
+struct EffectiveKeepOut<'a> {
     name: &'a str,
-    keep_out: &'a KeepOut,
+    shape: &'a KeepOut,
     /// The thickness of the arm, and the resolution.
     strict_mm: f64,
     now_mm: f64,
 }
 
-impl<'a> Fence<'a> {
+impl<'a> EffectiveRules<'a> {
     /// The rules of a policy for an arm with this tool, which differs so from the drawing of it.
     pub(crate) fn new(policy: &'a Policy, tool: Tool, arm: Calibration, burning: bool) -> Self {
-        let gate = |limit: Limit| Gate {
+        let effective = |limit: Limit| EffectiveLimit {
             limit,
             now: limit.bounds.grown(ROUNDING),
         };
         let strict_mm = policy.arm.radius_mm + RESOLUTION_MM;
-        let fenced = |(name, keep_out): (&'a String, &'a KeepOut)| Fenced {
+        let effective_keep_out = |(name, keep_out): (&'a String, &'a KeepOut)| EffectiveKeepOut {
             name,
-            keep_out,
+            shape: keep_out,
             strict_mm,
             now_mm: strict_mm,
         };
@@ -83,9 +83,9 @@ impl<'a> Fence<'a> {
             limits: policy
                 .limits(tool, &arm, burning)
                 .into_iter()
-                .map(gate)
+                .map(effective)
                 .collect(),
-            keep_outs: policy.keep_out.iter().map(fenced).collect(),
+            keep_outs: policy.keep_out.iter().map(effective_keep_out).collect(),
             tool,
             tip_mm: policy.tool_length.of(tool),
             arm,
@@ -93,11 +93,11 @@ impl<'a> Fence<'a> {
     }
 
     /// Looks at a place that the arm says.
-    pub(crate) fn stop(&self, share: f64, told: ArmPlace) -> PathPoint {
-        let place = told.seen_by(&self.arm, self.tool);
+    pub(crate) fn point_at(&self, share: f64, raw: ArmPlace) -> PathPoint {
+        let place = raw.seen_by(&self.arm, self.tool);
         PathPoint {
             share,
-            told,
+            raw,
             place,
             measures: measures(&place, &self.arm),
             body: Body::new(&place, self.tool, self.tip_mm, &self.arm),
@@ -106,44 +106,47 @@ impl<'a> Fence<'a> {
 
     /// The way begins here: where the arm is outside, the rules are that wide.
     pub(crate) fn begin(&mut self, at: &PathPoint) {
-        for gate in &mut self.limits {
-            if gate.limit.key != LASER_AREA {
-                gate.now = gate.wide_enough_for(at);
+        for effective in &mut self.limits {
+            if effective.limit.key != LASER_AREA {
+                effective.now = effective.wide_enough_for(at);
             }
         }
-        for fenced in &mut self.keep_outs {
-            fenced.now_mm = fenced.from(&at.body);
+        for keep_out in &mut self.keep_outs {
+            keep_out.now_mm = keep_out.from(&at.body);
         }
     }
 
     /// The way came here: the rules become narrower, where they were too wide.
     pub(crate) fn advance(&mut self, to: &PathPoint) {
-        for gate in &mut self.limits {
-            let still = gate.wide_enough_for(to);
-            gate.now.min = gate.now.min.max(still.min);
-            gate.now.max = gate.now.max.min(still.max);
+        for effective in &mut self.limits {
+            let allowed = effective.wide_enough_for(to);
+            effective.now.min = effective.now.min.max(allowed.min);
+            effective.now.max = effective.now.max.min(allowed.max);
         }
-        for fenced in &mut self.keep_outs {
-            if fenced.now_mm < fenced.strict_mm && fenced.is_clear_at(&to.body) {
-                fenced.now_mm = fenced.strict_mm;
+        for keep_out in &mut self.keep_outs {
+            if keep_out.now_mm < keep_out.strict_mm && keep_out.is_clear_at(&to.body) {
+                keep_out.now_mm = keep_out.strict_mm;
             }
         }
     }
 
     /// All that forbids a place.
     pub(crate) fn broken_at<'b>(&'b self, at: &'b PathPoint) -> impl Iterator<Item = Broken> + 'b {
-        let outside =
-            |gate: &&'b Gate| !gate.now.contains(at.measures[gate.limit.measure as usize]);
+        let outside = |effective: &&'b EffectiveLimit| {
+            !effective
+                .now
+                .contains(at.measures[effective.limit.measure as usize])
+        };
         let limits = self.limits.iter().filter(outside);
-        let keep_outs = self.keep_outs.iter().filter_map(|fenced| {
+        let keep_outs = self.keep_outs.iter().filter_map(|keep_out| {
             let lines = at.body.lines();
             let part = lines
                 .iter()
-                .position(|line| fenced.keep_out.touches(line, fenced.now_mm))?;
-            Some(fenced.broken(part))
+                .position(|line| keep_out.shape.touches(line, keep_out.now_mm))?;
+            Some(keep_out.broken(part))
         });
         limits
-            .map(|gate| Broken::Limit(gate.limit))
+            .map(|effective| Broken::Limit(effective.limit))
             .chain(keep_outs)
     }
 
@@ -154,25 +157,29 @@ impl<'a> Fence<'a> {
         a: &PathPoint,
         b: &PathPoint,
     ) -> Option<Broken> {
-        let Some(sweep) = Sweep::between(bend, &a.told, &b.told, self.tool, &self.arm) else {
+        let Some(swept) = SweptPath::between(bend, &a.raw, &b.raw, self.tool, &self.arm) else {
             return Some(Broken::Unclear);
         };
-        let outside = |gate: &&Gate| {
-            let index = gate.limit.measure as usize;
-            let span = sweep.span(gate.limit.measure, a.measures[index], b.measures[index]);
-            !(gate.now.contains(span.min) && gate.now.contains(span.max))
+        let outside = |effective: &&EffectiveLimit| {
+            let index = effective.limit.measure as usize;
+            let span = swept.span(
+                effective.limit.measure,
+                a.measures[index],
+                b.measures[index],
+            );
+            !(effective.now.contains(span.min) && effective.now.contains(span.max))
         };
-        if let Some(gate) = self.limits.iter().find(outside) {
-            return Some(Broken::Limit(gate.limit));
+        if let Some(effective) = self.limits.iter().find(outside) {
+            return Some(Broken::Limit(effective.limit));
         }
         let keep_outs = &self.keep_outs;
         keep_outs
             .iter()
-            .find_map(|fenced| fenced.broken_between(&sweep, &a.body, &b.body))
+            .find_map(|keep_out| keep_out.broken_between(&swept, &a.body, &b.body))
     }
 }
 
-impl Gate {
+impl EffectiveLimit {
     fn wide_enough_for(&self, at: &PathPoint) -> Bounds {
         let value = at.measures[self.limit.measure as usize];
         let Bounds { min, max } = self.limit.bounds;
@@ -188,10 +195,10 @@ impl PathPoint {
     }
 }
 
-impl Fenced<'_> {
+impl EffectiveKeepOut<'_> {
     /// By how much it is larger for an arm that begins here.
     fn from(&self, body: &Body) -> f64 {
-        let room_mm = self.keep_out.room(&body.lines(), self.strict_mm);
+        let room_mm = self.shape.room(&body.lines(), self.strict_mm);
         if room_mm < self.strict_mm {
             room_mm - ROOM_MM
         } else {
@@ -201,16 +208,14 @@ impl Fenced<'_> {
 
     fn is_clear_at(&self, body: &Body) -> bool {
         let mut lines = body.lines().into_iter();
-        !lines.any(|line| self.keep_out.touches(&line, self.strict_mm))
+        !lines.any(|line| self.shape.touches(&line, self.strict_mm))
     }
 
-    fn broken_between(&self, sweep: &Sweep, a: &Body, b: &Body) -> Option<Broken> {
-        let (from, to, strays) = (a.lines(), b.lines(), sweep.strays_mm());
+    fn broken_between(&self, swept: &SweptPath, a: &Body, b: &Body) -> Option<Broken> {
+        let (from, to, strays) = (a.lines(), b.lines(), swept.strays_mm());
         let touched = |&part: &usize| {
             let swept = [from[part], to[part]];
-            !self
-                .keep_out
-                .is_clear_of(&swept, self.now_mm + strays[part])
+            !self.shape.is_clear_of(&swept, self.now_mm + strays[part])
         };
         (0..PARTS.len()).find(touched).map(|part| self.broken(part))
     }

@@ -14,7 +14,7 @@ use crate::body::{MEASURES, Measure};
 
 /// Bounds of second derivatives by the share of the way between two places.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sweep {
+pub(crate) struct SweptPath {
     /// Of each measure, in its unit.
     measures: [f64; MEASURES],
     elbow_mm: f64,
@@ -22,7 +22,7 @@ pub(crate) struct Sweep {
     tool_mm: f64,
 }
 
-impl Sweep {
+impl SweptPath {
     /// The bounds between two places that the arm says; `None` where they are too far apart to tell.
     pub(crate) fn between(
         bend: Bend,
@@ -32,16 +32,16 @@ impl Sweep {
         arm: &Calibration,
     ) -> Option<Self> {
         let flat = match bend {
-            Bend::Joints => return Turns::evenly(&a.joints, &b.joints).sweep(a, b, arm),
+            Bend::Joints => return Turns::evenly(&a.joints, &b.joints).swept_path(a, b, arm),
             Bend::Line => Flat::line(&a.pose, &b.pose)?,
             Bend::Around => Flat::around(a, b),
         };
         let turns = flat.turns(a, b, tool.reach().0)?;
         // To an arm that is not as drawn, no line of its own is straight.
         if arm.is_none() {
-            Some(flat.sweep(bend, &turns, arm))
+            Some(flat.swept_path(bend, &turns, arm))
         } else {
-            turns.sweep(a, b, arm)
+            turns.swept_path(a, b, arm)
         }
     }
 
@@ -93,7 +93,7 @@ impl Turns {
 
     /// What follows for the arm, however it differs from the drawing of it: zeros change no derivative,
     /// and a tool that is elsewhere turns with base and forearm as the tool of the drawing does.
-    fn sweep(&self, a: &ArmPlace, b: &ArmPlace, arm: &Calibration) -> Option<Sweep> {
+    fn swept_path(&self, a: &ArmPlace, b: &ArmPlace, arm: &Calibration) -> Option<SweptPath> {
         let [rear_mm, fore_mm] = [REAR_ARM.0 * self.rear, FOREARM.0 * self.fore];
         let way_mm = rear_mm + fore_mm;
         let flat_v2 = rear_mm * self.rear
@@ -118,7 +118,7 @@ impl Turns {
             tool_mm + speed_mm * speed_mm / least_mm
         };
         let degrees = f64::to_degrees;
-        Some(Sweep {
+        Some(SweptPath {
             measures: [
                 degrees(self.base_2),
                 degrees(self.rear_2),
@@ -217,7 +217,7 @@ impl Flat {
     }
 
     /// What follows for an arm as drawn, whose tool goes just so.
-    fn sweep(&self, bend: Bend, turns: &Turns, arm: &Calibration) -> Sweep {
+    fn swept_path(&self, bend: Bend, turns: &Turns, arm: &Calibration) -> SweptPath {
         let degrees = f64::to_degrees;
         let tool_mm = if bend == Bend::Around {
             turned(FARTHEST_MM, self.way_mm, 0.0, self.base, 0.0)
@@ -226,7 +226,7 @@ impl Flat {
         };
         let elbow_mm = REAR_ARM.0 * turns.rear;
         let elbow_2_mm = REAR_ARM.0 * turns.rear_2 + elbow_mm * turns.rear;
-        Sweep {
+        SweptPath {
             measures: [
                 degrees(self.base_2),
                 degrees(turns.rear_2),
