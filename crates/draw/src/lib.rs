@@ -60,7 +60,7 @@ pub use output::ink::{InkLine, ink_seen};
 pub use output::picture::{Colors, Picture, PictureError, View};
 pub use output::timeline::{Moves, Path, Timeline};
 pub use output::trace::{Sample, StartNotReached, Trace};
-pub use preparation::cancel::GiveUp;
+pub use preparation::cancel::CancelToken;
 pub use preparation::program_files::ProgramFiles;
 pub use preparation::progress::{PrepareStep, Progress};
 pub use prepare::{

@@ -90,7 +90,7 @@ pub fn prepare_together<E: fmt::Display>(
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
-    settings.give_up.check()?;
+    settings.cancel.check()?;
     let reach_mm = reach_mm(settings, settings.tool.lift_mm(), &reachable);
     let mut settings = settings.clone();
     settings.placement.reach = reach_mm.map(|[near, far]| {
@@ -100,7 +100,7 @@ pub fn prepare_together<E: fmt::Display>(
     let settings = &settings;
     settings.progress.begin(PrepareStep::Reading, 0);
     let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
-    settings.give_up.check()?;
+    settings.cancel.check()?;
     let (layers, left_out) = layers::chosen(layers, settings)?;
     warnings.extend(layers::pen_speeds(&layers, settings));
     warnings.extend(layers::unhatched(&layers, settings));
@@ -178,8 +178,8 @@ fn plan_passes<E: fmt::Display>(
 #[non_exhaustive]
 pub enum PrepareError {
     /// Nobody wants it any more.
-    #[error("the plan was given up before it was done")]
-    GivenUp,
+    #[error("the plan was cancelled before it was done")]
+    Cancelled,
     /// Vectors this short would not be vectors any more.
     #[error("the tolerance is {0:?} mm; it must be a number from 0.02 to 10 mm")]
     Tolerance(f64),

@@ -16,7 +16,7 @@ use crate::layout::place::{AREA, Placement, Size};
 use crate::layout::sheet::SheetPlace;
 use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
-use crate::preparation::cancel::GiveUp;
+use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
 use crate::prepare::{NamedSource, Prepared, Settings, prepare_passes, prepare_together};
 use crate::strokes::cutting::Cutting;
@@ -185,8 +185,8 @@ impl DrawingRequest {
 
     /// The same, until somebody gives it up.
     #[must_use]
-    pub fn until(mut self, give_up: GiveUp) -> Self {
-        self.settings.give_up = give_up;
+    pub fn until(mut self, cancel: CancelToken) -> Self {
+        self.settings.cancel = cancel;
         self
     }
 

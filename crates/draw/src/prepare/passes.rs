@@ -69,7 +69,7 @@ pub(super) fn passes<E>(
     let mut here = Point::new(x1, y1);
     let mut passes = Vec::<Pass>::new();
     for (number, LaidLayer { layer, tool, lines }) in laid.into_iter().enumerate() {
-        settings.give_up.check()?;
+        settings.cancel.check()?;
         let others = shapes.iter().enumerate().filter(|it| it.0 != number);
         let others: Vec<&Stroke> = others.flat_map(|it| it.1).collect();
         let strokes = lines.finished(&others, here, tool, settings, warnings);
@@ -142,7 +142,7 @@ impl Lines {
         let (mut own, mut fills) = (std::mem::take(&mut layer.strokes), Vec::new());
         if let Some(hatching) = &settings.hatch {
             for area in &layer.areas {
-                settings.give_up.check()?;
+                settings.cancel.check()?;
                 fills.append(&mut hatch(area, hatching)?);
             }
         }
@@ -358,7 +358,7 @@ fn in_order(
     let mut all = Vec::new();
     for group in groups.into_iter().filter(|it| !it.is_empty()) {
         let group = match settings.search(tool) {
-            Some(search) => order_until(group, here, &search, &settings.give_up),
+            Some(search) => order_until(group, here, &search, &settings.cancel),
             None => group,
         };
         all.append(&mut if settings.joins_dots() {

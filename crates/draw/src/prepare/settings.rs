@@ -12,7 +12,7 @@ use super::PrepareError;
 use crate::arm::resume_point::StartFrom;
 use crate::layout::copies::Grid;
 use crate::layout::place::Placement;
-use crate::preparation::cancel::GiveUp;
+use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::{Hatch, hatch};
@@ -78,7 +78,7 @@ pub struct Settings {
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
     /// Ends the preparation before it is done.
-    pub give_up: GiveUp,
+    pub cancel: CancelToken,
     /// Tells how far it is.
     pub progress: Progress,
 }
@@ -167,7 +167,7 @@ impl Default for Settings {
             seed: 1,
             from: None,
             fonts: Arc::default(),
-            give_up: GiveUp::default(),
+            cancel: CancelToken::default(),
             progress: Progress::default(),
         }
     }

@@ -68,7 +68,7 @@ pub(super) fn simplified(
 ) -> Result<Pass, PrepareError> {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let strokes = pass.strokes.iter().map(|it| {
-        settings.give_up.check()?;
+        settings.cancel.check()?;
         let fewest = fewest_at(it, tolerance_mm);
         let simple = if pass.tool.burns() {
             fewest_long_at(it, tolerance_mm, LEAST_BURN_MM)
