@@ -40,7 +40,7 @@ mod prepare;
 mod strokes;
 
 pub use arm::calibrated::known_paper;
-pub use arm::resume_point::{StartError, StartFrom};
+pub use arm::resume_point::{ResumePoint, ResumePointError};
 pub use dobot_import::{FORMATS, Format};
 pub use layout::clip::{Clipped, clip_to_reach};
 pub use layout::copies::Grid;

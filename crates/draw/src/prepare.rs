@@ -18,7 +18,7 @@ pub(crate) use self::settings::{TOLERANCE_MM, TRIES};
 use self::vectors::{Trials, simplified};
 use crate::arm::backlash::{most_mm, taken_up};
 use crate::arm::calibrated::told_passes;
-use crate::arm::resume_point::StartError;
+use crate::arm::resume_point::ResumePointError;
 use crate::layout::place::{PlaceError, Placed, check_reach};
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::hatch::HatchError;
@@ -215,7 +215,7 @@ pub enum PrepareError {
     Hatch(#[from] HatchError),
     /// It cannot be begun there.
     #[error(transparent)]
-    Start(#[from] StartError),
+    ResumePoint(#[from] ResumePointError),
     /// It cannot be planned.
     #[error(transparent)]
     Plan(#[from] PlanError),

@@ -9,7 +9,7 @@ use dobot_import::{LayersBy, Shading, ShadingStyle};
 use dobot_plan::{DrawingTool, Machine, Paper};
 
 use super::PrepareError;
-use crate::arm::resume_point::StartFrom;
+use crate::arm::resume_point::ResumePoint;
 use crate::layout::copies::Grid;
 use crate::layout::place::Placement;
 use crate::preparation::cancel::CancelToken;
@@ -74,7 +74,7 @@ pub struct Settings {
     /// Decides where it is disturbed: the same seed gives the same order.
     pub seed: u64,
     /// Where to begin; at the beginning if not given.
-    pub from: Option<StartFrom>,
+    pub from: Option<ResumePoint>,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
     /// Ends the preparation before it is done.
