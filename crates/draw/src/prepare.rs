@@ -24,7 +24,7 @@ use crate::preparation::progress::PrepareStep;
 use crate::strokes::hatch::HatchError;
 use dobot_geometry::{Point, Stroke};
 use dobot_import::{Source, SourceError, Warning};
-use dobot_plan::{DrawingTool, Machine, Pass, Plan, PlanError};
+use dobot_plan::{ArmLimits, DrawingTool, Pass, Plan, PlanError};
 
 /// A drawing, ready to be sent.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,7 +141,7 @@ fn plan_passes<E: fmt::Display>(
     };
     let progress = &settings.progress;
     let strokes = passes.iter().flat_map(|it| &it.strokes);
-    progress.expect(&passes, &settings.machine);
+    progress.expect(&passes, &settings.arm_limits);
     progress.begin(
         PrepareStep::Vectors,
         strokes.map(|it| it.points.len()).sum(),
@@ -157,12 +157,12 @@ fn plan_passes<E: fmt::Display>(
     };
     let lifts_mm = simple.iter().map(|it| it.tool.lift_mm());
     let reach_mm = reach_mm(settings, lifts_mm.fold(0.0, f64::max), &reachable);
-    let machine = Machine {
+    let arm_limits = ArmLimits {
         nearest_mm: reach_mm.map_or(0.0, |it| it[0]),
-        ..settings.machine
+        ..settings.arm_limits
     };
     progress.begin(PrepareStep::Planning, 0);
-    let plan = Plan::new(&simple, &settings.paper, &machine)?;
+    let plan = Plan::new(&simple, &settings.paper, &arm_limits)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
         passes,
@@ -249,7 +249,7 @@ fn reach_mm<E>(
 fn beside_mm(tool: DrawingTool, settings: &Settings) -> f64 {
     let slack_mm = settings.calibration.as_ref().map(|it| most_mm(&it.arm()));
     let cutting_mm = settings.cutting.lead_in_mm + 0.5 * settings.cutting.kerf_mm.abs();
-    let run_mm = tool.run_mm(&settings.machine);
+    let run_mm = tool.run_mm(&settings.arm_limits);
     settings.tolerance_mm + run_mm + cutting_mm + slack_mm.unwrap_or_default()
 }
 

@@ -6,7 +6,7 @@ use dobot_api::CalibrationFile;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_geometry::Point;
 use dobot_import::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
-use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen};
+use dobot_plan::{ArmLimits, DrawingTool, Laser, Paper, Pass, Pen};
 use dobot_wire::Dialect;
 
 use super::check::check;
@@ -207,13 +207,13 @@ impl DrawingRequest {
         dialect: Option<Dialect>,
         standing_z_mm: f64,
     ) -> Result<(Prepared, Settings), OptionsError> {
-        let machine = dialect.map_or_else(Machine::default, Machine::of);
+        let arm_limits = dialect.map_or_else(ArmLimits::default, ArmLimits::of);
         let settings = Settings {
             paper: self.paper(standing_z_mm)?,
-            machine: Machine {
+            arm_limits: ArmLimits {
                 acceleration_mm_s2: self.options.tool.acceleration,
                 corner_deviation_mm: 2.0 * self.options.way.tolerance,
-                ..machine
+                ..arm_limits
             },
             ..self.settings.clone()
         };

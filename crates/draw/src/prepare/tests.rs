@@ -7,7 +7,7 @@ use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::{Hatch, HatchStyle};
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Random, Vec2, deviation};
-use dobot_plan::{Laser, Machine, MoveKind, Pace};
+use dobot_plan::{ArmLimits, Laser, MoveKind, Pace};
 
 const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/drawings/harbour.svg"),
@@ -121,11 +121,11 @@ fn round() -> Stroke {
 fn at_80_mm_s(has_ticks: bool) -> Settings {
     Settings {
         tool: DrawingTool::default().at_speed(80.0),
-        machine: Machine {
+        arm_limits: ArmLimits {
             acceleration_mm_s2: 100.0,
             joint_speed_deg_s: 10_000.0,
             has_ticks,
-            ..Machine::default()
+            ..ArmLimits::default()
         },
         ..Settings::default()
     }
@@ -137,7 +137,7 @@ fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
     // circle to across it, which takes pi / 4 of that radian twice: the speed grows as the sine of twice the angle.
     let optimum_s = {
         let settings = at_80_mm_s(false);
-        let pace = Pace::of(&settings.machine, &settings.tool);
+        let pace = Pace::of(&settings.arm_limits, &settings.tool);
         let circle = round();
         let ways = circle.segments().map(|(a, b)| [b.x - a.x, b.y - a.y, 0.0]);
         pace.durations_s(ways).iter().sum::<f64>()
@@ -589,7 +589,7 @@ fn ways_between_strokes_lead_around_the_arm_and_never_behind_it() {
                 tool,
                 ..Settings::default()
             };
-            settings.machine.has_ticks = has_ticks;
+            settings.arm_limits.has_ticks = has_ticks;
             let pass = Pass::new(tool, spokes_around_the_arm());
             // The base turns to either side by 135 degrees.
             let reachable = |p: Position| {
@@ -618,8 +618,14 @@ fn the_frame_of_what_lies_around_the_arm_leads_around_it_too() {
     let settings = Settings::default();
     let pass = Pass::new(settings.tool, spokes_around_the_arm());
     let prepared = prepare_passes(vec![pass], &settings, in_reach).unwrap();
-    let machine = prepared.plan.machine();
-    let plan = frame(&prepared.passes, &settings.paper, machine, FrameShape::Hull).unwrap();
+    let arm_limits = prepared.plan.arm_limits();
+    let plan = frame(
+        &prepared.passes,
+        &settings.paper,
+        arm_limits,
+        FrameShape::Hull,
+    )
+    .unwrap();
     check_reach(&plan, &settings.paper, in_reach).unwrap();
 }
 

@@ -218,7 +218,7 @@ mod tests {
     use super::oracle::fewest_between_points;
     use super::*;
     use dobot_geometry::{Random, Vec2, deviation};
-    use dobot_plan::{DrawingTool, Machine, Paper, Pass, Plan};
+    use dobot_plan::{ArmLimits, DrawingTool, Paper, Pass, Plan};
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
@@ -298,23 +298,23 @@ mod tests {
     }
 
     fn pace(acceleration_mm_s2: f64, speed_mm_s: f64) -> Pace {
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             acceleration_mm_s2,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
-        Pace::of(&machine, &DrawingTool::default().at_speed(speed_mm_s))
+        Pace::of(&arm_limits, &DrawingTool::default().at_speed(speed_mm_s))
     }
 
     /// How long the plan for a stroke takes on a machine without limits of its joints, in s.
     fn planned_s(stroke: &Stroke, pace: &Pace) -> f64 {
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             acceleration_mm_s2: pace.cornering.acceleration_mm_s2,
             joint_speed_deg_s: 10_000.0,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
         let tool = DrawingTool::default().at_speed(pace.speed_mm_s);
         let pass = Pass::new(tool, vec![stroke.clone()]);
-        let plan = Plan::new(&[pass], &Paper::default(), &machine).expect("a plan");
+        let plan = Plan::new(&[pass], &Paper::default(), &arm_limits).expect("a plan");
         plan.duration_s()
     }
 

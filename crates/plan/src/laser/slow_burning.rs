@@ -56,7 +56,7 @@ const SEEN_SHARE: f64 = 0.05;
 mod tests {
     use dobot_geometry::{Point, Stroke};
 
-    use crate::{DrawingTool, Laser, Machine, Paper, Pass, Plan, SlowBurning};
+    use crate::{ArmLimits, DrawingTool, Laser, Paper, Pass, Plan, SlowBurning};
 
     fn slow_burning(strokes: Vec<Stroke>, burn_speed_mm_s: f64) -> Option<SlowBurning> {
         let laser = Laser {
@@ -64,7 +64,7 @@ mod tests {
             ..Laser::default()
         };
         let pass = Pass::new(DrawingTool::Laser(laser), strokes);
-        let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::default()).expect("a plan");
+        let plan = Plan::new(&[pass], &Paper::level(-40.0), &ArmLimits::default()).expect("a plan");
         plan.slow_burning(&plan.passes[0])
     }
 

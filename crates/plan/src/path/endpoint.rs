@@ -4,7 +4,7 @@ use dobot_arm::stock;
 
 use crate::path::commands::write;
 use crate::ticks::ticker::Ticker;
-use crate::{DrawingTool, Machine, PlannedVector};
+use crate::{ArmLimits, DrawingTool, PlannedVector};
 
 /// Where vectors lead: exactly their increments further, or to where a stock arm takes itself to be then.
 #[derive(Clone, Debug)]
@@ -21,12 +21,12 @@ struct StockLanding {
 }
 
 impl Landing {
-    pub(crate) fn new(machine: &Machine, tool: &DrawingTool) -> Self {
+    pub(crate) fn new(arm_limits: &ArmLimits, tool: &DrawingTool) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "as the arm holds it")]
         let tool_mm = tool.reach_mm() as f32;
         let stock = |ticker| StockLanding { tool_mm, ticker };
         Self {
-            stock: Ticker::of(machine, 0.0).map(stock),
+            stock: Ticker::of(arm_limits, 0.0).map(stock),
         }
     }
 

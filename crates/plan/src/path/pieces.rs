@@ -19,7 +19,7 @@ use crate::path::planner::round_down;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
 use crate::ticks::ticker::{Ticker, length};
-use crate::{DrawingTool, Machine, MoveKind, PlannedVector};
+use crate::{ArmLimits, DrawingTool, MoveKind, PlannedVector};
 
 /// A vector that burns takes no longer, in s, unless a stock arm only speeds up and brakes on it.
 pub const LONGEST_BURN_S: f64 = 0.18;
@@ -35,14 +35,14 @@ pub(crate) struct Pieces {
 
 impl Pieces {
     /// Those of the first vectors of a plan, which begins at this place.
-    pub(crate) fn new(machine: &Machine, tool: &DrawingTool, start: [f64; 3]) -> Self {
-        let arm = Ticker::of(machine, 0.0).map(|ticker| TickedArm {
+    pub(crate) fn new(arm_limits: &ArmLimits, tool: &DrawingTool, start: [f64; 3]) -> Self {
+        let arm = Ticker::of(arm_limits, 0.0).map(|ticker| TickedArm {
             ticker,
-            landing: Landing::new(machine, tool),
+            landing: Landing::new(arm_limits, tool),
             here: start,
         });
         Self {
-            acceleration_mm_s2: machine.planned_acceleration_mm_s2(),
+            acceleration_mm_s2: arm_limits.planned_acceleration_mm_s2(),
             arms: arm.map(|it| [it.clone(), it]),
         }
     }
@@ -297,10 +297,10 @@ mod tests {
     use super::*;
     use crate::{Laser, Paper, Pass, Pen, Plan};
 
-    fn machine(has_ticks: bool) -> Machine {
-        Machine {
+    fn arm_limits(has_ticks: bool) -> ArmLimits {
+        ArmLimits {
             has_ticks,
-            ..Machine::default()
+            ..ArmLimits::default()
         }
     }
 
@@ -319,16 +319,16 @@ mod tests {
     }
 
     /// The plan without pieces, and with them.
-    fn plans(strokes: &[Stroke], tool: DrawingTool, machine: &Machine) -> [Plan; 2] {
+    fn plans(strokes: &[Stroke], tool: DrawingTool, arm_limits: &ArmLimits) -> [Plan; 2] {
         let passes = [Pass::new(tool, strokes.to_vec())];
         let paper = Paper::level(-40.0);
-        [Plan::whole, Plan::new].map(|plan| plan(&passes, &paper, machine).expect("a plan"))
+        [Plan::whole, Plan::new].map(|plan| plan(&passes, &paper, arm_limits).expect("a plan"))
     }
 
     /// Where the tool of an arm is at each tick of a plan, in mm, and whether it burns or draws there.
     fn motion(plan: &Plan) -> Vec<([f64; 3], MoveKind)> {
         let mut places = Vec::new();
-        let mut ticker = Ticker::of(plan.machine(), 0.0);
+        let mut ticker = Ticker::of(plan.arm_limits(), 0.0);
         let (mut here, mut begin_s) = (plan.start, 0.0);
         let tick_s = f64::from(TICK_S);
         for (vector, there) in plan.moves.iter().zip(plan.positions()) {
@@ -341,7 +341,7 @@ mod tests {
                     Some(*gone_mm)
                 }));
             } else {
-                let profile = vector.profile(plan.machine().acceleration_mm_s2);
+                let profile = vector.profile(plan.arm_limits().acceleration_mm_s2);
                 let end_s = begin_s + profile.duration_s();
                 let first = (begin_s / tick_s).floor() + 1.0;
                 let ticks = (0..).map(|it| (first + f64::from(it)) * tick_s);
@@ -363,7 +363,7 @@ mod tests {
         kind: MoveKind,
         longest_s: f64,
     ) -> Result<(), TestCaseError> {
-        let mut ticker = Ticker::of(cut.machine(), 0.0);
+        let mut ticker = Ticker::of(cut.arm_limits(), 0.0);
         for piece in &cut.moves {
             let evens = ticker.as_mut().map(|it| it.run(&write(piece)).counts[1]);
             let is_short = f64::from(piece.duration_s) <= 1.002 * longest_s;
@@ -404,7 +404,11 @@ mod tests {
     fn a_long_line_is_burned_in_pieces_that_begin_and_end_at_its_speed() {
         let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(200.0, 96.0)]);
         for has_ticks in [false, true] {
-            let [whole, cut] = plans(std::slice::from_ref(&line), laser(3.0), &machine(has_ticks));
+            let [whole, cut] = plans(
+                std::slice::from_ref(&line),
+                laser(3.0),
+                &arm_limits(has_ticks),
+            );
             let burned = |plan: &Plan| -> Vec<PlannedVector> {
                 let burned = plan.moves.iter().filter(|it| it.kind == MoveKind::Burn);
                 burned.copied().collect()
@@ -430,7 +434,7 @@ mod tests {
         fn every_vector_that_burns_is_short_on_both_dialects(
             strokes in lines(), burn_speed_mm_s in 1.0..16.0_f64, has_ticks: bool,
         ) {
-            let [whole, cut] = plans(&strokes, laser(burn_speed_mm_s), &machine(has_ticks));
+            let [whole, cut] = plans(&strokes, laser(burn_speed_mm_s), &arm_limits(has_ticks));
             check(&whole, &cut, MoveKind::Burn, LONGEST_BURN_S)?;
         }
 
@@ -438,7 +442,7 @@ mod tests {
         fn every_vector_that_draws_is_short_on_both_dialects(
             strokes in lines(), draw_speed_mm_s in 5.0..40.0_f64, has_ticks: bool,
         ) {
-            let [whole, cut] = plans(&strokes, pen(draw_speed_mm_s), &machine(has_ticks));
+            let [whole, cut] = plans(&strokes, pen(draw_speed_mm_s), &arm_limits(has_ticks));
             check(&whole, &cut, MoveKind::Draw, LONGEST_DRAW_S)?;
         }
     }

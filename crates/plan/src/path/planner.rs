@@ -15,12 +15,12 @@ use crate::speed::speeds::Speeds;
 use crate::ticks::tick_chain::LastPlaces;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
-use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
+use crate::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, PlannedVector};
 
 /// Plans one way after the other. A chain is a way between two rests.
 pub(crate) struct Planner<'a> {
     paper: &'a Paper,
-    pub(crate) machine: &'a Machine,
+    pub(crate) arm_limits: &'a ArmLimits,
     pub(crate) chain_speeds: ChainSpeeds,
     /// Where the arm has ticks.
     pub(crate) ticker: Option<Ticker>,
@@ -48,13 +48,13 @@ impl<'a> Planner<'a> {
         start: [f64; 3],
         tool: &DrawingTool,
         paper: &'a Paper,
-        machine: &'a Machine,
+        arm_limits: &'a ArmLimits,
     ) -> Self {
-        let ticker = Ticker::of(machine, 0.0);
-        let chain_speeds = ChainSpeeds::new(machine);
+        let ticker = Ticker::of(arm_limits, 0.0);
+        let chain_speeds = ChainSpeeds::new(arm_limits);
         Self {
             paper,
-            machine,
+            arm_limits,
             chain_speeds: if tool.burns() {
                 chain_speeds.in_pieces(LONGEST_BURN_S)
             } else {
@@ -69,13 +69,13 @@ impl<'a> Planner<'a> {
             lone: LoneVectors::default(),
             here: start,
             settled: Settled {
-                landing: Landing::new(machine, tool),
+                landing: Landing::new(arm_limits, tool),
                 count: 0,
                 here: start,
             },
             aim: Aim::of(tool),
             travel_mm_s: tool.travel_speed_mm_s(),
-            joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
+            joints: JointSpeeds::new(arm_limits.joint_speed_deg_s, tool.reach_mm()),
             moves: Vec::new(),
             stroke: 0,
             pass: 0,
@@ -124,7 +124,7 @@ impl<'a> Planner<'a> {
     /// A way from rest to rest, around the place where the arm stands.
     pub(crate) fn travel(&mut self, to: Point, above_mm: f64, limit_mm_s: f64) {
         let here = Point::new(self.here[0], self.here[1]);
-        for corner in around_axis(here, to, self.machine.nearest_mm) {
+        for corner in around_axis(here, to, self.arm_limits.nearest_mm) {
             self.go(MoveKind::Travel, corner, above_mm, limit_mm_s);
         }
         self.go(MoveKind::Travel, to, above_mm, limit_mm_s);
@@ -163,7 +163,7 @@ impl<'a> Planner<'a> {
     fn least_vector_mm(&self, kind: MoveKind) -> f64 {
         match kind {
             MoveKind::Travel | MoveKind::Lower | MoveKind::Draw | MoveKind::Lift => {
-                LEAST_VECTOR_MM.max(self.machine.least_from_rest_mm())
+                LEAST_VECTOR_MM.max(self.arm_limits.least_from_rest_mm())
             }
             _ => LEAST_VECTOR_MM,
         }

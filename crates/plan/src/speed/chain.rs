@@ -3,7 +3,7 @@
 
 use std::iter::repeat;
 
-use crate::Machine;
+use crate::ArmLimits;
 use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering, Junction};
 use crate::speed::objective::Aim;
@@ -27,15 +27,15 @@ pub(crate) struct ChainSpeeds {
 }
 
 impl ChainSpeeds {
-    pub(crate) fn new(machine: &Machine) -> Self {
+    pub(crate) fn new(arm_limits: &ArmLimits) -> Self {
         Self {
             cornering: Cornering {
-                acceleration_mm_s2: machine.planned_acceleration_mm_s2(),
-                ..machine.cornering()
+                acceleration_mm_s2: arm_limits.planned_acceleration_mm_s2(),
+                ..arm_limits.cornering()
             },
             begin_mm_s: 0.0,
-            period_s: machine.link.period_s,
-            credit: Credit::new(machine.link),
+            period_s: arm_limits.link.period_s,
+            credit: Credit::new(arm_limits.link),
             junctions: Vec::new(),
             wanted_s: Vec::new(),
             seen: Vec::new(),

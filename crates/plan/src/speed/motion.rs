@@ -99,12 +99,12 @@ impl Motion {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DrawingTool, Machine};
+    use crate::{ArmLimits, DrawingTool};
 
     #[test]
     fn a_line_is_run_as_its_acceleration_and_its_speed_tell() {
         // 40 mm at 40 mm/s and 100 mm/s2, in two vectors: 0.4 s up and 0.4 s down over 8 mm each, 0.6 s between.
-        let pace = Pace::of(&Machine::default(), &DrawingTool::default());
+        let pace = Pace::of(&ArmLimits::default(), &DrawingTool::default());
         let motion = Motion::along(&pace, 0.0, [[30.0, 0.0, 0.0], [10.0, 0.0, 0.0]].into_iter());
         assert!((motion.duration_s() - 1.4).abs() < 1e-9);
         let moments = [

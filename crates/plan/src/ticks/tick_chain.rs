@@ -423,7 +423,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::Machine;
+    use crate::ArmLimits;
     use crate::speed::chain::ChainSpeeds;
 
     fn vector([x_mm, y_mm]: [f32; 2]) -> PlannedVector {
@@ -465,13 +465,13 @@ mod tests {
             ways in proptest::collection::vec([-3.0..3.0_f32, 0.1..3.0_f32], 2..60),
             slower in proptest::collection::vec((0..60_usize, 0.1..0.9_f64), 1..6),
         ) {
-            let machine = Machine { has_ticks: true, ..Machine::default() };
-            let ticker = Ticker::new(&machine, 0.0);
+            let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
+            let ticker = Ticker::new(&arm_limits, 0.0);
             let moves: Vec<PlannedVector> = ways.into_iter().map(vector).collect();
             let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
-            let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
+            let before: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Aim::Soon).collect();
             let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .fits(&ticker, Breadth::MANY);
             check(&ticker, &moves, &before, &fits)?;
@@ -479,7 +479,7 @@ mod tests {
                 let at = at % chain.len();
                 chain[at].corner_mm_s = before[at].end_mm_s * share;
             }
-            let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
+            let speeds: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Aim::Soon).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
             TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .repair(&ticker, &mut fits, &changed, Breadth::MANY);

@@ -109,7 +109,7 @@ impl Planner<'_> {
     /// How long a second part has to be: from this speed the arm comes to rest on it, and has some ticks to choose when it begins to
     /// brake.
     fn brakes_mm(&self, speed_mm_s: f64) -> f64 {
-        let brakes_mm = 0.5 * speed_mm_s * speed_mm_s / self.machine.acceleration_mm_s2;
+        let brakes_mm = 0.5 * speed_mm_s * speed_mm_s / self.arm_limits.acceleration_mm_s2;
         brakes_mm + EVEN_TICKS * f64::from(TICK_S) * speed_mm_s
     }
 
@@ -173,7 +173,7 @@ impl Planner<'_> {
         for (run, fit) in self.chain.iter().zip(fits) {
             ticks.push(run, &fit.cut);
         }
-        ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE)
+        ticks.shares(self.arm_limits.acceleration_mm_s2, LEAST_SHARE)
     }
 
     /// Corners that are too fast, round after round more so; those that are hardly faster than one

@@ -9,7 +9,7 @@ use crate::speed::objective::Aim;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
-use crate::{Machine, MoveKind, PlannedVector};
+use crate::{ArmLimits, MoveKind, PlannedVector};
 
 /// What the arm carries over from vector to vector.
 #[derive(Clone, Debug)]
@@ -26,19 +26,21 @@ pub(crate) struct Ticker {
 
 impl Ticker {
     #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-    pub(crate) fn new(machine: &Machine, stored_mm_s: f32) -> Self {
+    pub(crate) fn new(arm_limits: &ArmLimits, stored_mm_s: f32) -> Self {
         Self {
-            acceleration_mm_s2: machine.acceleration_mm_s2 as f32,
+            acceleration_mm_s2: arm_limits.acceleration_mm_s2 as f32,
             stored_mm_s,
             perhaps_mm_s: None,
             early: 0.0,
-            credit: Credit::new(machine.link),
+            credit: Credit::new(arm_limits.link),
         }
     }
 
     /// The ticks of a machine that has some.
-    pub(crate) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
-        machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
+    pub(crate) fn of(arm_limits: &ArmLimits, stored_mm_s: f32) -> Option<Self> {
+        arm_limits
+            .has_ticks
+            .then(|| Self::new(arm_limits, stored_mm_s))
     }
 
     /// The same where others used the arm before: nobody knows what it has stored.

@@ -2,7 +2,7 @@
 
 use super::*;
 use dobot_geometry::{Stroke, bounds_of_strokes};
-use dobot_plan::{DrawingTool, Machine, Pass};
+use dobot_plan::{ArmLimits, DrawingTool, Pass};
 
 fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
     let layer = Layer {
@@ -129,7 +129,7 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
     let paper = Paper::default();
     let ends_fine = [line(&[(0.0, 150.0), (0.0, -150.0)])];
     let pass = Pass::new(DrawingTool::default(), ends_fine.to_vec());
-    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+    let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
     let reachable = |p: Position| {
         if p.reach().0 < 129.0 {
             Err("too near")
@@ -160,7 +160,7 @@ fn a_way_through_the_hole_around_the_base_is_told_from_a_line_through_it() {
     ];
     let pass = Pass::new(DrawingTool::default(), dots.to_vec());
     let paper = Paper::default();
-    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+    let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
     let reachable = |p: Position| {
         let near = p.reach().0 < 129.0;
         if near { Err("too near") } else { Ok(()) }
@@ -186,7 +186,7 @@ fn a_place_beyond_the_reach_is_told_as_a_place_and_not_as_a_way_however_the_pen_
     ];
     let pass = Pass::new(DrawingTool::default(), lines.to_vec());
     let paper = Paper::default();
-    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+    let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
     let told = check_reach(&plan, &paper, within_320).unwrap_err();
     assert!(
         told.to_string()
@@ -207,7 +207,7 @@ fn a_laser_whose_run_leads_beyond_the_reach_is_told_to_burn_slower() {
     let paper = Paper::default();
     let check = |speed_mm_s, ends: [(f64, f64); 2]| {
         let pass = Pass::new(laser(speed_mm_s), vec![line(&ends)]);
-        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+        let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
         check_reach(&plan, &paper, within_320)
     };
     let inwards = [(290.0, 0.0), (250.0, 0.0)];

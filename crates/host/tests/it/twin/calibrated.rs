@@ -9,7 +9,7 @@ use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{Prepared, Settings, prepare};
 use dobot_geometry::{Deviation, Point, Random, Stroke, deviation};
 use dobot_host::VirtualStation;
-use dobot_plan::{Machine, Paper};
+use dobot_plan::{ArmLimits, Paper};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, SerialLine, VirtualArm};
 use dobot_wire::{Command, MoveJoints, MovingMode};
@@ -261,7 +261,7 @@ fn prepared(personality: Personality, calibration: Option<CalibrationFile>) -> P
     let settings = Settings {
         paper,
         calibration,
-        machine: Machine::of(personality.dialect()),
+        arm_limits: ArmLimits::of(personality.dialect()),
         ..Settings::default()
     };
     let reachable = |position| {

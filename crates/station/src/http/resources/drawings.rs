@@ -446,7 +446,7 @@ impl Work {
         let around = frame(
             passes,
             &settings.paper,
-            plan.machine(),
+            plan.arm_limits(),
             FrameShape::Rectangle,
         );
         let frame = around.map(|it| drawing_job(&it, &format!("frame of {}", self.title)));
