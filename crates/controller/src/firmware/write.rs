@@ -1,7 +1,7 @@
 //! State 4 of the stock controller: writing and laser (note N48).
 
 use dobot_arm::stock::short;
-use dobot_motion::{Cut, Gait};
+use dobot_motion::{TickProgress, TickStroke};
 use dobot_wire::Frame;
 
 use super::TickOutcome;
@@ -23,9 +23,9 @@ pub(crate) struct Write {
     length: f32,
     acceleration: f32,
     speed_change: f32,
-    gait: Gait,
+    progress: TickProgress,
     /// What the next tick will make of it, calculated a tick ahead.
-    next: Option<Gait>,
+    next: Option<TickProgress>,
 }
 
 impl Write {
@@ -80,24 +80,25 @@ impl Write {
         self.next = None;
         let (end, max) = (f(9), f(10));
         if self.length <= NO_LENGTH_MM {
-            self.gait.begin(None);
+            self.progress.begin(None);
             self.end_speed = if end > max { max } else { end };
             return;
         }
-        let cut = Cut::of(self.length, self.stored_speed, end, max, self.acceleration);
-        self.gait.begin(Some(&cut));
-        self.speed_change = cut.change_mm_s;
-        self.end_speed = cut.end_mm_s;
+        let tick_stroke =
+            TickStroke::of(self.length, self.stored_speed, end, max, self.acceleration);
+        self.progress.begin(Some(&tick_stroke));
+        self.speed_change = tick_stroke.change_mm_s;
+        self.end_speed = tick_stroke.end_mm_s;
     }
 
     /// One tick further. With all ticks used up the vector is over in that same tick, and the next
     /// one moves in the next.
     fn go(&mut self, body: &mut Body) -> TickOutcome {
-        self.gait = self.next.unwrap_or_else(|| self.step(self.gait));
-        let left = self.gait.ticks_left();
-        self.next = (left != 0).then(|| self.step(self.gait));
-        let place = |it: &Gait| moved(self.start, it.travelled_mm());
-        if !body.advance_along(place(&self.gait), self.next.as_ref().map(place)) {
+        self.progress = self.next.unwrap_or_else(|| self.step(self.progress));
+        let left = self.progress.ticks_left();
+        self.next = (left != 0).then(|| self.step(self.progress));
+        let place = |it: &TickProgress| moved(self.start, it.travelled_mm());
+        if !body.advance_along(place(&self.progress), self.next.as_ref().map(place)) {
             return TickOutcome::over(false);
         }
         if left == 0 {
@@ -108,8 +109,8 @@ impl Write {
     }
 
     /// A tick further.
-    fn step(&self, gait: Gait) -> Gait {
-        gait.tick(self.vector, self.length, self.speed_change)
+    fn step(&self, progress: TickProgress) -> TickProgress {
+        progress.tick(self.vector, self.length, self.speed_change)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Strokes that a laser burns.
 
 use dobot_geometry::{Point, Stroke};
-use dobot_motion::Cut;
+use dobot_motion::TickStroke;
 
 use crate::laser::laser_path::{
     LEAST_BURN_MM, LaserPath, NEAR_MM, Parted, SwitchLead, burn_speed_mm_s, burnable,
@@ -126,16 +126,21 @@ impl Planner<'_> {
 
     /// How far the ticks go in which the laser is switched, by the vectors from there on.
     fn lead(&self, begin: usize, mut ticker: Ticker) -> SwitchLead {
-        let last_mm = |cut: &Cut| cut.speeds_mm_s().last().map_or(0.0, |it| it * TICK_S);
+        let last_mm = |tick_stroke: &TickStroke| {
+            tick_stroke
+                .speeds_mm_s()
+                .last()
+                .map_or(0.0, |it| it * TICK_S)
+        };
         let mut lead = SwitchLead {
             on_mm: 0.0,
             off_mm: 0.0,
         };
         for vector in &self.moves[begin..] {
-            let cut = ticker.run(&write(vector));
+            let tick_stroke = ticker.run(&write(vector));
             match vector.kind {
-                MoveKind::RunUp => lead.on_mm = last_mm(&cut).into(),
-                MoveKind::Burn => lead.off_mm = last_mm(&cut).into(),
+                MoveKind::RunUp => lead.on_mm = last_mm(&tick_stroke).into(),
+                MoveKind::Burn => lead.off_mm = last_mm(&tick_stroke).into(),
                 _ => {}
             }
         }
@@ -278,8 +283,8 @@ mod tests {
         let mut was = MoveKind::Travel;
         for (vector, [x, y, _]) in plan.moves.iter().zip(plan.positions()) {
             let there = Point::new(x, y);
-            let cut = ticker.run(&write(vector));
-            let last_mm = f64::from(cut.speeds_mm_s().last().unwrap_or(0.0) * TICK_S);
+            let tick_stroke = ticker.run(&write(vector));
+            let last_mm = f64::from(tick_stroke.speeds_mm_s().last().unwrap_or(0.0) * TICK_S);
             let before_last = there.lerp(here, last_mm / there.distance(here));
             if vector.kind == MoveKind::Burn && was != MoveKind::Burn {
                 lit.push(Stroke::open(last_tick.to_vec()));
@@ -325,9 +330,10 @@ mod tests {
         let mut ticker = Ticker::new(&arm_limits, 0.0);
         let mut burned_s = vec![0.0; strokes.len()];
         for vector in &plan.moves {
-            let cut = ticker.run(&write(vector));
+            let tick_stroke = ticker.run(&write(vector));
             if vector.kind == MoveKind::Burn {
-                burned_s[vector.stroke as usize] += f64::from(cut.ticks()) * f64::from(TICK_S);
+                burned_s[vector.stroke as usize] +=
+                    f64::from(tick_stroke.ticks()) * f64::from(TICK_S);
             }
         }
         let both = burned_s.iter().zip(strokes);

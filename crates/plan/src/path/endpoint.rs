@@ -43,7 +43,7 @@ impl Landing {
     pub(crate) fn behind(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         let way = match &mut self.stock {
-            Some(it) => it.ticker.leads_mm(&write(vector)),
+            Some(it) => it.ticker.displacement_mm(&write(vector)),
             None => way,
         };
         self.about(here, way)

@@ -53,7 +53,7 @@ fn rests(vector: &WriteVector) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use dobot_motion::Cut;
+    use dobot_motion::TickStroke;
     use dobot_wire::WriteMode;
     use proptest::prelude::*;
 
@@ -69,20 +69,24 @@ mod tests {
     };
 
     /// What a stock arm that has kept this speed makes of the vectors.
-    fn cuts(vectors: &[WriteVector], mut kept_mm_s: f32, arm_limits: &ArmLimits) -> Vec<Cut> {
-        let cut = |it: &WriteVector| {
+    fn tick_strokes(
+        vectors: &[WriteVector],
+        mut kept_mm_s: f32,
+        arm_limits: &ArmLimits,
+    ) -> Vec<TickStroke> {
+        let tick_stroke = |it: &WriteVector| {
             let factor = if is_rapid(it) { 100.0 } else { 1.0 };
-            let cut = Cut::of(
+            let tick_stroke = TickStroke::of(
                 it.x_mm,
                 kept_mm_s,
                 it.end_speed_mm_s,
                 it.max_speed_mm_s,
                 factor * single(arm_limits.acceleration_mm_s2),
             );
-            kept_mm_s = cut.end_mm_s;
-            cut
+            kept_mm_s = tick_stroke.end_mm_s;
+            tick_stroke
         };
-        vectors.iter().map(cut).collect()
+        vectors.iter().map(tick_stroke).collect()
     }
 
     #[test]
@@ -91,9 +95,12 @@ mod tests {
         let vector = WriteVector::by(1.664_266, 0.0, 0.0, 6.0);
         for kept_mm_s in [0.0, 5.418_604e-7, 0.004_43, 0.4, 1.9] {
             let slow = rest_each(&[vector], 0.1, &STOCK);
-            let cut = cuts(&slow, kept_mm_s, &STOCK)[0];
-            assert!((1..60).contains(&cut.ticks()), "{kept_mm_s}: {cut:?}");
-            assert!(cut.is_true(), "{kept_mm_s}: {cut:?}");
+            let tick_stroke = tick_strokes(&slow, kept_mm_s, &STOCK)[0];
+            assert!(
+                (1..60).contains(&tick_stroke.ticks()),
+                "{kept_mm_s}: {tick_stroke:?}"
+            );
+            assert!(tick_stroke.is_exact(), "{kept_mm_s}: {tick_stroke:?}");
         }
     }
 
@@ -111,9 +118,9 @@ mod tests {
             x_mm: 0.5,
             ..burn
         };
-        let cuts = cuts(&rest_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
-        assert!(cuts.iter().all(Cut::is_true), "{cuts:?}");
-        assert!(cuts[2].ticks() <= 4, "{cuts:?}");
+        let tick_strokes = tick_strokes(&rest_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
+        assert!(tick_strokes.iter().all(TickStroke::is_exact), "{tick_strokes:?}");
+        assert!(tick_strokes[2].ticks() <= 4, "{tick_strokes:?}");
     }
 
     #[test]
@@ -148,13 +155,13 @@ mod tests {
             };
             let planned: Vec<_> = lengths_mm.iter().map(vector).collect();
             let vectors = rest_each(&planned, share, &arm_limits);
-            for (vector, cut) in vectors.iter().zip(cuts(&vectors, kept * step_mm_s, &arm_limits)) {
+            for (vector, tick_stroke) in vectors.iter().zip(tick_strokes(&vectors, kept * step_mm_s, &arm_limits)) {
                 // What is kept is kept on a short way if it is more than a tenth of the largest speed.
                 let most_ticks = 50.0 * vector.x_mm / (0.1 * step_mm_s) + 10.0;
-                let off_mm = cut.length_mm() - vector.x_mm;
-                prop_assert!(off_mm.abs() < 0.02, "{off_mm} mm: {vector:?}: {cut:?}");
-                prop_assert!(cut.counts.iter().all(|it| *it >= 0), "{cut:?}");
-                prop_assert!((1.0..=most_ticks).contains(&f32::from(cut.ticks())), "{vector:?}: {cut:?}");
+                let off_mm = tick_stroke.length_mm() - vector.x_mm;
+                prop_assert!(off_mm.abs() < 0.02, "{off_mm} mm: {vector:?}: {tick_stroke:?}");
+                prop_assert!(tick_stroke.counts.iter().all(|it| *it >= 0), "{tick_stroke:?}");
+                prop_assert!((1.0..=most_ticks).contains(&f32::from(tick_stroke.ticks())), "{vector:?}: {tick_stroke:?}");
             }
         }
     }

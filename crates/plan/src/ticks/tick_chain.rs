@@ -43,7 +43,7 @@ impl LastPlaces {
     /// The same behind these vectors.
     pub(crate) fn behind(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
         for (run, fit) in chain.iter().zip(fits) {
-            for speed_mm_s in fit.cut.speeds_mm_s() {
+            for speed_mm_s in fit.tick_stroke.speeds_mm_s() {
                 self.go(run.direction, speed_mm_s);
             }
         }
@@ -134,7 +134,10 @@ impl TickChain<'_> {
                 let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
                 let most_cost = ways[0].cost + MOST_LOSS;
                 ways.iter().position(|way| {
-                    let same = way.ticker.cut_with(&write(&self.moves[i + 1]), next) == next.cut;
+                    let same = way
+                        .ticker
+                        .tick_stroke_with(&write(&self.moves[i + 1]), next)
+                        == next.tick_stroke;
                     let rest = fits[i + 1..].iter().zip(&credits[i + 1..]);
                     same && self.cost_behind(i, way, fits) <= most_cost
                         && way.ticker.keeps_up(rest.take(MOST_AHEAD))
@@ -241,8 +244,9 @@ impl TickChain<'_> {
         {
             let (before, fit) = (&ways[choice.before], choice.fit);
             let same_mm_s = breadth.same_share * before.ticker.step_mm_s();
-            let is_new =
-                |other: &Way| (other.ticker.stored_mm_s() - fit.cut.end_mm_s).abs() >= same_mm_s;
+            let is_new = |other: &Way| {
+                (other.ticker.stored_mm_s() - fit.tick_stroke.end_mm_s).abs() >= same_mm_s
+            };
             if !best.iter().all(is_new) {
                 continue;
             }
@@ -336,7 +340,7 @@ impl Way {
     /// What is seen while a vector is run like that, as a cost. Behind its first ticks only the vector itself is seen, which
     /// accelerates no more than it may.
     fn see(&mut self, direction: [f64; 3], fit: &TickFit) {
-        let mut speeds_mm_s = fit.cut.speeds_mm_s();
+        let mut speeds_mm_s = fit.tick_stroke.speeds_mm_s();
         self.see_ticks(direction, speeds_mm_s.by_ref());
         // Of the rest the last ticks will be seen.
         let (mut last_mm_s, mut count) = ([0.0; SEEN_TICKS], 0);
@@ -451,8 +455,8 @@ mod tests {
         let mut ticker = ticker.clone();
         for ((vector, speeds), fit) in moves.iter().zip(speeds).zip(fits) {
             let packet = write(vector);
-            prop_assert_eq!(ticker.cut_with(&packet, fit), fit.cut);
-            prop_assert!(fit.cut.is_true());
+            prop_assert_eq!(ticker.tick_stroke_with(&packet, fit), fit.tick_stroke);
+            prop_assert!(fit.tick_stroke.is_exact());
             prop_assert!(fit.ticks() >= ticker.least_ticks());
             ticker.take(speeds, fit);
         }

@@ -171,7 +171,7 @@ impl Planner<'_> {
     fn shares(&self, fits: &[TickFit]) -> Vec<f64> {
         let mut ticks = TickPositions::default();
         for (run, fit) in self.chain.iter().zip(fits) {
-            ticks.push(run, &fit.cut);
+            ticks.push(run, &fit.tick_stroke);
         }
         ticks.shares(self.arm_limits.acceleration_mm_s2, LEAST_SHARE)
     }
