@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use crate::path::endpoint::Landing;
+use crate::path::endpoint::Endpoint;
 use crate::path::pieces::Pieces;
 use crate::path::planner::Planner;
 use crate::{ArmLimits, Break, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector};
@@ -145,9 +145,9 @@ impl Plan {
 
     /// Where each vector leads: X, Y, Z in the base frame, in mm.
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
-        let mut landing = Landing::new(&self.arm_limits, &self.passes[0].tool);
+        let mut endpoint = Endpoint::new(&self.arm_limits, &self.passes[0].tool);
         self.moves.iter().scan(self.start, move |here, vector| {
-            *here = landing.behind(*here, vector);
+            *here = endpoint.behind(*here, vector);
             Some(*here)
         })
     }

@@ -8,23 +8,23 @@ use crate::{ArmLimits, DrawingTool, PlannedVector};
 
 /// Where vectors lead: exactly their increments further, or to where a stock arm takes itself to be then.
 #[derive(Clone, Debug)]
-pub(crate) struct Landing {
-    stock: Option<StockLanding>,
+pub(crate) struct Endpoint {
+    stock: Option<StockEndpoint>,
 }
 
 #[derive(Clone, Debug)]
-struct StockLanding {
+struct StockEndpoint {
     /// How far the tool reaches beyond the wrist.
     tool_mm: f32,
     /// What the arm carries over from vector to vector.
     ticker: Ticker,
 }
 
-impl Landing {
+impl Endpoint {
     pub(crate) fn new(arm_limits: &ArmLimits, tool: &DrawingTool) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "as the arm holds it")]
         let tool_mm = tool.reach_mm() as f32;
-        let stock = |ticker| StockLanding { tool_mm, ticker };
+        let stock = |ticker| StockEndpoint { tool_mm, ticker };
         Self {
             stock: Ticker::of(arm_limits, 0.0).map(stock),
         }

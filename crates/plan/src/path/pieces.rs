@@ -14,7 +14,7 @@ use dobot_motion::{Profile, TickStroke};
 use dobot_wire::single;
 
 use crate::path::commands::write;
-use crate::path::endpoint::Landing;
+use crate::path::endpoint::Endpoint;
 use crate::path::planner::round_down;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
@@ -38,7 +38,7 @@ impl Pieces {
     pub(crate) fn new(arm_limits: &ArmLimits, tool: &DrawingTool, start: [f64; 3]) -> Self {
         let arm = Ticker::of(arm_limits, 0.0).map(|ticker| TickedArm {
             ticker,
-            landing: Landing::new(arm_limits, tool),
+            endpoint: Endpoint::new(arm_limits, tool),
             here: start,
         });
         Self {
@@ -79,13 +79,13 @@ impl Pieces {
 #[derive(Clone)]
 struct TickedArm {
     ticker: Ticker,
-    landing: Landing,
+    endpoint: Endpoint,
     here: [f64; 3],
 }
 
 impl TickedArm {
     fn run(&mut self, vector: &PlannedVector) -> TickStroke {
-        self.here = self.landing.behind(self.here, vector);
+        self.here = self.endpoint.behind(self.here, vector);
         self.ticker.run(&write(vector))
     }
 

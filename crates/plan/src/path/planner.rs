@@ -3,7 +3,7 @@
 use dobot_geometry::{Point, Stroke};
 
 use crate::path::detour::around_axis;
-use crate::path::endpoint::Landing;
+use crate::path::endpoint::Endpoint;
 use crate::path::pieces::LONGEST_BURN_S;
 use crate::path::travel::LoneVectors;
 use crate::path::vector::length;
@@ -69,7 +69,7 @@ impl<'a> Planner<'a> {
             lone: LoneVectors::default(),
             here: start,
             settled: Settled {
-                landing: Landing::new(arm_limits, tool),
+                endpoint: Endpoint::new(arm_limits, tool),
                 count: 0,
                 here: start,
             },
@@ -141,7 +141,7 @@ impl<'a> Planner<'a> {
         if length(way) < self.least_vector_mm(kind) {
             return;
         }
-        self.here = self.settled.landing.about(here, [x_mm, y_mm, z_mm]);
+        self.here = self.settled.endpoint.about(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
         self.chain.push(ChainVector::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
@@ -207,11 +207,11 @@ impl<'a> Planner<'a> {
     pub(crate) fn settle(&mut self, count: usize) {
         let settled = &mut self.settled;
         for vector in &self.moves[settled.count..count] {
-            settled.here = settled.landing.behind(settled.here, vector);
+            settled.here = settled.endpoint.behind(settled.here, vector);
         }
         settled.count = count;
         self.here = self.moves[count..].iter().fold(settled.here, |here, it| {
-            settled.landing.about(here, [it.x_mm, it.y_mm, it.z_mm])
+            settled.endpoint.about(here, [it.x_mm, it.y_mm, it.z_mm])
         });
     }
 
@@ -225,7 +225,7 @@ impl<'a> Planner<'a> {
 /// The vectors whose speeds are planned, on an arm with ticks.
 #[derive(Clone, Debug)]
 pub(crate) struct Settled {
-    landing: Landing,
+    endpoint: Endpoint,
     count: usize,
     /// Where they lead.
     here: [f64; 3],

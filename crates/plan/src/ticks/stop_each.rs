@@ -119,7 +119,10 @@ mod tests {
             ..burn
         };
         let tick_strokes = tick_strokes(&rest_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
-        assert!(tick_strokes.iter().all(TickStroke::is_exact), "{tick_strokes:?}");
+        assert!(
+            tick_strokes.iter().all(TickStroke::is_exact),
+            "{tick_strokes:?}"
+        );
         assert!(tick_strokes[2].ticks() <= 4, "{tick_strokes:?}");
     }
 
