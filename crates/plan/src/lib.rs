@@ -44,6 +44,6 @@ pub use speed::lookahead::{ChainVector, Cornering, Junction};
 pub use speed::motion::Motion;
 pub use speed::respeed::{RespeedStart, end_speed_mm_s, respeed};
 pub use summary::Summary;
-pub use ticks::stop_each::rest_each;
+pub use ticks::stop_each::stop_each;
 pub use ticks::tick_fit::LEAST_BURN_MM_S;
 pub use tool::{DrawingTool, Laser, Pen};

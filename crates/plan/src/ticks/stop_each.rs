@@ -21,7 +21,7 @@ use crate::ticks::ticker::is_rapid;
 /// A vector in laser mode with the laser off cannot speed up at all. So the one before it does not rest.
 /// What is planned from rest to rest stays as it is at a share of 1.
 #[must_use]
-pub fn rest_each(vectors: &[WriteVector], share: f64, arm_limits: &ArmLimits) -> Vec<WriteVector> {
+pub fn stop_each(vectors: &[WriteVector], share: f64, arm_limits: &ArmLimits) -> Vec<WriteVector> {
     let next = vectors.iter().skip(1).map(Some).chain([None]);
     let pairs = vectors.iter().zip(next);
     pairs
@@ -94,7 +94,7 @@ mod tests {
         // 6 mm/s at 10 %. At the speed kept, 1.66 mm would take 50 * 1.66 / 0.0044 ticks: 375 s.
         let vector = WriteVector::by(1.664_266, 0.0, 0.0, 6.0);
         for kept_mm_s in [0.0, 5.418_604e-7, 0.004_43, 0.4, 1.9] {
-            let slow = rest_each(&[vector], 0.1, &STOCK);
+            let slow = stop_each(&[vector], 0.1, &STOCK);
             let tick_stroke = tick_strokes(&slow, kept_mm_s, &STOCK)[0];
             assert!(
                 (1..60).contains(&tick_stroke.ticks()),
@@ -118,7 +118,7 @@ mod tests {
             x_mm: 0.5,
             ..burn
         };
-        let tick_strokes = tick_strokes(&rest_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
+        let tick_strokes = tick_strokes(&stop_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
         assert!(
             tick_strokes.iter().all(TickStroke::is_exact),
             "{tick_strokes:?}"
@@ -129,13 +129,13 @@ mod tests {
     #[test]
     fn what_is_planned_from_rest_to_rest_stays_as_it_is() {
         let planned = [WriteVector::by(3.0, 1.0, 0.0, 41.0)];
-        assert_eq!(rest_each(&planned, 1.0, &STOCK), planned);
+        assert_eq!(stop_each(&planned, 1.0, &STOCK), planned);
     }
 
     #[test]
     fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_told() {
         let vector = WriteVector::by(1.6, 0.0, 0.0, 6.0);
-        let slow = rest_each(&[vector], 0.1, &ArmLimits::default())[0];
+        let slow = stop_each(&[vector], 0.1, &ArmLimits::default())[0];
         assert!((slow.max_speed_mm_s - 0.6).abs() < 1e-6, "{slow:?}");
         assert_eq!(slow.end_speed_mm_s, 0.0);
     }
@@ -157,7 +157,7 @@ mod tests {
                 ..WriteVector::by(*it, 0.0, 0.0, max_mm_s)
             };
             let planned: Vec<_> = lengths_mm.iter().map(vector).collect();
-            let vectors = rest_each(&planned, share, &arm_limits);
+            let vectors = stop_each(&planned, share, &arm_limits);
             for (vector, tick_stroke) in vectors.iter().zip(tick_strokes(&vectors, kept * step_mm_s, &arm_limits)) {
                 // What is kept is kept on a short way if it is more than a tenth of the largest speed.
                 let most_ticks = 50.0 * vector.x_mm / (0.1 * step_mm_s) + 10.0;

@@ -5,7 +5,7 @@ use dobot_geometry::{Point, Stroke};
 use dobot_motion::{ArmPlace, Model};
 use dobot_plan::{
     ArmLimits, DrawingTool, Laser, MoveKind, Paper, Pass, Pen, Plan, RespeedStart, end_speed_mm_s,
-    respeed, rest_each,
+    respeed, stop_each,
 };
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Status, WriteVector};
@@ -166,7 +166,7 @@ impl Other {
         let rest = vectors.iter().position(|it| it.end_speed_mm_s == 0.0);
         let chain = &vectors[..=rest.expect("a plan ends at rest")];
         let setup = plan.commands().take(plan.command_of(0) - 1);
-        let resting = rest_each(chain, share, arm_limits);
+        let resting = stop_each(chain, share, arm_limits);
         Self {
             running,
             behind_a_crash: setup

@@ -1,7 +1,7 @@
 //! At which speeds the vectors go that are not sent yet.
 
 use dobot_motion::burns;
-use dobot_plan::{ArmLimits, RespeedStart, respeed, rest_each};
+use dobot_plan::{ArmLimits, RespeedStart, respeed, stop_each};
 use dobot_wire::{Command, WriteVector, single};
 
 use crate::supervisor::JobPlan;
@@ -32,7 +32,7 @@ impl Speeds {
 
     /// Nobody knows with what speed a stock arm begins the rest of this stroke. A vector between two
     /// rests becomes as long as it should whatever that is, so each of them is one.
-    pub(crate) fn rest_each(&mut self, plan: &JobPlan, index: usize) {
+    pub(crate) fn stop_each(&mut self, plan: &JobPlan, index: usize) {
         if self.arm_limits.has_ticks {
             self.rests_until = index + plan.chain(index).count();
         }
@@ -123,7 +123,7 @@ impl Speeds {
         self.arm_limits = self.arm_limits_at(plan, index);
         self.first = index;
         self.vectors = if self.rests_each(index) {
-            rest_each(&chain, self.share, &self.arm_limits)
+            stop_each(&chain, self.share, &self.arm_limits)
         } else {
             let begin = begin(plan, index, speed_mm_s);
             respeed(&chain, &begin, self.share, &self.arm_limits)

@@ -32,7 +32,7 @@ impl Run {
         run.target_speed = run.begun.target_speed(run.next).filter(|_| !is_planned);
         let left = run.left_before(paused);
         if left.is_unknown {
-            run.speeds.rest_each(&run.begun.plan, run.begun.completed);
+            run.speeds.stop_each(&run.begun.plan, run.begun.completed);
         }
         let ways = first.iter().chain(&lower);
         run.left = ways.fold(left, |left, it| run.after(left, it));
