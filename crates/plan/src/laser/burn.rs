@@ -9,7 +9,7 @@ use crate::laser::laser_path::{
 use crate::path::commands::write;
 use crate::path::planner::{Planner, Settled};
 use crate::speed::chain::ChainSpeeds;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
@@ -159,7 +159,7 @@ impl Planner<'_> {
         let mut chain = self.chain.clone();
         let mut chain_speeds = self.chain_speeds.clone();
         let speeds = chain_speeds
-            .plan(&mut chain, Aim::Evenly)
+            .plan(&mut chain, Objective::Even)
             .skip(first)
             .take(burned);
         let slowest_mm_s = speeds

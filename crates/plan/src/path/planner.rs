@@ -10,7 +10,7 @@ use crate::path::vector::length;
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::joints::JointSpeeds;
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick_chain::LastPlaces;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
@@ -31,7 +31,7 @@ pub(crate) struct Planner<'a> {
     pub(crate) here: [f64; 3],
     pub(crate) settled: Settled,
     /// What matters: of a pen that it is over soon.
-    pub(crate) aim: Aim,
+    pub(crate) objective: Objective,
     /// How fast the tool travels, in mm/s.
     pub(crate) travel_mm_s: f64,
     joints: JointSpeeds,
@@ -73,7 +73,7 @@ impl<'a> Planner<'a> {
                 count: 0,
                 here: start,
             },
-            aim: Aim::of(tool),
+            objective: Objective::of(tool),
             travel_mm_s: tool.travel_speed_mm_s(),
             joints: JointSpeeds::new(arm_limits.joint_speed_deg_s, tool.reach_mm()),
             moves: Vec::new(),
@@ -86,7 +86,7 @@ impl<'a> Planner<'a> {
     pub(crate) fn pass(&mut self, number: u32, pass: &Pass) {
         self.plan_lone(0);
         self.pass = number;
-        self.aim = Aim::of(&pass.tool);
+        self.objective = Objective::of(&pass.tool);
         self.travel_mm_s = pass.tool.travel_speed_mm_s();
         for stroke in pass.drawn().filter(|it| !it.points.is_empty()) {
             match &pass.tool {
@@ -177,12 +177,12 @@ impl<'a> Planner<'a> {
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
         if self.ticker.is_none() {
-            let speeds = self.chain_speeds.plan(&mut self.chain, self.aim);
+            let speeds = self.chain_speeds.plan(&mut self.chain, self.objective);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
             self.tell_burn_speeds(begin);
-        } else if self.aim == Aim::Soon && self.chain.len() == 1 {
+        } else if self.objective == Objective::Fast && self.chain.len() == 1 {
             self.note_lone();
         } else {
             self.rest_in_ticks(begin);

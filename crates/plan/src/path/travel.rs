@@ -11,7 +11,7 @@
 
 use crate::path::planner::{Planner, round_down};
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick_chain::{Breadth, TickChain};
 
@@ -57,7 +57,7 @@ impl Planner<'_> {
             moves: &self.moves[begin..end],
             chain: &self.lone.chain,
             speeds: &self.lone.speeds,
-            aim: Aim::Soon,
+            objective: Objective::Fast,
             over: &over,
             most_mm_s: &self.lone.most_mm_s,
             before: self.last_places,

@@ -6,7 +6,7 @@ use std::iter::repeat;
 use crate::ArmLimits;
 use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering, Junction};
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::SeenMotion;
 use crate::speed::speeds::Speeds;
 
@@ -55,9 +55,9 @@ impl ChainSpeeds {
     pub(crate) fn plan<'a>(
         &'a mut self,
         chain: &'a mut [ChainVector],
-        aim: Aim,
+        objective: Objective,
     ) -> impl Iterator<Item = Speeds> + 'a {
-        self.plan_from(0.0, chain, aim)
+        self.plan_from(0.0, chain, objective)
     }
 
     /// The speeds of the chain's vectors, if it begins with this speed. Where braking takes longer
@@ -66,12 +66,12 @@ impl ChainSpeeds {
         &'a mut self,
         begin_mm_s: f64,
         chain: &'a mut [ChainVector],
-        aim: Aim,
+        objective: Objective,
     ) -> impl Iterator<Item = Speeds> + 'a {
         self.begin_mm_s = begin_mm_s;
-        match aim {
-            Aim::Evenly => self.lower_to_link(chain, 0),
-            Aim::Soon => {
+        match objective {
+            Objective::Even => self.lower_to_link(chain, 0),
+            Objective::Fast => {
                 self.plan_motion(chain);
                 if let Some(waits) = self.first_that_waits() {
                     self.lower_to_link(chain, waits.saturating_sub(REACH));

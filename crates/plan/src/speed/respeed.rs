@@ -9,7 +9,7 @@ use crate::path::vector::length;
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::joints::JointSpeeds;
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::ticks::ticker::Ticker;
 
 /// The arm where some vectors begin.
@@ -135,7 +135,7 @@ impl Respeeding<'_> {
             here = [0, 1, 2].map(|i| here[i] + way[i]);
         }
         let mut chain_speeds = ChainSpeeds::new(self.arm_limits);
-        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs, Aim::Evenly);
+        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs, Objective::Even);
         speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
     }
 

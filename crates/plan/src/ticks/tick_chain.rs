@@ -7,7 +7,7 @@ use dobot_wire::single;
 
 use crate::path::commands::write;
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::{WINDOW_TICKS, second_difference, seen_mm};
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
@@ -21,7 +21,7 @@ pub(crate) struct TickChain<'a> {
     pub moves: &'a [PlannedVector],
     pub chain: &'a [ChainVector],
     pub speeds: &'a [Speeds],
-    pub aim: Aim,
+    pub objective: Objective,
     /// How many times as much an end speed above the one wanted counts, for each vector.
     pub over: &'a [f64],
     /// No packet may tell a larger speed, in mm/s, for each vector.
@@ -165,7 +165,7 @@ impl TickChain<'_> {
         for i in begin..self.moves.len() {
             let packet = write(&self.moves[i]);
             let wish = TickWish {
-                aim: self.aim,
+                objective: self.objective,
                 over: self.over[i],
                 most_mm_s: self.most_mm_s[i],
                 least_mm_s: self.least_mm_s(i),
@@ -475,17 +475,17 @@ mod tests {
             let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
-            let before: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Aim::Soon).collect();
-            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
+            let before: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
+            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .fits(&ticker, Breadth::MANY);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
                 let at = at % chain.len();
                 chain[at].corner_mm_s = before[at].end_mm_s * share;
             }
-            let speeds: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Aim::Soon).collect();
+            let speeds: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
-            TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
+            TickChain { moves: &moves, chain: &chain, speeds: &speeds, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .repair(&ticker, &mut fits, &changed, Breadth::MANY);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;

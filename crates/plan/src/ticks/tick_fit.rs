@@ -3,7 +3,7 @@
 use dobot_motion::TickStroke;
 use dobot_wire::single;
 
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
 
@@ -37,7 +37,7 @@ pub(crate) struct TickTarget {
 /// What is wanted of the ticks of a vector, whatever its length and its speeds are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TickWish {
-    pub aim: Aim,
+    pub objective: Objective,
     /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
     /// No packet may tell a larger speed, in mm/s.
@@ -238,9 +238,9 @@ impl TickTarget {
         let steps = |mm_s: f64| mm_s / f64::from(tick_stroke.change_mm_s);
         let over = steps(f64::from(tick_stroke.end_mm_s) - self.speeds.end_mm_s);
         let above = steps(f64::from(tick_stroke.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
-        match self.wish.aim {
-            Aim::Evenly => self.unlike(stored_mm_s, tick_stroke, over) + 4.0 * above * above,
-            Aim::Soon => {
+        match self.wish.objective {
+            Objective::Even => self.unlike(stored_mm_s, tick_stroke, over) + 4.0 * above * above,
+            Objective::Fast => {
                 let kept = if self.rests {
                     OVER_AT_REST * (over - FREE_AT_REST_STEPS).max(0.0).powi(3)
                 } else {
@@ -253,8 +253,8 @@ impl TickTarget {
 
     /// What it costs to burn slower than any laser should, where that is not wanted.
     fn burns_too_long(&self, max_mm_s: f32) -> f64 {
-        let is_wanted =
-            self.wish.aim == Aim::Soon || self.speeds.peak_mm_s < f64::from(BURNS_WELL_MM_S);
+        let is_wanted = self.wish.objective == Objective::Fast
+            || self.speeds.peak_mm_s < f64::from(BURNS_WELL_MM_S);
         if is_wanted || max_mm_s >= BURNS_WELL_MM_S {
             0.0
         } else {
@@ -281,7 +281,7 @@ impl TickTarget {
     /// How many ticks are lost until the arm is as fast as wanted again, if it may use all of the acceleration for that:
     /// with the speed v wanted, `(v - end)2 / (2 a v)`.
     fn behind(&self, tick_stroke: &TickStroke) -> f64 {
-        if self.wish.aim == Aim::Evenly || self.rests {
+        if self.wish.objective == Objective::Even || self.rests {
             return 0.0;
         }
         let wanted_mm_s = self.speeds.end_mm_s;
@@ -404,7 +404,7 @@ mod tests {
             acceleration_mm_s2: 100.0,
             perhaps_mm_s: None,
             wish: TickWish {
-                aim: Aim::Soon,
+                objective: Objective::Fast,
                 over: 1.0,
                 most_mm_s: single(max),
                 least_mm_s: 0.0,
@@ -458,8 +458,8 @@ mod tests {
         ) {
             let max = max.max(stored.into());
             let wanted = target(length_mm, [stored.into(), 0.0, max], true);
-            let aim = if evenly { Aim::Evenly } else { Aim::Soon };
-            let wish = TickWish { most_mm_s: single(max.max(3.0)), aim, ..wanted.wish };
+            let objective = if evenly { Objective::Even } else { Objective::Fast };
+            let wish = TickWish { most_mm_s: single(max.max(3.0)), objective, ..wanted.wish };
             let fit = TickTarget { least_ticks, wish, ..wanted }.fits(stored)[0];
             prop_assert!(fit.tick_stroke.is_exact(), "{fit:?}");
             // Twice as long as wanted, and some ticks.

@@ -3,7 +3,7 @@
 use crate::path::planner::{Planner, round_down};
 use crate::speed::chain::{ChainSpeeds, LEAST_SHARE};
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::TickPositions;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
@@ -22,8 +22,8 @@ impl Planner<'_> {
         let travel_mm_s = round_down(self.travel_mm_s);
         let moves = &self.moves[begin..];
         let mut it = InTicks::new(begin, ticker, moves, &self.chain, travel_mm_s);
-        let attempt = match self.aim {
-            Aim::Soon => {
+        let attempt = match self.objective {
+            Objective::Fast => {
                 let attempt = self.attempt(&it, Breadth::ONE);
                 if attempt.is_good() {
                     attempt
@@ -32,7 +32,7 @@ impl Planner<'_> {
                 }
             }
             // What a vector leaves decides how fast the next one can be: of a laser all are to be right.
-            Aim::Evenly => self.attempt(&it, Breadth::MANY),
+            Objective::Even => self.attempt(&it, Breadth::MANY),
         };
         it.ticker
             .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
@@ -128,8 +128,8 @@ impl Planner<'_> {
     /// link allows is told by the ticks.
     pub(crate) fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
-        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.aim).collect();
-        if self.aim == Aim::Soon {
+        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.objective).collect();
+        if self.objective == Objective::Fast {
             for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
                 speeds.limit_mm_s = limit_mm_s;
             }
@@ -154,15 +154,15 @@ impl Planner<'_> {
 
     fn in_ticks<'a>(&'a self, it: &'a InTicks, speeds: &'a [Speeds]) -> TickChain<'a> {
         TickChain {
-            aim: self.aim,
+            objective: self.objective,
             moves: &self.moves[it.begin..],
             chain: &self.chain,
             speeds,
             over: &it.over,
             most_mm_s: &it.most_mm_s,
-            before: match self.aim {
-                Aim::Soon => self.last_places,
-                Aim::Evenly => LastPlaces::default(),
+            before: match self.objective {
+                Objective::Fast => self.last_places,
+                Objective::Even => LastPlaces::default(),
             },
         }
     }

@@ -5,7 +5,7 @@ use dobot_wire::{WriteMode, WriteVector};
 
 use crate::path::commands::write;
 use crate::speed::link::Credit;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
@@ -112,7 +112,7 @@ impl Ticker {
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
         let wish = TickWish {
-            aim: Aim::Evenly,
+            objective: Objective::Even,
             over: 1.0,
             most_mm_s,
             least_mm_s: 0.0,
@@ -226,9 +226,9 @@ impl Ticker {
     /// What the next vector should be, of this length. Speeds are whole ticks: the arm would not begin to
     /// accelerate to less than one and a half.
     fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, wish: TickWish) -> TickTarget {
-        let early = match wish.aim {
-            Aim::Evenly => self.early,
-            Aim::Soon => 0.0,
+        let early = match wish.objective {
+            Objective::Even => self.early,
+            Objective::Fast => 0.0,
         };
         TickTarget {
             length_mm,
