@@ -39,7 +39,7 @@ pub use path::pieces::{LONGEST_BURN_S, LONGEST_DRAW_S};
 pub use path::vector::{MoveKind, PlannedVector};
 pub use plan::Plan;
 pub use speed::acceleration::acceleration;
-pub use speed::duration_estimate::Pace;
+pub use speed::duration_estimate::DurationEstimator;
 pub use speed::lookahead::{ChainVector, Cornering, Junction};
 pub use speed::motion::Motion;
 pub use speed::respeed::{RespeedStart, end_speed_mm_s, respeed};

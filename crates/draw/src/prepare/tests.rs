@@ -7,7 +7,7 @@ use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::{Hatch, HatchStyle};
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Random, Vec2, deviation};
-use dobot_plan::{ArmLimits, Laser, MoveKind, Pace};
+use dobot_plan::{ArmLimits, DurationEstimator, Laser, MoveKind};
 
 const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/drawings/harbour.svg"),
@@ -137,10 +137,10 @@ fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
     // circle to across it, which takes pi / 4 of that radian twice: the speed grows as the sine of twice the angle.
     let optimum_s = {
         let settings = at_80_mm_s(false);
-        let pace = Pace::of(&settings.arm_limits, &settings.tool);
+        let estimator = DurationEstimator::of(&settings.arm_limits, &settings.tool);
         let circle = round();
         let ways = circle.segments().map(|(a, b)| [b.x - a.x, b.y - a.y, 0.0]);
-        pace.durations_s(ways).iter().sum::<f64>()
+        estimator.durations_s(ways).iter().sum::<f64>()
     };
     let at_full_speed_s = std::f64::consts::TAU * (30.0_f64 / 100.0).sqrt();
     assert!(

@@ -3,7 +3,8 @@
 use dobot_arm::TICK_S;
 use dobot_geometry::{Stroke, deviation};
 use dobot_plan::{
-    DrawingTool, LEAST_BURN_MM, MoveKind, Pace, Pass, Plan, acceleration, burned_corners,
+    DrawingTool, DurationEstimator, LEAST_BURN_MM, MoveKind, Pass, Plan, acceleration,
+    burned_corners,
 };
 
 use super::{PrepareError, Settings};
@@ -126,12 +127,12 @@ fn faster(
     trials: &mut Trials,
 ) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let pace = Pace::of(&settings.arm_limits, &tool);
+    let estimator = DurationEstimator::of(&settings.arm_limits, &tool);
     if !trials.take(stroke, &fewest.stroke, settings.arm_limits.has_ticks) {
-        return seemingly_fastest_at(stroke, tolerance_mm, fewest, &pace).stroke;
+        return seemingly_fastest_at(stroke, tolerance_mm, fewest, &estimator).stroke;
     }
     let few = fewest.stroke.clone();
-    let ways = fast_ways_at(stroke, tolerance_mm, fewest, &pace);
+    let ways = fast_ways_at(stroke, tolerance_mm, fewest, &estimator);
     if ways.iter().all(|it| it.stroke == few) {
         return few;
     }
@@ -145,7 +146,7 @@ fn faster(
         tried.plan(way);
     }
     for change_s in CHANGES_S {
-        if let Some(way) = spliced_at(stroke, tolerance_mm, &pace, &tried.planned, change_s) {
+        if let Some(way) = spliced_at(stroke, tolerance_mm, &estimator, &tried.planned, change_s) {
             tried.plan(way);
         }
     }
