@@ -34,7 +34,7 @@ pub use laser::laser_path::{DOT_MM, LEAST_BURN_MM, burned_corners};
 pub use laser::slow_burning::SlowBurning;
 pub use paper::{Paper, PaperError};
 pub use pass::{Break, Pass, PlannedPass};
-pub use path::detour::around_axis;
+pub use path::detour::detour;
 pub use path::pieces::{LONGEST_BURN_S, LONGEST_DRAW_S};
 pub use path::vector::{MoveKind, PlannedVector};
 pub use plan::Plan;

@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Rect, Stroke, bounds};
 use dobot_plan::{
-    ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, Plan, PlanError, around_axis,
+    ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, Plan, PlanError, detour,
 };
 
 /// What is gone around.
@@ -63,7 +63,7 @@ pub fn frame(
 /// The outline with the ways between its corners around the place where the arm stands.
 fn around_arm(outline: &Stroke, nearest_mm: f64) -> Stroke {
     let legs = outline.segments();
-    let points = legs.flat_map(|(a, b)| [vec![a], around_axis(a, b, nearest_mm)].concat());
+    let points = legs.flat_map(|(a, b)| [vec![a], detour(a, b, nearest_mm)].concat());
     Stroke {
         points: points.chain(outline.last()).collect(),
         ..*outline

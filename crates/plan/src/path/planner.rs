@@ -2,7 +2,7 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use crate::path::detour::around_axis;
+use crate::path::detour::detour;
 use crate::path::endpoint::Endpoint;
 use crate::path::pieces::LONGEST_BURN_S;
 use crate::path::travel::LoneVectors;
@@ -124,7 +124,7 @@ impl<'a> Planner<'a> {
     /// A way from rest to rest, around the place where the arm stands.
     pub(crate) fn travel(&mut self, to: Point, above_mm: f64, limit_mm_s: f64) {
         let here = Point::new(self.here[0], self.here[1]);
-        for corner in around_axis(here, to, self.arm_limits.nearest_mm) {
+        for corner in detour(here, to, self.arm_limits.nearest_mm) {
             self.go(MoveKind::Travel, corner, above_mm, limit_mm_s);
         }
         self.go(MoveKind::Travel, to, above_mm, limit_mm_s);
