@@ -13,6 +13,6 @@ pub(crate) enum Objective {
 
 impl Objective {
     pub(crate) const fn of(tool: &DrawingTool) -> Self {
-        if tool.burns() { Self::Even } else { Self::Soon }
+        if tool.burns() { Self::Even } else { Self::Fast }
     }
 }
