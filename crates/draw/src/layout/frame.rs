@@ -1,9 +1,7 @@
 //! Once around a drawing before it is made: does it lie where it should?
 
 use dobot_geometry::{Point, Rect, Stroke, bounds};
-use dobot_plan::{
-    ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, Plan, PlanError, detour,
-};
+use dobot_plan::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, Plan, PlanError, detour};
 
 /// What is gone around.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use dobot_geometry::{Point, Stroke};
 use crate::path::detour::detour;
 use crate::path::endpoint::Endpoint;
 use crate::path::pieces::LONGEST_BURN_S;
-use crate::path::travel::LoneVectors;
+use crate::path::travel::TravelVectors;
 use crate::path::vector::length;
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::joints::JointSpeeds;
@@ -26,7 +26,7 @@ pub(crate) struct Planner<'a> {
     pub(crate) ticker: Option<Ticker>,
     /// Where the tool was at the last ticks.
     pub(crate) last_places: LastPlaces,
-    pub(crate) lone: LoneVectors,
+    pub(crate) travel: TravelVectors,
     /// Where the vectors so far lead, rounding included.
     pub(crate) here: [f64; 3],
     pub(crate) settled: Settled,
@@ -66,7 +66,7 @@ impl<'a> Planner<'a> {
                 ticker
             },
             last_places: LastPlaces::default(),
-            lone: LoneVectors::default(),
+            travel: TravelVectors::default(),
             here: start,
             settled: Settled {
                 endpoint: Endpoint::new(arm_limits, tool),
@@ -84,7 +84,7 @@ impl<'a> Planner<'a> {
     }
 
     pub(crate) fn pass(&mut self, number: u32, pass: &Pass) {
-        self.plan_lone(0);
+        self.plan_travel(0);
         self.pass = number;
         self.objective = Objective::of(&pass.tool);
         self.travel_mm_s = pass.tool.travel_speed_mm_s();
@@ -217,7 +217,7 @@ impl<'a> Planner<'a> {
 
     /// All has been told.
     pub(crate) fn finish(mut self) -> Vec<PlannedVector> {
-        self.plan_lone(0);
+        self.plan_travel(0);
         self.moves
     }
 }

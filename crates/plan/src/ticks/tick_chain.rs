@@ -95,7 +95,7 @@ impl Breadth {
         same_share: 0.1,
     };
     /// For vectors between two rests, of which the arm keeps less than a tick's change.
-    pub(crate) const LONE: Self = Self {
+    pub(crate) const TRAVEL: Self = Self {
         ways: 8,
         fits: MOST_FITS,
         same_share: 0.05,

@@ -15,7 +15,7 @@ use crate::{MoveKind, PlannedVector};
 impl Planner<'_> {
     /// The chain ends, on an arm with ticks: its speeds can be planned.
     pub(crate) fn rest_in_ticks(&mut self, begin: usize) {
-        self.plan_lone(0);
+        self.plan_travel(0);
         let Some(ticker) = self.ticker.take() else {
             return;
         };
