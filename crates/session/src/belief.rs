@@ -143,7 +143,7 @@ impl Belief {
             None => self.over = Some(self.unknown(status)),
             Some(model) if self.under_way.len() == 0 && !self.jogs && self.stood => {
                 let before = *model;
-                model.seen(status);
+                model.observe(status);
                 if *model == before {
                     return;
                 }

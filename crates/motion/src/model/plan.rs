@@ -247,7 +247,7 @@ impl Model {
     /// The point that a command names, be it in reach or not: a target, or that far from a place that
     /// is known. `None` where it names none, or a stock arm makes another of it (notes N9 and N18).
     #[must_use]
-    pub fn aim(&self, command: &Command) -> Option<Position> {
+    pub fn target(&self, command: &Command) -> Option<Position> {
         let by = |x, y, z| {
             let from = self.knows_place.then_some(self.place.pose.position)?;
             Some(from + position(x, y, z))
