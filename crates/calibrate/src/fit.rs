@@ -127,14 +127,14 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
 fn check(touches: &[Touch]) -> Result<(), FitError> {
     for (number, touch) in (1..).zip(touches) {
         let [x_mm, y_mm] = touch.place_mm;
-        let told = [
-            touch.told.base.0,
-            touch.told.rear.0,
-            touch.told.fore.0,
+        let raw = [
+            touch.raw.base.0,
+            touch.raw.rear.0,
+            touch.raw.fore.0,
             touch.height_mm,
         ];
         let is_place = [x_mm, y_mm].iter().all(|it| it.abs() <= FARTHEST_MM);
-        if !is_place || told.iter().any(|it| !it.is_finite()) {
+        if !is_place || raw.iter().any(|it| !it.is_finite()) {
             return Err(FitError::NoPlace { number, x_mm, y_mm });
         }
     }
@@ -235,8 +235,8 @@ fn check_arm(arm: &Calibration, paper: &Plane) -> Result<(), FitError> {
 
 /// The deviation of a place on the paper after so many touches that agree so well.
 fn expected(touches: usize, typical_mm: f64) -> f64 {
-    let told = 3.0 * count(touches);
-    let spare = (told - NUMBERS_OF_A_PLACE).max(1.0);
+    let numbers = 3.0 * count(touches);
+    let spare = (numbers - NUMBERS_OF_A_PLACE).max(1.0);
     let touch_mm = (typical_mm.powi(2) * count(touches) / spare)
         .sqrt()
         .max(TOUCH_MM / 3.0);
@@ -268,11 +268,11 @@ fn advice(solved: &Solved, tool: Tool) -> Option<Advice> {
         SHEET_POINTS.into_iter().filter_map(move |place_mm| {
             let [x_mm, y_mm] = place_mm;
             let place = Position::new(x_mm, y_mm, paper.z_at(place_mm) + height_mm);
-            let told = arm.told_joints(place, tool).ok()?;
+            let raw = arm.told_joints(place, tool).ok()?;
             Some(Touch {
                 place_mm,
                 height_mm,
-                told,
+                raw,
             })
         })
     });

@@ -126,7 +126,7 @@ mod tests {
     use crate::SHEET_POINTS;
 
     #[test]
-    fn three_touches_tell_a_plane_and_more_how_it_is_bent() {
+    fn three_touches_define_a_plane_and_more_its_bend() {
         let board = |[x, y]: [f64; 2]| -42.0 + 0.01 * x - 0.02 * y + (y / 100.0).powi(2);
         let touched = SHEET_POINTS.map(|[x, y]| [x, y, board([x, y])]);
         let flat = paper(&touched[..3]).unwrap();
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn touches_that_tell_no_paper_are_refused_with_what_to_do() {
+    fn touches_that_define_no_paper_are_refused_with_what_to_do() {
         let mut touched = SHEET_POINTS.map(|[x, y]| [x, y, -42.0]);
         touched[4][2] = -30.0;
         let refused = |it: &[[f64; 3]]| paper(it).unwrap_err().to_string();

@@ -79,11 +79,11 @@ mod tests {
         };
         let mut touches = SHEET_POINTS.map(|[x, y]| {
             let there = Position::new(x, y, -40.0);
-            let told = arm.told_joints(there, Tool::SuctionCup).unwrap();
+            let raw = arm.told_joints(there, Tool::SuctionCup).unwrap();
             Touch {
                 place_mm: [x, y],
                 height_mm: 0.0,
-                told,
+                raw,
             }
         });
         let good = residuals_svg(&touches, &fit(&touches, Tool::SuctionCup).unwrap());

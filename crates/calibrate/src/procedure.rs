@@ -33,12 +33,12 @@ impl Procedure {
     }
 
     /// Takes that the tool stands on the next point, or on a block on it that is so high, in mm.
-    pub fn touch(&mut self, told: Joints, height_mm: f64) {
+    pub fn touch(&mut self, raw: Joints, height_mm: f64) {
         let (_, place_mm) = self.next_point();
         self.touches.push(Touch {
             place_mm,
             height_mm,
-            told,
+            raw,
         });
     }
 

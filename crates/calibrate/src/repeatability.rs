@@ -58,7 +58,7 @@ mod tests {
     }
 
     #[test]
-    fn one_place_alone_tells_nothing() {
+    fn one_place_alone_has_no_spread() {
         assert_eq!(repeatability(&[[1.0, 2.0, 3.0]]), None);
     }
 }

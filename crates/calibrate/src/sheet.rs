@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_print_that_was_fitted_to_the_page_is_told_by_its_bar() {
+    fn a_print_that_was_fitted_to_the_page_is_reported_by_its_bar() {
         assert!(check_bar(199.8).is_ok());
         let error = check_bar(194.0)
             .expect_err("it is 3 % too small")

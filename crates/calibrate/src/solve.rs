@@ -80,11 +80,11 @@ impl Numbers {
     /// How far the tool was from the point that it touched, in mm.
     pub(crate) fn away_mm(&self, touch: &Touch, tool: Tool, is_after_step: bool) -> [f64; 3] {
         let base_deg = if is_after_step { self.step_deg } else { 0.0 };
-        let told = Joints {
-            base: touch.told.base + dobot_arm::Degrees(base_deg),
-            ..touch.told
+        let raw = Joints {
+            base: touch.raw.base + dobot_arm::Degrees(base_deg),
+            ..touch.raw
         };
-        let found = self.arm.true_place_of(&told, tool);
+        let found = self.arm.true_place_of(&raw, tool);
         let [x_mm, y_mm] = touch.place_mm.map(|it| it * self.scale);
         let z_mm = self.paper.z_at([x_mm, y_mm]) + touch.height_mm;
         [found.x.0 - x_mm, found.y.0 - y_mm, found.z.0 - z_mm]
@@ -132,7 +132,7 @@ pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
     let mut middle = [0.0; COUNT];
     // Where the first touch says; what is known before of the height is next to nothing.
     middle[7] = touches.first().map_or(0.0, |it| {
-        Calibration::default().true_place_of(&it.told, tool).z.0 - it.height_mm
+        Calibration::default().true_place_of(&it.raw, tool).z.0 - it.height_mm
     });
     let mut at = [0.0; COUNT];
     let mut damping = 1e-3;

@@ -10,5 +10,5 @@ pub struct Touch {
     /// How high above the paper it is, in mm: 0 on the paper itself, more on a block of known height.
     pub height_mm: f64,
     /// The joint angles that the arm stated.
-    pub told: Joints,
+    pub raw: Joints,
 }

@@ -16,8 +16,8 @@ use self::read::read;
 pub use self::settings::Settings;
 pub(crate) use self::settings::{TOLERANCE_MM, TRIES};
 use self::vectors::{Trials, simplified};
-use crate::arm::backlash::{most_mm, taken_up};
-use crate::arm::calibrated::told_passes;
+use crate::arm::backlash::{compensated, most_mm};
+use crate::arm::calibrated::raw_passes;
 use crate::arm::resume_point::ResumePointError;
 use crate::layout::place::{PlaceError, Placed, check_reach};
 use crate::preparation::progress::PrepareStep;
@@ -126,7 +126,7 @@ pub fn prepare_passes<E: fmt::Display>(
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
-    plan_passes(told_passes(passes, settings)?, settings, reachable)
+    plan_passes(raw_passes(passes, settings)?, settings, reachable)
 }
 
 /// The same for passes in the arm's own places.
@@ -152,7 +152,7 @@ fn plan_passes<E: fmt::Display>(
         .map(|it| simplified(it, settings, &mut trials));
     let simple: Result<Vec<Pass>, PrepareError> = simple.collect();
     let simple = match &settings.calibration {
-        Some(known) => taken_up(simple?, &settings.paper, &known.arm()),
+        Some(known) => compensated(simple?, &settings.paper, &known.arm()),
         None => simple?,
     };
     let lifts_mm = simple.iter().map(|it| it.tool.lift_mm());

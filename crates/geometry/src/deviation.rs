@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn tells_ink_astray_from_ink_that_is_missing() {
+    fn distinguishes_stray_ink_from_missing_ink() {
         let wanted = [line(&[(0.0, 0.0), (10.0, 0.0)])];
         let drawn = [line(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)])];
         let found = deviation(&wanted, &drawn);

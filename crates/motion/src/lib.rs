@@ -73,7 +73,7 @@ pub use jump::Jump;
 pub use line_move::LineMove;
 pub use model::{
     ArmPlace, ArmSettings, Bend, Button, HandAxis, HandScale, JogAxis, JogTrajectory, LASER_OFF,
-    LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, told,
+    LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, to_raw,
 };
 pub use plan_error::PlanError;
 pub use profile::Profile;

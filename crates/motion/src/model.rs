@@ -28,7 +28,7 @@ use self::followed::Followed;
 use self::left_speed::LeftSpeed;
 
 pub use self::button::{Button, JogAxis};
-pub use self::calibrated::told;
+pub use self::calibrated::to_raw;
 pub use self::error::{LONGEST_S, TrajectoryError};
 pub use self::hand_scale::{HandAxis, HandScale};
 pub use self::jog::JogTrajectory;
@@ -311,8 +311,8 @@ impl Model {
 /// The tool by which position and angles of a status belong together.
 fn tool_of(place: &ArmPlace, believed: Tool) -> Tool {
     let reach_mm = |joints: &Joints, tool| forward(joints, tool).position.reach().0;
-    let told_mm = place.pose.position.reach().0;
-    let off_mm = |tool| (reach_mm(&place.joints, tool) - told_mm).abs();
+    let reported_mm = place.pose.position.reach().0;
+    let off_mm = |tool| (reach_mm(&place.joints, tool) - reported_mm).abs();
     if off_mm(believed) <= SAME_REACH_MM {
         return believed;
     }

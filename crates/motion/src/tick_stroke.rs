@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_vector_from_rest_to_rest_is_cut_as_the_note_tells() {
+    fn a_vector_from_rest_to_rest_has_the_ticks_of_the_note() {
         // 10 mm at 100 mm/s2: the peak is sqrt(1000) = 31.6 mm/s, 16 steps of 2 mm/s up and down;
         // their ways are 4.8 mm each, and the 0.4 mm left make 50 * 0.4 / 32 = 0.625 mm/s more.
         let tick_stroke = TickStroke::of(10.0, 0.0, 0.0, 40.0, 100.0);

@@ -94,7 +94,7 @@ impl<'a> Fence<'a> {
 
     /// Looks at a place that the arm says.
     pub(crate) fn stop(&self, share: f64, told: ArmPlace) -> PathPoint {
-        let place = told.seen_by(&self.arm, self.tool);
+        let place = told.calibrated(&self.arm, self.tool);
         PathPoint {
             share,
             told,

@@ -42,14 +42,14 @@ impl FromStr for ResumePoint {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let told = "expected layer:NAME, stroke:NUMBER or a share such as 40%";
+        let expected = "expected layer:NAME, stroke:NUMBER or a share such as 40%";
         if let Some(percent) = text.strip_suffix('%') {
-            return percent.parse().map(Self::Percent).map_err(|_| told);
+            return percent.parse().map(Self::Percent).map_err(|_| expected);
         }
         match text.split_once(':') {
             Some(("layer", name)) => Ok(Self::Pass(name.to_owned())),
-            Some(("stroke", number)) => number.parse().map(Self::Stroke).map_err(|_| told),
-            _ => Err(told),
+            Some(("stroke", number)) => number.parse().map(Self::Stroke).map_err(|_| expected),
+            _ => Err(expected),
         }
     }
 }
@@ -340,15 +340,15 @@ mod tests {
     }
 
     #[test]
-    fn a_pass_without_a_name_is_told_by_its_number() {
+    fn a_pass_without_a_name_is_reported_by_its_number() {
         let passes = vec![pass("", vec![Stroke::open(vec![Point::default()])])];
         let error = ResumePoint::Pass("red".to_owned()).rest_of(passes);
-        let told = "there is no pass 'red' to start from; there are: 1";
-        assert_eq!(error.unwrap_err().to_string(), told);
+        let expected = "there is no pass 'red' to start from; there are: 1";
+        assert_eq!(error.unwrap_err().to_string(), expected);
     }
 
     #[test]
-    fn what_is_not_there_is_told_with_what_is() {
+    fn what_is_not_there_is_reported_with_what_is() {
         let error = |from: ResumePoint| from.rest_of(passes()).unwrap_err().to_string();
         for name in ["green", "0", "3"] {
             assert_eq!(

@@ -238,7 +238,7 @@ impl DrawingRequest {
         let paper = paper.raised(place.offset);
         let tool = self.settings.tool.end_effector();
         Ok(match &self.settings.calibration {
-            Some(known) => paper.seen_by(known.arm(), tool),
+            Some(known) => paper.to_raw(known.arm(), tool),
             None => paper,
         })
     }
@@ -250,7 +250,7 @@ impl DrawingRequest {
         let calibrated = known.and_then(|it| it.paper.as_ref());
         match (self.options.place.pen_down, calibrated) {
             (None, Some(it)) => known_paper(it),
-            (told, _) => Ok(Paper::level(told.unwrap_or(standing_z_mm))),
+            (given, _) => Ok(Paper::level(given.unwrap_or(standing_z_mm))),
         }
     }
 }

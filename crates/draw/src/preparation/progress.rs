@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn the_share_of_a_step_is_told_where_it_is_known() {
+    fn the_share_of_a_step_is_reported_where_it_is_known() {
         let progress = Progress::default();
         assert_eq!(progress.share(), None);
         progress.begin(PrepareStep::Vectors, 40);

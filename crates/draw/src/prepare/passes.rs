@@ -7,7 +7,7 @@ use dobot_plan::{DrawingTool, Pass};
 
 use super::layers;
 use super::{MOST_REACH_MM, PrepareError, Settings, beside_mm};
-use crate::arm::calibrated::told_strokes;
+use crate::arm::calibrated::raw_strokes;
 use crate::layout::clip::{Clipped, clip_to_reach};
 use crate::layout::place::PlaceError;
 use crate::preparation::progress::PrepareStep;
@@ -34,7 +34,7 @@ pub(super) fn passes<E>(
         let lines = Lines::of(&mut layer, tool, settings)?;
         has_lines |= !lines.is_empty();
         let lines = lines.on_sheet(settings, warnings)?;
-        let lines = lines.try_map(|it| told_strokes(it, tool, settings))?;
+        let lines = lines.try_map(|it| raw_strokes(it, tool, settings))?;
         let lines = lines.within_reach(tool, settings, reachable, warnings);
         // Areas that are not hatched leave no ink.
         if !lines.is_empty() {
@@ -56,7 +56,7 @@ pub(super) fn passes<E>(
         if !settings.cutting_of(tool).is_asked_for() {
             continue;
         }
-        let own = told_strokes(std::mem::take(&mut layer.strokes), tool, settings)?;
+        let own = raw_strokes(std::mem::take(&mut layer.strokes), tool, settings)?;
         let lines = Lines {
             own,
             fills: Vec::new(),

@@ -191,8 +191,8 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory
     let joints = model.place.joints;
     let to = match *configuration {
         Configuration::InitialAngles { rear_deg, fore_deg } => {
-            let told = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
-            let place = ArmPlace::at_joints(told, model.tool);
+            let raw = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
+            let place = ArmPlace::at_joints(raw, model.tool);
             place.check()?;
             return Ok(Trajectory {
                 knows_end: true,

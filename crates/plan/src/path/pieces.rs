@@ -420,12 +420,15 @@ mod tests {
             assert!((178..=183).contains(&pieces.len()), "{}", pieces.len());
             for piece in &pieces {
                 let packet = write(piece);
-                let told = [
+                let speeds_mm_s = [
                     packet.start_speed_mm_s,
                     packet.end_speed_mm_s,
                     packet.max_speed_mm_s,
                 ];
-                assert!(told.iter().all(|it| (it - 3.0).abs() < 0.02), "{packet:?}");
+                assert!(
+                    speeds_mm_s.iter().all(|mm_s| (mm_s - 3.0).abs() < 0.02),
+                    "{packet:?}"
+                );
             }
         }
     }

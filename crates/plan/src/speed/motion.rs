@@ -106,7 +106,7 @@ mod tests {
     use crate::{ArmLimits, DrawingTool};
 
     #[test]
-    fn a_line_is_run_as_its_acceleration_and_its_speed_tell() {
+    fn a_line_is_run_at_its_acceleration_and_speed() {
         // 40 mm at 40 mm/s and 100 mm/s2, in two vectors: 0.4 s up and 0.4 s down over 8 mm each, 0.6 s between.
         let estimator = DurationEstimator::of(&ArmLimits::default(), &DrawingTool::default());
         let motion = Motion::along(

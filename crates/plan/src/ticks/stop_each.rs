@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_told() {
+    fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_reported() {
         let vector = WriteVector::by(1.6, 0.0, 0.0, 6.0);
         let slow = stop_each(&[vector], 0.1, &ArmLimits::default())[0];
         assert!((slow.max_speed_mm_s - 0.6).abs() < 1e-6, "{slow:?}");

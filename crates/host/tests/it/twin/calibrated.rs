@@ -254,7 +254,7 @@ fn prepared(personality: Personality, calibration: Option<CalibrationFile>) -> P
         Some(known) => {
             let found = known.paper.as_ref().unwrap();
             let paper = Paper::sloping(found.plane());
-            paper.seen_by(known.arm(), TOOL)
+            paper.to_raw(known.arm(), TOOL)
         }
         None => paper,
     };
