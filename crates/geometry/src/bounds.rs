@@ -25,8 +25,8 @@ pub fn bounds_of_strokes(strokes: &[Stroke]) -> Rect {
 pub fn least_width(points: &[Point]) -> f64 {
     let across = |deg: i32| {
         let (sin, cos) = f64::from(deg).to_radians().sin_cos();
-        let along = points.iter().map(|it| it.x * cos + it.y * sin);
-        let (least, most) = along.fold((f64::MAX, f64::MIN), |(a, b), it| (a.min(it), b.max(it)));
+        let along = points.iter().map(|point| point.x * cos + point.y * sin);
+        let (least, most) = along.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
         most - least
     };
     (0..180).map(across).fold(f64::MAX, f64::min)

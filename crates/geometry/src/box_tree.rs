@@ -36,7 +36,9 @@ impl BoxTree {
 
     /// How many items each of the nodes owns, by the number of the node.
     pub fn counts(&self) -> impl Iterator<Item = u32> {
-        self.nodes.iter().map(|it| it.items.end - it.items.start)
+        self.nodes
+            .iter()
+            .map(|node| node.items.end - node.items.start)
     }
 
     /// The nodes that own an item, the root first.
@@ -74,7 +76,8 @@ impl BoxTree {
             *limit2 = visit(node.items.clone());
             return;
         }
-        let mut children = [id + 1, node.right].map(|it| (distance2(self.node(it).bounds, p), it));
+        let mut children =
+            [id + 1, node.right].map(|child| (distance2(self.node(child).bounds, p), child));
         if children[1].0 < children[0].0 {
             children.swap(0, 1);
         }
@@ -167,7 +170,7 @@ mod tests {
             p in point(),
         ) {
             let tree = BoxTree::sort(&mut points, |&p| (p, p));
-            let away2 = |it: &Point| (it.x - p.x).powi(2) + (it.y - p.y).powi(2);
+            let away2 = |q: &Point| (q.x - p.x).powi(2) + (q.y - p.y).powi(2);
             let mut found = f64::INFINITY;
             tree.around(p, f64::INFINITY, &|_, _| true, &mut |items| {
                 let leaf = &points[items.start as usize..items.end as usize];

@@ -125,7 +125,7 @@ fn short(segments: Vec<(Point, Point)>) -> Vec<(Point, Point)> {
     let most_mm = SHORT_MM.max(length_mm / MOST_PIECES);
     let cut = |(a, b): (Point, Point)| {
         let ends: Vec<Point> = steps(a, b, most_mm).collect();
-        let pieces = ends.windows(2).map(|it| (it[0], it[1]));
+        let pieces = ends.windows(2).map(|pair| (pair[0], pair[1]));
         pieces.collect::<Vec<_>>()
     };
     segments.into_iter().flat_map(cut).collect()
@@ -216,8 +216,8 @@ mod tests {
             let share = |count: usize| f64::from(u32::try_from(i % count).unwrap_or(0));
             p + Vec2::new(0.0011 * share(13), 0.0007 * share(29))
         };
-        let stroke = |(i, it): (usize, &Stroke)| {
-            let points = it.points.iter().enumerate();
+        let stroke = |(i, stroke): (usize, &Stroke)| {
+            let points = stroke.points.iter().enumerate();
             Stroke::open(points.map(|(j, &p)| beside(i + 7 * j, p)).collect())
         };
         wanted.iter().enumerate().map(stroke).collect()

@@ -29,7 +29,7 @@ impl HeightMap {
     #[must_use]
     pub fn through(known: &[[f64; 3]]) -> Option<Self> {
         let count = known.len();
-        if count < 3 || !known.as_flattened().iter().all(|it| it.is_finite()) {
+        if count < 3 || !known.as_flattened().iter().all(|x| x.is_finite()) {
             return None;
         }
         let places: Vec<Point> = known.iter().map(|[x, y, _]| Point::new(*x, *y)).collect();
@@ -55,7 +55,8 @@ impl HeightMap {
             plane,
         };
         // A matrix that is nearly singular has an answer too, and a wrong one.
-        let is_met = |it: &[f64; 3]| (map.z_at(Point::new(it[0], it[1])) - it[2]).abs() < MET;
+        let is_met =
+            |known: &[f64; 3]| (map.z_at(Point::new(known[0], known[1])) - known[2]).abs() < MET;
         known.iter().all(is_met).then_some(map)
     }
 
@@ -67,7 +68,7 @@ impl HeightMap {
         let [z0, slope_x, slope_y] = self.plane;
         let bent = self.places.iter().zip(&self.weights);
         let bent: f64 = bent
-            .map(|(it, weight)| weight * bend(it.distance(place)))
+            .map(|(known, weight)| weight * bend(known.distance(place)))
             .sum();
         z0 + slope_x * place.x + slope_y * place.y + bent
     }

@@ -181,12 +181,12 @@ mod tests {
             }
             prop_assert_eq!(index.nearest(p), best);
             for near in 0..=u32::try_from(segments.len()).unwrap_or(0) {
-                let found = index.nearest_from(near, p, 0.0).map(|it| it.1.sqrt());
-                let best = best.map(|it| it.1.sqrt());
+                let found = index.nearest_from(near, p, 0.0).map(|found| found.1.sqrt());
+                let best = best.map(|found| found.1.sqrt());
                 // Where a box ends at the nearest place, rounding may leave the one behind it.
                 let same = found.zip(best).is_none_or(|(found, best)| (found - best).abs() < 1e-6);
                 prop_assert!(same && found.is_some() == best.is_some(), "{found:?}, not {best:?}");
-                let rough = index.nearest_from(near, p, 25.0).map(|it| it.1.sqrt());
+                let rough = index.nearest_from(near, p, 25.0).map(|found| found.1.sqrt());
                 prop_assert_eq!(rough.is_some(), best.is_some());
                 prop_assert!(rough.zip(best).is_none_or(|(rough, best)| rough <= best.max(5.0) + 1e-6));
             }

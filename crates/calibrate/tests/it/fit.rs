@@ -1,4 +1,4 @@
-//! What touches of a sheet tell of an arm, and what they do not.
+//! Calibrations fitted to touches of a sheet.
 
 use dobot_arm::{Calibration, Degrees, Position, Tool};
 use dobot_calibrate::{FitError, SHEET_POINTS, Touch, Trust, fit};
@@ -14,7 +14,7 @@ const ARM: Calibration = Calibration {
     table: None,
 };
 
-/// The paper rises by two degrees to the front.
+/// The paper rises by two degrees towards the front.
 fn touch([x, y]: [f64; 2], miss_mm: [f64; 2]) -> Touch {
     let z = -45.0 + 0.035 * x;
     let place = Position::new(x + miss_mm[0], y + miss_mm[1], z);
@@ -26,7 +26,7 @@ fn touch([x, y]: [f64; 2], miss_mm: [f64; 2]) -> Touch {
 }
 
 fn nine() -> Vec<Touch> {
-    SHEET_POINTS.map(|it| touch(it, [0.0, 0.0])).to_vec()
+    SHEET_POINTS.map(|point| touch(point, [0.0, 0.0])).to_vec()
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn a_print_of_nine_tenths_is_reported() {
 #[test]
 fn points_touched_in_another_order_contradict_each_other() {
     let mut touches = nine();
-    let raw: Vec<_> = touches.iter().map(|it| it.raw).collect();
+    let raw: Vec<_> = touches.iter().map(|touch| touch.raw).collect();
     for (index, touch) in touches.iter_mut().enumerate() {
         touch.raw = raw[(index * 4 + 1) % 9];
     }
