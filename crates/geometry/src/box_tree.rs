@@ -6,8 +6,10 @@ use kurbo::{Point, Rect};
 
 use crate::bounds;
 
-/// Boxes around items that are sorted such that every box owns a range of them: neighbours are
-/// together in memory too. The tree knows the boxes, its user the items.
+/// A bounding volume hierarchy over sorted items.
+///
+/// Every box owns a range of items, so that neighbours are also close in memory. The tree stores
+/// the boxes, its user the items.
 #[derive(Debug)]
 pub struct BoxTree {
     /// Node 0 is the root; the left child of a node is the next one.
@@ -18,23 +20,23 @@ pub struct BoxTree {
 struct Node {
     bounds: Rect,
     items: Range<u32>,
-    /// `NONE` in a leaf.
+    /// The right child; `NONE` in a leaf.
     right: u32,
 }
 
 impl BoxTree {
-    /// Sorts the items, segments by their two ends, and makes the tree over them.
+    /// Sorts the items by the segments between their two ends and builds the tree.
     ///
     /// # Panics
     ///
-    /// With 2^32 items or more.
+    /// If there are 2^32 items or more.
     pub fn sort<T>(items: &mut [T], ends: impl Fn(&T) -> (Point, Point)) -> Self {
         let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
         build(&mut nodes, items, 0, &ends);
         Self { nodes }
     }
 
-    /// How many items each of the nodes owns, by the number of the node.
+    /// Returns the number of items of each node, by node number.
     pub fn counts(&self) -> impl Iterator<Item = u32> {
         self.nodes
             .iter()

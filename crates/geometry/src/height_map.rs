@@ -1,9 +1,9 @@
-//! Heights of a surface between the places at which they are known.
+//! Interpolated heights of a surface.
 
 use crate::{Point, Rect, bounds, solve};
 
-/// A surface through known heights, bent as little as it can be (a thin-plate spline). Beyond the rectangle around the
-/// known places it stays as high as on its edge.
+/// A thin-plate spline through known heights: the smoothest such surface. Outside the bounding
+/// rectangle of the known points, the height on the edge applies.
 ///
 /// ```
 /// use dobot_geometry::{HeightMap, Point};
@@ -16,16 +16,16 @@ use crate::{Point, Rect, bounds, solve};
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
     places: Vec<Point>,
-    /// How much each place bends the surface.
+    /// The weight of each known point.
     weights: Vec<f64>,
-    /// The height of the plane below it at the origin, and its slopes.
+    /// The base plane: its height at the origin and its slopes.
     plane: [f64; 3],
     around: Rect,
 }
 
 impl HeightMap {
-    /// The surface through places with their heights: x, y, z. `None` where they are fewer than three, lie on one line, two
-    /// are the same place, or one is not finite.
+    /// Builds the surface through points with heights: x, y, z. `None` if there are fewer than
+    /// three, they lie on one line, two coincide, or a number is not finite.
     #[must_use]
     pub fn through(known: &[[f64; 3]]) -> Option<Self> {
         let count = known.len();
@@ -54,7 +54,7 @@ impl HeightMap {
             places,
             plane,
         };
-        // A matrix that is nearly singular has an answer too, and a wrong one.
+        // A nearly singular matrix also yields a solution, but a wrong one.
         let is_met =
             |known: &[f64; 3]| (map.z_at(Point::new(known[0], known[1])) - known[2]).abs() < MET;
         known.iter().all(is_met).then_some(map)

@@ -10,7 +10,7 @@
 //! assert!(sheet.finish().contains("aria-label=\"50 mm\""));
 //! ```
 
-pub mod desk;
+pub mod paper_style;
 mod hershey;
 mod letter;
 mod sheet;

@@ -5,7 +5,7 @@ mod side;
 mod top;
 mod words;
 
-use dobot_lettering::desk::{INK, MUTED, PAPER};
+use dobot_lettering::paper_style::{INK, MUTED, PAPER};
 use dobot_lettering::{Rectangle, Sheet};
 
 use super::{Object, WorldState};
