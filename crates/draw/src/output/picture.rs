@@ -76,7 +76,7 @@ impl Picture<'_> {
             paper.x1 + side,
             paper.y1 + self.words_high() * unit,
         );
-        let mut sheet = Sheet::desk(frame(page));
+        let mut sheet = Sheet::with_background(frame(page));
         sheet.paper(&frame(paper), 3.0, |sheet| {
             workspace(sheet, self.area, self.sheet.as_ref(), unit);
             self.lines(sheet);

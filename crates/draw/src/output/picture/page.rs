@@ -1,7 +1,7 @@
 //! The page under the lines: what the arm reaches, its base, and the drawing area.
 
 use dobot_geometry::{Point, Rect, steps};
-use dobot_lettering::{Rectangle, ShapeStyle, Sheet, desk};
+use dobot_lettering::{Rectangle, ShapeStyle, Sheet, paper_style};
 
 use super::REACH_MM;
 use super::lines::{area_on_picture, seen};
