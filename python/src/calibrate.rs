@@ -112,7 +112,7 @@ fn touch((x_mm, y_mm, height_mm, base_deg, rear_deg, fore_deg): Touched) -> Touc
     Touch {
         place_mm: [x_mm, y_mm],
         height_mm,
-        told: Joints::new(base_deg, rear_deg, fore_deg, 0.0),
+        raw: Joints::new(base_deg, rear_deg, fore_deg, 0.0),
     }
 }
 

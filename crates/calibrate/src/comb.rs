@@ -1,7 +1,8 @@
-//! A comb by which a person reads how slack a joint is.
+//! A test comb that shows the backlash of a joint.
 //!
-//! Pairs of lines: one that the joint came to by turning on, beside it one that it came to by turning back. The
-//! second ones are told a little less from pair to pair, as on a vernier: the pair whose lines meet tells the gap.
+//! The comb has pairs of lines: the joint reaches the first line of a pair by turning on and the
+//! second by turning back. From pair to pair, the second line is commanded a little less, as on a
+//! vernier: the pair whose lines meet shows the backlash.
 //!
 //! ```text
 //!   | | | | | | |     turned on, 0 1 2 3 ...
@@ -11,7 +12,7 @@
 use dobot_arm::{Calibration, Degrees, Joints, Position, Tool, Unreachable, forward};
 use dobot_wire::{Command, MoveJoints, MoveTo, MovingMode, PlaybackAdjustment, single};
 
-/// A joint whose slack can be read.
+/// A joint whose backlash a comb can measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SlackJoint {
     /// The base.
@@ -22,17 +23,17 @@ pub enum SlackJoint {
     Fore,
 }
 
-/// How many pairs a comb has, from 0 on.
+/// The number of pairs in a comb, numbered from 0.
 pub const COMB_PAIRS: u32 = 13;
-/// By how much less the second line of a pair is told than that of the pair before, in degrees.
+/// The decrease of the commanded angle of the second line from pair to pair, in degrees.
 pub const COMB_STEP_DEG: f64 = 0.05;
 
-/// The commands that draw the comb of a joint on paper of these heights, for an arm that differs so from the drawing
-/// of it.
+/// Returns the commands that draw the comb of a joint on paper of these heights with a calibrated
+/// arm.
 ///
 /// # Errors
 ///
-/// [`Unreachable`] where the arm does not get to the place of the comb, in the middle of the sheet.
+/// [`Unreachable`] if the arm cannot reach the comb in the middle of the sheet.
 pub fn comb(
     joint: SlackJoint,
     arm: &Calibration,
@@ -106,7 +107,7 @@ struct Comb {
 }
 
 impl Comb {
-    /// A line towards the base, which does not turn meanwhile.
+    /// Draws a line towards the base, which does not turn meanwhile.
     fn base_line(&mut self, near: Joints, far: Joints, from: Degrees) {
         let beside = Joints {
             base: near.base + from,
@@ -131,29 +132,29 @@ impl Comb {
         }
     }
 
-    /// A line across, which the base alone draws: beside the place, above it, down, across, up again.
+    /// Draws a line across with the base alone: beside the place, above it, down, across, up again.
     fn link_line(&mut self, [beside, above, there]: [Joints; 3], is_back: bool) {
         let across = Degrees(if is_back { -LINE_DEG } else { LINE_DEG });
-        let turned = |it: Joints| Joints {
-            base: it.base + across,
-            ..it
+        let turned = |joints: Joints| Joints {
+            base: joints.base + across,
+            ..joints
         };
         for joints in [beside, above, there, turned(there), turned(above)] {
             let angles = [joints.base, joints.rear, joints.fore, joints.servo];
-            let target = MoveJoints::to(angles.map(|it| single(it.0)));
+            let target = MoveJoints::to(angles.map(|angle| single(angle.0)));
             self.commands
                 .push(target.with_mode(MovingMode::MovJ).into());
         }
     }
 }
 
-/// A pen that is hurried jumps.
+/// Slow enough that the pen does not jump.
 const SLOWLY: PlaybackAdjustment = PlaybackAdjustment {
     speed_percent: 30.0,
     acceleration_percent: 50.0,
     teach_speed_percent: 50.0,
 };
-/// How far a joint turns until it comes to a line: more than any gap.
+/// The angle by which a joint turns before it reaches a line: more than any backlash.
 const RUN_UP_DEG: f64 = 2.0;
 const LINE_MM: f64 = 8.0;
 const LINE_DEG: f64 = 2.0;
@@ -163,7 +164,7 @@ const BASE_PITCH_DEG: f64 = 1.2;
 const REAR_REACH_MM: f64 = 190.0;
 const FORE_REACH_MM: f64 = 195.0;
 const PITCH_MM: f64 = 4.0;
-/// How far the other link turns to lift the pen: more than a run-up lowers it.
+/// The angle by which the other link lifts the pen: more than a run-up lowers it.
 const LIFT_FORE_DEG: f64 = 6.0;
 const LIFT_REAR_DEG: f64 = 12.0;
 
@@ -183,7 +184,8 @@ mod tests {
                     line[0] > 0.5 && line[1] > 2.0 && line[4] > 2.0,
                     "{joint:?}: {line:?}"
                 );
-                // A line that is told less is a little higher: a pen gives by more.
+                // A line with a smaller angle is slightly higher; the pen's spring absorbs more
+                // than that.
                 assert!(
                     line[2].abs() < 1.5 && line[3].abs() < 1.5,
                     "{joint:?}: {line:?}"
@@ -194,9 +196,9 @@ mod tests {
 
     fn height(command: &Command) -> Option<f64> {
         match command {
-            Command::MoveTo(it) => Some(f64::from(it.z_mm) + 40.0),
-            Command::MoveJoints(it) => {
-                let angles = [it.base_deg, it.rear_deg, it.fore_deg].map(f64::from);
+            Command::MoveTo(target) => Some(f64::from(target.z_mm) + 40.0),
+            Command::MoveJoints(angles) => {
+                let angles = [angles.base_deg, angles.rear_deg, angles.fore_deg].map(f64::from);
                 let joints = Joints::new(angles[0], angles[1], angles[2], 0.0);
                 Some(forward(&joints, Tool::SuctionCup).position.z.0 + 40.0)
             }

@@ -1,4 +1,4 @@
-//! A calibration as a text that a person can read and change.
+//! The calibration file, a text that people can read and edit.
 
 use dobot_api::{
     Axis, Backlash, CalibrationFile, NoSuchArm, PaperPlane, ToolOffset, Touched, Zeros,
@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::Fit;
 
-/// What a fit found, with the backlash that is known already.
+/// Returns the calibration that a fit found, with the backlash measured before.
 #[must_use]
 pub fn found(fit: &Fit, backlash: Backlash) -> CalibrationFile {
     let Fit { arm, paper, .. } = fit;
@@ -41,11 +41,11 @@ pub fn found(fit: &Fit, backlash: Backlash) -> CalibrationFile {
     }
 }
 
-/// Reads a text.
+/// Parses a calibration file.
 ///
 /// # Errors
 ///
-/// [`FileError`] where it is not a calibration, or one that no arm can have.
+/// [`FileError`] if the text is not a calibration or has values outside the limits of an arm.
 pub fn read_calibration(text: &str) -> Result<CalibrationFile, FileError> {
     let file: CalibrationFile =
         toml::from_str(text).map_err(|error| FileError::Text(error.to_string()))?;
@@ -53,24 +53,24 @@ pub fn read_calibration(text: &str) -> Result<CalibrationFile, FileError> {
     Ok(file)
 }
 
-/// The text.
+/// Writes a calibration file.
 ///
 /// # Panics
 ///
-/// Never: all of it is tables of numbers.
+/// Never: the file consists of tables of numbers.
 #[must_use]
 pub fn write_calibration(file: &CalibrationFile) -> String {
     toml::to_string(file).expect("tables of numbers are TOML")
 }
 
-/// Why a text is not a calibration.
+/// The error returned when a text is not a calibration.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FileError {
-    /// It does not say what it should.
-    #[error("it is not a calibration: {0}")]
+    /// The text does not parse.
+    #[error("not a calibration file: {0}")]
     Text(String),
-    /// A number is one that no arm can have.
+    /// A number is outside the limits of an arm.
     #[error(transparent)]
     Range(#[from] NoSuchArm),
 }
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_that_no_arm_can_have_is_told_with_what_is_allowed() {
+    fn a_number_that_no_arm_can_have_is_reported_with_what_is_allowed() {
         let error = read_calibration("[zeros]\nbase = 0.0\nrear = 70.0\nfore = 0.0\n").unwrap_err();
         assert_eq!(error.to_string(), "zeros.rear is 70; allowed are -30 to 30");
     }

@@ -1,4 +1,4 @@
-//! From touches to a calibration, with its residuals and how far it can be trusted.
+//! Fits a calibration to touches and reports residuals and trust.
 
 use dobot_arm::{Calibration, Plane, Position, Tool};
 use dobot_geometry::{Point, least_width};
@@ -9,78 +9,79 @@ use serde::Serialize;
 use crate::solve::{Numbers, Solved, Suspect, TOUCH_MM, norm_squared, solve};
 use crate::{FitError, SHEET_POINTS, Touch};
 
-/// A calibration, and how well it explains the touches.
+/// A calibration and how well it explains the touches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// What is wrong with the arm.
+    /// The calibration of the arm.
     pub arm: Calibration,
-    /// Where the paper lies.
+    /// The plane of the paper.
     pub paper: Plane,
-    /// How far each touch is from where it should be, in mm: X, Y, Z, in the order of the touches.
+    /// The residual of each touch, in mm: X, Y, Z, in the order of the touches.
     pub residuals_mm: Vec<[f64; 3]>,
-    /// The touch that was left out because it contradicts all others, by its index.
+    /// The index of the touch left out because it contradicts all others.
     pub left_out: Option<usize>,
-    /// The root of the mean square of the residuals that count, in mm.
+    /// The root mean square of the residuals that count, in mm.
     pub typical_mm: f64,
     /// The largest residual that counts, in mm.
     pub largest_mm: f64,
-    /// How wrong a place on the sheet may still be, typically, in mm.
+    /// The typical remaining error of a position on the sheet, in mm.
     pub expected_mm: f64,
-    /// What these points tell badly.
+    /// The parameters that these points determine poorly.
     pub unsure: Vec<Unsure>,
-    /// Which further point would tell most.
+    /// The further point that would add most information.
     pub advice: Option<Advice>,
-    /// Whether to use it.
+    /// How far to trust the calibration.
     pub trust: Trust,
 }
 
-/// A number that the touches tell badly.
+/// A parameter that the touches determine poorly.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Unsure {
-    /// What of the arm.
+    /// The parameter.
     pub what: &'static str,
-    /// Its deviation.
+    /// Its standard deviation.
     pub by: f64,
     /// The unit of the deviation.
     pub unit: &'static str,
 }
 
-/// A point that is worth touching.
+/// A recommended further point to touch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Advice {
-    /// Where it is on the sheet, in mm.
+    /// The position on the sheet, in mm.
     pub place_mm: [f64; 2],
-    /// How high above the paper, in mm.
+    /// The height above the paper, in mm.
     pub height_mm: f64,
-    /// The share of the doubt that goes away with it, from 0 to 1.
+    /// The share of the uncertainty that the point removes, from 0 to 1.
     pub gain: f64,
 }
 
-/// Whether to use a calibration.
+/// How far a calibration can be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Trust {
-    /// The touches agree, and there are enough of them to know.
+    /// The touches agree, and there are enough of them to detect a wrong one.
     Good,
-    /// They agree, but are so few that a wrong one would not be noticed.
+    /// The touches agree, but are too few to detect a wrong one.
     Unchecked,
-    /// They agree badly, or one had to be left out.
+    /// The touches agree poorly, or one had to be left out.
     Doubtful,
 }
 
 impl Fit {
-    /// The distance of a touch from where it should be, in mm.
+    /// Returns the distance of a touch from its expected position, in mm.
     #[must_use]
     pub fn residual_mm(&self, index: usize) -> f64 {
         self.residuals_mm.get(index).map_or(0.0, length)
     }
 }
 
-/// Finds what is wrong with an arm whose tool has touched known points.
+/// Fits a calibration to touches of known points.
 ///
 /// # Errors
 ///
-/// [`FitError`] where the points tell too little, contradict each other, or tell of what no arm has.
+/// [`FitError`] if the points are insufficient, contradict each other, or give a calibration
+/// outside the limits of an arm.
 pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
     check(touches)?;
     let all = solve(touches, tool, Suspect::Nothing);
@@ -104,11 +105,11 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
         .map_err(|beyond| what_went_wrong(touches, tool, &solved).unwrap_or(beyond))?;
     let residuals_mm: Vec<_> = touches
         .iter()
-        .map(|it| numbers.away_mm(it, tool, false))
+        .map(|touch| numbers.away_mm(touch, tool, false))
         .collect();
     let distances = counted
         .iter()
-        .map(|it| length(&numbers.away_mm(it, tool, false)));
+        .map(|touch| length(&numbers.away_mm(touch, tool, false)));
     let largest_mm = distances.fold(0.0, f64::max);
     Ok(Fit {
         arm: numbers.arm,
@@ -127,14 +128,14 @@ pub fn fit(touches: &[Touch], tool: Tool) -> Result<Fit, FitError> {
 fn check(touches: &[Touch]) -> Result<(), FitError> {
     for (number, touch) in (1..).zip(touches) {
         let [x_mm, y_mm] = touch.place_mm;
-        let told = [
-            touch.told.base.0,
-            touch.told.rear.0,
-            touch.told.fore.0,
+        let raw = [
+            touch.raw.base.0,
+            touch.raw.rear.0,
+            touch.raw.fore.0,
             touch.height_mm,
         ];
-        let is_place = [x_mm, y_mm].iter().all(|it| it.abs() <= FARTHEST_MM);
-        if !is_place || told.iter().any(|it| !it.is_finite()) {
+        let is_place = [x_mm, y_mm].iter().all(|mm| mm.abs() <= FARTHEST_MM);
+        if !is_place || raw.iter().any(|value| !value.is_finite()) {
             return Err(FitError::NoPlace { number, x_mm, y_mm });
         }
     }
@@ -150,13 +151,13 @@ fn check(touches: &[Touch]) -> Result<(), FitError> {
     Ok(())
 }
 
-/// How wide the strip is in which all points lie, seen from above, in mm.
+/// Returns the width of the narrowest strip that holds all points, seen from above, in mm.
 fn width(touches: &[Touch]) -> f64 {
-    let place = |it: &Touch| Point::from((it.place_mm[0], it.place_mm[1]));
+    let place = |touch: &Touch| Point::from((touch.place_mm[0], touch.place_mm[1]));
     least_width(&touches.iter().map(place).collect::<Vec<_>>())
 }
 
-/// The touch without which the others agree far better, where there are enough others.
+/// Returns the touch without which the others agree far better, if there are enough others.
 fn wrong_touch(touches: &[Touch], tool: Tool, all: &Solved) -> Option<usize> {
     if touches.len() < TOUCHES_TO_JUDGE {
         return None;
@@ -181,27 +182,27 @@ fn kept(touches: &[Touch], left_out: Option<usize>) -> Vec<Touch> {
         .iter()
         .enumerate()
         .filter(counts)
-        .map(|(_, it)| *it)
+        .map(|(_, touch)| *touch)
         .collect()
 }
 
 fn typical(touches: &[Touch], tool: Tool, numbers: &Numbers) -> f64 {
     let squares = touches
         .iter()
-        .map(|it| length(&numbers.away_mm(it, tool, false)).powi(2));
+        .map(|touch| length(&numbers.away_mm(touch, tool, false)).powi(2));
     (squares.sum::<f64>() / count(touches.len())).sqrt()
 }
 
-/// Which of the things that go wrong with touches explains these far better than an arm does.
+/// Returns the known mistake that explains the touches far better than a calibration does.
 fn what_went_wrong(touches: &[Touch], tool: Tool, plain: &Solved) -> Option<FitError> {
     let scaled = solve(touches, tool, Suspect::Scale);
     let steps = (1..touches.len()).map(|at| (at, solve(touches, tool, Suspect::StepBefore(at))));
     let step = steps.min_by(|a, b| a.1.cost.total_cmp(&b.1.cost));
-    let explains = |it: &Solved| it.cost < plain.cost / 4.0;
+    let explains = |solved: &Solved| solved.cost < plain.cost / 4.0;
     match step {
-        Some((last, it)) if explains(&it) && it.cost < scaled.cost => Some(FitError::Reset {
+        Some((last, step)) if explains(&step) && step.cost < scaled.cost => Some(FitError::Reset {
             last,
-            deg: it.numbers.step_deg.abs(),
+            deg: step.numbers.step_deg.abs(),
         }),
         _ if explains(&scaled) => Some(FitError::ScaledPrint {
             percent: scaled.numbers.scale * 100.0,
@@ -216,8 +217,8 @@ fn check_arm(arm: &Calibration, paper: &Plane) -> Result<(), FitError> {
         ("a zero of the base", arm.base_deg, 45.0, "degrees"),
         ("a zero of the rear arm", arm.rear_deg, 30.0, "degrees"),
         ("a zero of the forearm", arm.fore_deg, 30.0, "degrees"),
-        ("a tool too far out by", arm.reach_mm, 30.0, "mm"),
-        ("a tool aside by", arm.left_mm, 30.0, "mm"),
+        ("a tool offset outwards", arm.reach_mm, 30.0, "mm"),
+        ("a tool offset to the left", arm.left_mm, 30.0, "mm"),
         ("a slope of the paper", slope_deg, 10.0, "degrees"),
     ];
     let beyond = found
@@ -233,10 +234,11 @@ fn check_arm(arm: &Calibration, paper: &Plane) -> Result<(), FitError> {
     })
 }
 
-/// The deviation of a place on the paper after so many touches that agree so well.
+/// Returns the expected deviation of a position on the paper for this number of touches and their
+/// agreement.
 fn expected(touches: usize, typical_mm: f64) -> f64 {
-    let told = 3.0 * count(touches);
-    let spare = (told - NUMBERS_OF_A_PLACE).max(1.0);
+    let numbers = 3.0 * count(touches);
+    let spare = (numbers - NUMBERS_OF_A_PLACE).max(1.0);
     let touch_mm = (typical_mm.powi(2) * count(touches) / spare)
         .sqrt()
         .max(TOUCH_MM / 3.0);
@@ -248,8 +250,8 @@ fn unsure(solved: &Solved) -> Vec<Unsure> {
         ("the zero of the base", 15.0, 1.0, "degrees"),
         ("the zero of the rear arm", 12.0, 1.0, "degrees"),
         ("the zero of the forearm", 12.0, 1.0, "degrees"),
-        ("how far out the tool is", 7.0, 1.0, "mm"),
-        ("how far aside the tool is", 5.0, 1.0, "mm"),
+        ("the tool offset outwards", 7.0, 1.0, "mm"),
+        ("the tool offset to the left", 5.0, 1.0, "mm"),
     ];
     let with_spread = named.into_iter().zip(solved.spread.iter());
     with_spread
@@ -259,7 +261,7 @@ fn unsure(solved: &Solved) -> Vec<Unsure> {
         .collect()
 }
 
-/// The point, of those of the sheet and of the same on a block, that would tell most.
+/// Returns the point of the sheet, on paper or on a block, that would add most information.
 fn advice(solved: &Solved, tool: Tool) -> Option<Advice> {
     let Numbers { arm, paper, .. } = solved.numbers;
     let now = norm_squared(&solved.spread[..5]);
@@ -268,15 +270,15 @@ fn advice(solved: &Solved, tool: Tool) -> Option<Advice> {
         SHEET_POINTS.into_iter().filter_map(move |place_mm| {
             let [x_mm, y_mm] = place_mm;
             let place = Position::new(x_mm, y_mm, paper.z_at(place_mm) + height_mm);
-            let told = arm.told_joints(place, tool).ok()?;
+            let raw = arm.told_joints(place, tool).ok()?;
             Some(Touch {
                 place_mm,
                 height_mm,
-                told,
+                raw,
             })
         })
     });
-    let judged = candidates.map(|it| (it, solved.unsure_with(&it, tool)));
+    let judged = candidates.map(|touch| (touch, solved.unsure_with(&touch, tool)));
     let (best, then) = judged.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let gain = 1.0 - then / now.max(1e-12);
     (gain > LEAST_GAIN).then_some(Advice {
@@ -297,25 +299,29 @@ fn trust(touches: usize, left_out: Option<usize>, typical_mm: f64) -> Trust {
 }
 
 fn length(away_mm: &[f64; 3]) -> f64 {
-    away_mm.iter().map(|it| it * it).sum::<f64>().sqrt()
+    away_mm.iter().map(|mm| mm * mm).sum::<f64>().sqrt()
 }
 
-#[expect(clippy::cast_precision_loss, reason = "nobody touches 2^52 points")]
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "there are fewer than 2^52 touches"
+)]
 const fn count(touches: usize) -> f64 {
     touches as f64
 }
 
 const LEAST_TOUCHES: usize = 4;
-/// With so many, one that is wrong can be told from the others.
+/// The least number of touches in which a wrong one can be identified.
 const TOUCHES_TO_JUDGE: usize = 6;
 const LEAST_WIDTH_MM: f64 = 60.0;
 const FARTHEST_MM: f64 = 400.0;
-/// How much better the others agree without a wrong touch, in squares of a touch's deviation.
+/// How much better the others agree without a wrong touch, in squared standard deviations of a
+/// touch.
 const WRONG_GAIN: f64 = 20.0;
 const WRONG_MM: f64 = 1.5;
 const GOOD_TYPICAL_MM: f64 = 0.8;
 const MOST_TYPICAL_MM: f64 = 1.5;
-/// How many numbers decide where a place in the plane is.
+/// The number of parameters that determine a position in the plane.
 const NUMBERS_OF_A_PLACE: f64 = 6.0;
 const BLOCK_MM: f64 = 40.0;
 const LEAST_GAIN: f64 = 0.1;

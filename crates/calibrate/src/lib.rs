@@ -1,18 +1,18 @@
-//! What is wrong with one Dobot Arm: from points of a printed sheet that its tool has touched to the
-//! zeros of its joints, the place of its tool and the plane of the paper.
+//! Calibration of one Dobot Arm: fits joint zeros, tool offset and paper plane to touched points of
+//! a printed sheet.
 //!
-//! Nothing here has a port or a file: touches go in, a result that says how far it can be trusted
-//! comes out. The mapping itself is [`dobot_arm::Calibration`].
+//! This crate uses no port and no files: it takes touches and returns a result with its trust. The
+//! mapping itself is [`dobot_arm::Calibration`].
 //!
 //! ```
 //! use dobot_arm::{Calibration, Position, Tool};
 //! use dobot_calibrate::{SHEET_POINTS, Touch, fit};
 //!
-//! // An arm whose forearm stands 5 degrees further than it says touches the nine points.
+//! // An arm whose forearm stands 5 degrees further than reported touches the nine points.
 //! let arm = Calibration { fore_deg: 5.0, ..Calibration::default() };
 //! let touch = |[x, y]: [f64; 2]| {
-//!     let told = arm.told_joints(Position::new(x, y, -40.0), Tool::SuctionCup).unwrap();
-//!     Touch { place_mm: [x, y], height_mm: 0.0, told }
+//!     let raw = arm.told_joints(Position::new(x, y, -40.0), Tool::SuctionCup).unwrap();
+//!     Touch { place_mm: [x, y], height_mm: 0.0, raw }
 //! };
 //! let found = fit(&SHEET_POINTS.map(touch), Tool::SuctionCup)?;
 //! assert!(found.typical_mm < 0.1);

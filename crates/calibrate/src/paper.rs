@@ -1,23 +1,24 @@
-//! Where the paper lies, from places of it that the tool has touched.
+//! The plane and the bend of the paper, from touched positions.
 
 use dobot_api::PaperPlane;
 use dobot_geometry::{HeightMap, Point};
 use dobot_plan::{Paper, PaperError};
 use thiserror::Error;
 
-/// The paper, and how well its touches agree.
+/// The paper and how well its touches agree.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TouchedPaper {
-    /// Where it lies: flat where three places were touched, else bent through all that were.
+    /// The paper: flat for three touches, otherwise bent through all of them.
     pub paper: PaperPlane,
-    /// How much higher than the plane each touch is, in mm.
+    /// The height of each touch above the plane, in mm.
     pub away_mm: Vec<f64>,
-    /// How steep the plane is, in degrees.
+    /// The slope of the plane, in degrees.
     pub slope_deg: f64,
 }
 
 impl TouchedPaper {
-    /// From the lowest touch to the highest, seen from the plane, in mm.
+    /// Returns the height difference between the lowest and the highest touch, relative to the
+    /// plane, in mm.
     #[must_use]
     pub fn bent_mm(&self) -> f64 {
         let least = self.away_mm.iter().copied().fold(0.0, f64::min);
@@ -25,17 +26,17 @@ impl TouchedPaper {
     }
 }
 
-/// Finds how the paper lies that the tool has touched at these true places: X, Y, Z in mm.
+/// Fits the paper to touched positions in the calibrated frame: X, Y, Z in mm.
 ///
 /// # Errors
 ///
-/// [`PaperTouchError`] where they do not tell it.
+/// [`PaperTouchError`] if the touches do not determine the paper.
 pub fn paper(touched: &[[f64; 3]]) -> Result<TouchedPaper, PaperTouchError> {
     if touched.len() < LEAST_TOUCHES {
         return Err(PaperTouchError::TooFew(touched.len()));
     }
     let mut places = (1..).zip(touched);
-    if let Some((number, _)) = places.find(|(_, it)| it.iter().any(|v| !v.is_finite())) {
+    if let Some((number, _)) = places.find(|(_, place)| place.iter().any(|v| !v.is_finite())) {
         return Err(PaperTouchError::NoPlace(number));
     }
     if let Some((first, second)) = same_place(touched) {
@@ -47,7 +48,7 @@ pub fn paper(touched: &[[f64; 3]]) -> Result<TouchedPaper, PaperTouchError> {
     let farthest = (1..)
         .zip(&away_mm)
         .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-    if let Some((number, &away_mm)) = farthest.filter(|it| it.1.abs() > MOST_BENT_MM) {
+    if let Some((number, &away_mm)) = farthest.filter(|touch| touch.1.abs() > MOST_BENT_MM) {
         return Err(PaperTouchError::NoPaper { number, away_mm });
     }
     let heights: Vec<[f64; 3]> = if touched.len() > LEAST_TOUCHES {
@@ -72,51 +73,50 @@ pub fn paper(touched: &[[f64; 3]]) -> Result<TouchedPaper, PaperTouchError> {
     })
 }
 
-/// Two touches that are at the same place, counted from 1.
+/// Returns two touches at the same position, counted from 1.
 fn same_place(touched: &[[f64; 3]]) -> Option<(usize, usize)> {
     let place = |&[x_mm, y_mm, _]: &[f64; 3]| Point::new(x_mm, y_mm);
     (0..touched.len()).find_map(|second| {
-        let near = |it: &[f64; 3]| place(it).distance(place(&touched[second])) < LEAST_APART_MM;
+        let near =
+            |other: &[f64; 3]| place(other).distance(place(&touched[second])) < LEAST_APART_MM;
         let first = touched[..second].iter().position(near)?;
         Some((first + 1, second + 1))
     })
 }
 
-/// Why touches do not tell how the paper lies, and what to do about it.
+/// The error returned when touches do not determine the paper, with what to do.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PaperTouchError {
-    /// There are too few.
+    /// There are too few touches.
     #[error(
-        "touched so far: {0}; a plane needs 3 places, and paper that is bent needs 9 and more: touch more places of it"
+        "the number of touches is {0}; a plane needs 3, bent paper 9 or more; touch more places of the paper"
     )]
     TooFew(usize),
-    /// A touch is no place, by its number, counted from 1.
-    #[error("touch {0} is not a place: all three of its numbers have to be finite")]
+    /// The coordinates of a touch are not finite; its number is counted from 1.
+    #[error("touch {0} has a coordinate that is not finite; x, y and z must be finite")]
     NoPlace(usize),
-    /// Two touches are nearly at the same place, counted from 1.
-    #[error(
-        "touches {0} and {1} are at the same place, within 5 mm: touch places that are farther apart"
-    )]
+    /// Two touches are at nearly the same position, counted from 1.
+    #[error("touches {0} and {1} are less than 5 mm apart; touch places farther apart")]
     SamePlace(usize, usize),
-    /// They span no plane, or one that is too steep.
+    /// The touches span no plane, or one that is too steep.
     #[error(transparent)]
     Plane(#[from] PaperError),
-    /// One is too far from the plane of all.
+    /// A touch is too far from the common plane.
     #[error(
-        "touch {number} is {away_mm:.1} mm from the plane of all touches, and allowed are {MOST_BENT_MM} mm: touch it again"
+        "touch {number} is {away_mm:.1} mm from the plane of all touches; allowed are {MOST_BENT_MM} mm; touch it again"
     )]
     NoPaper {
-        /// Which, counted from 1.
+        /// The number of the touch, counted from 1.
         number: usize,
-        /// How much higher it is, in mm.
+        /// Its height above the plane, in mm.
         away_mm: f64,
     },
 }
 
 const LEAST_TOUCHES: usize = 3;
 const LEAST_APART_MM: f64 = 5.0;
-/// What is bent by more is no paper on a table.
+/// Paper on a table does not bend more than this.
 const MOST_BENT_MM: f64 = 3.0;
 
 #[cfg(test)]
@@ -126,12 +126,12 @@ mod tests {
     use crate::SHEET_POINTS;
 
     #[test]
-    fn three_touches_tell_a_plane_and_more_how_it_is_bent() {
+    fn three_touches_define_a_plane_and_more_its_bend() {
         let board = |[x, y]: [f64; 2]| -42.0 + 0.01 * x - 0.02 * y + (y / 100.0).powi(2);
         let touched = SHEET_POINTS.map(|[x, y]| [x, y, board([x, y])]);
         let flat = paper(&touched[..3]).unwrap();
         assert!(flat.paper.heights.is_empty());
-        assert!(flat.away_mm.iter().all(|it| it.abs() < 1e-9));
+        assert!(flat.away_mm.iter().all(|mm| mm.abs() < 1e-9));
         let bent = paper(&touched).unwrap();
         assert!((bent.bent_mm() - 1.0).abs() < 1e-9, "{}", bent.bent_mm());
         // No touch is below its table.
@@ -141,20 +141,20 @@ mod tests {
     }
 
     #[test]
-    fn touches_that_tell_no_paper_are_refused_with_what_to_do() {
+    fn touches_that_define_no_paper_are_refused_with_what_to_do() {
         let mut touched = SHEET_POINTS.map(|[x, y]| [x, y, -42.0]);
         touched[4][2] = -30.0;
-        let refused = |it: &[[f64; 3]]| paper(it).unwrap_err().to_string();
+        let refused = |touched: &[[f64; 3]]| paper(touched).unwrap_err().to_string();
         assert!(
             refused(&touched).starts_with("touch 5 is "),
             "{}",
             refused(&touched)
         );
-        assert!(refused(&touched[..2]).starts_with("touched so far: 2; a plane needs 3 places"));
+        assert!(refused(&touched[..2]).starts_with("the number of touches is 2; a plane needs 3"));
         let twice = [touched[0], touched[1], touched[0], touched[2]];
-        assert!(refused(&twice).starts_with("touches 1 and 3 are at the same place"));
+        assert!(refused(&twice).starts_with("touches 1 and 3 are less than 5 mm apart"));
         let line = [touched[0], touched[5], touched[6]];
         assert!(refused(&line).contains("of one line"), "{}", refused(&line));
-        assert!(refused(&[[f64::NAN; 3]; 3]).starts_with("touch 1 is not a place"));
+        assert!(refused(&[[f64::NAN; 3]; 3]).starts_with("touch 1 has a coordinate"));
     }
 }

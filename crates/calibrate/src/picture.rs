@@ -1,12 +1,12 @@
-//! How far each touch is from where it should be, as a picture.
+//! A picture of the residuals.
 
 use std::fmt::Write;
 
 use crate::sheet::{HIGH_MM, WIDE_MM, on_sheet};
 use crate::{Fit, Touch};
 
-/// The sheet, A4 and landscape, with an arrow at each touch, from where the point is to where the arm was by the
-/// calibration, forty times as long as it is; a touch that was left out is red and has a cross.
+/// Draws the sheet, A4 landscape, with an arrow from each point to its calibrated position, forty
+/// times enlarged. A touch that was left out is red and has a cross.
 #[must_use]
 pub fn residuals_svg(touches: &[Touch], fit: &Fit) -> String {
     let mut svg = format!(
@@ -26,7 +26,7 @@ pub fn residuals_svg(touches: &[Touch], fit: &Fit) -> String {
     for (index, touch) in touches.iter().enumerate() {
         let [dx, dy, dz] = fit.residuals_mm.get(index).copied().unwrap_or_default();
         let [right, down] = on_sheet(touch.place_mm);
-        // Nothing leaves the sheet.
+        // Keep the arrow on the sheet.
         let [to_right, to_down] = [
             (right - LARGER * dy).clamp(2.0, WIDE_MM - 2.0),
             (down - LARGER * dx).clamp(2.0, HIGH_MM - 2.0),
@@ -60,7 +60,7 @@ pub fn residuals_svg(touches: &[Touch], fit: &Fit) -> String {
 }
 
 const CROSS: &str = r##"<path d="M-3 -3L3 3M3 -3L-3 3" stroke="#c0392b" fill="none"/>"##;
-/// How much longer a residual is drawn.
+/// The enlargement of residuals in the picture.
 const LARGER: f64 = 40.0;
 
 #[cfg(test)]
@@ -79,11 +79,11 @@ mod tests {
         };
         let mut touches = SHEET_POINTS.map(|[x, y]| {
             let there = Position::new(x, y, -40.0);
-            let told = arm.told_joints(there, Tool::SuctionCup).unwrap();
+            let raw = arm.told_joints(there, Tool::SuctionCup).unwrap();
             Touch {
                 place_mm: [x, y],
                 height_mm: 0.0,
-                told,
+                raw,
             }
         });
         let good = residuals_svg(&touches, &fit(&touches, Tool::SuctionCup).unwrap());

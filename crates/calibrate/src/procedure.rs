@@ -1,20 +1,20 @@
-//! The procedure: one point of the sheet after the other.
+//! The touch procedure: the points of the sheet in order.
 
 use dobot_arm::{Joints, Tool};
 
 use crate::{Fit, FitError, SHEET_POINTS, Touch, fit};
 
-/// What a person has touched so far, and what it tells.
+/// The touches recorded by a person and their result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Procedure {
     tool: Tool,
     touches: Vec<Touch>,
-    /// How many points of the sheet the arm does not get to.
+    /// The number of points that the arm cannot reach.
     skipped: usize,
 }
 
 impl Procedure {
-    /// The procedure for an arm with this tool; nothing is touched yet.
+    /// Creates the procedure for an arm with this tool, without touches.
     #[must_use]
     pub const fn new(tool: Tool) -> Self {
         Self {
@@ -24,51 +24,51 @@ impl Procedure {
         }
     }
 
-    /// The point to touch next, with its number; after the last one of the sheet the first again,
-    /// which makes the result better.
+    /// Returns the number and position of the next point to touch. After the last point the first
+    /// follows again, which improves the result.
     #[must_use]
     pub fn next_point(&self) -> (usize, [f64; 2]) {
         let index = (self.touches.len() + self.skipped) % SHEET_POINTS.len();
         (index + 1, SHEET_POINTS[index])
     }
 
-    /// Takes that the tool stands on the next point, or on a block on it that is so high, in mm.
-    pub fn touch(&mut self, told: Joints, height_mm: f64) {
+    /// Records that the tool touches the next point, or a block of this height on it, in mm.
+    pub fn touch(&mut self, raw: Joints, height_mm: f64) {
         let (_, place_mm) = self.next_point();
         self.touches.push(Touch {
             place_mm,
             height_mm,
-            told,
+            raw,
         });
     }
 
-    /// Leaves the next point out: the arm does not get to it.
+    /// Skips the next point because the arm cannot reach it.
     pub const fn skip(&mut self) {
         self.skipped += 1;
     }
 
-    /// Takes the last touch back; tells whether there was one.
+    /// Removes the last touch and returns whether there was one.
     pub fn undo(&mut self) -> bool {
         self.touches.pop().is_some()
     }
 
-    /// Forgets all touches, because the arm counts its base anew; tells how many there were.
+    /// Discards all touches because the base was referenced again, and returns how many there were.
     pub fn begin_anew(&mut self) -> usize {
         self.skipped = 0;
         std::mem::take(&mut self.touches).len()
     }
 
-    /// What was touched.
+    /// Returns the touches.
     #[must_use]
     pub fn touches(&self) -> &[Touch] {
         &self.touches
     }
 
-    /// What the touches tell.
+    /// Fits the touches.
     ///
     /// # Errors
     ///
-    /// [`FitError`] where they tell nothing that can be used.
+    /// [`FitError`] if the touches do not determine a calibration.
     pub fn outcome(&self) -> Result<Fit, FitError> {
         fit(&self.touches, self.tool)
     }

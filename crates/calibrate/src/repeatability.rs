@@ -1,36 +1,38 @@
-//! How well an arm finds the same place again.
+//! The pose repeatability of an arm.
 
-/// How well an arm finds the same place again, as ISO 9283 defines it.
+/// The pose repeatability of an arm (ISO 9283).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeatability {
-    /// The mean distance from the middle of all, in mm.
+    /// The mean distance from the centroid, in mm.
     pub mean_mm: f64,
-    /// The deviation of the distances, in mm.
+    /// The standard deviation of the distances, in mm.
     pub spread_mm: f64,
-    /// The pose repeatability RP: the mean and three times the deviation, in mm.
+    /// The pose repeatability RP: the mean plus three standard deviations, in mm.
     pub rp_mm: f64,
 }
 
-/// The repeatability of a place that was gone to several times; `None` with fewer than two.
+/// Returns the repeatability of a position that was approached several times; `None` with fewer
+/// than two.
 #[must_use]
 #[expect(
     clippy::cast_precision_loss,
-    reason = "nobody goes to a place 2^52 times"
+    reason = "there are fewer than 2^52 approaches"
 )]
 pub fn repeatability(attained_mm: &[[f64; 3]]) -> Option<Repeatability> {
     let count = attained_mm.len() as f64;
     if attained_mm.len() < 2 {
         return None;
     }
-    let middle = [0, 1, 2].map(|axis| attained_mm.iter().map(|it| it[axis]).sum::<f64>() / count);
-    let distance = |it: &[f64; 3]| {
-        let squares = [0, 1, 2].map(|axis| (it[axis] - middle[axis]).powi(2));
+    let middle =
+        [0, 1, 2].map(|axis| attained_mm.iter().map(|place| place[axis]).sum::<f64>() / count);
+    let distance = |place: &[f64; 3]| {
+        let squares = [0, 1, 2].map(|axis| (place[axis] - middle[axis]).powi(2));
         squares.iter().sum::<f64>().sqrt()
     };
     let mean_mm = attained_mm.iter().map(distance).sum::<f64>() / count;
     let squares: f64 = attained_mm
         .iter()
-        .map(|it| (distance(it) - mean_mm).powi(2))
+        .map(|place| (distance(place) - mean_mm).powi(2))
         .sum();
     let spread_mm = (squares / (count - 1.0)).sqrt();
     Some(Repeatability {
@@ -58,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn one_place_alone_tells_nothing() {
+    fn one_place_alone_has_no_spread() {
         assert_eq!(repeatability(&[[1.0, 2.0, 3.0]]), None);
     }
 }

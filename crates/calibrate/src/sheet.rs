@@ -1,11 +1,11 @@
-//! The sheet to print, with the points to touch and a bar that shows whether the printer scales.
+//! The printed sheet with the points to touch and a bar that shows whether the printer scales.
 
 use std::fmt::Write;
 
 use thiserror::Error;
 
-/// Where the points of the sheet are, forward and to the left of the base's axis, in mm, in the
-/// order in which they are touched.
+/// The points of the sheet, forward and to the left of the base's axis, in mm, in the order of the
+/// touches.
 pub const SHEET_POINTS: [[f64; 2]; 9] = [
     [215.0, 0.0],
     [155.0, 100.0],
@@ -18,10 +18,10 @@ pub const SHEET_POINTS: [[f64; 2]; 9] = [
     [215.0, -100.0],
 ];
 
-/// How long the bar of the sheet is where the print is true, in mm.
+/// The length of the bar on a print at true size, in mm.
 pub const BAR_MM: f64 = 200.0;
 
-/// The sheet, A4 and landscape, as SVG in true size. Its near edge lies towards the arm.
+/// Returns the sheet, A4 landscape, as SVG at true size. Its near edge faces the arm.
 #[must_use]
 pub fn sheet_svg() -> String {
     let mut svg = String::from(concat!(
@@ -62,11 +62,11 @@ pub fn sheet_svg() -> String {
     svg
 }
 
-/// Whether the bar of a print, measured with a ruler, is as long as it should be.
+/// Checks the length of the bar, measured on the print with a ruler.
 ///
 /// # Errors
 ///
-/// [`ScaledBar`] where the print is scaled.
+/// [`ScaledBar`] if the print is scaled.
 pub fn check_bar(measured_mm: f64) -> Result<(), ScaledBar> {
     if (measured_mm - BAR_MM).abs() <= BAR_TOLERANCE_MM {
         return Ok(());
@@ -77,24 +77,25 @@ pub fn check_bar(measured_mm: f64) -> Result<(), ScaledBar> {
     })
 }
 
-/// The printer has scaled the sheet.
+/// The error returned when the printer has scaled the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error(
-    "the bar is {found_mm} mm long; a true print has {BAR_MM} mm, within {BAR_TOLERANCE_MM} mm: this one is {percent:.1} % of its size; print it at 100 % (\"actual size\")"
+    "the bar is {found_mm} mm long; allowed are {BAR_MM} mm within {BAR_TOLERANCE_MM} mm; the print is at {percent:.1} % of its size; print it at 100 % (\"actual size\")"
 )]
 pub struct ScaledBar {
     found_mm: f64,
     percent: f64,
 }
 
-/// Where a true place is on the sheet, from its upper left corner: forward is up, left is left.
+/// Returns a calibrated position on the sheet, from its upper left corner: forward is up, left is
+/// left.
 pub(crate) fn on_sheet([x_mm, y_mm]: [f64; 2]) -> [f64; 2] {
     [WIDE_MM / 2.0 - y_mm, HIGH_MM + NEAR_EDGE_MM - x_mm]
 }
 
 pub(crate) const WIDE_MM: f64 = 297.0;
 pub(crate) const HIGH_MM: f64 = 210.0;
-/// From the base's axis to the near edge.
+/// The distance from the base's axis to the near edge.
 const NEAR_EDGE_MM: f64 = 95.0;
 const BAR_TOLERANCE_MM: f64 = 0.5;
 
@@ -115,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn a_print_that_was_fitted_to_the_page_is_told_by_its_bar() {
+    fn a_print_that_was_fitted_to_the_page_is_reported_by_its_bar() {
         assert!(check_bar(199.8).is_ok());
         let error = check_bar(194.0)
             .expect_err("it is 3 % too small")

@@ -1,4 +1,4 @@
-//! Least squares that a wrong point cannot pull far, with what is known beforehand.
+//! Robust least squares with prior knowledge: a wrong point has limited influence.
 
 use std::array::from_fn;
 
@@ -7,19 +7,19 @@ use dobot_geometry::{inverse, solve as solve_linear};
 
 use crate::Touch;
 
-/// Everything that touches tell.
+/// The parameters that touches determine.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Numbers {
     pub(crate) arm: Calibration,
-    /// The paper in the true frame, as Z of the wrist where the tool touches it.
+    /// The paper in the calibrated frame, as Z of the wrist where the tool touches it.
     pub(crate) paper: Plane,
-    /// How large the print is; 1 where it is true.
+    /// The scale of the print; 1 at true size.
     pub(crate) scale: f64,
-    /// How much further the base stands from some touch on.
+    /// The change of the base's zero after some touch.
     pub(crate) step_deg: f64,
 }
 
-/// What may be wrong with the touches themselves.
+/// A suspected mistake in the touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Suspect {
     Nothing,
@@ -28,21 +28,21 @@ pub(crate) enum Suspect {
     StepBefore(usize),
 }
 
-/// The best numbers for some touches.
+/// The best parameters for some touches.
 #[derive(Clone, Debug)]
 pub(crate) struct Solved {
     pub(crate) numbers: Numbers,
-    /// The sum of squares, in units of what a touch may be wrong.
+    /// The sum of squares, in units of the standard deviation of a touch.
     pub(crate) cost: f64,
-    /// How sure each number is: its deviation, in units of what was known before.
+    /// The standard deviation of each parameter, in units of its prior.
     pub(crate) spread: [f64; COUNT],
     information: [[f64; COUNT]; COUNT],
 }
 
-/// How many numbers there are.
+/// The number of parameters.
 pub(crate) const COUNT: usize = 12;
 
-/// How wrong a touch may be along each axis, in mm.
+/// The standard deviation of a touch along each axis, in mm.
 pub(crate) const TOUCH_MM: f64 = 0.3;
 
 impl Numbers {
@@ -77,22 +77,22 @@ impl Numbers {
         }
     }
 
-    /// How far the tool was from the point that it touched, in mm.
+    /// Returns the deviation of the tool from the point that it touched, in mm.
     pub(crate) fn away_mm(&self, touch: &Touch, tool: Tool, is_after_step: bool) -> [f64; 3] {
         let base_deg = if is_after_step { self.step_deg } else { 0.0 };
-        let told = Joints {
-            base: touch.told.base + dobot_arm::Degrees(base_deg),
-            ..touch.told
+        let raw = Joints {
+            base: touch.raw.base + dobot_arm::Degrees(base_deg),
+            ..touch.raw
         };
-        let found = self.arm.true_place_of(&told, tool);
-        let [x_mm, y_mm] = touch.place_mm.map(|it| it * self.scale);
+        let found = self.arm.true_place_of(&raw, tool);
+        let [x_mm, y_mm] = touch.place_mm.map(|mm| mm * self.scale);
         let z_mm = self.paper.z_at([x_mm, y_mm]) + touch.height_mm;
         [found.x.0 - x_mm, found.y.0 - y_mm, found.z.0 - z_mm]
     }
 }
 
 impl Solved {
-    /// How unsure all numbers of the arm would be together with one more touch there.
+    /// Returns the uncertainty of the arm's parameters after one more touch.
     pub(crate) fn unsure_with(&self, touch: &Touch, tool: Tool) -> f64 {
         let mut more = self.information;
         let middle = [0.0; COUNT];
@@ -100,7 +100,8 @@ impl Solved {
         for row in jacobian(&[*touch], tool, Suspect::Nothing, &scaled, &middle) {
             add_square(&mut more, &row, 1.0);
         }
-        let spread = inverse(&more).map_or(f64::INFINITY, |it| (0..5).map(|i| it[i][i]).sum());
+        let spread =
+            inverse(&more).map_or(f64::INFINITY, |inverse| (0..5).map(|i| inverse[i][i]).sum());
         spread.max(0.0)
     }
 }
@@ -126,13 +127,13 @@ impl Numbers {
     }
 }
 
-/// The numbers with the least sum of squares, each square of a touch beyond [`HUBER`] counted as its
-/// root (Huber's rule), and each number beyond [`BEFORE`] counted too (Levenberg and Marquardt).
+/// Minimises the sum of squares with Huber's loss beyond [`HUBER`] and the prior [`BEFORE`]
+/// (Levenberg-Marquardt).
 pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
     let mut middle = [0.0; COUNT];
-    // Where the first touch says; what is known before of the height is next to nothing.
-    middle[7] = touches.first().map_or(0.0, |it| {
-        Calibration::default().true_place_of(&it.told, tool).z.0 - it.height_mm
+    // Start from the height of the first touch; the prior of the height is weak.
+    middle[7] = touches.first().map_or(0.0, |touch| {
+        Calibration::default().true_place_of(&touch.raw, tool).z.0 - touch.height_mm
     });
     let mut at = [0.0; COUNT];
     let mut damping = 1e-3;
@@ -162,8 +163,9 @@ pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
         }
     }
     let (information, _) = normal(touches, tool, suspect, &at, &middle);
-    let spread =
-        inverse(&information).map_or([1.0; COUNT], |it| from_fn(|i| it[i][i].max(0.0).sqrt()));
+    let spread = inverse(&information).map_or([1.0; COUNT], |inverse| {
+        from_fn(|i| inverse[i][i].max(0.0).sqrt())
+    });
     Solved {
         numbers: Numbers::of(&at, &middle, suspect),
         cost,
@@ -172,7 +174,7 @@ pub(crate) fn solve(touches: &[Touch], tool: Tool, suspect: Suspect) -> Solved {
     }
 }
 
-/// The matrix of the normal equations and their right side.
+/// Returns the matrix of the normal equations and their right side.
 fn normal(
     touches: &[Touch],
     tool: Tool,
@@ -224,7 +226,7 @@ fn cost_of(
     away.chunks_exact(3).map(of_touch).sum::<f64>() + norm_squared(at)
 }
 
-/// How far each touch is away, three numbers each, in units of [`TOUCH_MM`].
+/// Returns the deviations of all touches, three numbers each, in units of [`TOUCH_MM`].
 fn residuals(
     touches: &[Touch],
     tool: Tool,
@@ -237,7 +239,7 @@ fn residuals(
         let is_after = matches!(suspect, Suspect::StepBefore(step) if index >= step);
         numbers.away_mm(touch, tool, is_after)
     });
-    all.map(|it| it / TOUCH_MM).collect()
+    all.map(|mm| mm / TOUCH_MM).collect()
 }
 
 fn jacobian(
@@ -252,7 +254,8 @@ fn jacobian(
         let mut ends = [*at; 2];
         ends[0][column] -= DIFFERENCE;
         ends[1][column] += DIFFERENCE;
-        let [before, after] = ends.map(|it| residuals(touches, tool, suspect, &it, middle));
+        let [before, after] =
+            ends.map(|numbers| residuals(touches, tool, suspect, &numbers, middle));
         for (row, (after, before)) in rows.iter_mut().zip(after.iter().zip(&before)) {
             row[column] = (after - before) / (2.0 * DIFFERENCE);
         }
@@ -265,15 +268,15 @@ fn norm(numbers: &[f64]) -> f64 {
 }
 
 pub(crate) fn norm_squared(numbers: &[f64]) -> f64 {
-    numbers.iter().map(|it| it * it).sum()
+    numbers.iter().map(|number| number * number).sum()
 }
 
-/// What is known before any touch: how far each number is from its middle, typically. In degrees,
-/// mm, and mm for each mm; a sheet is laid to a millimetre.
+/// The prior standard deviation of each parameter, in degrees, mm, and mm per mm; a sheet is laid
+/// to a millimetre.
 const BEFORE: [f64; COUNT] = [
     15.0, 12.0, 12.0, 7.0, 5.0, 0.6, 0.6, 100.0, 0.04, 0.04, 0.05, 30.0,
 ];
-/// Where a touch begins to count less, in units of [`TOUCH_MM`].
+/// The residual beyond which a touch counts less, in units of [`TOUCH_MM`].
 const HUBER: f64 = 3.0;
 const DIFFERENCE: f64 = 1e-5;
 const ROUNDS: usize = 100;

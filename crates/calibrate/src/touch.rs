@@ -1,14 +1,14 @@
-//! A point that the tool has touched.
+//! A touched point.
 
 use dobot_arm::Joints;
 
-/// A known point, and what the arm said when its tool touched it.
+/// A known point and the joint angles that the arm reported when its tool touched it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
-    /// Where the point is on the sheet, which is the true frame: forward and to the left, in mm.
+    /// The point on the sheet, in the calibrated frame: forward and to the left, in mm.
     pub place_mm: [f64; 2],
-    /// How high above the paper it is, in mm: 0 on the paper itself, more on a block of known height.
+    /// The height above the paper, in mm: 0 on the paper, more on a block.
     pub height_mm: f64,
-    /// The joint angles that the arm stated.
-    pub told: Joints,
+    /// The raw joint angles that the arm reported.
+    pub raw: Joints,
 }

@@ -1,30 +1,30 @@
-//! Why touches give no calibration, and what to do about it.
+//! Errors of a calibration from touches, with what to do.
 
 use thiserror::Error;
 
-/// Why touches give no calibration.
+/// The error returned when touches do not determine a calibration.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FitError {
-    /// There are too few.
+    /// There are too few touches.
     #[error(
-        "{found} points are touched; a calibration needs 4 at least, and 9 for its full accuracy: touch more points of the sheet"
+        "the number of touches is {found}; a calibration needs at least 4, and 9 for full accuracy; touch more points of the sheet"
     )]
     TooFew {
-        /// How many there are.
+        /// The number of touches.
         found: usize,
     },
-    /// They lie in a line, seen from above, or nearly so.
+    /// The points lie nearly on a line, seen from above.
     #[error(
-        "the touched points lie within {width_mm:.0} mm of one line; allowed are 60 mm and more: touch points in all corners of the sheet"
+        "the touched points lie within {width_mm:.0} mm of one line; at least 60 mm are needed; touch points in all corners of the sheet"
     )]
     InLine {
-        /// How far the points are from the line, both sides together.
+        /// The width of the strip that holds all points.
         width_mm: f64,
     },
-    /// A number of a touch is no number, or no place on paper in front of the arm.
+    /// A value of a touch is not finite, or its point is out of range.
     #[error(
-        "touch {number} is not a place that an arm can touch: its point is at {x_mm} and {y_mm} mm, and allowed are -400 to 400 mm: touch it again"
+        "touch {number} has a point at {x_mm}, {y_mm} mm; allowed are -400 to 400 mm and finite angles; touch it again"
     )]
     NoPlace {
         /// The number of the touch, counted from 1.
@@ -34,44 +34,44 @@ pub enum FitError {
         /// To the left, in mm.
         y_mm: f64,
     },
-    /// The print is too large or too small.
+    /// The print is scaled.
     #[error(
-        "the points fit only if the print is {percent:.1} % of its true size: print the sheet at 100 % (\"actual size\") and measure its bar, then touch the points again"
+        "the points fit only a print at {percent:.1} % of its true size; print the sheet at 100 % (\"actual size\"), measure its bar and touch the points again"
     )]
     ScaledPrint {
-        /// How large the print is.
+        /// The size of the print.
         percent: f64,
     },
-    /// The base was turned, or counted anew, between two touches.
-    #[error("up to touch {last} and from touch {next} on the base's zero differs by {deg:.1} degrees: the arm was reset or turned by hand there; begin anew from touch 1", next = last + 1)]
+    /// The base was turned or referenced again between two touches.
+    #[error("between touches {last} and {next} the base's zero changes by {deg:.1} degrees; the arm was reset or turned by hand; start again from touch 1", next = last + 1)]
     Reset {
-        /// The last touch before it, counted from 1.
+        /// The last touch before the change, counted from 1.
         last: usize,
-        /// By how much the base's zero differs.
+        /// The change of the base's zero.
         deg: f64,
     },
-    /// Nothing that an arm can have explains the touches.
+    /// No calibration within the limits explains the touches.
     #[error(
-        "the touches contradict each other by {typical_mm:.1} mm, and allowed are {allowed_mm:.1} mm: is it the right sheet, did it move, were all points touched in their order? Touch them again"
+        "the touches contradict each other by {typical_mm:.1} mm; allowed are {allowed_mm:.1} mm; check that it is the right sheet, that it did not move and that the order is right, and touch the points again"
     )]
     Contradiction {
         /// The typical residual, in mm.
         typical_mm: f64,
-        /// The largest typical residual that is believed.
+        /// The largest typical residual that is accepted.
         allowed_mm: f64,
     },
-    /// The result is nothing that an arm can have.
+    /// The result is outside the limits of an arm.
     #[error(
-        "the result has {what} of {found:.1} {unit}; an arm can have at most {allowed} {unit}: is it the right sheet, and does it lie in front of the arm as drawn?"
+        "the result has {what} of {found:.1} {unit}; an arm has at most {allowed} {unit}; check that it is the right sheet and that it lies in front of the arm as drawn"
     )]
     Beyond {
-        /// What of the arm.
+        /// The parameter.
         what: &'static str,
-        /// What the touches say.
+        /// The fitted value.
         found: f64,
-        /// The most that an arm can have.
+        /// The largest value that an arm can have.
         allowed: f64,
-        /// The unit of both.
+        /// The unit of both values.
         unit: &'static str,
     },
 }

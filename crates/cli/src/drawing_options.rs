@@ -8,7 +8,7 @@ use clap::builder::ValueParser;
 use clap::error::ErrorKind;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
-use dobot_draw::{Grid, HatchStyle, LayerTool, Options, PaperSize, PassesBy, Spacing, StartFrom};
+use dobot_draw::{Grid, HatchStyle, LayerTool, Options, PaperSize, PassesBy, ResumePoint, Spacing};
 use dobot_import::{Align, LayersBy, ShadingStyle};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -99,7 +99,7 @@ fn rows() -> Vec<Row> {
         flag("keep_order"),
         whole::<u32>("tries", value_parser!(u32)).arg(|it| it.conflicts_with("keep_order")),
         whole::<u64>("seed", value_parser!(u64)),
-        parsed::<StartFrom>("from", "WHERE"),
+        parsed::<ResumePoint>("from", "WHERE"),
     ];
     let under = |heading: &'static str| {
         move |row: Row| match row.arg.get_help_heading() {

@@ -16,15 +16,15 @@ use self::read::read;
 pub use self::settings::Settings;
 pub(crate) use self::settings::{TOLERANCE_MM, TRIES};
 use self::vectors::{Trials, simplified};
-use crate::arm::backlash::{most_mm, taken_up};
-use crate::arm::calibrated::told_passes;
-use crate::arm::resume_point::StartError;
+use crate::arm::backlash::{compensated, most_mm};
+use crate::arm::calibrated::raw_passes;
+use crate::arm::resume_point::ResumePointError;
 use crate::layout::place::{PlaceError, Placed, check_reach};
 use crate::preparation::progress::PrepareStep;
 use crate::strokes::hatch::HatchError;
 use dobot_geometry::{Point, Stroke};
 use dobot_import::{Source, SourceError, Warning};
-use dobot_plan::{DrawingTool, Machine, Pass, Plan, PlanError};
+use dobot_plan::{ArmLimits, DrawingTool, Pass, Plan, PlanError};
 
 /// A drawing, ready to be sent.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,7 +90,7 @@ pub fn prepare_together<E: fmt::Display>(
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
-    settings.give_up.check()?;
+    settings.cancel.check()?;
     let reach_mm = reach_mm(settings, settings.tool.lift_mm(), &reachable);
     let mut settings = settings.clone();
     settings.placement.reach = reach_mm.map(|[near, far]| {
@@ -100,7 +100,7 @@ pub fn prepare_together<E: fmt::Display>(
     let settings = &settings;
     settings.progress.begin(PrepareStep::Reading, 0);
     let (Placed { layers, scale }, mut warnings) = read(sources, settings)?;
-    settings.give_up.check()?;
+    settings.cancel.check()?;
     let (layers, left_out) = layers::chosen(layers, settings)?;
     warnings.extend(layers::pen_speeds(&layers, settings));
     warnings.extend(layers::unhatched(&layers, settings));
@@ -126,7 +126,7 @@ pub fn prepare_passes<E: fmt::Display>(
     reachable: impl Fn(Position) -> Result<(), E>,
 ) -> Result<Prepared, PrepareError> {
     settings.check()?;
-    plan_passes(told_passes(passes, settings)?, settings, reachable)
+    plan_passes(raw_passes(passes, settings)?, settings, reachable)
 }
 
 /// The same for passes in the arm's own places.
@@ -141,7 +141,7 @@ fn plan_passes<E: fmt::Display>(
     };
     let progress = &settings.progress;
     let strokes = passes.iter().flat_map(|it| &it.strokes);
-    progress.expect(&passes, &settings.machine);
+    progress.expect(&passes, &settings.arm_limits);
     progress.begin(
         PrepareStep::Vectors,
         strokes.map(|it| it.points.len()).sum(),
@@ -152,17 +152,17 @@ fn plan_passes<E: fmt::Display>(
         .map(|it| simplified(it, settings, &mut trials));
     let simple: Result<Vec<Pass>, PrepareError> = simple.collect();
     let simple = match &settings.calibration {
-        Some(known) => taken_up(simple?, &settings.paper, &known.arm()),
+        Some(known) => compensated(simple?, &settings.paper, &known.arm()),
         None => simple?,
     };
     let lifts_mm = simple.iter().map(|it| it.tool.lift_mm());
     let reach_mm = reach_mm(settings, lifts_mm.fold(0.0, f64::max), &reachable);
-    let machine = Machine {
+    let arm_limits = ArmLimits {
         nearest_mm: reach_mm.map_or(0.0, |it| it[0]),
-        ..settings.machine
+        ..settings.arm_limits
     };
     progress.begin(PrepareStep::Planning, 0);
-    let plan = Plan::new(&simple, &settings.paper, &machine)?;
+    let plan = Plan::new(&simple, &settings.paper, &arm_limits)?;
     check_reach(&plan, &settings.paper, reachable)?;
     Ok(Prepared {
         passes,
@@ -178,8 +178,8 @@ fn plan_passes<E: fmt::Display>(
 #[non_exhaustive]
 pub enum PrepareError {
     /// Nobody wants it any more.
-    #[error("the plan was given up before it was done")]
-    GivenUp,
+    #[error("the plan was cancelled before it was done")]
+    Cancelled,
     /// Vectors this short would not be vectors any more.
     #[error("the tolerance is {0:?} mm; it must be a number from 0.02 to 10 mm")]
     Tolerance(f64),
@@ -215,7 +215,7 @@ pub enum PrepareError {
     Hatch(#[from] HatchError),
     /// It cannot be begun there.
     #[error(transparent)]
-    Start(#[from] StartError),
+    ResumePoint(#[from] ResumePointError),
     /// It cannot be planned.
     #[error(transparent)]
     Plan(#[from] PlanError),
@@ -249,7 +249,7 @@ fn reach_mm<E>(
 fn beside_mm(tool: DrawingTool, settings: &Settings) -> f64 {
     let slack_mm = settings.calibration.as_ref().map(|it| most_mm(&it.arm()));
     let cutting_mm = settings.cutting.lead_in_mm + 0.5 * settings.cutting.kerf_mm.abs();
-    let run_mm = tool.run_mm(&settings.machine);
+    let run_mm = tool.run_mm(&settings.arm_limits);
     settings.tolerance_mm + run_mm + cutting_mm + slack_mm.unwrap_or_default()
 }
 

@@ -2,19 +2,19 @@
 
 use kurbo::Point;
 
-/// An area to be filled, with its holes.
+/// An area to fill, with its holes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Area {
-    /// Closed polygons; the last point of each is joined with its first.
+    /// Closed polygons: the last point of each connects to the first.
     pub rings: Vec<Vec<Point>>,
-    /// The rule that says which points are inside.
+    /// The fill rule.
     pub rule: FillRule,
 }
 
-/// The rule that says which points are inside overlapping rings.
+/// The rule that decides which points lie inside overlapping rings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FillRule {
-    /// Points around which the rings go more often one way than the other.
+    /// Points with a winding number other than zero.
     #[default]
     NonZero,
     /// Points inside an odd number of rings.

@@ -1,11 +1,11 @@
-//! The upright rectangles around things.
+//! Bounding boxes.
 
 use kurbo::{Point, Rect};
 
 use crate::Stroke;
 
-/// The smallest rectangle that holds these points; of none one inside out, which overlaps nothing
-/// and which [`Rect::union_pt`] grows as it should.
+/// Returns the smallest rectangle that holds these points. Without points it is inverted: it
+/// overlaps nothing, and [`Rect::union_pt`] extends it correctly.
 pub fn bounds(points: impl IntoIterator<Item = Point>) -> Rect {
     let (most, least) = (f64::INFINITY, f64::NEG_INFINITY);
     let empty = Rect::new(most, most, least, least);
@@ -14,19 +14,20 @@ pub fn bounds(points: impl IntoIterator<Item = Point>) -> Rect {
         .fold(empty, |bounds, p| bounds.union_pt(p))
 }
 
-/// The smallest rectangle that holds these strokes.
+/// Returns the smallest rectangle that holds these strokes.
 #[must_use]
 pub fn bounds_of_strokes(strokes: &[Stroke]) -> Rect {
     bounds(strokes.iter().flat_map(|s| s.points.iter().copied()))
 }
 
-/// How wide the narrowest strip is in which all points lie, to the nearest degree of its direction.
+/// Returns the width of the narrowest strip that holds all points, with its direction in whole
+/// degrees.
 #[must_use]
 pub fn least_width(points: &[Point]) -> f64 {
     let across = |deg: i32| {
         let (sin, cos) = f64::from(deg).to_radians().sin_cos();
-        let along = points.iter().map(|it| it.x * cos + it.y * sin);
-        let (least, most) = along.fold((f64::MAX, f64::MIN), |(a, b), it| (a.min(it), b.max(it)));
+        let along = points.iter().map(|point| point.x * cos + point.y * sin);
+        let (least, most) = along.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
         most - least
     };
     (0..180).map(across).fold(f64::MAX, f64::min)

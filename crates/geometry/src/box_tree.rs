@@ -6,8 +6,10 @@ use kurbo::{Point, Rect};
 
 use crate::bounds;
 
-/// Boxes around items that are sorted such that every box owns a range of them: neighbours are
-/// together in memory too. The tree knows the boxes, its user the items.
+/// A bounding volume hierarchy over sorted items.
+///
+/// Every box owns a range of items, so that neighbours are also close in memory. The tree stores
+/// the boxes, its user the items.
 #[derive(Debug)]
 pub struct BoxTree {
     /// Node 0 is the root; the left child of a node is the next one.
@@ -18,25 +20,27 @@ pub struct BoxTree {
 struct Node {
     bounds: Rect,
     items: Range<u32>,
-    /// `NONE` in a leaf.
+    /// The right child; `NONE` in a leaf.
     right: u32,
 }
 
 impl BoxTree {
-    /// Sorts the items, segments by their two ends, and makes the tree over them.
+    /// Sorts the items by the segments between their two ends and builds the tree.
     ///
     /// # Panics
     ///
-    /// With 2^32 items or more.
+    /// If there are 2^32 items or more.
     pub fn sort<T>(items: &mut [T], ends: impl Fn(&T) -> (Point, Point)) -> Self {
         let mut nodes = Vec::with_capacity(items.len() / 2 + 1);
         build(&mut nodes, items, 0, &ends);
         Self { nodes }
     }
 
-    /// How many items each of the nodes owns, by the number of the node.
+    /// Returns the number of items of each node, by node number.
     pub fn counts(&self) -> impl Iterator<Item = u32> {
-        self.nodes.iter().map(|it| it.items.end - it.items.start)
+        self.nodes
+            .iter()
+            .map(|node| node.items.end - node.items.start)
     }
 
     /// The nodes that own an item, the root first.
@@ -74,7 +78,8 @@ impl BoxTree {
             *limit2 = visit(node.items.clone());
             return;
         }
-        let mut children = [id + 1, node.right].map(|it| (distance2(self.node(it).bounds, p), it));
+        let mut children =
+            [id + 1, node.right].map(|child| (distance2(self.node(child).bounds, p), child));
         if children[1].0 < children[0].0 {
             children.swap(0, 1);
         }
@@ -167,7 +172,7 @@ mod tests {
             p in point(),
         ) {
             let tree = BoxTree::sort(&mut points, |&p| (p, p));
-            let away2 = |it: &Point| (it.x - p.x).powi(2) + (it.y - p.y).powi(2);
+            let away2 = |q: &Point| (q.x - p.x).powi(2) + (q.y - p.y).powi(2);
             let mut found = f64::INFINITY;
             tree.around(p, f64::INFINITY, &|_, _| true, &mut |items| {
                 let leaf = &points[items.start as usize..items.end as usize];

@@ -1,6 +1,7 @@
-//! How far a place is from a chord, in as many dimensions as it has.
+//! The distance of a point from a chord, in any dimension.
 
-/// How far a point is from the straight piece between two others; in the unit of their coordinates.
+/// Returns the distance of a point from the segment between two others, in the unit of their
+/// coordinates.
 ///
 /// ```
 /// # use dobot_geometry::distance_from_chord;

@@ -1,38 +1,37 @@
-//! How well the drawn path matches the wanted one.
+//! The deviation of a drawn path from the wanted one.
 
 use kurbo::Point;
 
 use crate::{SegmentIndex, Stroke, steps};
 
-/// How far two paths lie apart: each way, since ink in the wrong place and ink that is missing are
-/// two different faults.
+/// The distance between two paths in both directions, because stray ink and missing ink are
+/// different faults.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
-    /// The drawn point that lies farthest from what was wanted.
+    /// The drawn point farthest from the wanted path.
     pub astray: WorstPoint,
-    /// The wanted point that lies farthest from what was drawn.
+    /// The wanted point farthest from the drawn path.
     pub missed: WorstPoint,
 }
 
 impl Deviation {
-    /// The larger of the two distances, in millimetres.
+    /// Returns the larger of the two distances, in millimetres.
     #[must_use]
     pub fn largest_mm(&self) -> f64 {
         self.astray.distance_mm.max(self.missed.distance_mm)
     }
 }
 
-/// The worst place of a path.
+/// The point of a path with the largest distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WorstPoint {
-    /// How far it lies from the other path; infinite where the other is empty.
+    /// The distance to the other path, in millimetres; infinite if that one is empty.
     pub distance_mm: f64,
-    /// Where it is.
+    /// The point.
     pub at: Point,
 }
 
-/// Compares the path wanted with the path drawn, at every corner and at least every half
-/// millimetre.
+/// Compares the wanted path with the drawn one, at every corner and at least every half millimetre.
 #[must_use]
 pub fn deviation(wanted: &[Stroke], drawn: &[Stroke]) -> Deviation {
     Deviation {
@@ -41,10 +40,10 @@ pub fn deviation(wanted: &[Stroke], drawn: &[Stroke]) -> Deviation {
     }
 }
 
-/// A path that can be asked how far away it is.
+/// A path prepared for distance queries.
 ///
-/// It remembers which of its segments was the nearest: whoever asks along another path finds the
-/// next one close to it.
+/// It remembers the last nearest segment, because consecutive queries along another path are close
+/// together.
 #[derive(Debug)]
 pub struct PathDistance {
     index: SegmentIndex,
@@ -52,7 +51,7 @@ pub struct PathDistance {
 }
 
 impl PathDistance {
-    /// Gets ready to be asked for distances from this path.
+    /// Prepares a path for distance queries.
     #[must_use]
     pub fn new(path: &[Stroke]) -> Self {
         Self {
@@ -61,13 +60,14 @@ impl PathDistance {
         }
     }
 
-    /// The distance in mm; infinite where there is no path. Distances below a ten-thousandth of
-    /// a millimetre all count as the same.
+    /// Returns the distance in mm; infinite without a path. Distances below a ten-thousandth of a
+    /// millimetre are not distinguished.
     pub fn distance_mm(&mut self, p: Point) -> f64 {
         self.distance_from_mm(p, NEGLIGIBLE_MM)
     }
 
-    /// As [`distance_mm`](Self::distance_mm); where it is at most `enough_mm`, any number up to that.
+    /// Like [`distance_mm`](Self::distance_mm), but returns any value up to `enough_mm` if the
+    /// distance is at most that.
     fn distance_from_mm(&mut self, p: Point, enough_mm: f64) -> f64 {
         match self.index.nearest_from(self.last, p, enough_mm * enough_mm) {
             Some((item, distance2)) => {
@@ -79,7 +79,7 @@ impl PathDistance {
     }
 }
 
-/// The point of `path` that lies farthest from `other`.
+/// Returns the point of `path` farthest from `other`.
 fn farthest(path: &[Stroke], other: &[Stroke]) -> WorstPoint {
     let mut near = PathDistance::new(other);
     farthest_from(path, &mut near)
@@ -91,7 +91,7 @@ fn farthest_from(path: &[Stroke], near: &mut PathDistance) -> WorstPoint {
         .flat_map(pieces)
         .flat_map(|(from, to)| steps(from, to, STEP_MM));
     points.fold(WorstPoint::default(), |worst, at| {
-        // How much nearer than the farthest so far does not matter.
+        // A point closer than the farthest one found does not need an exact distance.
         let enough_mm = worst.distance_mm.max(NEGLIGIBLE_MM);
         let distance_mm = near.distance_from_mm(at, enough_mm);
         if distance_mm > worst.distance_mm {
@@ -102,8 +102,8 @@ fn farthest_from(path: &[Stroke], near: &mut PathDistance) -> WorstPoint {
     })
 }
 
-/// The segments of a path, each once, whichever way it is drawn: among many that are the same a
-/// search would have to look at all.
+/// Returns each segment of a path once, regardless of its direction: a search would have to visit
+/// all duplicates.
 fn once(path: &[Stroke]) -> Vec<(Point, Point)> {
     let order = |a: &Point, b: &Point| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
     let one_way = |(a, b): (Point, Point)| {
@@ -119,29 +119,29 @@ fn once(path: &[Stroke]) -> Vec<(Point, Point)> {
     segments
 }
 
-/// Segments cut into short ones: the boxes around long ones would lie on each other.
+/// Splits segments into short ones, because the boxes of long ones would overlap.
 fn short(segments: Vec<(Point, Point)>) -> Vec<(Point, Point)> {
     let length_mm: f64 = segments.iter().map(|(a, b)| a.distance(*b)).sum();
     let most_mm = SHORT_MM.max(length_mm / MOST_PIECES);
     let cut = |(a, b): (Point, Point)| {
         let ends: Vec<Point> = steps(a, b, most_mm).collect();
-        let pieces = ends.windows(2).map(|it| (it[0], it[1]));
+        let pieces = ends.windows(2).map(|pair| (pair[0], pair[1]));
         pieces.collect::<Vec<_>>()
     };
     segments.into_iter().flat_map(cut).collect()
 }
 
-/// The segments of a stroke; of a dot its point.
+/// Returns the segments of a stroke; for a dot its point.
 fn pieces(stroke: &Stroke) -> impl Iterator<Item = (Point, Point)> {
     let dot = stroke.points.first().filter(|_| stroke.points.len() == 1);
     stroke.segments().chain(dot.map(|&p| (p, p)))
 }
 
 const STEP_MM: f64 = 0.5;
-/// No arm and no eye tells such distances apart.
+/// Smaller distances are irrelevant to the arm and invisible.
 const NEGLIGIBLE_MM: f64 = 1e-4;
 const SHORT_MM: f64 = 1.0;
-/// Segments are cut into about so many pieces at most.
+/// The approximate upper limit on the number of pieces.
 const MOST_PIECES: f64 = 500_000.0;
 
 #[cfg(test)]
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn tells_ink_astray_from_ink_that_is_missing() {
+    fn distinguishes_stray_ink_from_missing_ink() {
         let wanted = [line(&[(0.0, 0.0), (10.0, 0.0)])];
         let drawn = [line(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0)])];
         let found = deviation(&wanted, &drawn);
@@ -194,7 +194,7 @@ mod tests {
         assert_eq!(deviation(&[], &[]).largest_mm(), 0.0);
     }
 
-    /// How many distances to segments it takes to compare paths, for each point compared.
+    /// Returns the number of segment distances computed per compared point.
     fn visits(path: &[Stroke], other: &[Stroke]) -> f64 {
         let count = |(a, b): (Point, Point)| steps(a, b, STEP_MM).count();
         let points: usize = path.iter().flat_map(pieces).map(count).sum();
@@ -216,8 +216,8 @@ mod tests {
             let share = |count: usize| f64::from(u32::try_from(i % count).unwrap_or(0));
             p + Vec2::new(0.0011 * share(13), 0.0007 * share(29))
         };
-        let stroke = |(i, it): (usize, &Stroke)| {
-            let points = it.points.iter().enumerate();
+        let stroke = |(i, stroke): (usize, &Stroke)| {
+            let points = stroke.points.iter().enumerate();
             Stroke::open(points.map(|(j, &p)| beside(i + 7 * j, p)).collect())
         };
         wanted.iter().enumerate().map(stroke).collect()

@@ -1,9 +1,9 @@
-//! Angles to directions.
+//! Unit vectors from angles.
 
 use kurbo::Vec2;
 
-/// The way of length 1 in a direction, from x towards y; quarter turns are exact. Ways turn by it
-/// with [`Vec2::rotate_scale`].
+/// Returns the unit vector of an angle, from x towards y; quarter turns are exact. Rotate other
+/// vectors by it with [`Vec2::rotate_scale`].
 #[must_use]
 pub fn direction(angle_deg: f64) -> Vec2 {
     let angle_deg = angle_deg.rem_euclid(360.0);

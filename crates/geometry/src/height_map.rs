@@ -1,9 +1,9 @@
-//! Heights of a surface between the places at which they are known.
+//! Interpolated heights of a surface.
 
 use crate::{Point, Rect, bounds, solve};
 
-/// A surface through known heights, bent as little as it can be (a thin-plate spline). Beyond the rectangle around the
-/// known places it stays as high as on its edge.
+/// A thin-plate spline through known heights: the smoothest such surface. Outside the bounding
+/// rectangle of the known points, the height on the edge applies.
 ///
 /// ```
 /// use dobot_geometry::{HeightMap, Point};
@@ -16,20 +16,20 @@ use crate::{Point, Rect, bounds, solve};
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightMap {
     places: Vec<Point>,
-    /// How much each place bends the surface.
+    /// The weight of each known point.
     weights: Vec<f64>,
-    /// The height of the plane below it at the origin, and its slopes.
+    /// The base plane: its height at the origin and its slopes.
     plane: [f64; 3],
     around: Rect,
 }
 
 impl HeightMap {
-    /// The surface through places with their heights: x, y, z. `None` where they are fewer than three, lie on one line, two
-    /// are the same place, or one is not finite.
+    /// Builds the surface through points with heights: x, y, z. `None` if there are fewer than
+    /// three, they lie on one line, two coincide, or a number is not finite.
     #[must_use]
     pub fn through(known: &[[f64; 3]]) -> Option<Self> {
         let count = known.len();
-        if count < 3 || !known.as_flattened().iter().all(|it| it.is_finite()) {
+        if count < 3 || !known.as_flattened().iter().all(|x| x.is_finite()) {
             return None;
         }
         let places: Vec<Point> = known.iter().map(|[x, y, _]| Point::new(*x, *y)).collect();
@@ -54,8 +54,9 @@ impl HeightMap {
             places,
             plane,
         };
-        // A matrix that is nearly singular has an answer too, and a wrong one.
-        let is_met = |it: &[f64; 3]| (map.z_at(Point::new(it[0], it[1])) - it[2]).abs() < MET;
+        // A nearly singular matrix also yields a solution, but a wrong one.
+        let is_met =
+            |known: &[f64; 3]| (map.z_at(Point::new(known[0], known[1])) - known[2]).abs() < MET;
         known.iter().all(is_met).then_some(map)
     }
 
@@ -67,7 +68,7 @@ impl HeightMap {
         let [z0, slope_x, slope_y] = self.plane;
         let bent = self.places.iter().zip(&self.weights);
         let bent: f64 = bent
-            .map(|(it, weight)| weight * bend(it.distance(place)))
+            .map(|(known, weight)| weight * bend(known.distance(place)))
             .sum();
         z0 + slope_x * place.x + slope_y * place.y + bent
     }

@@ -34,8 +34,8 @@ pub use random::Random;
 pub use segment_index::SegmentIndex;
 pub use stroke::{Stroke, steps};
 
-/// The types that all crates calculate with, in millimetres and radians. On the sheet x points right and y down, as
-/// in an SVG file; in the base frame x points forward and y to the left (Figure 3.1).
+/// The basic types of all crates, in millimetres and radians. On the sheet, x points right and y
+/// down, as in an SVG file; in the base frame, x points forward and y to the left (Figure 3.1).
 pub use kurbo::{Affine, Point, Rect, Vec2};
-/// A straight piece, how to ask for its nearest point, and curves.
+/// Segments with nearest-point queries, and curves.
 pub use kurbo::{CubicBez, Line, ParamCurve, ParamCurveNearest, QuadBez};

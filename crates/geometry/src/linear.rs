@@ -11,7 +11,7 @@
 ///
 /// # Panics
 ///
-/// If the matrix isn't square, or `right` hasn't one number for each of its rows.
+/// If the matrix is not square, or `right` does not have one number per row.
 #[must_use]
 pub fn solve(matrix: &[impl AsRef<[f64]>], right: &[f64]) -> Option<Vec<f64>> {
     assert_eq!(matrix.len(), right.len(), "one number for each row");
@@ -19,11 +19,12 @@ pub fn solve(matrix: &[impl AsRef<[f64]>], right: &[f64]) -> Option<Vec<f64>> {
     Some(eliminate(matrix, right)?.concat())
 }
 
-/// The inverse of a matrix, row by row; `None` if the matrix is singular or a number is not finite.
+/// Returns the inverse of a matrix, row by row; `None` if the matrix is singular or a number is not
+/// finite.
 ///
 /// # Panics
 ///
-/// If the matrix isn't square.
+/// If the matrix is not square.
 #[must_use]
 pub fn inverse(matrix: &[impl AsRef<[f64]>]) -> Option<Vec<Vec<f64>>> {
     let identity = (0..matrix.len()).map(|row| {
@@ -34,7 +35,8 @@ pub fn inverse(matrix: &[impl AsRef<[f64]>]) -> Option<Vec<Vec<f64>>> {
     eliminate(matrix, identity)
 }
 
-/// Gauss-Jordan elimination with partial pivoting: the right-hand side once the matrix has become the identity.
+/// Applies Gauss-Jordan elimination with partial pivoting and returns the right-hand side once the
+/// matrix is the identity.
 fn eliminate(
     matrix: &[impl AsRef<[f64]>],
     right: impl Iterator<Item = Vec<f64>>,
@@ -137,7 +139,7 @@ mod tests {
                 .prop_flat_map(|n| (vec(vec(-1.0..1.0, n), n), vec(-1.0..1.0, n))),
             shift in 0..20_usize,
         ) {
-            // Far from singular: one large number in each row and column, anywhere.
+            // Far from singular: one large number in each row and column, at any position.
             let count = right.len();
             for (row, numbers) in matrix.iter_mut().enumerate() {
                 numbers[(row + shift) % count] += 25.0;
@@ -152,7 +154,7 @@ mod tests {
         fn a_matrix_times_its_inverse_is_the_identity(
             numbers in (1..13_usize).prop_flat_map(|n| vec(vec(-1.0..1.0, n), n)),
         ) {
-            // As the normal equations of least squares: symmetric and positive definite.
+            // Symmetric and positive definite, as the normal equations of least squares.
             let count = numbers.len();
             let dot = |a: &Vec<f64>, b: &Vec<f64>| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             let normal: Vec<Vec<f64>> = (0..count)

@@ -1,8 +1,11 @@
-//! A pseudo-random number generator (`SplitMix64`). A library that promises never to change its sequences would do as well.
+//! A pseudo-random number generator (`SplitMix64`). Any library that guarantees its sequences would
+//! also do.
 
-/// A pseudo-random number generator: the same seed gives the same numbers, on every machine and in every version.
+/// A pseudo-random number generator: a seed gives the same numbers on every machine and in every
+/// version.
 ///
-/// Path orders, shadings, faults and tests are repeatable because its numbers never change. It is not for cryptography.
+/// Path orders, shadings, faults and tests are repeatable because the numbers never change. It is
+/// not suitable for cryptography.
 ///
 /// ```
 /// use dobot_geometry::Random;
@@ -15,20 +18,20 @@
 pub struct Random(u64);
 
 impl Random {
-    /// The sequence of a seed.
+    /// Creates the sequence of a seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// One of the many sequences that a seed has.
+    /// Creates one of the many sequences of a seed.
     #[must_use]
     pub const fn sequence(seed: u64, sequence: u64) -> Self {
         let start = Self(seed).number();
         Self(start ^ sequence.wrapping_mul(STEP))
     }
 
-    /// Any number.
+    /// Returns the next number.
     pub const fn number(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(STEP);
         let mut mixed = self.0;
@@ -37,12 +40,12 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number below `count`, which is at least 1.
+    /// Returns a number below `count`, which must be at least 1.
     pub fn below(&mut self, count: u32) -> u32 {
         (((self.number() >> 32) * u64::from(count)) >> 32) as u32
     }
 
-    /// From 0 to just below 1.
+    /// Returns a number from 0 to just below 1.
     #[expect(
         clippy::cast_precision_loss,
         reason = "53 bits are as many as a float holds"
@@ -51,7 +54,7 @@ impl Random {
         (self.number() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Whether something comes to pass that does so in so many of a hundred cases.
+    /// Returns `true` with the given probability, in percent.
     pub fn chance(&mut self, percent: f64) -> bool {
         self.share() * 100.0 < percent
     }

@@ -1,4 +1,4 @@
-//! Segments by place: which is nearest, which lie here.
+//! A spatial index of segments for nearest and overlap queries.
 
 use std::ops::Range;
 
@@ -6,29 +6,29 @@ use kurbo::{Line, ParamCurveNearest, Point, Rect};
 
 use crate::BoxTree;
 
-/// Segments that can be asked for by place. Items are numbered as they were given, and can be taken
-/// out; a point is a segment of length zero.
+/// A spatial index of segments. Items keep the numbers in which they were given and can be removed;
+/// a point is a segment of length zero.
 #[derive(Debug)]
 pub struct SegmentIndex {
     segments: Vec<(Point, Point)>,
     tree: BoxTree,
-    /// The items in the order of the tree.
+    /// The items in tree order.
     items: Vec<u32>,
-    /// For each item its place in that order; `NONE` once it is removed.
+    /// The position of each item in tree order; `NONE` once it is removed.
     place_of: Vec<u32>,
-    /// For each node of the tree how many of its items are not removed.
+    /// The number of remaining items of each node of the tree.
     alive: Vec<u32>,
-    /// How often the distance of an item was asked for.
+    /// The number of distance computations.
     #[cfg(test)]
     pub visits: std::cell::Cell<usize>,
 }
 
 impl SegmentIndex {
-    /// Sorts the segments.
+    /// Builds the index.
     ///
     /// # Panics
     ///
-    /// With 2^32 segments or more.
+    /// If there are 2^32 segments or more.
     #[must_use]
     pub fn new(segments: Vec<(Point, Point)>) -> Self {
         let mut items: Vec<u32> = (0..).take(segments.len()).collect();
@@ -48,7 +48,7 @@ impl SegmentIndex {
         }
     }
 
-    /// Takes an item out of all later answers.
+    /// Removes an item from all later queries.
     pub fn remove(&mut self, item: u32) {
         let place = std::mem::replace(&mut self.place_of[item as usize], NONE);
         if place != NONE {
@@ -58,7 +58,7 @@ impl SegmentIndex {
         }
     }
 
-    /// The item nearest to a point and the squared distance to it; of equals the first.
+    /// Returns the item nearest to a point and its squared distance; among equals, the first item.
     #[must_use]
     pub fn nearest(&self, p: Point) -> Option<(u32, f64)> {
         let mut best = (NONE, f64::INFINITY);
@@ -69,14 +69,14 @@ impl SegmentIndex {
                     best = (item, distance2);
                 }
             }
-            // Of equals the first counts, so that they must be looked at too.
+            // Among equals the first item wins, so equal distances must be visited too.
             best.1.next_up()
         });
         (best.0 != NONE).then_some(best)
     }
 
-    /// An item that is not removed and its squared distance to a point: of the nearest, or of any
-    /// that is as near as `enough2`. `near` is an item not far from the point.
+    /// Returns a remaining item and its squared distance to a point: the nearest, or any within
+    /// `enough2`. `near` is an item close to the point.
     #[must_use]
     pub fn nearest_from(&self, near: u32, p: Point, enough2: f64) -> Option<(u32, f64)> {
         let place = self.place_of.get(near as usize);
@@ -102,7 +102,8 @@ impl SegmentIndex {
         (best.0 != NONE).then_some(best)
     }
 
-    /// Calls `visit` for every item whose box touches `area`, and tells how many items were looked at for that.
+    /// Calls `visit` for every item whose box touches `area` and returns the number of items
+    /// examined.
     pub fn touching(&self, area: Rect, visit: &mut impl FnMut(u32)) -> usize {
         let mut looks = 0;
         self.tree.touching(area, &mut |items| {
@@ -117,13 +118,13 @@ impl SegmentIndex {
         looks
     }
 
-    /// All items, in the order given.
+    /// Returns all items in the order given.
     #[must_use]
     pub fn segments(&self) -> &[(Point, Point)] {
         &self.segments
     }
 
-    /// The two ends of an item.
+    /// Returns the two ends of an item.
     #[must_use]
     pub fn segment(&self, item: u32) -> (Point, Point) {
         self.segments[item as usize]
@@ -181,12 +182,13 @@ mod tests {
             }
             prop_assert_eq!(index.nearest(p), best);
             for near in 0..=u32::try_from(segments.len()).unwrap_or(0) {
-                let found = index.nearest_from(near, p, 0.0).map(|it| it.1.sqrt());
-                let best = best.map(|it| it.1.sqrt());
-                // Where a box ends at the nearest place, rounding may leave the one behind it.
+                let found = index.nearest_from(near, p, 0.0).map(|found| found.1.sqrt());
+                let best = best.map(|found| found.1.sqrt());
+                // If a box ends exactly at the nearest point, rounding may exclude the item behind
+                // it.
                 let same = found.zip(best).is_none_or(|(found, best)| (found - best).abs() < 1e-6);
                 prop_assert!(same && found.is_some() == best.is_some(), "{found:?}, not {best:?}");
-                let rough = index.nearest_from(near, p, 25.0).map(|it| it.1.sqrt());
+                let rough = index.nearest_from(near, p, 25.0).map(|found| found.1.sqrt());
                 prop_assert_eq!(rough.is_some(), best.is_some());
                 prop_assert!(rough.zip(best).is_none_or(|(rough, best)| rough <= best.max(5.0) + 1e-6));
             }

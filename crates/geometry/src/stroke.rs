@@ -2,18 +2,18 @@
 
 use kurbo::Point;
 
-/// A line that the pen draws from touching the paper to leaving it; one point is a dot.
+/// A line that the pen draws without lifting; a single point is a dot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stroke {
     /// The corners of the line, at least one.
     pub points: Vec<Point>,
-    /// The line ends where it began (the last point repeats the first), so that it may be drawn
-    /// from any of its points.
+    /// Whether the line ends where it began (the last point repeats the first), so that drawing may
+    /// start at any of its points.
     pub closed: bool,
 }
 
 impl Stroke {
-    /// A line that is not closed.
+    /// Creates a line that is not closed.
     #[must_use]
     pub const fn open(points: Vec<Point>) -> Self {
         Self {
@@ -22,27 +22,27 @@ impl Stroke {
         }
     }
 
-    /// How long the line is, in millimetres.
+    /// Returns the length of the line, in millimetres.
     #[must_use]
     pub fn length_mm(&self) -> f64 {
         let lengths = self.segments().map(|(a, b)| a.distance(b));
-        // The sum of nothing is the zero with a minus.
+        // An empty sum is -0.0.
         lengths.sum::<f64>() + 0.0
     }
 
-    /// The straight pieces of the line; a dot has none.
+    /// Returns the segments of the line; a dot has none.
     pub fn segments(&self) -> impl Iterator<Item = (Point, Point)> {
         self.points.windows(2).map(|pair| (pair[0], pair[1]))
     }
 
-    /// Where the line ends.
+    /// Returns the end of the line.
     #[must_use]
     pub fn last(&self) -> Option<Point> {
         self.points.last().copied()
     }
 }
 
-/// Points on the straight way from `a` to `b`, both ends included, at most `step_mm` apart.
+/// Returns points on the segment from `a` to `b`, both ends included, at most `step_mm` apart.
 pub fn steps(a: Point, b: Point, step_mm: f64) -> impl Iterator<Item = Point> {
     #[expect(
         clippy::cast_possible_truncation,

@@ -27,7 +27,7 @@ fn walk(mut model: Model, job: &Job, commands: &[Command]) -> Result<JobPath, Re
             rule: None,
         })?;
         for (place, after_s) in trajectory.corners() {
-            let position = model.true_place(&place).pose.position;
+            let position = model.calibrated_place(&place).pose.position;
             path.path_mm
                 .push([position.x.0, position.y.0, position.z.0].map(rounded));
             path.commands.push(index);

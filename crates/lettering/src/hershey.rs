@@ -93,7 +93,7 @@ impl StrokeFont {
 
     /// A letter that the font itself has; a Greek or Cyrillic one of the font that goes with it.
     pub(crate) fn glyph(self, character: char) -> Option<Letter> {
-        let place = |alphabet: &str| alphabet.chars().position(|it| it == character);
+        let place = |alphabet: &str| alphabet.chars().position(|letter| letter == character);
         let (file, number) = if let Some(number) = place(GREEK) {
             (self.greek(), number)
         } else if let Some(number) = place(CYRILLIC) {
@@ -192,7 +192,8 @@ mod tests {
                 // The Gothic P goes below the line.
                 let others = others.chars();
                 for other in others.filter(|_| font != StrokeFont::Gothic || latin != 'P') {
-                    let height = |it| bounds(font.glyph(it).unwrap().strokes.concat()).height();
+                    let height =
+                        |letter| bounds(font.glyph(letter).unwrap().strokes.concat()).height();
                     let off = (height(other) - height(latin)).abs();
                     assert!(off <= 2.0, "{font:?} {latin} {other}: {off}");
                 }

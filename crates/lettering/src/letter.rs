@@ -165,7 +165,7 @@ mod tests {
         for font in StrokeFont::ALL {
             let missing: String = text
                 .chars()
-                .filter(|&it| Letter::of(font, it).is_none())
+                .filter(|&letter| Letter::of(font, letter).is_none())
                 .collect();
             assert_eq!(missing, "", "{font:?}");
         }

@@ -10,9 +10,9 @@
 //! assert!(sheet.finish().contains("aria-label=\"50 mm\""));
 //! ```
 
-pub mod desk;
 mod hershey;
 mod letter;
+pub mod paper_style;
 mod sheet;
 mod smooth;
 mod style;

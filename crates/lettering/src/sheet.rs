@@ -169,7 +169,7 @@ impl Sheet {
             Rounded(weight * CAPITAL),
             escaped(words)
         ));
-        for (x, letter) in placed(words).filter(|it| !it.1.is_whitespace()) {
+        for (x, letter) in placed(words).filter(|placed| !placed.1.is_whitespace()) {
             self.letters.insert(letter);
             let _ = write!(
                 self.svg,
@@ -231,8 +231,8 @@ fn escaped(words: &str) -> String {
             '<' => text += "&lt;",
             '&' => text += "&amp;",
             '"' => text += "&quot;",
-            it if it.is_control() => text.push('\u{FFFD}'),
-            it => text.push(it),
+            letter if letter.is_control() => text.push('\u{FFFD}'),
+            letter => text.push(letter),
         }
     }
     text
@@ -252,7 +252,7 @@ mod tests {
 
     #[test]
     fn a_dot_is_a_line_of_no_length() {
-        let svg = drawn(|it| it.curve(&[[-2.0, 1.004]], &ShapeStyle::line("red", 0.5)));
+        let svg = drawn(|sheet| sheet.curve(&[[-2.0, 1.004]], &ShapeStyle::line("red", 0.5)));
         assert!(
             svg.contains(r#"d="M-2 1h.001" stroke="red" stroke-width="0.5""#),
             "{svg}"
@@ -262,15 +262,15 @@ mod tests {
     #[test]
     fn many_short_lines_share_a_path() {
         let lines = (0..1500).map(|_| [[1.0, 2.0], [3.0, 4.0]]);
-        let svg = drawn(|it| it.curves(lines, &ShapeStyle::line("red", 1.0)));
+        let svg = drawn(|sheet| sheet.curves(lines, &ShapeStyle::line("red", 1.0)));
         assert_eq!(svg.matches("<path").count(), 3);
         assert_eq!(svg.matches('M').count(), 1500);
     }
 
     #[test]
     fn a_letter_is_drawn_once_and_its_words_can_be_read_by_others() {
-        let text = |it: &mut Sheet| {
-            it.text(
+        let text = |sheet: &mut Sheet| {
+            sheet.text(
                 [0.0, 3.0],
                 Anchor::Left,
                 &TextStyle::new(2.0, "red"),
@@ -285,19 +285,19 @@ mod tests {
 
     #[test]
     fn any_sheet_is_an_svg_file() {
-        let svg = drawn(|it| {
-            it.clipped(&Rectangle::between([0.0, 0.0], [1.0, 1.0]), 0.1, |it| {
-                it.within("rotate(3)", |it| {
-                    it.area(&[[0.0, 0.0], [1.0, 0.0]], &ShapeStyle::area("red"));
+        let svg = drawn(|sheet| {
+            sheet.clipped(&Rectangle::between([0.0, 0.0], [1.0, 1.0]), 0.1, |sheet| {
+                sheet.within("rotate(3)", |sheet| {
+                    sheet.area(&[[0.0, 0.0], [1.0, 0.0]], &ShapeStyle::area("red"));
                 });
             });
-            it.text(
+            sheet.text(
                 [5.0, 3.0],
                 Anchor::Middle,
                 &TextStyle::new(2.0, "red").bold(),
                 "Grüße\u{7} 漢",
             );
-            it.curves([[[0.0, 0.0]]; 0], &ShapeStyle::default());
+            sheet.curves([[[0.0, 0.0]]; 0], &ShapeStyle::default());
         });
         let tree = usvg::Tree::from_str(&svg, &usvg::Options::default());
         assert!(tree.is_ok(), "{svg}");

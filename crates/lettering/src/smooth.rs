@@ -163,7 +163,7 @@ mod tests {
                 prop_assert!(rest.any(|p| p == corner));
             }
             for p in &round {
-                let nearest = corners.windows(2).map(|it| Line::new(it[0], it[1]).nearest(*p, 0.0).distance_sq.sqrt());
+                let nearest = corners.windows(2).map(|line| Line::new(line[0], line[1]).nearest(*p, 0.0).distance_sq.sqrt());
                 prop_assert!(corners.len() < 3 || nearest.fold(f64::INFINITY, f64::min) < 3.0);
             }
         }

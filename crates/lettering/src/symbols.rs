@@ -102,7 +102,9 @@ impl Mark {
 
 /// How a character beyond ASCII is made; `None` where it cannot be.
 pub(crate) fn composition(character: char) -> Option<Composition> {
-    let fixed = COMPOSITIONS.iter().find(|(it, _)| *it == character);
+    let fixed = COMPOSITIONS
+        .iter()
+        .find(|(composition, _)| *composition == character);
     let fixed = fixed.map(|(_, composition)| *composition);
     fixed
         .or_else(|| own(character))
@@ -110,7 +112,7 @@ pub(crate) fn composition(character: char) -> Option<Composition> {
 }
 
 fn own(character: char) -> Option<Composition> {
-    let line = OWN.lines().find_map(|it| it.strip_prefix(character))?;
+    let line = OWN.lines().find_map(|line| line.strip_prefix(character))?;
     let (advance, strokes) = line.trim_start().split_once(' ')?;
     let advance = advance.parse().ok()?;
     Some(Composition::Own { strokes, advance })
@@ -118,7 +120,7 @@ fn own(character: char) -> Option<Composition> {
 
 fn marked(character: char) -> Option<Composition> {
     MARKED.iter().find_map(|(mark, letters, bases)| {
-        let at = letters.chars().position(|it| it == character)?;
+        let at = letters.chars().position(|letter| letter == character)?;
         Some(Composition::Marked(bases.chars().nth(at)?, *mark))
     })
 }

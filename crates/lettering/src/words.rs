@@ -92,13 +92,16 @@ fn missing() -> Letter {
 
 fn advance(character: char) -> f64 {
     let ascii = u32::from(character).checked_sub(u32::from(' '));
-    let known = ascii.and_then(|it| ADVANCES.get(usize::try_from(it).ok()?));
-    known.map_or_else(|| letter_of(character).advance, |it| *it)
+    let known = ascii.and_then(|index| ADVANCES.get(usize::try_from(index).ok()?));
+    known.map_or_else(|| letter_of(character).advance, |advance| *advance)
 }
 
 /// Of ASCII, from the space on: broken lines are measured often.
-static ADVANCES: LazyLock<Vec<f64>> =
-    LazyLock::new(|| (' '..='~').map(|it| letter_of(it).advance).collect());
+static ADVANCES: LazyLock<Vec<f64>> = LazyLock::new(|| {
+    (' '..='~')
+        .map(|letter| letter_of(letter).advance)
+        .collect()
+});
 
 /// The room beside the ink of most letters: a line of text ends where its ink does.
 const BEARING: f64 = 3.5;
@@ -127,7 +130,7 @@ mod tests {
     #[test]
     fn a_text_is_held_at_its_end_or_in_its_middle() {
         let [left, middle, right] =
-            [Anchor::Left, Anchor::Middle, Anchor::Right].map(|it| ink("HH", it));
+            [Anchor::Left, Anchor::Middle, Anchor::Right].map(|anchor| ink("HH", anchor));
         assert!(
             left.x0.abs() < 0.5 && right.x1.abs() < 0.5,
             "{left:?} {right:?}"

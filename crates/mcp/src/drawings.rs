@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use dobot_api::{CalibrationFile, NewJob, Problem, Request, fetch};
 use dobot_draw::{
-    AREA, Colors, DrawingRequest, GiveUp, InkLine, Materials, Picture, Prepared, Settings, Subject,
-    View,
+    AREA, CancelToken, Colors, DrawingRequest, InkLine, Materials, Picture, Prepared, Settings,
+    Subject, View,
 };
 use dobot_host::{PlannedFor, Rules, StationClient, drawing_job, run_long};
 use dobot_safety::Policy;
@@ -67,9 +67,9 @@ impl Call {
         let mut station = self.connect().await?;
         let arm = self.planned_for(&mut station).await?;
         let request = self.request(new).await?;
-        let give_up = GiveUp::default();
-        let _given_up = GivenUp(give_up.clone());
-        let planning = run_long(move || plan(request.until(give_up), &arm));
+        let cancel = CancelToken::default();
+        let _cancel_on_drop = CancelOnDrop(cancel.clone());
+        let planning = run_long(move || plan(request.until(cancel), &arm));
         let planned = tokio::time::timeout(LONGEST_PLAN, planning).await;
         let planned = planned.map_err(|_| {
             let most_s = LONGEST_PLAN.as_secs();
@@ -235,11 +235,11 @@ fn bad(why: &dyn std::fmt::Display) -> Refused {
 }
 
 /// Gives a plan up when nobody waits for it any more.
-struct GivenUp(GiveUp);
+struct CancelOnDrop(CancelToken);
 
-impl Drop for GivenUp {
+impl Drop for CancelOnDrop {
     fn drop(&mut self) {
-        self.0.give_up();
+        self.0.cancel();
     }
 }
 

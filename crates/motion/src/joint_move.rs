@@ -2,8 +2,8 @@
 
 use dobot_arm::Joints;
 
-use crate::pace::MovePace;
 use crate::plan_error::finite;
+use crate::timing_law::TimingLaw;
 use crate::{PlanError, Profile, Speeds};
 
 /// A move on which all four joints start and stop together (MOVJ; Table 3.7, note N29).
@@ -47,13 +47,13 @@ impl JointMove {
         finite("forearm angle's way", fore)?;
         finite("servo angle's way", servo)?;
         let joints_deg = base.abs().max(rear.abs()).max(fore.abs());
-        let pace = MovePace::of(joints_deg, speeds.joint_deg_s, speeds.joint_deg_s2).with(
-            MovePace::of(servo.abs(), speeds.servo_deg_s, speeds.servo_deg_s2),
+        let law = TimingLaw::of(joints_deg, speeds.joint_deg_s, speeds.joint_deg_s2).with(
+            TimingLaw::of(servo.abs(), speeds.servo_deg_s, speeds.servo_deg_s2),
         );
         Ok(Self {
             from,
             to,
-            profile: pace.profile()?,
+            profile: law.profile()?,
         })
     }
 

@@ -2,8 +2,8 @@
 
 use dobot_arm::{Degrees, Millimeters, Pose, Position};
 
-use crate::pace::MovePace;
 use crate::plan_error::{finite, not_negative};
+use crate::timing_law::TimingLaw;
 use crate::{PlanError, Profile, Speeds};
 
 /// A move over whatever stands in between (JUMP; Table 3.7, Figure 3.2, note N11).
@@ -171,7 +171,7 @@ fn across(
         .arc(Millimeters(libm::hypot(2.0 * way.reach.0, arc_mm)))
         .abs()
         .0;
-    let servo = MovePace::of(servo.abs().0, speeds.servo_deg_s, speeds.servo_deg_s2);
+    let servo = TimingLaw::of(servo.abs().0, speeds.servo_deg_s, speeds.servo_deg_s2);
     let per_speed_s = (length_mm / speeds.line_mm_s)
         .max(libm::sqrt(2.0 * bend_mm / speeds.line_mm_s2))
         .max(servo.per_speed_s);
@@ -180,7 +180,7 @@ fn across(
     } else {
         0.0
     };
-    let along = MovePace {
+    let along = TimingLaw {
         per_speed_s,
         per_acceleration_s2: length_mm / (speeds.line_mm_s2 - bending_mm_s2),
     };

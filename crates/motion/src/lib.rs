@@ -12,7 +12,7 @@
 //! | [`LineMove`] | MOVL (Table 3.7) | a straight line |
 //! | [`Jump`] | JUMP (Table 3.7) | up, across, down (Figure 3.2) |
 //! | [`Stroke`] | writing and laser vector (Table 2.6) | a straight line with a speed at each end |
-//! | [`Cut`] | the same on a stock arm | the same, in whole ticks |
+//! | [`TickStroke`] | the same on a stock arm | the same, in whole ticks |
 //! | [`Ramp`] | jog (Tables 3.5 and 2.5) | one axis, until told otherwise |
 //!
 //! ```
@@ -55,30 +55,30 @@
 
 #![no_std]
 
-mod cut;
-mod gait;
 mod joint_move;
 mod jump;
 mod line_move;
 mod model;
-mod pace;
 mod plan_error;
 mod profile;
 mod ramp;
 mod speeds;
 mod stroke;
+mod tick_progress;
+mod tick_stroke;
+mod timing_law;
 
-pub use cut::Cut;
-pub use gait::Gait;
 pub use joint_move::JointMove;
 pub use jump::Jump;
 pub use line_move::LineMove;
 pub use model::{
     ArmPlace, ArmSettings, Bend, Button, HandAxis, HandScale, JogAxis, JogTrajectory, LASER_OFF,
-    LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, told,
+    LONGEST_S, Model, Segment, Trajectory, TrajectoryError, burns, to_raw,
 };
 pub use plan_error::PlanError;
 pub use profile::Profile;
 pub use ramp::Ramp;
 pub use speeds::Speeds;
 pub use stroke::{Stroke, StrokeSpeeds};
+pub use tick_progress::TickProgress;
+pub use tick_stroke::TickStroke;

@@ -2,8 +2,8 @@
 
 use dobot_arm::Pose;
 
-use crate::pace::MovePace;
 use crate::plan_error::finite;
+use crate::timing_law::TimingLaw;
 use crate::{PlanError, Profile, Speeds};
 
 /// A move of the tool along a straight line (MOVL; Table 3.7, note N12).
@@ -29,15 +29,13 @@ impl LineMove {
         let turn_deg = (to.rotation - from.rotation).abs().0;
         finite("length of the line", length_mm)?;
         finite("turn of the tool", turn_deg)?;
-        let pace = MovePace::of(length_mm, speeds.line_mm_s, speeds.line_mm_s2).with(MovePace::of(
-            turn_deg,
-            speeds.servo_deg_s,
-            speeds.servo_deg_s2,
-        ));
+        let law = TimingLaw::of(length_mm, speeds.line_mm_s, speeds.line_mm_s2).with(
+            TimingLaw::of(turn_deg, speeds.servo_deg_s, speeds.servo_deg_s2),
+        );
         Ok(Self {
             from,
             to,
-            profile: pace.profile()?,
+            profile: law.profile()?,
         })
     }
 

@@ -28,7 +28,7 @@ use self::followed::Followed;
 use self::left_speed::LeftSpeed;
 
 pub use self::button::{Button, JogAxis};
-pub use self::calibrated::told;
+pub use self::calibrated::to_raw;
 pub use self::error::{LONGEST_S, TrajectoryError};
 pub use self::hand_scale::{HandAxis, HandScale};
 pub use self::jog::JogTrajectory;
@@ -112,7 +112,7 @@ impl Model {
     pub fn new(dialect: Dialect, status: &Status) -> Self {
         let mut model = Self::standing(dialect, ArmPlace::of_status(status));
         model.left = model.left.perhaps();
-        model.seen(status);
+        model.observe(status);
         model
     }
 
@@ -147,7 +147,7 @@ impl Model {
 
     /// Takes over place, pump and gripper from the status of an arm at rest, and the tool where its
     /// reach shows that it is another one.
-    pub fn seen(&mut self, status: &Status) {
+    pub fn observe(&mut self, status: &Status) {
         self.place = ArmPlace::of_status(status);
         self.tool = tool_of(&self.place, self.tool);
         self.suction = status.suction;
@@ -166,7 +166,7 @@ impl Model {
     }
 
     /// Whether [`Model::place`] is known: not behind a jog or a smoothed motion, until the arm was
-    /// [`seen`](Model::seen) at rest.
+    /// [`seen`](Self::observe) at rest.
     #[must_use]
     pub const fn knows_place(&self) -> bool {
         self.knows_place
@@ -311,8 +311,8 @@ impl Model {
 /// The tool by which position and angles of a status belong together.
 fn tool_of(place: &ArmPlace, believed: Tool) -> Tool {
     let reach_mm = |joints: &Joints, tool| forward(joints, tool).position.reach().0;
-    let told_mm = place.pose.position.reach().0;
-    let off_mm = |tool| (reach_mm(&place.joints, tool) - told_mm).abs();
+    let reported_mm = place.pose.position.reach().0;
+    let off_mm = |tool| (reach_mm(&place.joints, tool) - reported_mm).abs();
     if off_mm(believed) <= SAME_REACH_MM {
         return believed;
     }

@@ -14,7 +14,7 @@ pub struct Paper {
     /// How much higher than the plane it is.
     bent: Option<Arc<HeightMap>>,
     /// The arm by whose own places all of this is told, where it is not as drawn.
-    seen_by: Option<(Calibration, Tool)>,
+    raw: Option<(Calibration, Tool)>,
 }
 
 impl Paper {
@@ -58,7 +58,7 @@ impl Paper {
         Self {
             plane,
             bent: None,
-            seen_by: None,
+            raw: None,
         }
     }
 
@@ -80,9 +80,9 @@ impl Paper {
     /// The same paper by the places that an arm with these faults says and takes: to it a plane
     /// is curved.
     #[must_use]
-    pub fn seen_by(self, arm: Calibration, tool: Tool) -> Self {
+    pub fn to_raw(self, arm: Calibration, tool: Tool) -> Self {
         Self {
-            seen_by: Some((arm, tool)),
+            raw: Some((arm, tool)),
             ..self
         }
     }
@@ -90,10 +90,10 @@ impl Paper {
     /// Z of the paper at a place, in mm.
     #[must_use]
     pub fn z_at(&self, place: Point) -> f64 {
-        let true_mm = self.true_z(place);
-        match &self.seen_by {
-            Some((arm, tool)) => self.told_z(place, true_mm, arm, *tool),
-            None => true_mm,
+        let calibrated_mm = self.calibrated_z(place);
+        match &self.raw {
+            Some((arm, tool)) => self.raw_z(place, calibrated_mm, arm, *tool),
+            None => calibrated_mm,
         }
     }
 
@@ -101,7 +101,7 @@ impl Paper {
     /// faults sees it.
     #[must_use]
     pub const fn is_curved(&self) -> bool {
-        self.seen_by.is_some() || self.bent.is_some()
+        self.raw.is_some() || self.bent.is_some()
     }
 
     /// The paper, higher by so much; a negative number is lower.
@@ -131,27 +131,31 @@ impl Paper {
 
     /// The height at which the tool is truly on the paper (Newton's rule). Where the arm does not
     /// get to it is the paper's own: whoever asks whether the place is in reach is told so.
-    fn told_z(&self, place: Point, true_mm: f64, arm: &Calibration, tool: Tool) -> f64 {
+    fn raw_z(&self, place: Point, calibrated_mm: f64, arm: &Calibration, tool: Tool) -> f64 {
         let over_mm = |z_mm: f64| {
-            let told = Position::new(place.x, place.y, z_mm);
-            let there = arm.true_place(told, tool).ok()?;
-            Some(there.z.0 - self.true_z(Point::new(there.x.0, there.y.0)))
+            let raw = Position::new(place.x, place.y, z_mm);
+            let there = arm.true_place(raw, tool).ok()?;
+            Some(there.z.0 - self.calibrated_z(Point::new(there.x.0, there.y.0)))
         };
-        let mut z_mm = true_mm;
+        let mut z_mm = calibrated_mm;
         for _ in 0..ROUNDS {
             let Some((here, above)) = over_mm(z_mm).zip(over_mm(z_mm + STEP_MM)) else {
-                return true_mm;
+                return calibrated_mm;
             };
             z_mm -= here * STEP_MM / (above - here);
             if here.abs() < EXACT_MM {
                 break;
             }
         }
-        if z_mm.is_finite() { z_mm } else { true_mm }
+        if z_mm.is_finite() {
+            z_mm
+        } else {
+            calibrated_mm
+        }
     }
 
     /// Its true height at a true place.
-    fn true_z(&self, place: Point) -> f64 {
+    fn calibrated_z(&self, place: Point) -> f64 {
         let bent_mm = self.bent.as_ref().map_or(0.0, |it| it.z_at(place));
         self.plane.z_at([place.x, place.y]) + bent_mm
     }

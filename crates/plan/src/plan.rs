@@ -2,10 +2,10 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use crate::path::endpoint::Landing;
+use crate::path::endpoint::Endpoint;
 use crate::path::pieces::Pieces;
 use crate::path::planner::Planner;
-use crate::{Break, Machine, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector};
+use crate::{ArmLimits, Break, MoveKind, Paper, Pass, PlanError, PlannedPass, PlannedVector};
 
 /// Everything the arm does for a drawing, vector by vector.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +19,7 @@ pub struct Plan {
     pub passes: Vec<PlannedPass>,
     /// Where the arm waits for a person: before each pass that has a message.
     pub breaks: Vec<Break>,
-    machine: Machine,
+    arm_limits: ArmLimits,
 }
 
 impl Plan {
@@ -36,7 +36,7 @@ impl Plan {
     /// 4. Speeds are rounded down, and the start speed of a vector is exactly the end speed of
     ///    the one before.
     /// 5. Base, rear arm and forearm turn no faster than the machine's
-    ///    [`joint_speed_deg_s`](Machine::joint_speed_deg_s): near the axis and with the arm stretched a
+    ///    [`joint_speed_deg_s`](ArmLimits::joint_speed_deg_s): near the axis and with the arm stretched a
     ///    vector is slower for that.
     /// 6. A vector shorter than a micrometre is left out; the next one makes up for it.
     /// 7. A long vector comes in pieces, in which the arm goes on at the same speeds: see [`LONGEST_BURN_S`](crate::LONGEST_BURN_S)
@@ -46,8 +46,8 @@ impl Plan {
     ///
     /// [`PlanError`] where there is nothing to draw, a setting makes no sense, a laser is to burn
     /// on a slope, or the passes mix pens and lasers.
-    pub fn new(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<Self, PlanError> {
-        Ok(Self::whole(passes, paper, machine)?.in_pieces())
+    pub fn new(passes: &[Pass], paper: &Paper, arm_limits: &ArmLimits) -> Result<Self, PlanError> {
+        Ok(Self::whole(passes, paper, arm_limits)?.in_pieces())
     }
 
     /// The same with one vector for each line of a stroke, however long that takes.
@@ -55,16 +55,20 @@ impl Plan {
     /// # Errors
     ///
     /// As [`Plan::new`].
-    pub fn whole(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<Self, PlanError> {
-        check(passes, paper, machine)?;
+    pub fn whole(
+        passes: &[Pass],
+        paper: &Paper,
+        arm_limits: &ArmLimits,
+    ) -> Result<Self, PlanError> {
+        check(passes, paper, arm_limits)?;
         let start = start(passes, paper)?;
-        let mut planner = Planner::new(start, &passes[0].tool, paper, machine);
+        let mut planner = Planner::new(start, &passes[0].tool, paper, arm_limits);
         let mut plan = Self {
             start,
             moves: Vec::new(),
             passes: Vec::new(),
             breaks: Vec::new(),
-            machine: *machine,
+            arm_limits: *arm_limits,
         };
         for (number, pass) in (0..).zip(passes.iter().filter(|it| it.has_strokes())) {
             let before = planner.moves.len();
@@ -85,7 +89,7 @@ impl Plan {
 
     /// The same with its long vectors cut.
     fn in_pieces(self) -> Self {
-        let mut pieces = Pieces::new(&self.machine, &self.passes[0].tool, self.start);
+        let mut pieces = Pieces::new(&self.arm_limits, &self.passes[0].tool, self.start);
         let mut moves = Vec::with_capacity(self.moves.len());
         let mut begins = Vec::with_capacity(self.moves.len() + 1);
         for (index, vector) in self.moves.iter().enumerate() {
@@ -123,8 +127,8 @@ impl Plan {
 
     /// What it was planned for.
     #[must_use]
-    pub const fn machine(&self) -> &Machine {
-        &self.machine
+    pub const fn arm_limits(&self) -> &ArmLimits {
+        &self.arm_limits
     }
 
     /// Whether it burns with a laser; otherwise it draws with a pen.
@@ -141,9 +145,9 @@ impl Plan {
 
     /// Where each vector leads: X, Y, Z in the base frame, in mm.
     pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
-        let mut landing = Landing::new(&self.machine, &self.passes[0].tool);
+        let mut endpoint = Endpoint::new(&self.arm_limits, &self.passes[0].tool);
         self.moves.iter().scan(self.start, move |here, vector| {
-            *here = landing.behind(*here, vector);
+            *here = endpoint.behind(*here, vector);
             Some(*here)
         })
     }
@@ -178,12 +182,12 @@ fn start(passes: &[Pass], paper: &Paper) -> Result<[f64; 3], PlanError> {
     Ok([first.x, first.y, paper.z_at(first) + tool.lift_mm()])
 }
 
-fn check(passes: &[Pass], paper: &Paper, machine: &Machine) -> Result<(), PlanError> {
-    machine.check()?;
+fn check(passes: &[Pass], paper: &Paper, arm_limits: &ArmLimits) -> Result<(), PlanError> {
+    arm_limits.check()?;
     paper.check()?;
     for (pass, Pass { tool, .. }) in (1..).zip(passes) {
         tool.check()?;
-        machine.check_keeps(tool)?;
+        arm_limits.check_keeps(tool)?;
         if tool.burns() && !paper.is_level() {
             return Err(PlanError::SlopingLaser(pass));
         }
@@ -212,12 +216,12 @@ mod tests {
     }
 
     fn plan(strokes: &[Stroke], link: LinkRate) -> Plan {
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             link,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
         let pass = Pass::new(DrawingTool::default(), strokes.to_vec());
-        Plan::new(&[pass], &Paper::default(), &machine).unwrap()
+        Plan::new(&[pass], &Paper::default(), &arm_limits).unwrap()
     }
 
     #[test]
@@ -300,7 +304,7 @@ mod tests {
         let paper = Paper::through(&touched).unwrap();
         let strokes = vec![line(&[(150.0, 0.0), (250.0, 50.0)]), line(&[(200.0, 0.0)])];
         let pass = Pass::new(DrawingTool::default(), strokes);
-        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+        let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
         for ([x, y, z], vector) in plan.positions().zip(&plan.moves) {
             let above = paper.height_mm(dobot_arm::Position::new(x, y, z));
             let wanted = match vector.kind {
@@ -320,7 +324,7 @@ mod tests {
         let mut blue = red.clone();
         red.name = "red".into();
         blue.message = Some("put the blue pen in".into());
-        let plan = Plan::new(&[red, blue], &Paper::default(), &Machine::default()).unwrap();
+        let plan = Plan::new(&[red, blue], &Paper::default(), &ArmLimits::default()).unwrap();
         assert_eq!(plan.passes[0].name, "red");
         // Lower, draw in two pieces, lift; travel, lower, draw, lift.
         assert_eq!(plan.passes[1].moves, 4..9);
@@ -337,7 +341,7 @@ mod tests {
             ..Laser::default()
         };
         let pass = Pass::new(DrawingTool::Laser(laser), strokes);
-        Plan::new(&[pass], &Paper::level(-50.0), &Machine::default()).unwrap()
+        Plan::new(&[pass], &Paper::level(-50.0), &ArmLimits::default()).unwrap()
     }
 
     #[test]
@@ -398,25 +402,25 @@ mod tests {
             [150.0, 50.0, -41.0],
         ];
         let slope = Paper::through(&touched).unwrap();
-        let error = Plan::new(std::slice::from_ref(&laser), &slope, &Machine::default());
+        let error = Plan::new(std::slice::from_ref(&laser), &slope, &ArmLimits::default());
         assert_eq!(error, Err(PlanError::SlopingLaser(1)));
         let passes = [Pass::new(DrawingTool::default(), strokes), laser];
-        let error = Plan::new(&passes, &Paper::default(), &Machine::default());
+        let error = Plan::new(&passes, &Paper::default(), &ArmLimits::default());
         assert_eq!(error, Err(PlanError::MixedTools(2)));
     }
 
     #[test]
     fn settings_that_make_no_sense_are_refused_with_what_was_found() {
-        let refused = |tool: DrawingTool, machine: Machine| {
+        let refused = |tool: DrawingTool, arm_limits: ArmLimits| {
             let pass = Pass::new(tool, vec![line(&[(200.0, 0.0)])]);
-            Plan::new(&[pass], &Paper::default(), &machine)
+            Plan::new(&[pass], &Paper::default(), &arm_limits)
                 .unwrap_err()
                 .to_string()
         };
         let pen = |change: fn(&mut Pen)| {
             let mut pen = Pen::default();
             change(&mut pen);
-            refused(DrawingTool::Pen(pen), Machine::default())
+            refused(DrawingTool::Pen(pen), ArmLimits::default())
         };
         assert_eq!(
             pen(|it| it.draw_speed_mm_s = 0.0),
@@ -431,23 +435,23 @@ mod tests {
             ..Laser::default()
         };
         assert_eq!(
-            refused(DrawingTool::Laser(laser), Machine::default()),
+            refused(DrawingTool::Laser(laser), ArmLimits::default()),
             "number of times to burn is 0; it must be a number above 0"
         );
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             acceleration_mm_s2: f64::NAN,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
         assert_eq!(
-            refused(DrawingTool::default(), machine),
+            refused(DrawingTool::default(), arm_limits),
             "acceleration is NaN mm/s2; it must be a number above 0"
         );
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             link: LinkRate { period_s: -1.0 },
-            ..Machine::default()
+            ..ArmLimits::default()
         };
         assert_eq!(
-            refused(DrawingTool::default(), machine),
+            refused(DrawingTool::default(), arm_limits),
             "link period is -1 s; it must be a number from 0 up"
         );
     }
@@ -460,11 +464,11 @@ mod tests {
                 DrawingTool::default().at_speed(speed_mm_s),
                 strokes.to_vec(),
             );
-            let machine = Machine {
+            let arm_limits = ArmLimits {
                 has_ticks,
-                ..Machine::default()
+                ..ArmLimits::default()
             };
-            Plan::new(&[pass], &Paper::default(), &machine)
+            Plan::new(&[pass], &Paper::default(), &arm_limits)
         };
         assert_eq!(
             plan(0.5, true).unwrap_err().to_string(),
@@ -475,7 +479,7 @@ mod tests {
 
     #[test]
     fn nothing_to_draw_is_refused() {
-        let planned = Plan::new(&[], &Paper::default(), &Machine::default());
+        let planned = Plan::new(&[], &Paper::default(), &ArmLimits::default());
         assert_eq!(planned, Err(PlanError::NoStrokes));
     }
 
@@ -515,7 +519,7 @@ mod tests {
                 prop_assert!(vector.start_speed_mm_s.max(speed) <= vector.max_speed_mm_s);
                 let v2 = |v: f32| f64::from(v) * f64::from(v);
                 let needed = (v2(speed) - v2(vector.start_speed_mm_s)).abs() / (2.0 * vector.length_mm());
-                prop_assert!(needed <= plan.machine().acceleration_mm_s2, "{needed}");
+                prop_assert!(needed <= plan.arm_limits().acceleration_mm_s2, "{needed}");
                 prop_assert!(vector.max_speed_mm_s <= 80.0);
                 // However long it is watched, no more than two vectors too many are over.
                 behind_s = (behind_s + period_s - duration).max(0.0);
@@ -531,7 +535,7 @@ mod tests {
             period_s in prop_oneof![Just(0.0), Just(0.08)],
         ) {
             let plan = plan(&strokes, LinkRate { period_s });
-            let seen = crate::acceleration(&plan, 0.08) / plan.machine().acceleration_mm_s2;
+            let seen = crate::acceleration(&plan, 0.08) / plan.arm_limits().acceleration_mm_s2;
             // It is looked at eleven moments around each corner, and something lies between them.
             prop_assert!(seen <= 1.02, "{seen}");
         }
@@ -539,9 +543,9 @@ mod tests {
         #[test]
         fn a_stock_arm_is_not_seen_to_jump_to_another_speed(strokes in strokes()) {
             let passes = [Pass::new(DrawingTool::default(), strokes)];
-            let machine = Machine { has_ticks: true, ..Machine::default() };
-            let plan = Plan::new(&passes, &Paper::default(), &machine).unwrap();
-            let seen = crate::acceleration(&plan, 0.08) / machine.acceleration_mm_s2;
+            let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
+            let plan = Plan::new(&passes, &Paper::default(), &arm_limits).unwrap();
+            let seen = crate::acceleration(&plan, 0.08) / arm_limits.acceleration_mm_s2;
             // 1.01 in all but four of twelve thousand drawings, 1.036 at most.
             prop_assert!(seen <= 1.08, "{seen}");
         }
@@ -552,9 +556,9 @@ mod tests {
         ) {
             let strokes = vec![Stroke::open(corners)];
             let passes = [Pass::new(DrawingTool::default(), strokes.clone())];
-            let machine = Machine { has_ticks: true, ..Machine::default() };
-            let plan = Plan::new(&passes, &Paper::default(), &machine).unwrap();
-            let seen = crate::acceleration(&plan, 0.08) / machine.acceleration_mm_s2;
+            let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
+            let plan = Plan::new(&passes, &Paper::default(), &arm_limits).unwrap();
+            let seen = crate::acceleration(&plan, 0.08) / arm_limits.acceleration_mm_s2;
             // 1.01 in all but three of twelve thousand, 1.017 at most.
             prop_assert!(seen <= 1.08, "{seen}");
             let drawn = plan.paths(MoveKind::Draw);

@@ -4,7 +4,7 @@ use dobot_arm::Tool;
 
 use crate::error::{not_negative, positive};
 use crate::laser::laser_path::run_mm;
-use crate::{Machine, PlanError};
+use crate::{ArmLimits, PlanError};
 
 /// What draws, and how it is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,10 +91,10 @@ impl DrawingTool {
     /// How far beyond the ends of a stroke it goes at the most, in mm: a laser gets to its speed before a stroke and loses
     /// it behind.
     #[must_use]
-    pub fn run_mm(&self, machine: &Machine) -> f64 {
+    pub fn run_mm(&self, arm_limits: &ArmLimits) -> f64 {
         match self {
             Self::Pen(_) => 0.0,
-            Self::Laser(laser) => run_mm(laser, machine),
+            Self::Laser(laser) => run_mm(laser, arm_limits),
         }
     }
 

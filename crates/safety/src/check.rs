@@ -120,7 +120,7 @@ impl Policy {
         let duration_s = trajectory.motion_s().unwrap_or_default();
         let place = |share: f64| {
             let raw = trajectory.place_at(share * duration_s).ok()?;
-            Some(model.true_place(&raw))
+            Some(model.calibrated_place(&raw))
         };
         paths
             .iter()

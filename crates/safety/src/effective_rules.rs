@@ -94,7 +94,7 @@ impl<'a> EffectiveRules<'a> {
 
     /// Looks at a place that the arm says.
     pub(crate) fn point_at(&self, share: f64, raw: ArmPlace) -> PathPoint {
-        let place = raw.seen_by(&self.arm, self.tool);
+        let place = raw.calibrated(&self.arm, self.tool);
         PathPoint {
             share,
             raw,

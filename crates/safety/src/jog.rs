@@ -64,7 +64,7 @@ impl Policy {
             .map_err(|error| Violation::of_arm(&error))?
             .along(&path)
             .map_err(|breach| {
-                let place = |share: f64| Some(model.true_place(&path.place_at(share).ok()?));
+                let place = |share: f64| Some(model.calibrated_place(&path.place_at(share).ok()?));
                 let worst = |limit: &Limit| worst(limit, &model.calibration, place);
                 Violation::of_breach(&breach, worst).before_a_stop()
             })

@@ -146,7 +146,7 @@ impl ArmEstimate {
             None => self.over = Some(self.unknown(status)),
             Some(model) if self.in_flight.len() == 0 && !self.jogs && self.stood => {
                 let before = *model;
-                model.seen(status);
+                model.observe(status);
                 if *model == before {
                     return;
                 }

@@ -184,7 +184,7 @@ impl Detection {
 
     fn start(&mut self, step: DetectionStep, now: Duration, status: &Status, tries: u32) {
         for model in &mut self.models {
-            model.seen(status);
+            model.observe(status);
         }
         let trajectories = self
             .models

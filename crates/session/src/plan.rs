@@ -37,7 +37,7 @@ impl Plan {
         };
         let target = match &trajectory {
             Ok(trajectory) => trajectory.end().map(|end| end.pose.position),
-            Err(_) => model.aim(command),
+            Err(_) => model.target(command),
         };
         let lasts = |of: fn(&Trajectory) -> Option<f64>| match &trajectory {
             Ok(trajectory) => of(trajectory).map_or(Duration::ZERO, seconds),

@@ -9,7 +9,7 @@ use std::sync::Arc as Shared;
 
 use dobot_api::{JobPause, JobRepeat};
 use dobot_arm::{Calibration, Joints, Pose, Position, Tool, inverse};
-use dobot_motion::told;
+use dobot_motion::to_raw;
 use dobot_wire::{Command, MovingMode};
 use toml::Spanned;
 
@@ -331,7 +331,7 @@ impl Compiler<'_> {
     /// A target; the first one is gone to softly.
     fn target(&mut self, target: Command) -> Result<(), String> {
         let (tool, from) = (self.state.tool, self.from.as_ref());
-        let told = told(&target, &self.arm, tool, from).map_err(|error| error.to_string())?;
+        let told = to_raw(&target, &self.arm, tool, from).map_err(|error| error.to_string())?;
         self.from = joints_of(&told, tool);
         let soft = self.state.soft_start();
         if let Some([slow, _]) = soft {

@@ -115,7 +115,7 @@ impl Arm {
         Touch {
             place_mm,
             height_mm: 0.0,
-            told: Joints {
+            raw: Joints {
                 base: told.base + Degrees(base / 2.0),
                 rear: told.rear + Degrees(rear / 2.0),
                 fore: told.fore + Degrees(fore / 2.0),

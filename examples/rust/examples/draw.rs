@@ -11,7 +11,7 @@ use std::fs;
 use dobot_api::{JobKind, JobPhase, NewJob, News, Reply, Request, StationEvent};
 use dobot_draw::{Settings, prepare};
 use dobot_import::Source;
-use dobot_plan::{Machine, Paper};
+use dobot_plan::{ArmLimits, Paper};
 
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<(), Box<dyn Error>> {
@@ -26,7 +26,7 @@ async fn main() -> Result<(), Box<dyn Error>> {
     let settings = Settings {
         // The pen stands on the paper, or where a virtual arm has it.
         paper: Paper::level(state.arm.map_or(-40.0, |it| it.status.z_mm.into())),
-        machine: Machine::of(dialect),
+        arm_limits: ArmLimits::of(dialect),
         ..Settings::default()
     };
     let source = Source::of_file(&file, fs::read(&file)?)?;

@@ -9,7 +9,7 @@ use std::fs;
 
 use dobot_draw::{Settings, Size, prepare};
 use dobot_import::Source;
-use dobot_plan::{LinkRate, Machine, MoveKind, Plan, acceleration};
+use dobot_plan::{ArmLimits, LinkRate, MoveKind, Plan, acceleration};
 use dobot_wire::Dialect;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -18,12 +18,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("usage: plan_json DRAWING.svg [DIALECT] [link]".into());
     };
     let dialect = arguments.iter().find_map(|it| it.parse::<Dialect>().ok());
-    let mut machine = Machine::of(dialect.unwrap_or(Dialect::SPECIFICATION));
+    let mut arm_limits = ArmLimits::of(dialect.unwrap_or(Dialect::SPECIFICATION));
     if !arguments.iter().any(|it| it == "link") {
-        machine.link = LinkRate { period_s: 0.0 };
+        arm_limits.link = LinkRate { period_s: 0.0 };
     }
     let mut settings = Settings {
-        machine,
+        arm_limits,
         ..Settings::default()
     };
     settings.placement.size = Size::Fit;
@@ -46,7 +46,7 @@ fn json(plan: &Plan) -> String {
         plan.duration_s(),
         peaks[0],
         peaks[1],
-        plan.machine().link.period_s,
+        plan.arm_limits().link.period_s,
     );
     let ends = plan
         .moves

@@ -23,7 +23,7 @@ fn main() {
         Touch {
             place_mm: [x, y],
             height_mm: 0.0,
-            told: told.expect("the arm reaches the sheet"),
+            raw: told.expect("the arm reaches the sheet"),
         }
     });
     touches[4].place_mm[0] += 12.0;

@@ -1,4 +1,4 @@
-//! What touches of a sheet tell of an arm, and what they do not.
+//! Calibrations fitted to touches of a sheet.
 
 use dobot_arm::{Calibration, Degrees, Position, Tool};
 use dobot_calibrate::{FitError, SHEET_POINTS, Touch, Trust, fit};
@@ -14,19 +14,19 @@ const ARM: Calibration = Calibration {
     table: None,
 };
 
-/// The paper rises by two degrees to the front.
+/// The paper rises by two degrees towards the front.
 fn touch([x, y]: [f64; 2], miss_mm: [f64; 2]) -> Touch {
     let z = -45.0 + 0.035 * x;
     let place = Position::new(x + miss_mm[0], y + miss_mm[1], z);
     Touch {
         place_mm: [x, y],
         height_mm: 0.0,
-        told: ARM.told_joints(place, Tool::SuctionCup).unwrap(),
+        raw: ARM.told_joints(place, Tool::SuctionCup).unwrap(),
     }
 }
 
 fn nine() -> Vec<Touch> {
-    SHEET_POINTS.map(|it| touch(it, [0.0, 0.0])).to_vec()
+    SHEET_POINTS.map(|point| touch(point, [0.0, 0.0])).to_vec()
 }
 
 #[test]
@@ -35,8 +35,8 @@ fn an_old_arm_finds_every_place_of_its_paper_again() {
     assert_eq!(found.trust, Trust::Good);
     for [x, y] in [[150.0, -100.0], [230.0, 40.0], [270.0, 100.0]] {
         let wanted = Position::new(x, y, found.paper.z_at([x, y]));
-        let told = found.arm.told_place(wanted, Tool::SuctionCup).unwrap();
-        let came = ARM.true_place(told, Tool::SuctionCup).unwrap();
+        let raw = found.arm.told_place(wanted, Tool::SuctionCup).unwrap();
+        let came = ARM.true_place(raw, Tool::SuctionCup).unwrap();
         let away = (came.x.0 - x).hypot(came.y.0 - y);
         assert!(away < 0.15, "{x}, {y}: {away} mm away");
         let height = came.z.0 - (-45.0 + 0.035 * came.x.0);
@@ -75,17 +75,17 @@ fn points_in_a_line_are_refused() {
 }
 
 #[test]
-fn a_reset_between_two_touches_is_told_with_its_place() {
+fn a_reset_between_two_touches_is_reported_with_its_place() {
     let mut touches = nine();
     for touch in &mut touches[5..] {
-        touch.told.base = touch.told.base - Degrees(31.0);
+        touch.raw.base = touch.raw.base - Degrees(31.0);
     }
     let error = fit(&touches, Tool::SuctionCup).unwrap_err();
     assert!(matches!(error, FitError::Reset { last: 5, .. }), "{error}");
 }
 
 #[test]
-fn a_print_of_nine_tenths_is_told() {
+fn a_print_of_nine_tenths_is_reported() {
     let touches = SHEET_POINTS.map(|[x, y]| Touch {
         place_mm: [x, y],
         ..touch([x * 0.9, y * 0.9], [0.0, 0.0])
@@ -100,16 +100,16 @@ fn a_print_of_nine_tenths_is_told() {
 #[test]
 fn points_touched_in_another_order_contradict_each_other() {
     let mut touches = nine();
-    let told: Vec<_> = touches.iter().map(|it| it.told).collect();
+    let raw: Vec<_> = touches.iter().map(|touch| touch.raw).collect();
     for (index, touch) in touches.iter_mut().enumerate() {
-        touch.told = told[(index * 4 + 1) % 9];
+        touch.raw = raw[(index * 4 + 1) % 9];
     }
     let error = fit(&touches, Tool::SuctionCup).unwrap_err();
     assert!(error.to_string().contains("ouch"), "{error}");
 }
 
 #[test]
-fn four_corners_say_which_point_would_tell_more() {
+fn four_corners_say_which_point_would_add_most() {
     let found = fit(&nine()[1..5], Tool::SuctionCup).unwrap();
     assert_eq!(found.trust, Trust::Unchecked);
     assert!(!found.unsure.is_empty());

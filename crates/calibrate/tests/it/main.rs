@@ -1,4 +1,4 @@
-//! What is found out about an arm.
+//! Tests of the calibration.
 
 #![expect(clippy::unwrap_used, reason = "a failing test may panic")]
 

@@ -206,7 +206,7 @@ impl<'a> Drawing<'a> {
         let plan = frame(
             passes,
             &self.settings.paper,
-            plan.machine(),
+            plan.arm_limits(),
             FrameShape::Rectangle,
         )?;
         let title = format!("frame of {}", self.title);

@@ -1,6 +1,6 @@
 //! State 4 of the stock controller: writing and laser (note N48).
 
-use dobot_motion::{Cut, Gait};
+use dobot_motion::{TickStroke, TickProgress};
 use dobot_wire::Frame;
 
 use super::TickOutcome;
@@ -20,9 +20,9 @@ pub(crate) struct Write {
     length: f32,
     acceleration: f32,
     speed_change: f32,
-    gait: Gait,
+    progress: TickProgress,
     /// What the next tick will make of it, calculated a tick ahead.
-    next: Option<Gait>,
+    next: Option<TickProgress>,
 }
 
 impl Write {
@@ -75,12 +75,12 @@ impl Write {
         let (end, max) = (f(9), f(10));
         // A length that is not a number is not above it.
         if self.length > NO_LENGTH_MM {
-            let cut = Cut::of(self.length, self.stored_speed, end, max, self.acceleration);
-            self.gait.begin(Some(&cut));
-            self.speed_change = cut.change_mm_s;
-            self.end_speed = cut.end_mm_s;
+            let stroke = TickStroke::of(self.length, self.stored_speed, end, max, self.acceleration);
+            self.progress.begin(Some(&stroke));
+            self.speed_change = stroke.change_mm_s;
+            self.end_speed = stroke.end_mm_s;
         } else {
-            self.gait.begin(None);
+            self.progress.begin(None);
             self.end_speed = if end > max { max } else { end };
         }
     }
@@ -88,12 +88,12 @@ impl Write {
     /// One tick further. With all ticks used up the vector is over in that same tick, and the next
     /// one moves in the next.
     fn go(&mut self, body: &mut Body) -> TickOutcome {
-        self.gait = self.next.unwrap_or_else(|| self.step(self.gait));
-        let left = self.gait.ticks_left();
-        self.next = (left != 0).then(|| self.step(self.gait));
+        self.progress = self.next.unwrap_or_else(|| self.step(self.progress));
+        let left = self.progress.ticks_left();
+        self.next = (left != 0).then(|| self.step(self.progress));
         let start = body.start;
-        let place = |gait: &Gait| moved(start, gait.travelled_mm());
-        let advanced = body.advance_along(place(&self.gait), self.next.as_ref().map(place));
+        let place = |progress: &TickProgress| moved(start, progress.travelled_mm());
+        let advanced = body.advance_along(place(&self.progress), self.next.as_ref().map(place));
         if left == 0 {
             // Even if a limit refuses the last tick.
             self.stored_speed = self.end_speed;
@@ -105,8 +105,8 @@ impl Write {
     }
 
     /// A tick further.
-    fn step(&self, gait: Gait) -> Gait {
-        gait.tick(self.vector, self.length, self.speed_change)
+    fn step(&self, progress: TickProgress) -> TickProgress {
+        progress.tick(self.vector, self.length, self.speed_change)
     }
 }
 

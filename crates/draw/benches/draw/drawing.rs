@@ -8,7 +8,7 @@ use divan::counter::ItemsCount;
 use dobot_draw::{Placement, Search, Settings, Size, Travel, order, prepare, simplify};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
 use dobot_import::{ReadOptions, Source, Text};
-use dobot_plan::{ChainVector, Cornering, DrawingTool, Machine, Paper, Pass, Plan};
+use dobot_plan::{ArmLimits, ChainVector, Cornering, DrawingTool, Paper, Pass, Plan};
 
 /// Look-ahead alone: the aim is below 60 ns per vector.
 #[divan::bench]
@@ -41,7 +41,7 @@ fn plan_50_000_vectors(bencher: Bencher<'_, '_>) {
     let passes = [Pass::new(DrawingTool::default(), vec![spiral(50_000)])];
     bencher
         .counter(ItemsCount::new(50_000_usize))
-        .bench_local(|| Plan::new(&passes, &Paper::default(), &Machine::default()));
+        .bench_local(|| Plan::new(&passes, &Paper::default(), &ArmLimits::default()));
 }
 
 /// Reading and flattening; before merging it has four times as many.

@@ -12,7 +12,7 @@ use dobot_geometry::{Point, Stroke};
 use dobot_plan::{DrawingTool, Paper, Pass};
 
 /// The passes, in the order in which they are drawn, with the slack of the joints taken up.
-pub(crate) fn taken_up(passes: Vec<Pass>, paper: &Paper, arm: &Calibration) -> Vec<Pass> {
+pub(crate) fn compensated(passes: Vec<Pass>, paper: &Paper, arm: &Calibration) -> Vec<Pass> {
     if arm.backlash_deg == [0.0; 3] {
         return passes;
     }
@@ -59,15 +59,15 @@ impl Walk<'_> {
             return stroke;
         };
         self.arrive(first);
-        let mut points = vec![self.told(first)];
+        let mut points = vec![self.raw(first)];
         for pair in stroke.points.windows(2) {
             for (from, to) in even(pair[0], pair[1], |at| self.joints(at, 0.0)) {
                 let before = self.turned_deg;
                 self.turn(self.joints(from, 0.0), self.joints(to, 0.0));
                 if before.map(f64::is_sign_negative) != self.turned_deg.map(f64::is_sign_negative) {
-                    points.push(self.told(from));
+                    points.push(self.raw(from));
                 }
-                points.push(self.told(to));
+                points.push(self.raw(to));
             }
         }
         points.dedup_by(|a, b| a.distance(*b) < SAME_MM);
@@ -117,17 +117,17 @@ impl Walk<'_> {
     }
 
     /// Where on the paper the arm has to be told to be, for the tool to be over that place.
-    fn told(&self, wanted: Point) -> Point {
-        let mut told = wanted;
+    fn raw(&self, wanted: Point) -> Point {
+        let mut raw = wanted;
         for _ in 0..ROUNDS {
-            let Some(motors) = self.joints(told, 0.0) else {
+            let Some(motors) = self.joints(raw, 0.0) else {
                 return wanted;
             };
             let joints = self.arm.joints_at(&motors, self.turned_deg);
             let there = forward(&joints, self.tool).position;
-            told += wanted - Point::new(there.x.0, there.y.0);
+            raw += wanted - Point::new(there.x.0, there.y.0);
         }
-        told
+        raw
     }
 }
 
@@ -181,7 +181,7 @@ mod tests {
     };
 
     /// Where the tool goes: each joint follows its motor through its gap.
-    fn drawn(told: &[Point], paper: &Paper, mut joints: Joints) -> Vec<Point> {
+    fn drawn(raw: &[Point], paper: &Paper, mut joints: Joints) -> Vec<Point> {
         let walk = Walk {
             paper,
             arm: &SLACK,
@@ -192,7 +192,7 @@ mod tests {
         };
         let follow = |joint: f64, motor: f64, slack: f64| joint.max(motor).min(motor + slack);
         let mut drawn = Vec::new();
-        for pair in told.windows(2) {
+        for pair in raw.windows(2) {
             for part in 0..=20 {
                 let at = pair[0].lerp(pair[1], f64::from(part) / 20.0);
                 let motors = walk.joints(at, 0.0).unwrap();
@@ -225,7 +225,7 @@ mod tests {
             }],
             ..Pass::new(DrawingTool::Pen(Pen::default()), Vec::new())
         };
-        let off_mm = |told: &[Point]| {
+        let off_mm = |raw: &[Point]| {
             // It came down on to the paper: rear arm and forearm were turned on, or back, by that.
             let walk = Walk {
                 paper: &paper,
@@ -235,16 +235,16 @@ mod tests {
                 turned_deg: [0.0; 3],
                 at: None,
             };
-            let above = walk.joints(told[0], 5.0).unwrap();
-            let ink = drawn(told, &paper, above);
+            let above = walk.joints(raw[0], 5.0).unwrap();
+            let ink = drawn(raw, &paper, above);
             let off = ink
                 .iter()
                 .skip(30)
                 .map(|it| (it.distance(middle) - 30.0).abs());
             off.fold(0.0, f64::max)
         };
-        let told = taken_up(vec![pass(&circle)], &paper, &SLACK);
-        let (before, after) = (off_mm(&circle), off_mm(&told[0].strokes[0].points));
+        let raw = compensated(vec![pass(&circle)], &paper, &SLACK);
+        let (before, after) = (off_mm(&circle), off_mm(&raw[0].strokes[0].points));
         assert!(before > 0.8, "{before} mm without");
         // While one joint's slack is taken up, the others turn a little too.
         assert!(after < 0.3, "{after} mm with it, {before} without");

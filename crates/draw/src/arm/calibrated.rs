@@ -24,16 +24,16 @@ pub fn known_paper(known: &PaperPlane) -> Result<Paper, OptionsError> {
 }
 
 /// The passes as the arm has to be told them.
-pub(crate) fn told_passes(passes: Vec<Pass>, settings: &Settings) -> Result<Vec<Pass>, PlaceError> {
-    let told = |pass: Pass| {
-        let strokes = told_strokes(pass.strokes, pass.tool, settings)?;
+pub(crate) fn raw_passes(passes: Vec<Pass>, settings: &Settings) -> Result<Vec<Pass>, PlaceError> {
+    let raw = |pass: Pass| {
+        let strokes = raw_strokes(pass.strokes, pass.tool, settings)?;
         Ok(Pass { strokes, ..pass })
     };
-    passes.into_iter().map(told).collect()
+    passes.into_iter().map(raw).collect()
 }
 
 /// The strokes as the arm has to be told them: what is straight on the paper is bent to it.
-pub(crate) fn told_strokes(
+pub(crate) fn raw_strokes(
     strokes: Vec<Stroke>,
     tool: DrawingTool,
     settings: &Settings,
@@ -43,20 +43,20 @@ pub(crate) fn told_strokes(
     };
     let arm = known.arm();
     let paper = known.paper.as_ref().and_then(|it| known_paper(it).ok());
-    let told = |p: Point| {
+    let raw = |p: Point| {
         let z_mm = paper.as_ref().map_or(0.0, |it| it.z_at(p));
         let there = Position::new(p.x, p.y, z_mm);
-        let told = arm.told_place(there, tool.end_effector());
-        let told = told.map_err(|reason| PlaceError::OutOfReach {
+        let raw = arm.told_place(there, tool.end_effector());
+        let raw = raw.map_err(|reason| PlaceError::OutOfReach {
             x_mm: p.x,
             y_mm: p.y,
             z_mm,
             reason: reason.to_string(),
         })?;
-        Ok(Point::new(told.x.0, told.y.0))
+        Ok(Point::new(raw.x.0, raw.y.0))
     };
     let stroke = |it: Stroke| {
-        let points = dense(&it.points).into_iter().map(told);
+        let points = dense(&it.points).into_iter().map(raw);
         Ok(Stroke {
             points: points.collect::<Result<_, _>>()?,
             ..it

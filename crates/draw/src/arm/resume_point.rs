@@ -12,7 +12,7 @@ use thiserror::Error;
 /// a share such as `40%`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "String", into = "String")]
-pub enum StartFrom {
+pub enum ResumePoint {
     /// At a pass: its name, or its number from 1.
     Pass(String),
     /// At a stroke, counted from 1 through all passes, those that a laser burns several times so often.
@@ -22,14 +22,14 @@ pub enum StartFrom {
     Percent(f64),
 }
 
-impl StartFrom {
+impl ResumePoint {
     /// What is left to draw. A pass that is left in part keeps its message: its pen has to be put
     /// in all the same.
     ///
     /// # Errors
     ///
-    /// [`StartError`] with what is allowed.
-    pub fn rest_of(&self, passes: Vec<Pass>) -> Result<Vec<Pass>, StartError> {
+    /// [`ResumePointError`] with what is allowed.
+    pub fn rest_of(&self, passes: Vec<Pass>) -> Result<Vec<Pass>, ResumePointError> {
         match self {
             Self::Pass(pass) => from_pass(passes, pass),
             Self::Stroke(stroke) => from_stroke(passes, *stroke),
@@ -38,23 +38,23 @@ impl StartFrom {
     }
 }
 
-impl FromStr for StartFrom {
+impl FromStr for ResumePoint {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let told = "expected layer:NAME, stroke:NUMBER or a share such as 40%";
+        let expected = "expected layer:NAME, stroke:NUMBER or a share such as 40%";
         if let Some(percent) = text.strip_suffix('%') {
-            return percent.parse().map(Self::Percent).map_err(|_| told);
+            return percent.parse().map(Self::Percent).map_err(|_| expected);
         }
         match text.split_once(':') {
             Some(("layer", name)) => Ok(Self::Pass(name.to_owned())),
-            Some(("stroke", number)) => number.parse().map(Self::Stroke).map_err(|_| told),
-            _ => Err(told),
+            Some(("stroke", number)) => number.parse().map(Self::Stroke).map_err(|_| expected),
+            _ => Err(expected),
         }
     }
 }
 
-impl TryFrom<String> for StartFrom {
+impl TryFrom<String> for ResumePoint {
     type Error = &'static str;
 
     fn try_from(text: String) -> Result<Self, Self::Error> {
@@ -62,12 +62,12 @@ impl TryFrom<String> for StartFrom {
     }
 }
 
-impl From<StartFrom> for String {
-    fn from(from: StartFrom) -> Self {
+impl From<ResumePoint> for String {
+    fn from(from: ResumePoint) -> Self {
         match from {
-            StartFrom::Pass(name) => format!("layer:{name}"),
-            StartFrom::Stroke(number) => format!("stroke:{number}"),
-            StartFrom::Percent(percent) => format!("{percent}%"),
+            ResumePoint::Pass(name) => format!("layer:{name}"),
+            ResumePoint::Stroke(number) => format!("stroke:{number}"),
+            ResumePoint::Percent(percent) => format!("{percent}%"),
         }
     }
 }
@@ -75,7 +75,7 @@ impl From<StartFrom> for String {
 /// Why a drawing cannot begin there.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum StartError {
+pub enum ResumePointError {
     /// No such pass.
     #[error("there is no pass '{found}' to start from; there are: {}", numbered(.names))]
     Pass {
@@ -98,14 +98,14 @@ pub enum StartError {
 }
 
 /// A name counts before a number: a pass may be called "2".
-fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, StartError> {
+fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, ResumePointError> {
     let by_number = || {
         let number: usize = pass.parse().ok()?;
         number.checked_sub(1).filter(|&it| it < passes.len())
     };
     let by_name = passes.iter().position(|it| it.name == pass);
     let Some(first) = by_name.or_else(by_number) else {
-        return Err(StartError::Pass {
+        return Err(ResumePointError::Pass {
             found: pass.to_owned(),
             names: passes.into_iter().map(|it| it.name).collect(),
         });
@@ -113,18 +113,18 @@ fn from_pass(mut passes: Vec<Pass>, pass: &str) -> Result<Vec<Pass>, StartError>
     Ok(passes.split_off(first))
 }
 
-fn from_stroke(passes: Vec<Pass>, stroke: usize) -> Result<Vec<Pass>, StartError> {
+fn from_stroke(passes: Vec<Pass>, stroke: usize) -> Result<Vec<Pass>, ResumePointError> {
     let strokes = passes.iter().map(|it| it.drawn().count()).sum();
     if !(1..=strokes).contains(&stroke) {
         let found = stroke;
-        return Err(StartError::Stroke { found, strokes });
+        return Err(ResumePointError::Stroke { found, strokes });
     }
     Ok(after(passes, stroke - 1, 0.0))
 }
 
-fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, StartError> {
+fn from_percent(passes: Vec<Pass>, percent: f64) -> Result<Vec<Pass>, ResumePointError> {
     if !(0.0..100.0).contains(&percent) {
-        return Err(StartError::Percent(percent));
+        return Err(ResumePointError::Percent(percent));
     }
     let all = passes.iter().flat_map(Pass::drawn);
     let lengths: Vec<f64> = all.map(Stroke::length_mm).collect();
@@ -253,7 +253,7 @@ mod tests {
         ]
     }
 
-    fn rest(from: &StartFrom) -> Vec<(String, Vec<Stroke>)> {
+    fn rest(from: &ResumePoint) -> Vec<(String, Vec<Stroke>)> {
         let rest = from.rest_of(passes()).unwrap();
         rest.into_iter().map(|it| (it.name, it.strokes)).collect()
     }
@@ -261,18 +261,18 @@ mod tests {
     #[test]
     fn a_pass_is_found_by_its_name_or_its_number() {
         let blue = vec![("blue".to_owned(), vec![line(50.0, 60.0)])];
-        assert_eq!(rest(&StartFrom::Pass("blue".to_owned())), blue);
-        assert_eq!(rest(&StartFrom::Pass("2".to_owned())), blue);
-        assert_eq!(rest(&StartFrom::Pass("1".to_owned())).len(), 2);
+        assert_eq!(rest(&ResumePoint::Pass("blue".to_owned())), blue);
+        assert_eq!(rest(&ResumePoint::Pass("2".to_owned())), blue);
+        assert_eq!(rest(&ResumePoint::Pass("1".to_owned())).len(), 2);
     }
 
     #[test]
     fn a_stroke_is_counted_through_all_passes() {
-        let second = rest(&StartFrom::Stroke(2));
+        let second = rest(&ResumePoint::Stroke(2));
         assert_eq!(second[0], ("red".to_owned(), vec![line(20.0, 40.0)]));
         assert_eq!(second.len(), 2);
-        assert_eq!(rest(&StartFrom::Stroke(3))[0].0, "blue");
-        let left = StartFrom::Stroke(2).rest_of(passes()).unwrap();
+        assert_eq!(rest(&ResumePoint::Stroke(3))[0].0, "blue");
+        let left = ResumePoint::Stroke(2).rest_of(passes()).unwrap();
         assert_eq!(left[0].message.as_deref(), Some("put in red"));
     }
 
@@ -287,7 +287,7 @@ mod tests {
             let strokes = vec![line(0.0, 10.0), line(20.0, 40.0)];
             vec![Pass::new(DrawingTool::Laser(laser), strokes)]
         };
-        let left = |by_stroke, from: StartFrom| -> Vec<(u32, Vec<Stroke>)> {
+        let left = |by_stroke, from: ResumePoint| -> Vec<(u32, Vec<Stroke>)> {
             let rest = from.rest_of(laser(by_stroke)).unwrap();
             rest.into_iter()
                 .map(|it| (it.tool.times(), it.strokes))
@@ -295,69 +295,78 @@ mod tests {
         };
         let (short, long) = (line(0.0, 10.0), line(20.0, 40.0));
         let both = vec![short.clone(), long.clone()];
-        let fourth = StartFrom::Stroke(4);
+        let fourth = ResumePoint::Stroke(4);
         assert_eq!(
             left(false, fourth.clone()),
             [(1, vec![long.clone()]), (1, both.clone())]
         );
         assert_eq!(left(true, fourth), [(3, vec![long.clone()])]);
         // 20 of 90 mm.
-        let share = StartFrom::Percent(200.0 / 9.0);
+        let share = ResumePoint::Percent(200.0 / 9.0);
         let half = line(30.0, 40.0);
         assert_eq!(
             left(false, share.clone()),
             [(1, vec![half]), (2, both.clone())]
         );
         assert_eq!(left(true, share), [(1, vec![short]), (3, vec![long])]);
-        assert_eq!(left(false, StartFrom::Stroke(1)), [(3, both.clone())]);
-        assert_eq!(left(true, StartFrom::Stroke(1)), [(3, both)]);
+        assert_eq!(left(false, ResumePoint::Stroke(1)), [(3, both.clone())]);
+        assert_eq!(left(true, ResumePoint::Stroke(1)), [(3, both)]);
     }
 
     #[test]
     fn a_share_counts_by_length_and_may_begin_within_a_stroke() {
         // 10 of 40 mm: the second stroke as a whole. 20 of 40 mm: half of it.
-        assert_eq!(rest(&StartFrom::Percent(25.0)), rest(&StartFrom::Stroke(2)));
-        let half = rest(&StartFrom::Percent(50.0));
+        assert_eq!(
+            rest(&ResumePoint::Percent(25.0)),
+            rest(&ResumePoint::Stroke(2))
+        );
+        let half = rest(&ResumePoint::Percent(50.0));
         assert_eq!(half[0].1, [line(30.0, 40.0)]);
-        assert_eq!(rest(&StartFrom::Percent(75.0)), rest(&StartFrom::Stroke(3)));
-        assert_eq!(rest(&StartFrom::Percent(0.0)), rest(&StartFrom::Stroke(1)));
+        assert_eq!(
+            rest(&ResumePoint::Percent(75.0)),
+            rest(&ResumePoint::Stroke(3))
+        );
+        assert_eq!(
+            rest(&ResumePoint::Percent(0.0)),
+            rest(&ResumePoint::Stroke(1))
+        );
     }
 
     #[test]
     fn dots_have_no_length_and_are_not_lost_at_the_beginning() {
         let dots = vec![pass("dots", vec![Stroke::open(vec![Point::default()]); 3])];
-        let rest = StartFrom::Percent(0.0).rest_of(dots.clone()).unwrap();
+        let rest = ResumePoint::Percent(0.0).rest_of(dots.clone()).unwrap();
         assert_eq!(rest, dots);
     }
 
     #[test]
-    fn a_pass_without_a_name_is_told_by_its_number() {
+    fn a_pass_without_a_name_is_reported_by_its_number() {
         let passes = vec![pass("", vec![Stroke::open(vec![Point::default()])])];
-        let error = StartFrom::Pass("red".to_owned()).rest_of(passes);
-        let told = "there is no pass 'red' to start from; there are: 1";
-        assert_eq!(error.unwrap_err().to_string(), told);
+        let error = ResumePoint::Pass("red".to_owned()).rest_of(passes);
+        let expected = "there is no pass 'red' to start from; there are: 1";
+        assert_eq!(error.unwrap_err().to_string(), expected);
     }
 
     #[test]
-    fn what_is_not_there_is_told_with_what_is() {
-        let error = |from: StartFrom| from.rest_of(passes()).unwrap_err().to_string();
+    fn what_is_not_there_is_reported_with_what_is() {
+        let error = |from: ResumePoint| from.rest_of(passes()).unwrap_err().to_string();
         for name in ["green", "0", "3"] {
             assert_eq!(
-                error(StartFrom::Pass(name.to_owned())),
+                error(ResumePoint::Pass(name.to_owned())),
                 format!("there is no pass '{name}' to start from; there are: 1 (red), 2 (blue)")
             );
         }
         assert_eq!(
-            error(StartFrom::Stroke(4)),
+            error(ResumePoint::Stroke(4)),
             "there is no stroke 4 to start from; allowed is 1 to 3"
         );
         assert_eq!(
-            error(StartFrom::Stroke(0)),
+            error(ResumePoint::Stroke(0)),
             "there is no stroke 0 to start from; allowed is 1 to 3"
         );
         for found in [-1.0, 100.0, f64::NAN] {
             assert_eq!(
-                error(StartFrom::Percent(found)),
+                error(ResumePoint::Percent(found)),
                 format!("a drawing cannot start from {found} %; allowed is 0 to below 100")
             );
         }
@@ -386,7 +395,7 @@ mod tests {
                 passes.iter().flat_map(Pass::drawn).map(Stroke::length_mm).collect()
             };
             let all = drawn(&passes);
-            let rest = drawn(&StartFrom::Percent(percent).rest_of(passes).unwrap());
+            let rest = drawn(&ResumePoint::Percent(percent).rest_of(passes).unwrap());
             let all_mm: f64 = all.iter().sum();
             let left_mm: f64 = rest.iter().sum();
             prop_assert!((left_mm - all_mm * (1.0 - percent / 100.0)).abs() < 1e-6);

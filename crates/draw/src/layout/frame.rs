@@ -1,7 +1,7 @@
 //! Once around a drawing before it is made: does it lie where it should?
 
 use dobot_geometry::{Point, Rect, Stroke, bounds};
-use dobot_plan::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, Plan, PlanError, around_axis};
+use dobot_plan::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, Plan, PlanError, detour};
 
 /// What is gone around.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub enum FrameShape {
 pub fn frame(
     passes: &[Pass],
     paper: &Paper,
-    machine: &Machine,
+    arm_limits: &ArmLimits,
     shape: FrameShape,
 ) -> Result<Plan, PlanError> {
     let strokes = || passes.iter().flat_map(|it| &it.strokes);
@@ -34,7 +34,7 @@ pub fn frame(
         FrameShape::Rectangle => rectangle(bounds(points)),
         FrameShape::Hull => hull(points),
     };
-    let outline = around_arm(&outline, machine.nearest_mm);
+    let outline = around_arm(&outline, arm_limits.nearest_mm);
     let highest_mm = passes
         .iter()
         .map(|it| it.tool.lift_mm())
@@ -53,7 +53,7 @@ pub fn frame(
     let plan = Plan::new(
         &[pass],
         &paper.clone().raised(highest_mm - LIFT_MM),
-        machine,
+        arm_limits,
     )?;
     Ok(without_ink(plan, tool))
 }
@@ -61,7 +61,7 @@ pub fn frame(
 /// The outline with the ways between its corners around the place where the arm stands.
 fn around_arm(outline: &Stroke, nearest_mm: f64) -> Stroke {
     let legs = outline.segments();
-    let points = legs.flat_map(|(a, b)| [vec![a], around_axis(a, b, nearest_mm)].concat());
+    let points = legs.flat_map(|(a, b)| [vec![a], detour(a, b, nearest_mm)].concat());
     Stroke {
         points: points.chain(outline.last()).collect(),
         ..*outline
@@ -146,7 +146,7 @@ mod tests {
 
     fn around(tool: DrawingTool, shape: FrameShape) -> Plan {
         let passes = [Pass::new(tool, cross())];
-        frame(&passes, &Paper::level(-40.0), &Machine::default(), shape).unwrap()
+        frame(&passes, &Paper::level(-40.0), &ArmLimits::default(), shape).unwrap()
     }
 
     /// How often the way turns between its start and its end.
@@ -208,7 +208,7 @@ mod tests {
     fn there_is_no_way_around_a_dot_and_nothing_around_nothing() {
         let around = |strokes, shape| {
             let passes = [Pass::new(DrawingTool::default(), strokes)];
-            frame(&passes, &Paper::default(), &Machine::default(), shape)
+            frame(&passes, &Paper::default(), &ArmLimits::default(), shape)
         };
         for shape in [FrameShape::Rectangle, FrameShape::Hull] {
             let dot = vec![Stroke::open(vec![Point::new(200.0, 3.0)])];

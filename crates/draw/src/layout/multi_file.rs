@@ -137,10 +137,10 @@ mod tests {
         assert_eq!(place(&all, 0, 1), (0.0, 15.0));
         assert_eq!(place(&all, 1, 0), (30.0, 0.0));
         assert_eq!(place(&all, 1, 1), (30.0, 15.0));
-        let told = in_grid("1x1").expect_err("there are too few").to_string();
+        let error = in_grid("1x1").expect_err("there are too few").to_string();
         assert!(
-            told.contains("1 cell") && told.contains("2 files"),
-            "{told}"
+            error.contains("1 cell") && error.contains("2 files"),
+            "{error}"
         );
     }
 

@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn settings_that_make_no_card_are_told_with_what_is_allowed() {
+    fn settings_that_make_no_card_are_refused_with_what_is_allowed() {
         let error = |card: Card| card.to_passes().unwrap_err().to_string();
         let card = Card::default;
         assert_eq!(

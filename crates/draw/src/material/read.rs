@@ -304,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_that_is_not_allowed_is_told_with_its_line_and_range() {
+    fn a_value_that_is_not_allowed_is_reported_with_its_line_and_range() {
         let with = |line: &str| error(&format!("[materials.oak]\ntool = 'laser'\n{line}\n"));
         assert_eq!(
             with("speed_mm_s = 0"),
@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_toml_is_told_with_its_line() {
+    fn what_is_no_toml_is_reported_with_its_line() {
         assert!(error("[materials.oak]\ntool = \n").starts_with("line 2: "));
         assert_eq!(materials(""), Ok(BTreeMap::new()));
     }

@@ -6,7 +6,7 @@ use dobot_api::CalibrationFile;
 use dobot_arm::{Limits, Pose, Position, Unreachable};
 use dobot_geometry::Point;
 use dobot_import::{Align, Font, Shading, Source, SourceError, Text, system_fonts};
-use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen};
+use dobot_plan::{ArmLimits, DrawingTool, Laser, Paper, Pass, Pen};
 use dobot_wire::Dialect;
 
 use super::check::check;
@@ -16,7 +16,7 @@ use crate::layout::place::{AREA, Placement, Size};
 use crate::layout::sheet::SheetPlace;
 use crate::layout::test_card::Card;
 use crate::material::{Material, Materials, UnknownMaterial};
-use crate::preparation::cancel::GiveUp;
+use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
 use crate::prepare::{NamedSource, Prepared, Settings, prepare_passes, prepare_together};
 use crate::strokes::cutting::Cutting;
@@ -185,8 +185,8 @@ impl DrawingRequest {
 
     /// The same, until somebody gives it up.
     #[must_use]
-    pub fn until(mut self, give_up: GiveUp) -> Self {
-        self.settings.give_up = give_up;
+    pub fn until(mut self, cancel: CancelToken) -> Self {
+        self.settings.cancel = cancel;
         self
     }
 
@@ -207,13 +207,13 @@ impl DrawingRequest {
         dialect: Option<Dialect>,
         standing_z_mm: f64,
     ) -> Result<(Prepared, Settings), OptionsError> {
-        let machine = dialect.map_or_else(Machine::default, Machine::of);
+        let arm_limits = dialect.map_or_else(ArmLimits::default, ArmLimits::of);
         let settings = Settings {
             paper: self.paper(standing_z_mm)?,
-            machine: Machine {
+            arm_limits: ArmLimits {
                 acceleration_mm_s2: self.options.tool.acceleration,
                 corner_deviation_mm: 2.0 * self.options.way.tolerance,
-                ..machine
+                ..arm_limits
             },
             ..self.settings.clone()
         };
@@ -238,7 +238,7 @@ impl DrawingRequest {
         let paper = paper.raised(place.offset);
         let tool = self.settings.tool.end_effector();
         Ok(match &self.settings.calibration {
-            Some(known) => paper.seen_by(known.arm(), tool),
+            Some(known) => paper.to_raw(known.arm(), tool),
             None => paper,
         })
     }
@@ -250,7 +250,7 @@ impl DrawingRequest {
         let calibrated = known.and_then(|it| it.paper.as_ref());
         match (self.options.place.pen_down, calibrated) {
             (None, Some(it)) => known_paper(it),
-            (told, _) => Ok(Paper::level(told.unwrap_or(standing_z_mm))),
+            (given, _) => Ok(Paper::level(given.unwrap_or(standing_z_mm))),
         }
     }
 }

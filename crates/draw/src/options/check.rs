@@ -410,7 +410,7 @@ mod tests {
 
     #[test]
     fn an_option_that_would_do_nothing_is_refused_from_json_too() {
-        for (json, told) in [
+        for (json, message) in [
             (
                 r#"{"what": {"shade": "lines"}}"#,
                 "what.shade is for pictures, and a.svg is in SVG format",
@@ -468,7 +468,7 @@ mod tests {
                 "place.paper has -5e20; it takes numbers of millimetres from -10000 to 10000",
             ),
         ] {
-            assert_eq!(refusal(json), told);
+            assert_eq!(refusal(json), message);
         }
     }
 

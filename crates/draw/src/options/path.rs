@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::fields::Ranges;
-use crate::arm::resume_point::StartFrom;
+use crate::arm::resume_point::ResumePoint;
 use crate::prepare::{Settings, TRIES};
 
 /// How it is drawn.
@@ -25,7 +25,7 @@ pub struct PathOptions {
     /// Look elsewhere: the same number gives the same order
     pub seed: u64,
     /// Begin later: at a layer, a stroke or a share of the ink, as in layer:red, stroke:120 or 40%
-    pub from: Option<StartFrom>,
+    pub from: Option<ResumePoint>,
 }
 
 impl Default for PathOptions {

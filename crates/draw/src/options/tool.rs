@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use dobot_plan::Machine;
+use dobot_plan::ArmLimits;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -81,7 +81,7 @@ impl Default for ToolOptions {
             overcut: 0.0,
             tabs: 0,
             tab_width: 1.0,
-            acceleration: Machine::default().acceleration_mm_s2,
+            acceleration: ArmLimits::default().acceleration_mm_s2,
         }
     }
 }

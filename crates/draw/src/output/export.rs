@@ -292,9 +292,9 @@ mod tests {
     #[test]
     fn what_is_white_or_flat_can_be_seen_in_other_programs() {
         let line = Stroke::open(vec![Point::new(200.0, 30.0), Point::new(200.0, -30.0)]);
-        for (told, color) in [([255, 255, 254], "#000000"), ([255, 255, 0], "#ffff00")] {
+        for (found, color) in [([255, 255, 254], "#000000"), ([255, 255, 0], "#ffff00")] {
             let pass = Pass {
-                color: Some(told),
+                color: Some(found),
                 ..Pass::new(DrawingTool::default(), vec![line.clone()])
             };
             let text = export(&[pass], None, ExportFormat::Svg);

@@ -72,12 +72,12 @@ const TOUCHING_MM: f64 = 0.05;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use dobot_plan::{DrawingTool, Laser, Machine, Pass};
+    use dobot_plan::{ArmLimits, DrawingTool, Laser, Pass};
 
     fn plan(tool: DrawingTool) -> Plan {
         let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(210.0, 0.0)]);
         let pass = Pass::new(tool, vec![line]);
-        Plan::new(&[pass], &Paper::level(-40.0), &Machine::default()).unwrap()
+        Plan::new(&[pass], &Paper::level(-40.0), &ArmLimits::default()).unwrap()
     }
 
     fn seen(path: &[(f64, f64)], tool: DrawingTool) -> Vec<f64> {

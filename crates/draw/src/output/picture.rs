@@ -76,7 +76,7 @@ impl Picture<'_> {
             paper.x1 + side,
             paper.y1 + self.words_high() * unit,
         );
-        let mut sheet = Sheet::desk(frame(page));
+        let mut sheet = Sheet::with_background(frame(page));
         sheet.paper(&frame(paper), 3.0, |sheet| {
             workspace(sheet, self.area, self.sheet.as_ref(), unit);
             self.lines(sheet);
@@ -182,7 +182,7 @@ const PLANNED: ShapeStyle<'_> = ShapeStyle::line("#cfc8b8", 0.3);
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use dobot_plan::{DrawingTool, Machine, Paper, Pass};
+    use dobot_plan::{ArmLimits, DrawingTool, Paper, Pass};
 
     fn strokes() -> Vec<Stroke> {
         let line = |points: &[(f64, f64)]| {
@@ -197,7 +197,7 @@ mod tests {
     fn picture<T>(view: View, look: impl Fn(&Picture<'static>) -> T) -> T {
         let drawn = InkLine::measured(strokes(), &strokes());
         let pass = Pass::new(DrawingTool::default(), strokes());
-        let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+        let plan = Plan::new(&[pass], &Paper::default(), &ArmLimits::default()).unwrap();
         look(&Picture {
             title: "a < test & more",
             figures: Box::leak(Box::new([("strokes".to_owned(), "2".to_owned())])),

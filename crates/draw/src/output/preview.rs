@@ -152,10 +152,10 @@ mod tests {
     #[test]
     fn what_nobody_wants_any_more_ends() {
         let settings = Settings::default();
-        settings.give_up.give_up();
+        settings.cancel.cancel();
         let svg = r#"<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm"/>"#;
         let all = |_| Ok::<(), String>(());
         let ended = prepare(&Source::from(svg), &settings, all).unwrap_err();
-        assert_eq!(ended, crate::PrepareError::GivenUp);
+        assert_eq!(ended, crate::PrepareError::Cancelled);
     }
 }

@@ -1,29 +1,29 @@
-//! Ends a preparation from outside.
+//! Cancellation of a preparation.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::PrepareError;
 
-/// Ends a preparation from another thread: whoever asked for it does not want it any more.
+/// Cancels a preparation from another thread.
 ///
-/// It ends between two steps of the way from a source to a plan, two areas, two strokes, or two tries for a shorter way.
+/// The preparation checks the token between steps, areas, strokes, and attempts at a shorter path.
 #[derive(Clone, Debug, Default)]
-pub struct GiveUp(Arc<AtomicBool>);
+pub struct CancelToken(Arc<AtomicBool>);
 
-impl GiveUp {
-    /// Ends it, for good.
-    pub fn give_up(&self) {
+impl CancelToken {
+    /// Cancels the preparation permanently.
+    pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    pub(crate) fn is_given_up(&self) -> bool {
+    pub(crate) fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 
     pub(crate) fn check(&self) -> Result<(), PrepareError> {
-        if self.is_given_up() {
-            return Err(PrepareError::GivenUp);
+        if self.is_cancelled() {
+            return Err(PrepareError::Cancelled);
         }
         Ok(())
     }

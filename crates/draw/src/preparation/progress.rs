@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 use dobot_geometry::Point;
-use dobot_plan::{Machine, Pass};
+use dobot_plan::{ArmLimits, Pass};
 
 use crate::strokes::order::Travel;
 
@@ -76,8 +76,8 @@ impl Progress {
     }
 
     /// These strokes are to be drawn, by an arm that can do so much.
-    pub(crate) fn expect(&self, passes: &[Pass], machine: &Machine) {
-        let bits = roughly_s(passes, machine).to_bits();
+    pub(crate) fn expect(&self, passes: &[Pass], arm_limits: &ArmLimits) {
+        let bits = roughly_s(passes, arm_limits).to_bits();
         self.0.roughly_s.store(bits, Ordering::Relaxed);
     }
 }
@@ -94,14 +94,14 @@ impl fmt::Display for PrepareStep {
 }
 
 /// How long passes take by their ways: each stroke and each way to the next from rest to rest.
-fn roughly_s(passes: &[Pass], machine: &Machine) -> f64 {
+fn roughly_s(passes: &[Pass], arm_limits: &ArmLimits) -> f64 {
     let mut here: Option<Point> = None;
     let mut all_s = 0.0;
     for Pass { tool, strokes, .. } in passes {
         let at = |speed_mm_s| Travel::Time {
             speed_mm_s,
-            acceleration_mm_s2: machine.acceleration_mm_s2,
-            least_s: machine.link.period_s,
+            acceleration_mm_s2: arm_limits.acceleration_mm_s2,
+            least_s: arm_limits.link.period_s,
         };
         let (travel, ink) = (at(tool.travel_speed_mm_s()), at(tool.speed_mm_s()));
         let mut pass_s = 0.0;
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn the_share_of_a_step_is_told_where_it_is_known() {
+    fn the_share_of_a_step_is_reported_where_it_is_known() {
         let progress = Progress::default();
         assert_eq!(progress.share(), None);
         progress.begin(PrepareStep::Vectors, 40);

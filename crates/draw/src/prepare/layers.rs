@@ -126,7 +126,7 @@ pub(super) fn message(layer: &Layer, before: Option<&Pass>, settings: &Settings)
 
 /// What a laser burns slower than it is to comes out darker.
 pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
-    let told = plan.passes.iter().filter_map(|pass| {
+    let warnings = plan.passes.iter().filter_map(|pass| {
         let SlowBurning {
             slow_mm,
             burned_mm,
@@ -143,5 +143,5 @@ pub(super) fn slow_burning(plan: &Plan) -> Vec<Warning> {
         );
         counted(1, "layer burned slower", &instead)
     });
-    told.collect()
+    warnings.collect()
 }

@@ -7,7 +7,7 @@ use dobot_plan::{DrawingTool, Pass};
 
 use super::layers;
 use super::{MOST_REACH_MM, PrepareError, Settings, beside_mm};
-use crate::arm::calibrated::told_strokes;
+use crate::arm::calibrated::raw_strokes;
 use crate::layout::clip::{Clipped, clip_to_reach};
 use crate::layout::place::PlaceError;
 use crate::preparation::progress::PrepareStep;
@@ -34,7 +34,7 @@ pub(super) fn passes<E>(
         let lines = Lines::of(&mut layer, tool, settings)?;
         has_lines |= !lines.is_empty();
         let lines = lines.on_sheet(settings, warnings)?;
-        let lines = lines.try_map(|it| told_strokes(it, tool, settings))?;
+        let lines = lines.try_map(|it| raw_strokes(it, tool, settings))?;
         let lines = lines.within_reach(tool, settings, reachable, warnings);
         // Areas that are not hatched leave no ink.
         if !lines.is_empty() {
@@ -56,7 +56,7 @@ pub(super) fn passes<E>(
         if !settings.cutting_of(tool).is_asked_for() {
             continue;
         }
-        let own = told_strokes(std::mem::take(&mut layer.strokes), tool, settings)?;
+        let own = raw_strokes(std::mem::take(&mut layer.strokes), tool, settings)?;
         let lines = Lines {
             own,
             fills: Vec::new(),
@@ -69,7 +69,7 @@ pub(super) fn passes<E>(
     let mut here = Point::new(x1, y1);
     let mut passes = Vec::<Pass>::new();
     for (number, LaidLayer { layer, tool, lines }) in laid.into_iter().enumerate() {
-        settings.give_up.check()?;
+        settings.cancel.check()?;
         let others = shapes.iter().enumerate().filter(|it| it.0 != number);
         let others: Vec<&Stroke> = others.flat_map(|it| it.1).collect();
         let strokes = lines.finished(&others, here, tool, settings, warnings);
@@ -142,7 +142,7 @@ impl Lines {
         let (mut own, mut fills) = (std::mem::take(&mut layer.strokes), Vec::new());
         if let Some(hatching) = &settings.hatch {
             for area in &layer.areas {
-                settings.give_up.check()?;
+                settings.cancel.check()?;
                 fills.append(&mut hatch(area, hatching)?);
             }
         }
@@ -358,7 +358,7 @@ fn in_order(
     let mut all = Vec::new();
     for group in groups.into_iter().filter(|it| !it.is_empty()) {
         let group = match settings.search(tool) {
-            Some(search) => order_until(group, here, &search, &settings.give_up),
+            Some(search) => order_until(group, here, &search, &settings.cancel),
             None => group,
         };
         all.append(&mut if settings.joins_dots() {

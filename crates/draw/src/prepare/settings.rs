@@ -6,13 +6,13 @@ use dobot_api::CalibrationFile;
 use dobot_geometry::Area;
 use dobot_import::fontdb;
 use dobot_import::{LayersBy, Shading, ShadingStyle};
-use dobot_plan::{DrawingTool, Machine, Paper};
+use dobot_plan::{ArmLimits, DrawingTool, Paper};
 
 use super::PrepareError;
-use crate::arm::resume_point::StartFrom;
+use crate::arm::resume_point::ResumePoint;
 use crate::layout::copies::Grid;
 use crate::layout::place::Placement;
-use crate::preparation::cancel::GiveUp;
+use crate::preparation::cancel::CancelToken;
 use crate::preparation::progress::Progress;
 use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::{Hatch, hatch};
@@ -41,7 +41,7 @@ pub struct Settings {
     /// then, and [`paper`](Self::paper) must be as the arm sees it.
     pub calibration: Option<CalibrationFile>,
     /// What arm and link can do.
-    pub machine: Machine,
+    pub arm_limits: ArmLimits,
     /// What draws.
     pub tool: DrawingTool,
     /// Whether it does so at its own speed, whatever the file says.
@@ -74,11 +74,11 @@ pub struct Settings {
     /// Decides where it is disturbed: the same seed gives the same order.
     pub seed: u64,
     /// Where to begin; at the beginning if not given.
-    pub from: Option<StartFrom>,
+    pub from: Option<ResumePoint>,
     /// The fonts that text is drawn with.
     pub fonts: Arc<fontdb::Database>,
     /// Ends the preparation before it is done.
-    pub give_up: GiveUp,
+    pub cancel: CancelToken,
     /// Tells how far it is.
     pub progress: Progress,
 }
@@ -114,8 +114,8 @@ impl Settings {
     pub(super) fn search(&self, tool: DrawingTool) -> Option<Search> {
         let by_time = Travel::Time {
             speed_mm_s: tool.travel_speed_mm_s(),
-            acceleration_mm_s2: self.machine.acceleration_mm_s2,
-            least_s: self.machine.link.period_s,
+            acceleration_mm_s2: self.arm_limits.acceleration_mm_s2,
+            least_s: self.arm_limits.link.period_s,
         };
         Some(Search {
             travel: if self.joins_dots() {
@@ -149,7 +149,7 @@ impl Default for Settings {
             gap_mm: 5.0,
             paper: Paper::default(),
             calibration: None,
-            machine: Machine::default(),
+            arm_limits: ArmLimits::default(),
             tool: DrawingTool::default(),
             keeps_speed: false,
             layers: None,
@@ -167,7 +167,7 @@ impl Default for Settings {
             seed: 1,
             from: None,
             fonts: Arc::default(),
-            give_up: GiveUp::default(),
+            cancel: CancelToken::default(),
             progress: Progress::default(),
         }
     }

@@ -7,7 +7,7 @@ use crate::strokes::cutting::Cutting;
 use crate::strokes::hatch::{Hatch, HatchStyle};
 use dobot_api::{Backlash, CalibrationFile};
 use dobot_geometry::{Random, Vec2, deviation};
-use dobot_plan::{Laser, Machine, MoveKind, Pace};
+use dobot_plan::{ArmLimits, DurationEstimator, Laser, MoveKind};
 
 const EXAMPLES: [&str; 3] = [
     include_str!("../../../../examples/drawings/harbour.svg"),
@@ -121,11 +121,11 @@ fn round() -> Stroke {
 fn at_80_mm_s(has_ticks: bool) -> Settings {
     Settings {
         tool: DrawingTool::default().at_speed(80.0),
-        machine: Machine {
+        arm_limits: ArmLimits {
             acceleration_mm_s2: 100.0,
             joint_speed_deg_s: 10_000.0,
             has_ticks,
-            ..Machine::default()
+            ..ArmLimits::default()
         },
         ..Settings::default()
     }
@@ -137,10 +137,10 @@ fn a_circle_is_drawn_hardly_slower_than_the_fastest_motion_along_it() {
     // circle to across it, which takes pi / 4 of that radian twice: the speed grows as the sine of twice the angle.
     let optimum_s = {
         let settings = at_80_mm_s(false);
-        let pace = Pace::of(&settings.machine, &settings.tool);
+        let estimator = DurationEstimator::of(&settings.arm_limits, &settings.tool);
         let circle = round();
         let ways = circle.segments().map(|(a, b)| [b.x - a.x, b.y - a.y, 0.0]);
-        pace.durations_s(ways).iter().sum::<f64>()
+        estimator.durations_s(ways).iter().sum::<f64>()
     };
     let at_full_speed_s = std::f64::consts::TAU * (30.0_f64 / 100.0).sqrt();
     assert!(
@@ -335,8 +335,8 @@ fn what_is_too_large_for_the_arm_is_cut_off_where_that_is_asked_for_wherever_it_
     );
     settings.placement.clips = true;
     let prepared = prepare(&svg.into(), &settings, in_reach).unwrap();
-    let told: Vec<String> = prepared.warnings.iter().map(ToString::to_string).collect();
-    assert!(told.concat().contains("mm of its lines"), "{told:?}");
+    let texts: Vec<String> = prepared.warnings.iter().map(ToString::to_string).collect();
+    assert!(texts.concat().contains("mm of its lines"), "{texts:?}");
     // Both lines cross in the middle of the area.
     let center = Placement::default().area.center();
     let near = |it: &Stroke| {
@@ -525,7 +525,8 @@ fn what_is_clipped_leaves_room_to_run_up_to_cut_in_and_to_take_up_slack() {
 }
 
 #[test]
-fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_tells_a_laser() {
+fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_speed_applies_to_a_laser()
+ {
     let laser = DrawingTool::Laser(Laser {
         burn_speed_mm_s: 8.0,
         ..Laser::default()
@@ -549,11 +550,11 @@ fn what_a_person_says_of_the_speed_goes_before_that_of_the_file_and_no_plotter_t
             ..Settings::default()
         };
         let prepared = prepare(source, &settings, anywhere).unwrap();
-        let told = prepared.warnings.iter().map(ToString::to_string);
-        let is_told = told
+        let texts = prepared.warnings.iter().map(ToString::to_string);
+        let is_warned = texts
             .into_iter()
             .any(|it| it.contains("layer with the speed of a pen"));
-        (prepared.passes[0].tool.speed_mm_s(), is_told)
+        (prepared.passes[0].tool.speed_mm_s(), is_warned)
     };
     for (source, tool, expected) in [
         (plotter("1"), pen, (10.0, false)),
@@ -589,7 +590,7 @@ fn ways_between_strokes_lead_around_the_arm_and_never_behind_it() {
                 tool,
                 ..Settings::default()
             };
-            settings.machine.has_ticks = has_ticks;
+            settings.arm_limits.has_ticks = has_ticks;
             let pass = Pass::new(tool, spokes_around_the_arm());
             // The base turns to either side by 135 degrees.
             let reachable = |p: Position| {
@@ -618,8 +619,14 @@ fn the_frame_of_what_lies_around_the_arm_leads_around_it_too() {
     let settings = Settings::default();
     let pass = Pass::new(settings.tool, spokes_around_the_arm());
     let prepared = prepare_passes(vec![pass], &settings, in_reach).unwrap();
-    let machine = prepared.plan.machine();
-    let plan = frame(&prepared.passes, &settings.paper, machine, FrameShape::Hull).unwrap();
+    let arm_limits = prepared.plan.arm_limits();
+    let plan = frame(
+        &prepared.passes,
+        &settings.paper,
+        arm_limits,
+        FrameShape::Hull,
+    )
+    .unwrap();
     check_reach(&plan, &settings.paper, in_reach).unwrap();
 }
 
@@ -729,7 +736,7 @@ fn a_hole_is_cut_as_a_hole_though_its_part_is_cut_another_time() {
 }
 
 #[test]
-fn an_outline_with_gaps_is_told_with_what_closes_it() {
+fn an_outline_with_gaps_is_reported_with_what_closes_it() {
     let side = |a: (f64, f64), b: (f64, f64)| vec![Point::from(a), Point::from(b)];
     let source = Source::Lines(vec![
         side((0.0, 0.0), (40.0, 0.0)),
@@ -738,7 +745,7 @@ fn an_outline_with_gaps_is_told_with_what_closes_it() {
         side((0.0, 30.3), (0.0, 0.0)),
         side((5.0, 5.0), (9.0, 5.0)),
     ]);
-    let told = |cuts, join_mm| {
+    let warning_of = |cuts, join_mm| {
         let settings = Settings {
             tool: DrawingTool::Laser(Laser {
                 cuts,
@@ -748,16 +755,16 @@ fn an_outline_with_gaps_is_told_with_what_closes_it() {
             ..Settings::default()
         };
         let warnings = prepare(&source, &settings, anywhere).unwrap().warnings;
-        let told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-        told.concat()
+        let texts: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+        texts.concat()
     };
-    let warning = told(true, None);
+    let warning = warning_of(true, None);
     assert!(
         warning.contains("1 open outline") && warning.contains("way.join 0.5"),
         "{warning}"
     );
-    assert_eq!(told(true, Some(0.5)), "");
-    assert_eq!(told(false, None), "");
+    assert_eq!(warning_of(true, Some(0.5)), "");
+    assert_eq!(warning_of(false, None), "");
     // Lines side by side, and the two of a road, are none.
     let side_by_side = (0..40).map(|i| side((0.0, f64::from(i)), (40.0, f64::from(i))));
     let source = Source::Lines(side_by_side.collect());
@@ -772,10 +779,10 @@ fn an_outline_with_gaps_is_told_with_what_closes_it() {
 }
 
 #[test]
-fn what_the_arm_burns_slower_than_asked_for_is_told_with_the_speed_at_which_it_is_even() {
+fn what_the_arm_burns_slower_than_asked_for_is_reported_with_the_speed_at_which_it_is_even() {
     let ring = (0..=60).map(|i| Vec2::from_angle(f64::from(6 * i).to_radians()).to_point());
     let source = Source::Lines(vec![ring.collect()]);
-    let told = |burn_speed_mm_s| {
+    let warning_of = |burn_speed_mm_s| {
         let settings = Settings {
             tool: DrawingTool::Laser(Laser {
                 burn_speed_mm_s,
@@ -787,8 +794,8 @@ fn what_the_arm_burns_slower_than_asked_for_is_told_with_the_speed_at_which_it_i
         warnings.iter().map(ToString::to_string).collect::<String>()
     };
     // Around a ring of 1 mm at 100 mm/s2: sqrt(100 * 1) = 10 mm/s, and less as a polygon.
-    assert_eq!(told(6.0), "");
-    let warning = told(30.0);
+    assert_eq!(warning_of(6.0), "");
+    let warning = warning_of(30.0);
     assert!(
         warning.contains("1 layer burned slower: 6 of its 6 mm"),
         "{warning}"
@@ -799,7 +806,7 @@ fn what_the_arm_burns_slower_than_asked_for_is_told_with_the_speed_at_which_it_i
         .and_then(|it| it.split(' ').next());
     let even_mm_s: f64 = speed.and_then(|it| it.parse().ok()).expect("a speed");
     assert!(even_mm_s > 6.0 && even_mm_s < 10.1, "{warning}");
-    assert_eq!(told(even_mm_s), "");
+    assert_eq!(warning_of(even_mm_s), "");
 }
 
 #[test]

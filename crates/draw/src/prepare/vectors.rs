@@ -3,7 +3,8 @@
 use dobot_arm::TICK_S;
 use dobot_geometry::{Stroke, deviation};
 use dobot_plan::{
-    DrawingTool, LEAST_BURN_MM, MoveKind, Pace, Pass, Plan, acceleration, burned_corners,
+    DrawingTool, DurationEstimator, LEAST_BURN_MM, MoveKind, Pass, Plan, acceleration,
+    burned_corners,
 };
 
 use super::{PrepareError, Settings};
@@ -68,7 +69,7 @@ pub(super) fn simplified(
 ) -> Result<Pass, PrepareError> {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
     let strokes = pass.strokes.iter().map(|it| {
-        settings.give_up.check()?;
+        settings.cancel.check()?;
         let fewest = fewest_at(it, tolerance_mm);
         let simple = if pass.tool.burns() {
             fewest_long_at(it, tolerance_mm, LEAST_BURN_MM)
@@ -126,12 +127,12 @@ fn faster(
     trials: &mut Trials,
 ) -> Stroke {
     let tolerance_mm = settings.tolerance_mm - settings.flatten_mm();
-    let pace = Pace::of(&settings.machine, &tool);
-    if !trials.take(stroke, &fewest.stroke, settings.machine.has_ticks) {
-        return seemingly_fastest_at(stroke, tolerance_mm, fewest, &pace).stroke;
+    let estimator = DurationEstimator::of(&settings.arm_limits, &tool);
+    if !trials.take(stroke, &fewest.stroke, settings.arm_limits.has_ticks) {
+        return seemingly_fastest_at(stroke, tolerance_mm, fewest, &estimator).stroke;
     }
     let few = fewest.stroke.clone();
-    let ways = fast_ways_at(stroke, tolerance_mm, fewest, &pace);
+    let ways = fast_ways_at(stroke, tolerance_mm, fewest, &estimator);
     if ways.iter().all(|it| it.stroke == few) {
         return few;
     }
@@ -145,7 +146,7 @@ fn faster(
         tried.plan(way);
     }
     for change_s in CHANGES_S {
-        if let Some(way) = spliced_at(stroke, tolerance_mm, &pace, &tried.planned, change_s) {
+        if let Some(way) = spliced_at(stroke, tolerance_mm, &estimator, &tried.planned, change_s) {
             tried.plan(way);
         }
     }
@@ -169,7 +170,7 @@ impl Tried<'_> {
             return;
         }
         let pass = Pass::new(self.tool, vec![way.stroke.clone()]);
-        let Ok(plan) = Plan::whole(&[pass], &self.settings.paper, &self.settings.machine) else {
+        let Ok(plan) = Plan::whole(&[pass], &self.settings.paper, &self.settings.arm_limits) else {
             return;
         };
         let draws = plan.moves.iter().filter(|it| it.kind == MoveKind::Draw);
@@ -183,8 +184,8 @@ impl Tried<'_> {
 
     /// As how many times slower a plan counts, since its motion comes out too sharp in the ticks of a stock arm.
     fn sharpness(&self, plan: &Plan) -> f64 {
-        let cornering = self.settings.machine.cornering();
-        if !self.settings.machine.has_ticks {
+        let cornering = self.settings.arm_limits.cornering();
+        if !self.settings.arm_limits.has_ticks {
             return 1.0;
         }
         let seen_mm_s2 = acceleration(plan, cornering.window_s);
@@ -237,11 +238,11 @@ mod tests {
         let at = |i: u32| Point::new(220.0, 0.0) + Vec2::from_angle(f64::from(i) / 500.0) * 30.0;
         let arc = Stroke::open((0..2000).map(at).collect());
         let mut settings = Settings::default();
-        settings.machine.has_ticks = true;
+        settings.arm_limits.has_ticks = true;
         let fewest = fewest_at(&arc, 0.045);
         let planned_s = |way: Stroke| {
             let pass = Pass::new(settings.tool, vec![way]);
-            let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+            let plan = Plan::new(&[pass], &settings.paper, &settings.arm_limits);
             plan.expect("a plan").duration_s()
         };
         let chosen = |left: usize| {
@@ -304,7 +305,7 @@ mod tests {
                 let fewest = fewest_at(it, 0.045);
                 let way = faster(it, fewest, settings.tool, &settings, &mut trials);
                 let pass = Pass::new(settings.tool, vec![way]);
-                let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+                let plan = Plan::new(&[pass], &settings.paper, &settings.arm_limits);
                 plan.expect("a plan").duration_s()
             });
             chosen.sum()
@@ -335,7 +336,7 @@ mod tests {
     #[test]
     fn a_line_of_a_trembling_hand_takes_hardly_longer_than_the_line_that_it_meant() {
         let mut settings = Settings::default();
-        settings.machine.has_ticks = true;
+        settings.arm_limits.has_ticks = true;
         let mut random = Random::new(2);
         let planned_s = |points: Vec<Point>| {
             let line = Stroke::open(points);
@@ -350,7 +351,7 @@ mod tests {
             let off = deviation(std::slice::from_ref(&line), std::slice::from_ref(&way));
             assert!(off.largest_mm() <= 0.0451, "{off:?}");
             let pass = Pass::new(settings.tool, vec![way]);
-            let plan = Plan::new(&[pass], &settings.paper, &settings.machine);
+            let plan = Plan::new(&[pass], &settings.paper, &settings.arm_limits);
             plan.expect("a plan").duration_s()
         };
         let (mut meant_s, mut trembling_s) = (0.0, 0.0);

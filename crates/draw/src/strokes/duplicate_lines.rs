@@ -355,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn of_ever_so_many_lines_over_each_other_it_is_told_which_are_not_compared() {
+    fn of_ever_so_many_lines_over_each_other_it_is_reported_which_are_not_compared() {
         let mut random = dobot_geometry::Random::new(1);
         let strokes: Vec<Stroke> = (0..3000)
             .map(|_| {

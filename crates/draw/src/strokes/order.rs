@@ -25,7 +25,7 @@ use self::search::LocalSearch;
 use self::stops::{Stop, cost, drawn, given, turn_loops};
 pub use self::travel::Travel;
 use self::turns::Turns;
-use crate::preparation::cancel::GiveUp;
+use crate::preparation::cancel::CancelToken;
 use dobot_geometry::{Point, Random, Stroke};
 
 /// What to search for, and for how long.
@@ -49,7 +49,7 @@ pub struct Search {
 /// order given. Strokes without points come last.
 #[must_use]
 pub fn order(strokes: Vec<Stroke>, start: Point, search: &Search) -> Vec<Stroke> {
-    order_until(strokes, start, search, &GiveUp::default())
+    order_until(strokes, start, search, &CancelToken::default())
 }
 
 /// Like [`order`], but returns the best order found so far once the drawing is cancelled.
@@ -57,10 +57,10 @@ pub(crate) fn order_until(
     strokes: Vec<Stroke>,
     start: Point,
     search: &Search,
-    give_up: &GiveUp,
+    cancel: &CancelToken,
 ) -> Vec<Stroke> {
     let given = given(&strokes);
-    let mut way = searched(&strokes, &given, start, search, give_up);
+    let mut way = searched(&strokes, &given, start, search, cancel);
     let cost = |way: &[Stop]| cost(&strokes, way, start, search.travel);
     if cost(&way) >= cost(&given) {
         way = given;
@@ -75,7 +75,7 @@ fn searched(
     given: &[Stop],
     start: Point,
     search: &Search,
-    give_up: &GiveUp,
+    cancel: &CancelToken,
 ) -> Vec<Stop> {
     let mut random = Random::new(search.seed);
     let turn = |way: &mut Vec<Stop>| turn_loops(strokes, way, start, search.travel);
@@ -87,14 +87,14 @@ fn searched(
         if rounds > 1 {
             nodes = nodes_of(&way);
         }
-        let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way), give_up);
+        let mut local_search = LocalSearch::new(&nodes, nodes.tour(&way), cancel);
         local_search.settle_all();
         let mean = cost(strokes, &way, start, search.travel) / lossy(way.len().max(1));
         let most = kicks(search, way.len());
         let kicks = most / rounds;
         let warmth = mean * patience(most, way.len());
         local_search.anneal(kicks - kicks / 2, warmth, &mut random);
-        let mut turns = Turns::new(&nodes, local_search.tour(), give_up);
+        let mut turns = Turns::new(&nodes, local_search.tour(), cancel);
         let left = moved(&mut turns, kicks / 2, &mut random);
         local_search.set(turns.tour());
         local_search.anneal(left, warmth / 4.0, &mut random);

@@ -2,7 +2,7 @@
 
 mod cone;
 mod corridor;
-mod paced;
+mod fastest;
 mod search;
 mod smooth;
 mod snap;
@@ -15,8 +15,8 @@ mod oracle;
 
 use corridor::{Corner, Corridor};
 use dobot_geometry::{Point, Stroke};
-use dobot_plan::Pace;
-use paced::{fast_ways, fastest, seemingly_fastest};
+use dobot_plan::DurationEstimator;
+use fastest::{fast_ways, fastest, seemingly_fastest};
 use search::fewest;
 use spliced::spliced;
 
@@ -50,9 +50,9 @@ pub const MIN_VECTOR_MM: f64 = 0.005;
 /// link limits the speed, more where the arm does. Of paths that are about as fast it takes the
 /// one that is nearer to the stroke. Ends and tolerance are kept as [`simplify`] keeps them.
 #[must_use]
-pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Stroke {
+pub fn simplify_at(stroke: &Stroke, tolerance_mm: f64, estimator: &DurationEstimator) -> Stroke {
     let radius_mm = tolerance_mm - SLACK_MM;
-    match fastest(corridor(stroke, radius_mm), pace) {
+    match fastest(corridor(stroke, radius_mm), estimator) {
         Some(path) if radius_mm > MIN_VECTOR_MM => joined(stroke, places(&path)),
         _ => simplify(stroke, tolerance_mm),
     }
@@ -106,13 +106,13 @@ pub(crate) fn fast_ways_at(
     stroke: &Stroke,
     tolerance_mm: f64,
     fewest: Way,
-    pace: &Pace,
+    estimator: &DurationEstimator,
 ) -> Vec<Way> {
     if fewest.path.is_empty() {
         return vec![fewest];
     }
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
-    let ways = fast_ways(corridor, fewest.path, pace);
+    let ways = fast_ways(corridor, fewest.path, estimator);
     ways.into_iter().map(|it| Way::of(stroke, it)).collect()
 }
 
@@ -122,13 +122,13 @@ pub(crate) fn seemingly_fastest_at(
     stroke: &Stroke,
     tolerance_mm: f64,
     fewest: Way,
-    pace: &Pace,
+    estimator: &DurationEstimator,
 ) -> Way {
     if fewest.path.is_empty() {
         return fewest;
     }
     let corridor = corridor(stroke, tolerance_mm - SLACK_MM);
-    Way::of(stroke, seemingly_fastest(corridor, fewest.path, pace))
+    Way::of(stroke, seemingly_fastest(corridor, fewest.path, estimator))
 }
 
 /// A way that was planned.
@@ -144,7 +144,7 @@ pub(crate) struct PlannedWay {
 pub(crate) fn spliced_at(
     stroke: &Stroke,
     tolerance_mm: f64,
-    pace: &Pace,
+    estimator: &DurationEstimator,
     ways: &[PlannedWay],
     change_s: f64,
 ) -> Option<Way> {
@@ -156,7 +156,7 @@ pub(crate) fn spliced_at(
         ends(path) == Some(wanted) && path.len() == it.durations_s.len() + 1
     });
     let paths = fit.map(|it| (&it.way.path[..], &it.durations_s[..]));
-    let way = spliced(&corridor, paths, change_s, pace)?;
+    let way = spliced(&corridor, paths, change_s, estimator)?;
     Some(Way::of(stroke, way))
 }
 
@@ -218,7 +218,7 @@ mod tests {
     use super::oracle::fewest_between_points;
     use super::*;
     use dobot_geometry::{Random, Vec2, deviation};
-    use dobot_plan::{DrawingTool, Machine, Paper, Pass, Plan};
+    use dobot_plan::{ArmLimits, DrawingTool, Paper, Pass, Plan};
 
     fn line(points: &[(f64, f64)]) -> Stroke {
         Stroke::open(points.iter().map(|&(x, y)| Point::new(x, y)).collect())
@@ -297,41 +297,50 @@ mod tests {
         Stroke::open(points)
     }
 
-    fn pace(acceleration_mm_s2: f64, speed_mm_s: f64) -> Pace {
-        let machine = Machine {
+    fn estimator(acceleration_mm_s2: f64, speed_mm_s: f64) -> DurationEstimator {
+        let arm_limits = ArmLimits {
             acceleration_mm_s2,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
-        Pace::of(&machine, &DrawingTool::default().at_speed(speed_mm_s))
+        DurationEstimator::of(&arm_limits, &DrawingTool::default().at_speed(speed_mm_s))
     }
 
     /// How long the plan for a stroke takes on a machine without limits of its joints, in s.
-    fn planned_s(stroke: &Stroke, pace: &Pace) -> f64 {
-        let machine = Machine {
-            acceleration_mm_s2: pace.cornering.acceleration_mm_s2,
+    fn planned_s(stroke: &Stroke, estimator: &DurationEstimator) -> f64 {
+        let arm_limits = ArmLimits {
+            acceleration_mm_s2: estimator.cornering.acceleration_mm_s2,
             joint_speed_deg_s: 10_000.0,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
-        let tool = DrawingTool::default().at_speed(pace.speed_mm_s);
+        let tool = DrawingTool::default().at_speed(estimator.speed_mm_s);
         let pass = Pass::new(tool, vec![stroke.clone()]);
-        let plan = Plan::new(&[pass], &Paper::default(), &machine).expect("a plan");
+        let plan = Plan::new(&[pass], &Paper::default(), &arm_limits).expect("a plan");
         plan.duration_s()
     }
 
-    fn fast_ways(stroke: &Stroke, tolerance_mm: f64, pace: &Pace) -> Vec<Way> {
-        fast_ways_at(stroke, tolerance_mm, fewest_at(stroke, tolerance_mm), pace)
+    fn fast_ways(stroke: &Stroke, tolerance_mm: f64, estimator: &DurationEstimator) -> Vec<Way> {
+        fast_ways_at(
+            stroke,
+            tolerance_mm,
+            fewest_at(stroke, tolerance_mm),
+            estimator,
+        )
     }
 
     #[test]
     fn a_coarser_tolerance_is_not_slower_than_a_finer_one() {
-        for (seed, pace) in (1..=6).zip([pace(100.0, 40.0), pace(200.0, 100.0)].iter().cycle()) {
+        for (seed, estimator) in (1..=6).zip(
+            [estimator(100.0, 40.0), estimator(200.0, 100.0)]
+                .iter()
+                .cycle(),
+        ) {
             let stroke = wander(seed);
             // The plan decides between the ways, as it does for a drawing.
             let fastest_s = |tolerance_mm| {
-                let ways = fast_ways(&stroke, tolerance_mm, pace).into_iter();
+                let ways = fast_ways(&stroke, tolerance_mm, estimator).into_iter();
                 let fewest = [0.5, 1.0].map(|share| simplify(&stroke, share * tolerance_mm));
                 let ways = ways.map(|it| it.stroke).chain(fewest);
-                ways.map(|way| planned_s(&way, pace))
+                ways.map(|way| planned_s(&way, estimator))
                     .fold(f64::INFINITY, f64::min)
             };
             let times_s = [0.03, 0.06, 0.12, 0.24, 0.48].map(fastest_s);
@@ -344,10 +353,10 @@ mod tests {
     #[test]
     fn where_the_arm_is_slow_a_circle_is_round() {
         let wanted = circle(30.0, 5000);
-        let drawn = simplify_at(&wanted, 0.05, &pace(100.0, 20.0));
+        let drawn = simplify_at(&wanted, 0.05, &estimator(100.0, 20.0));
         assert!(worst_mm(&wanted, &drawn) <= 0.01);
         let [few, many] =
-            [simplify(&wanted, 0.05), drawn].map(|it| planned_s(&it, &pace(100.0, 20.0)));
+            [simplify(&wanted, 0.05), drawn].map(|it| planned_s(&it, &estimator(100.0, 20.0)));
         assert!(many <= 1.005 * few, "{many} instead of {few} s");
     }
 
@@ -355,9 +364,9 @@ mod tests {
     fn the_best_parts_of_two_ways_become_one() {
         let at = |i: u32| Point::new(0.0, 0.0) + Vec2::from_angle(f64::from(i) / 500.0) * 30.0;
         let arc = Stroke::open((0..1500).map(at).collect());
-        let pace = pace(100.0, 40.0);
+        let estimator = estimator(100.0, 40.0);
         // The first of them is fast at the begin, the second one at the end.
-        let mut ways = fast_ways(&arc, 0.05, &pace).into_iter();
+        let mut ways = fast_ways(&arc, 0.05, &estimator).into_iter();
         let two = [ways.next(), ways.next()].map(|it| it.expect("a way"));
         let count = |way: &Way| way.stroke.points.len() - 1;
         let (first, second) = (count(&two[0]), count(&two[1]));
@@ -371,7 +380,7 @@ mod tests {
             planned(&two[0], first, &|i| 2 * i < first),
             planned(&two[1], second, &|i| 2 * i > second),
         ];
-        let both = spliced_at(&arc, 0.05, &pace, &ways, 0.1).expect("a new way");
+        let both = spliced_at(&arc, 0.05, &estimator, &ways, 0.1).expect("a new way");
         let points = both.stroke.points;
         let third = points.len() / 3;
         let are_of = |points: &[Point], way: &Way| {
@@ -382,7 +391,7 @@ mod tests {
         assert!(are_of(&points[points.len() - third..], &two[1]));
         assert!(worst_mm(&arc, &Stroke::open(points)) <= 0.05);
         // Where a change costs more than it saves there is none.
-        assert!(spliced_at(&arc, 0.05, &pace, &ways, 100.0).is_none());
+        assert!(spliced_at(&arc, 0.05, &estimator, &ways, 100.0).is_none());
     }
 
     #[test]
@@ -479,15 +488,15 @@ mod tests {
             speed_mm_s in 1.0..200.0_f64,
         ) {
             let stroke = walk(&steps, closed);
-            let pace = pace(100.0, speed_mm_s);
-            let ways = fast_ways(&stroke, tolerance, &pace);
+            let estimator = estimator(100.0, speed_mm_s);
+            let ways = fast_ways(&stroke, tolerance, &estimator);
             // As if each way were the fastest one somewhere else.
             let planned: Vec<PlannedWay> = ways.iter().enumerate().map(|(n, way)| PlannedWay {
                 durations_s: (1..way.stroke.points.len()).map(|i| if (i + n) % 3 == 0 { 0.1 } else { 1.0 }).collect(),
                 way: way.clone(),
             }).collect();
-            let spliced = spliced_at(&stroke, tolerance, &pace, &planned, 0.0);
-            let seems = seemingly_fastest_at(&stroke, tolerance, fewest_at(&stroke, tolerance), &pace);
+            let spliced = spliced_at(&stroke, tolerance, &estimator, &planned, 0.0);
+            let seems = seemingly_fastest_at(&stroke, tolerance, fewest_at(&stroke, tolerance), &estimator);
             for Way { stroke: simple, .. } in ways.into_iter().chain(spliced).chain([seems]) {
                 if simple.points.len() > 1 {
                     prop_assert!(closed || simple.points[0] == stroke.points[0]);

@@ -9,7 +9,9 @@ use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{Settings, prepare};
 use dobot_geometry::{Point, Stroke, Vec2, deviation};
 use dobot_import::{Font, Source, StrokeFont, Text};
-use dobot_plan::{DrawingTool, Laser, Machine, MoveKind, Paper, Pass, Plan, RespeedStart, respeed};
+use dobot_plan::{
+    ArmLimits, DrawingTool, Laser, MoveKind, Paper, Pass, Plan, RespeedStart, respeed,
+};
 use dobot_wire::{Command, WriteVector};
 
 /// What the arm does in a tick: where it is behind it, and whether it burned.
@@ -91,8 +93,13 @@ fn ways(seen: &[Seen], which: impl Fn(&Seen) -> bool) -> Vec<Stroke> {
 }
 
 fn plan(tool: DrawingTool, strokes: Vec<Stroke>, personality: Personality) -> Plan {
-    let machine = Machine::of(personality.dialect());
-    Plan::new(&[Pass::new(tool, strokes)], &Paper::level(-40.0), &machine).expect("a plan")
+    let arm_limits = ArmLimits::of(personality.dialect());
+    Plan::new(
+        &[Pass::new(tool, strokes)],
+        &Paper::level(-40.0),
+        &arm_limits,
+    )
+    .expect("a plan")
 }
 
 fn line(points: &[(f64, f64)]) -> Stroke {
@@ -186,13 +193,13 @@ fn a_stock_arm_draws_the_path_at_any_speed() {
         .collect();
     for share in [0.1, 0.5, 2.0] {
         let mut commands = head.clone();
-        let machine = Machine::of(personality.dialect());
+        let arm_limits = ArmLimits::of(personality.dialect());
         let begin = RespeedStart {
             speed_mm_s: 0.0,
             position: Position::new(plan.start[0], plan.start[1], plan.start[2]),
             tool: dobot_arm::Tool::SuctionCup,
         };
-        let others = respeed(&vectors, &begin, share, &machine);
+        let others = respeed(&vectors, &begin, share, &arm_limits);
         commands.extend(others.into_iter().map(Command::from));
         let seen = drive(&commands, personality, plan.start);
         let drawn = ways(&seen, |it| it.place[2] < -39.999);
@@ -246,7 +253,7 @@ fn a_stock_arm_burns_small_letters_within_the_tolerance() {
             ..Laser::default()
         };
         let settings = Settings {
-            machine: Machine::of(Personality::Firmware11.dialect()),
+            arm_limits: ArmLimits::of(Personality::Firmware11.dialect()),
             tool: DrawingTool::Laser(laser),
             paper: Paper::level(-40.0),
             ..Settings::default()

@@ -12,7 +12,7 @@ use crate::{ArmPlace, Model};
 impl ArmPlace {
     /// The true joint angles and the true place of the tool, where an arm says this one.
     #[must_use]
-    pub fn seen_by(&self, calibration: &Calibration, tool: Tool) -> Self {
+    pub fn calibrated(&self, calibration: &Calibration, tool: Tool) -> Self {
         if calibration.is_none() {
             return *self;
         }
@@ -33,7 +33,7 @@ impl ArmPlace {
 /// # Errors
 ///
 /// [`Unreachable`] where the arm cannot bring its tool to the true place.
-pub fn told(
+pub fn to_raw(
     command: &Command,
     arm: &Calibration,
     tool: Tool,
@@ -56,11 +56,11 @@ pub fn told(
                 }),
                 _ => from.copied(),
             };
-            let told = forward(&taken_up(&joints, from.as_ref(), arm), tool).position;
+            let raw = forward(&compensated(&joints, from.as_ref(), arm), tool).position;
             MoveTo {
-                x_mm: single(told.x.0),
-                y_mm: single(told.y.0),
-                z_mm: single(told.z.0),
+                x_mm: single(raw.x.0),
+                y_mm: single(raw.y.0),
+                z_mm: single(raw.z.0),
                 rotation_deg: single(f64::from(it.rotation_deg) - arm.base_deg),
                 ..*it
             }
@@ -69,11 +69,11 @@ pub fn told(
         Command::MoveJoints(it) => {
             let [base, rear, fore] = [it.base_deg, it.rear_deg, it.fore_deg].map(f64::from);
             let joints = arm.told_joints_of(&Joints::new(base, rear, fore, 0.0));
-            let told = taken_up(&joints, from, arm);
+            let raw = compensated(&joints, from, arm);
             MoveJoints {
-                base_deg: single(told.base.0),
-                rear_deg: single(told.rear.0),
-                fore_deg: single(told.fore.0),
+                base_deg: single(raw.base.0),
+                rear_deg: single(raw.rear.0),
+                fore_deg: single(raw.fore.0),
                 ..*it
             }
             .into()
@@ -83,7 +83,7 @@ pub fn told(
 }
 
 /// Joint angles that the arm has to say, where it comes from others.
-fn taken_up(joints: &Joints, from: Option<&Joints>, arm: &Calibration) -> Joints {
+fn compensated(joints: &Joints, from: Option<&Joints>, arm: &Calibration) -> Joints {
     from.map_or(*joints, |from| {
         let turned = [
             joints.base - from.base,
@@ -97,8 +97,8 @@ fn taken_up(joints: &Joints, from: Option<&Joints>, arm: &Calibration) -> Joints
 impl Model {
     /// Where the arm truly is when it says a place.
     #[must_use]
-    pub fn true_place(&self, told: &ArmPlace) -> ArmPlace {
-        told.seen_by(&self.calibration, self.tool)
+    pub fn calibrated_place(&self, raw: &ArmPlace) -> ArmPlace {
+        raw.calibrated(&self.calibration, self.tool)
     }
 
     /// What the arm has to be told for a command that speaks of true places: targets, joint angles and
@@ -110,24 +110,24 @@ impl Model {
     /// # Errors
     ///
     /// [`Unreachable`] where the arm cannot bring its tool to the true place.
-    pub fn told(&self, command: &Command) -> Result<Command, Unreachable> {
+    pub fn to_raw(&self, command: &Command) -> Result<Command, Unreachable> {
         let arm = &self.calibration;
         match command {
             Command::WriteVector(it) if !it.stop && !arm.is_none() => {
-                let here = self.true_place(&self.place).pose.position;
+                let here = self.calibrated_place(&self.place).pose.position;
                 let there = here + position(it.x_mm, it.y_mm, it.z_mm);
                 let joints = arm.told_joints(there, self.tool)?;
-                let joints = taken_up(&joints, Some(&self.place.joints), arm);
-                let told = forward(&joints, self.tool).position - self.place.pose.position;
+                let joints = compensated(&joints, Some(&self.place.joints), arm);
+                let raw = forward(&joints, self.tool).position - self.place.pose.position;
                 Ok(WriteVector {
-                    x_mm: single(told.x.0),
-                    y_mm: single(told.y.0),
-                    z_mm: single(told.z.0),
+                    x_mm: single(raw.x.0),
+                    y_mm: single(raw.y.0),
+                    z_mm: single(raw.z.0),
                     ..*it
                 }
                 .into())
             }
-            _ => told(command, arm, self.tool, Some(&self.place.joints)),
+            _ => to_raw(command, arm, self.tool, Some(&self.place.joints)),
         }
     }
 }
@@ -170,17 +170,17 @@ mod tests {
 
     /// Where the tool truly is when a command is over.
     fn end(model: &Model, command: &Command) -> ArmPlace {
-        let told = model.told(command).unwrap();
-        let trajectory = model.trajectory(&told).unwrap();
-        model.true_place(&trajectory.end().unwrap())
+        let raw = model.to_raw(command).unwrap();
+        let trajectory = model.trajectory(&raw).unwrap();
+        model.calibrated_place(&trajectory.end().unwrap())
     }
 
     proptest! {
         #[test]
-        fn a_target_brings_the_tool_to_the_true_place(arm in arm(), x in 190.0_f32..230.0, y in -60.0_f32..60.0, z in -10.0_f32..30.0) {
+        fn a_target_brings_the_tool_to_the_calibrated_place(arm in arm(), x in 190.0_f32..230.0, y in -60.0_f32..60.0, z in -10.0_f32..30.0) {
             let model = model(arm);
             let target = Command::from(MoveTo::to(x, y, z));
-            prop_assume!(model.told(&target).is_ok_and(|it| model.trajectory(&it).is_ok()));
+            prop_assume!(model.to_raw(&target).is_ok_and(|it| model.trajectory(&it).is_ok()));
             let found = end(&model, &target).pose.position;
             let away = found - position(x, y, z);
             prop_assert!(away.x.0.hypot(away.y.0).hypot(away.z.0) < 1e-3, "{found:?}");
@@ -190,15 +190,15 @@ mod tests {
         fn a_vector_moves_the_tool_by_what_it_says(arm in arm(), dx in -10.0_f32..10.0, dy in -10.0_f32..10.0) {
             let model = model(arm);
             let vector = Command::from(WriteVector::by(dx, dy, 0.0, 40.0));
-            prop_assume!(model.told(&vector).is_ok_and(|it| model.trajectory(&it).is_ok()));
-            let from = model.true_place(&model.place).pose.position;
+            prop_assume!(model.to_raw(&vector).is_ok_and(|it| model.trajectory(&it).is_ok()));
+            let from = model.calibrated_place(&model.place).pose.position;
             let gone = end(&model, &vector).pose.position - from;
             prop_assert!((gone - position(dx, dy, 0.0)).reach().0 < 1e-3, "{gone:?}");
         }
     }
 
     #[test]
-    fn joint_angles_are_the_true_ones() {
+    fn joint_angles_are_the_calibrated_ones() {
         let zeros = Calibration {
             base_deg: 5.0,
             rear_deg: -3.0,
@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn to_an_arm_as_drawn_a_command_means_what_it_says() {
         let target = Command::from(MoveTo::to(200.0, 10.0, 5.0));
-        assert_eq!(model(Calibration::NONE).told(&target), Ok(target));
+        assert_eq!(model(Calibration::NONE).to_raw(&target), Ok(target));
     }
 
     #[test]

@@ -53,7 +53,7 @@ pub enum TrajectoryError {
     },
     /// A straight line behind one that may have been cut short: it would begin with a jump.
     #[error(
-        "a straight line was perhaps cut short, and the next one would begin with a jump as long as that (note N46); send a MOVJ before it"
+        "a straight line was perhaps tick_stroke short, and the next one would begin with a jump as long as that (note N46); send a MOVJ before it"
     )]
     BehindCutLine,
     /// A vector that a stock arm would never end.

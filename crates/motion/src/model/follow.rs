@@ -42,7 +42,7 @@ fn swung(average: [f32; 3], by: &MouseMove, model: &Model) -> Result<Trajectory,
     let arms = Limits::STOCK.solve(&ahead, model.tool)?;
     let base = from.joints.base + Degrees(-MOUSE_DEG * swing);
     let servo = match Degrees(by.rotation_deg.into()) {
-        told if told.abs().0 <= 90.0 => told,
+        angle if angle.abs().0 <= 90.0 => angle,
         _ => from.joints.servo,
     };
     let to = Joints {

@@ -191,8 +191,8 @@ fn configured(configuration: &Configuration, model: &Model) -> Result<Trajectory
     let joints = model.place.joints;
     let to = match *configuration {
         Configuration::InitialAngles { rear_deg, fore_deg } => {
-            let told = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
-            let place = ArmPlace::at_joints(told, model.tool);
+            let raw = Joints::new(0.0, rear_deg.into(), fore_deg.into(), joints.servo.0);
+            let place = ArmPlace::at_joints(raw, model.tool);
             place.check()?;
             return Ok(Trajectory {
                 knows_end: true,
@@ -247,7 +247,7 @@ impl Model {
     /// The point that a command names, be it in reach or not: a target, or that far from a place that
     /// is known. `None` where it names none, or a stock arm makes another of it (notes N9 and N18).
     #[must_use]
-    pub fn aim(&self, command: &Command) -> Option<Position> {
+    pub fn target(&self, command: &Command) -> Option<Position> {
         let by = |x, y, z| {
             let from = self.knows_place.then_some(self.place.pose.position)?;
             Some(from + position(x, y, z))

@@ -1,6 +1,6 @@
 //! The trajectory of a writing or laser vector (state 4).
 
-use crate::{Cut, Stroke, StrokeSpeeds};
+use crate::{Stroke, StrokeSpeeds, TickStroke};
 use dobot_arm::{Pose, Position, TICK_S, stock};
 use dobot_wire::{WriteMode, WriteVector};
 
@@ -20,19 +20,22 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
         return Err(TrajectoryError::OnTheSpot);
     }
     let speeds = stroke_speeds(vector, model)?;
-    let cut = Cuts::of(vector, speeds.acceleration_mm_s2, model);
-    let by = cut.as_ref().map_or(by, |it| it.as_cut(by));
+    let tick_stroke = TickStrokes::of(vector, speeds.acceleration_mm_s2, model);
+    let by = tick_stroke.as_ref().map_or(by, |it| it.executed(by));
     let stroke = Stroke::new(from.position, by, &speeds)?;
     if model.dialect.counts_ticks_in_16_bits && stroke.duration_s() > MOST_COUNTED_S {
         let found = stroke.duration_s();
         return Err(TrajectoryError::Uncounted { found });
     }
     let rapid = is_rapid(vector, model);
-    if cut.as_ref().is_some_and(|it| it.may_never_end(rapid)) {
+    if tick_stroke
+        .as_ref()
+        .is_some_and(|it| it.may_never_end(rapid))
+    {
         return Err(TrajectoryError::NeverEnds);
     }
-    if let Some(cut) = &cut {
-        cut.check_left(model.settings.write_acceleration_mm_s2 as f32)?;
+    if let Some(tick_stroke) = &tick_stroke {
+        tick_stroke.check_left(model.settings.write_acceleration_mm_s2 as f32)?;
     }
     let is_flat = model.dialect.has_rapid_laser_mode && vector.mode == WriteMode::Laser;
     let motion = Motion::Stroke {
@@ -44,15 +47,16 @@ pub(crate) fn vector(vector: &WriteVector, model: &Model) -> Result<Trajectory, 
     let length_mm = by.length().0;
     Ok(Trajectory {
         knows_end: trajectory.knows_end
-            && (model.left.is_known() || cut.as_ref().is_none_or(|it| it.is_sure(length_mm))),
+            && (model.left.is_known()
+                || tick_stroke.as_ref().is_none_or(|it| it.is_sure(length_mm))),
         to: if model.dialect.uses_start_speed {
             trajectory.to
         } else {
             stock_end(&trajectory, model)
         },
         burns: model.laser_during(vector),
-        left: cut.as_ref().map(Cuts::left),
-        ticks: cut.as_ref().map(Cuts::ticks),
+        left: tick_stroke.as_ref().map(TickStrokes::left),
+        ticks: tick_stroke.as_ref().map(TickStrokes::ticks),
         ..trajectory
     })
 }
@@ -78,18 +82,18 @@ fn stock_end(trajectory: &Trajectory, model: &Model) -> ArmPlace {
 
 /// The ticks of a vector, where an arm cuts it into such and keeps the speed of the last for the next
 /// vector (note N48).
-struct Cuts {
-    believed: Cut,
+struct TickStrokes {
+    believed: TickStroke,
     /// What they may be instead.
-    perhaps: Option<[Cut; 3]>,
+    perhaps: Option<[TickStroke; 3]>,
 }
 
-impl Cuts {
+impl TickStrokes {
     #[expect(clippy::cast_possible_truncation, reason = "as the arm calculates")]
     fn of(vector: &WriteVector, acceleration_mm_s2: f64, model: &Model) -> Option<Self> {
         let [x, y, z] = [vector.x_mm, vector.y_mm, vector.z_mm];
-        let cut = |left_mm_s| {
-            Cut::of(
+        let tick_stroke = |left_mm_s| {
+            TickStroke::of(
                 libm::sqrtf(x * x + y * y + z * z),
                 left_mm_s,
                 vector.end_speed_mm_s,
@@ -98,14 +102,14 @@ impl Cuts {
             )
         };
         (!model.dialect.uses_start_speed).then(|| Self {
-            believed: cut(model.left.believed_mm_s),
-            perhaps: model.left.perhaps_mm_s.map(|it| it.map(cut)),
+            believed: tick_stroke(model.left.believed_mm_s),
+            perhaps: model.left.perhaps_mm_s.map(|it| it.map(tick_stroke)),
         })
     }
 
     /// The vector as it becomes where its ticks are known and do not add up to its length.
-    fn as_cut(&self, by: Position) -> Position {
-        if self.perhaps.is_some() || self.believed.is_true() {
+    fn executed(&self, by: Position) -> Position {
+        if self.perhaps.is_some() || self.believed.is_exact() {
             return by;
         }
         by * (f64::from(self.believed.length_mm()) / by.length().0)
@@ -137,7 +141,7 @@ impl Cuts {
 
     fn ticks(&self) -> Ticks {
         let believed = self.believed.ticks();
-        let perhaps = self.perhaps.iter().flatten().map(Cut::ticks);
+        let perhaps = self.perhaps.iter().flatten().map(TickStroke::ticks);
         Ticks {
             believed,
             most: perhaps.fold(believed, i16::max),
@@ -147,7 +151,9 @@ impl Cuts {
     fn left(&self) -> LeftSpeed {
         LeftSpeed {
             believed_mm_s: self.believed.end_mm_s,
-            perhaps_mm_s: self.perhaps.map(|it| it.map(|cut| cut.end_mm_s)),
+            perhaps_mm_s: self
+                .perhaps
+                .map(|it| it.map(|tick_stroke| tick_stroke.end_mm_s)),
         }
     }
 }

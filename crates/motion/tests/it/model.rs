@@ -442,11 +442,11 @@ fn a_status_shows_which_tool_is_mounted() {
 #[test]
 fn initial_angles_say_where_the_arm_is() {
     let jogging = after(&model(STOCK), jog(JointJogAxis::BasePlus, 50.0));
-    let told = Configuration::InitialAngles {
+    let configuration = Configuration::InitialAngles {
         rear_deg: 30.0,
         fore_deg: 40.0,
     };
-    let model = after(&jogging, told);
+    let model = after(&jogging, configuration);
     assert!(model.knows_place());
     assert_eq!(model.place.joints, Joints::new(0.0, 30.0, 40.0, 0.0));
 }

@@ -1,7 +1,7 @@
 //! Strokes that a laser burns.
 
 use dobot_geometry::{Point, Stroke};
-use dobot_motion::Cut;
+use dobot_motion::TickStroke;
 
 use crate::laser::laser_path::{
     LEAST_BURN_MM, LaserPath, NEAR_MM, Parted, SwitchLead, burn_speed_mm_s, burnable,
@@ -9,7 +9,7 @@ use crate::laser::laser_path::{
 use crate::path::commands::write;
 use crate::path::planner::{Planner, Settled};
 use crate::speed::chain::ChainSpeeds;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
@@ -27,7 +27,7 @@ impl Planner<'_> {
     pub(crate) fn burn(&mut self, stroke: &Stroke, laser: &Laser) {
         let points = burnable(stroke, self.here);
         let laser = &Laser {
-            burn_speed_mm_s: burn_speed_mm_s(&points, laser, self.machine),
+            burn_speed_mm_s: burn_speed_mm_s(&points, laser, self.arm_limits),
             ..*laser
         };
         let before = self.burned_so_far();
@@ -39,7 +39,7 @@ impl Planner<'_> {
             if best.is_some_and(goes) {
                 break;
             }
-            let mut wanted = SwitchLead::at_speed(laser, self.machine);
+            let mut wanted = SwitchLead::at_speed(laser, self.arm_limits);
             for _ in 0..BURN_ROUNDS {
                 if is_planned {
                     self.back_to(&before);
@@ -79,7 +79,10 @@ impl Planner<'_> {
     /// Where it is switched.
     fn burn_once(&mut self, points: &[Point], laser: &Laser, tried: &BurnTry) -> SwitchLead {
         let asked = laser.burn_speed_mm_s;
-        let least = self.machine.least_kept_mm_s().max(LEAST_BURN_MM_S.into());
+        let least = self
+            .arm_limits
+            .least_kept_mm_s()
+            .max(LEAST_BURN_MM_S.into());
         let speed = (asked * tried.way.speed_share).max(asked.min(least));
         let longer_mm = tried.way.longer_ticks * f64::from(TICK_S) * speed;
         let path = LaserPath::of(
@@ -87,7 +90,7 @@ impl Planner<'_> {
             speed,
             tried.wanted,
             (longer_mm, tried.way.parted),
-            self.machine,
+            self.arm_limits,
         );
         self.travel(path.run_up, 0.0, laser.travel_speed_mm_s);
         for p in path.off_to {
@@ -123,16 +126,21 @@ impl Planner<'_> {
 
     /// How far the ticks go in which the laser is switched, by the vectors from there on.
     fn lead(&self, begin: usize, mut ticker: Ticker) -> SwitchLead {
-        let last_mm = |cut: &Cut| cut.speeds_mm_s().last().map_or(0.0, |it| it * TICK_S);
+        let last_mm = |tick_stroke: &TickStroke| {
+            tick_stroke
+                .speeds_mm_s()
+                .last()
+                .map_or(0.0, |it| it * TICK_S)
+        };
         let mut lead = SwitchLead {
             on_mm: 0.0,
             off_mm: 0.0,
         };
         for vector in &self.moves[begin..] {
-            let cut = ticker.run(&write(vector));
+            let tick_stroke = ticker.run(&write(vector));
             match vector.kind {
-                MoveKind::RunUp => lead.on_mm = last_mm(&cut).into(),
-                MoveKind::Burn => lead.off_mm = last_mm(&cut).into(),
+                MoveKind::RunUp => lead.on_mm = last_mm(&tick_stroke).into(),
+                MoveKind::Burn => lead.off_mm = last_mm(&tick_stroke).into(),
                 _ => {}
             }
         }
@@ -151,7 +159,7 @@ impl Planner<'_> {
         let mut chain = self.chain.clone();
         let mut chain_speeds = self.chain_speeds.clone();
         let speeds = chain_speeds
-            .plan(&mut chain, Aim::Evenly)
+            .plan(&mut chain, Objective::Even)
             .skip(first)
             .take(burned);
         let slowest_mm_s = speeds
@@ -263,20 +271,20 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::{DrawingTool, Machine, Paper, Pass, Plan, burned_corners};
+    use crate::{ArmLimits, DrawingTool, Paper, Pass, Plan, burned_corners};
 
     /// Where the laser of a stock arm is on, stroke by stroke: from the last tick before the vectors that burn up to the last but one
     /// of these.
     fn lit(plan: &Plan) -> Vec<Stroke> {
-        let mut ticker = Ticker::new(plan.machine(), 0.0);
+        let mut ticker = Ticker::new(plan.arm_limits(), 0.0);
         let mut here = Point::new(plan.start[0], plan.start[1]);
         let mut lit: Vec<Stroke> = Vec::new();
         let mut last_tick = [here; 2];
         let mut was = MoveKind::Travel;
         for (vector, [x, y, _]) in plan.moves.iter().zip(plan.positions()) {
             let there = Point::new(x, y);
-            let cut = ticker.run(&write(vector));
-            let last_mm = f64::from(cut.speeds_mm_s().last().unwrap_or(0.0) * TICK_S);
+            let tick_stroke = ticker.run(&write(vector));
+            let last_mm = f64::from(tick_stroke.speeds_mm_s().last().unwrap_or(0.0) * TICK_S);
             let before_last = there.lerp(here, last_mm / there.distance(here));
             if vector.kind == MoveKind::Burn && was != MoveKind::Burn {
                 lit.push(Stroke::open(last_tick.to_vec()));
@@ -313,18 +321,19 @@ mod tests {
             burn_speed_mm_s,
             ..Laser::default()
         };
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             has_ticks: true,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
         let pass = Pass::new(DrawingTool::Laser(laser), strokes.to_vec());
-        let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).expect("a plan");
-        let mut ticker = Ticker::new(&machine, 0.0);
+        let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).expect("a plan");
+        let mut ticker = Ticker::new(&arm_limits, 0.0);
         let mut burned_s = vec![0.0; strokes.len()];
         for vector in &plan.moves {
-            let cut = ticker.run(&write(vector));
+            let tick_stroke = ticker.run(&write(vector));
             if vector.kind == MoveKind::Burn {
-                burned_s[vector.stroke as usize] += f64::from(cut.ticks()) * f64::from(TICK_S);
+                burned_s[vector.stroke as usize] +=
+                    f64::from(tick_stroke.ticks()) * f64::from(TICK_S);
             }
         }
         let both = burned_s.iter().zip(strokes);
@@ -371,9 +380,9 @@ mod tests {
             let strokes = [stroke];
             prop_assume!(strokes[0].length_mm() > 0.4);
             let laser = Laser { burn_speed_mm_s, ..Laser::default() };
-            let machine = Machine { has_ticks: true, ..Machine::default() };
+            let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
             let pass = Pass::new(DrawingTool::Laser(laser), strokes.to_vec());
-            let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).expect("a plan");
+            let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).expect("a plan");
             let off = deviation(&strokes, &lit(&plan));
             // 0.01 in nine of ten strokes, 0.033 in 99 of a hundred and 0.069 at most of eight thousand, whose first corner is sharp and
             // as near to the beginning as a laser burns at all.

@@ -4,7 +4,7 @@ use dobot_geometry::{Point, Stroke, Vec2, bounds, distance_from_chord};
 
 use crate::path::planner::LEAST_VECTOR_MM;
 use crate::ticks::tick::TICK_S;
-use crate::{Laser, Machine};
+use crate::{ArmLimits, Laser};
 
 /// Where a laser gets to its speed before a stroke, and where it loses it behind.
 pub(crate) struct LaserPath {
@@ -37,8 +37,8 @@ pub(crate) struct SwitchLead {
 
 impl SwitchLead {
     /// As long as the laser's speed is kept.
-    pub(crate) fn at_speed(laser: &Laser, machine: &Machine) -> Self {
-        let mm = if machine.has_ticks {
+    pub(crate) fn at_speed(laser: &Laser, arm_limits: &ArmLimits) -> Self {
+        let mm = if arm_limits.has_ticks {
             laser.burn_speed_mm_s * f64::from(TICK_S)
         } else {
             0.0
@@ -69,7 +69,7 @@ impl LaserPath {
         speed_mm_s: f64,
         lead: SwitchLead,
         (longer_mm, parted): (f64, Parted),
-        machine: &Machine,
+        arm_limits: &ArmLimits,
     ) -> Self {
         let (first, last) = (points[0], points[points.len() - 1]);
         let into = unit(points[1] - first).expect("burnable points lie apart");
@@ -85,8 +85,8 @@ impl LaserPath {
         if parted == Parted::AtBoth && on_mm >= LEAST_BURN_MM {
             off_to.insert(0, first);
         }
-        let gain_mm = gain_mm(speed_mm_s, machine);
-        let run_out = off + out * packet_mm(speed_mm_s, machine).max(LEAST_RUN_OUT_MM);
+        let gain_mm = gain_mm(speed_mm_s, arm_limits);
+        let run_out = off + out * packet_mm(speed_mm_s, arm_limits).max(LEAST_RUN_OUT_MM);
         Self {
             run_up: first - into * (gain_mm + longer_mm),
             off_to,
@@ -137,27 +137,27 @@ fn switchable_mm(path: &mut [Point], wanted_mm: f64) -> f64 {
 }
 
 /// How far beyond the end of a stroke a laser goes at the most, in mm.
-pub(crate) fn run_mm(laser: &Laser, machine: &Machine) -> f64 {
+pub(crate) fn run_mm(laser: &Laser, arm_limits: &ArmLimits) -> f64 {
     let speed_mm_s = laser.burn_speed_mm_s;
-    let run_out_mm = packet_mm(speed_mm_s, machine).max(LEAST_RUN_OUT_MM);
-    SwitchLead::at_speed(laser, machine).off_mm + run_out_mm + gain_mm(speed_mm_s, machine)
+    let run_out_mm = packet_mm(speed_mm_s, arm_limits).max(LEAST_RUN_OUT_MM);
+    SwitchLead::at_speed(laser, arm_limits).off_mm + run_out_mm + gain_mm(speed_mm_s, arm_limits)
 }
 
 /// What it takes to get to a speed, and at least as much as the link needs for a packet. From rest an arm with ticks gets to a
 /// tick's change at once, and no slower.
-fn gain_mm(speed_mm_s: f64, machine: &Machine) -> f64 {
-    let gain_mm = 0.5 * speed_mm_s * speed_mm_s / machine.acceleration_mm_s2 * RUN_SPARE;
-    let least_mm_s = if machine.has_ticks {
-        machine.acceleration_mm_s2 * f64::from(TICK_S)
+fn gain_mm(speed_mm_s: f64, arm_limits: &ArmLimits) -> f64 {
+    let gain_mm = 0.5 * speed_mm_s * speed_mm_s / arm_limits.acceleration_mm_s2 * RUN_SPARE;
+    let least_mm_s = if arm_limits.has_ticks {
+        arm_limits.acceleration_mm_s2 * f64::from(TICK_S)
     } else {
         0.0
     };
-    gain_mm.max(packet_mm(speed_mm_s.max(least_mm_s), machine))
+    gain_mm.max(packet_mm(speed_mm_s.max(least_mm_s), arm_limits))
 }
 
 /// How far it goes while the link brings a packet.
-fn packet_mm(speed_mm_s: f64, machine: &Machine) -> f64 {
-    speed_mm_s * machine.link.period_s * RUN_SPARE
+fn packet_mm(speed_mm_s: f64, arm_limits: &ArmLimits) -> f64 {
+    speed_mm_s * arm_limits.link.period_s * RUN_SPARE
 }
 
 /// The corners of a stroke that a laser burns, none nearer to the next than [`LEAST_BURN_MM`]: the link takes as long for a shorter
@@ -197,9 +197,9 @@ pub(crate) fn burnable(stroke: &Stroke, here: [f64; 3]) -> Vec<Point> {
 
 /// The speed at which a laser burns a path: a stock arm switches it between ticks, so that what is
 /// shorter than a tick at its own speed is burned for a whole one.
-pub(crate) fn burn_speed_mm_s(points: &[Point], laser: &Laser, machine: &Machine) -> f64 {
+pub(crate) fn burn_speed_mm_s(points: &[Point], laser: &Laser, arm_limits: &ArmLimits) -> f64 {
     let length_mm: f64 = points.windows(2).map(|it| it[0].distance(it[1])).sum();
-    if machine.has_ticks {
+    if arm_limits.has_ticks {
         laser.burn_speed_mm_s.min(length_mm / f64::from(TICK_S))
     } else {
         laser.burn_speed_mm_s

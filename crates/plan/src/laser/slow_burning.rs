@@ -56,7 +56,7 @@ const SEEN_SHARE: f64 = 0.05;
 mod tests {
     use dobot_geometry::{Point, Stroke};
 
-    use crate::{DrawingTool, Laser, Machine, Paper, Pass, Plan, SlowBurning};
+    use crate::{ArmLimits, DrawingTool, Laser, Paper, Pass, Plan, SlowBurning};
 
     fn slow_burning(strokes: Vec<Stroke>, burn_speed_mm_s: f64) -> Option<SlowBurning> {
         let laser = Laser {
@@ -64,7 +64,7 @@ mod tests {
             ..Laser::default()
         };
         let pass = Pass::new(DrawingTool::Laser(laser), strokes);
-        let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::default()).expect("a plan");
+        let plan = Plan::new(&[pass], &Paper::level(-40.0), &ArmLimits::default()).expect("a plan");
         plan.slow_burning(&plan.passes[0])
     }
 
@@ -79,16 +79,16 @@ mod tests {
     }
 
     #[test]
-    fn what_the_link_slows_down_is_told_and_is_even_at_the_speed_that_is_told() {
+    fn what_the_link_slows_down_is_reported_and_is_even_at_the_speed_that_is_reported() {
         // Its packets take 80 ms each: 20 of 0.8 mm allow 10 mm/s.
         let row: Vec<(f64, f64)> = (0..=20)
             .map(|i| (200.0 + 0.8 * f64::from(i), 0.0))
             .collect();
         let strokes = vec![line(&row), line(&[(200.0, 10.0), (232.0, 10.0)])];
-        let told = slow_burning(strokes.clone(), 30.0).expect("16 of 48 mm are slow");
-        assert!((told.burned_mm - 48.0).abs() < 0.1, "{told:?}");
-        assert!(told.slow_mm > 8.0 && told.slow_mm < 16.1, "{told:?}");
-        assert!(told.even_mm_s > 9.0 && told.even_mm_s < 24.0, "{told:?}");
-        assert_eq!(slow_burning(strokes, told.even_mm_s), None);
+        let found = slow_burning(strokes.clone(), 30.0).expect("16 of 48 mm are slow");
+        assert!((found.burned_mm - 48.0).abs() < 0.1, "{found:?}");
+        assert!(found.slow_mm > 8.0 && found.slow_mm < 16.1, "{found:?}");
+        assert!(found.even_mm_s > 9.0 && found.even_mm_s < 24.0, "{found:?}");
+        assert_eq!(slow_burning(strokes, found.even_mm_s), None);
     }
 }

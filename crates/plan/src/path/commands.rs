@@ -38,7 +38,7 @@ pub(crate) fn approach(plan: &Plan) -> [Command; APPROACH_LEN] {
         tool: plan.passes[0].tool.tool().into(),
     };
     let acceleration = Configuration::Writing {
-        acceleration_mm_s2: single(plan.machine().acceleration_mm_s2),
+        acceleration_mm_s2: single(plan.arm_limits().acceleration_mm_s2),
     };
     [LASER_OFF.into(), tool.into(), acceleration.into()]
 }
@@ -104,14 +104,14 @@ const SERVO_DEG: f64 = Limits::STOCK.servo.max.0 - 1.0;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::{DrawingTool, Machine, Paper, Pass};
+    use crate::{ArmLimits, DrawingTool, Paper, Pass};
     use dobot_geometry::{Point, Stroke};
 
     #[test]
     fn a_drawing_begins_with_the_laser_off_and_goes_to_its_start_before_it_draws() {
         let stroke = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(210.0, 0.0)]);
         let pass = Pass::new(DrawingTool::default(), vec![stroke]);
-        let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+        let plan = Plan::new(&[pass], &Paper::default(), &ArmLimits::default()).unwrap();
         let commands: Vec<_> = plan.commands().collect();
         assert_eq!(commands[0], LASER_OFF.into());
         let moves = |it: &Command| matches!(it, Command::MoveTo(_) | Command::WriteVector(_));
@@ -133,7 +133,7 @@ mod tests {
             };
             let strokes = bases_deg.iter().map(dot).collect();
             let pass = Pass::new(DrawingTool::default(), strokes);
-            let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+            let plan = Plan::new(&[pass], &Paper::default(), &ArmLimits::default()).unwrap();
             to_start(&plan).rotation_deg
         };
         // The servo goes from 65 to -65 degrees instead of from 0 to -130.

@@ -14,7 +14,7 @@ use dobot_geometry::{Point, Vec2};
 ///                \__/
 /// ```
 #[must_use]
-pub fn around_axis(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
+pub fn detour(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
     let (from, to) = (from.to_vec2(), to.to_vec2());
     let radius_mm = nearest_mm.min(from.hypot()).min(to.hypot());
     if radius_mm <= 0.0 {
@@ -66,15 +66,15 @@ mod tests {
     }
 
     fn whole(from: Point, to: Point, nearest_mm: f64) -> Vec<Point> {
-        let between = around_axis(from, to, nearest_mm);
+        let between = detour(from, to, nearest_mm);
         [vec![from], between, vec![to]].concat()
     }
 
     #[test]
     fn a_way_that_is_free_stays_straight() {
         let [a, b] = [Point::new(200.0, -100.0), Point::new(200.0, 100.0)];
-        assert!(around_axis(a, b, 150.0).is_empty());
-        assert_eq!(around_axis(a, a, 150.0), []);
+        assert!(detour(a, b, 150.0).is_empty());
+        assert_eq!(detour(a, a, 150.0), []);
     }
 
     #[test]

@@ -4,29 +4,29 @@ use dobot_arm::stock;
 
 use crate::path::commands::write;
 use crate::ticks::ticker::Ticker;
-use crate::{DrawingTool, Machine, PlannedVector};
+use crate::{ArmLimits, DrawingTool, PlannedVector};
 
 /// Where vectors lead: exactly their increments further, or to where a stock arm takes itself to be then.
 #[derive(Clone, Debug)]
-pub(crate) struct Landing {
-    stock: Option<StockLanding>,
+pub(crate) struct Endpoint {
+    stock: Option<StockEndpoint>,
 }
 
 #[derive(Clone, Debug)]
-struct StockLanding {
+struct StockEndpoint {
     /// How far the tool reaches beyond the wrist.
     tool_mm: f32,
     /// What the arm carries over from vector to vector.
     ticker: Ticker,
 }
 
-impl Landing {
-    pub(crate) fn new(machine: &Machine, tool: &DrawingTool) -> Self {
+impl Endpoint {
+    pub(crate) fn new(arm_limits: &ArmLimits, tool: &DrawingTool) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "as the arm holds it")]
         let tool_mm = tool.reach_mm() as f32;
-        let stock = |ticker| StockLanding { tool_mm, ticker };
+        let stock = |ticker| StockEndpoint { tool_mm, ticker };
         Self {
-            stock: Ticker::of(machine, 0.0).map(stock),
+            stock: Ticker::of(arm_limits, 0.0).map(stock),
         }
     }
 
@@ -43,7 +43,7 @@ impl Landing {
     pub(crate) fn behind(&mut self, here: [f64; 3], vector: &PlannedVector) -> [f64; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
         let way = match &mut self.stock {
-            Some(it) => it.ticker.leads_mm(&write(vector)),
+            Some(it) => it.ticker.displacement_mm(&write(vector)),
             None => way,
         };
         self.about(here, way)

@@ -10,16 +10,16 @@
 
 use std::iter;
 
-use dobot_motion::{Cut, Profile};
+use dobot_motion::{Profile, TickStroke};
 use dobot_wire::single;
 
 use crate::path::commands::write;
-use crate::path::endpoint::Landing;
+use crate::path::endpoint::Endpoint;
 use crate::path::planner::round_down;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::{LEAST_BURN_MM_S, LEAST_END_MM_S, NEAR};
 use crate::ticks::ticker::{Ticker, length};
-use crate::{DrawingTool, Machine, MoveKind, PlannedVector};
+use crate::{ArmLimits, DrawingTool, MoveKind, PlannedVector};
 
 /// A vector that burns takes no longer, in s, unless a stock arm only speeds up and brakes on it.
 pub const LONGEST_BURN_S: f64 = 0.18;
@@ -35,14 +35,14 @@ pub(crate) struct Pieces {
 
 impl Pieces {
     /// Those of the first vectors of a plan, which begins at this place.
-    pub(crate) fn new(machine: &Machine, tool: &DrawingTool, start: [f64; 3]) -> Self {
-        let arm = Ticker::of(machine, 0.0).map(|ticker| TickedArm {
+    pub(crate) fn new(arm_limits: &ArmLimits, tool: &DrawingTool, start: [f64; 3]) -> Self {
+        let arm = Ticker::of(arm_limits, 0.0).map(|ticker| TickedArm {
             ticker,
-            landing: Landing::new(machine, tool),
+            endpoint: Endpoint::new(arm_limits, tool),
             here: start,
         });
         Self {
-            acceleration_mm_s2: machine.planned_acceleration_mm_s2(),
+            acceleration_mm_s2: arm_limits.planned_acceleration_mm_s2(),
             arms: arm.map(|it| [it.clone(), it]),
         }
     }
@@ -58,18 +58,19 @@ impl Pieces {
             MoveKind::Draw => LONGEST_DRAW_S,
             _ => f64::INFINITY,
         };
-        let Some([planned, cut]) = &mut self.arms else {
+        let Some([planned, divided]) = &mut self.arms else {
             return of_time(vector, longest_s, self.acceleration_mm_s2);
         };
         let whole = planned.run(vector);
         let goes_on_alike = |pieces: &Vec<PlannedVector>| {
-            let mut behind = cut.clone();
+            let mut behind = divided.clone();
             behind.run_all(pieces);
-            next.is_none_or(|it| is_like(&planned.cut(it), &behind.cut(it)))
+            next.is_none_or(|it| is_like(&planned.tick_stroke(it), &behind.tick_stroke(it)))
         };
-        let pieces = of_ticks(vector, longest_s, &whole, (cut, planned.here)).find(goes_on_alike);
+        let pieces =
+            of_ticks(vector, longest_s, &whole, (divided, planned.here)).find(goes_on_alike);
         let pieces = pieces.unwrap_or_else(|| vec![*vector]);
-        cut.run_all(&pieces);
+        divided.run_all(&pieces);
         pieces
     }
 }
@@ -78,13 +79,13 @@ impl Pieces {
 #[derive(Clone)]
 struct TickedArm {
     ticker: Ticker,
-    landing: Landing,
+    endpoint: Endpoint,
     here: [f64; 3],
 }
 
 impl TickedArm {
-    fn run(&mut self, vector: &PlannedVector) -> Cut {
-        self.here = self.landing.behind(self.here, vector);
+    fn run(&mut self, vector: &PlannedVector) -> TickStroke {
+        self.here = self.endpoint.behind(self.here, vector);
         self.ticker.run(&write(vector))
     }
 
@@ -95,7 +96,7 @@ impl TickedArm {
     }
 
     /// How it would run a vector.
-    fn cut(&self, vector: &PlannedVector) -> Cut {
+    fn tick_stroke(&self, vector: &PlannedVector) -> TickStroke {
         self.ticker.clone().run(&write(vector))
     }
 }
@@ -136,10 +137,10 @@ fn speed_before_mm_s(whole: &Profile, left_mm: f64, acceleration_mm_s2: f64) -> 
 }
 
 /// Whether a vector comes out in as many ticks, or if these are many in hardly more or less.
-fn is_like(a: &Cut, b: &Cut) -> bool {
+fn is_like(a: &TickStroke, b: &TickStroke) -> bool {
     let [[a_up, a_even, a_down], [b_up, b_even, b_down]] = [a.counts, b.counts];
     let apart = f64::from(a_even.abs_diff(b_even));
-    a.is_true() == b.is_true()
+    a.is_exact() == b.is_exact()
         && (a_up, a_down) == (b_up, b_down)
         && apart <= HARDLY * f64::from(a.ticks())
 }
@@ -151,7 +152,7 @@ fn is_like(a: &Cut, b: &Cut) -> bool {
 fn of_ticks(
     vector: &PlannedVector,
     longest_s: f64,
-    whole: &Cut,
+    whole: &TickStroke,
     (arm, target): (&TickedArm, [f64; 3]),
 ) -> impl Iterator<Item = Vec<PlannedVector>> {
     let ways = [false, true]
@@ -167,7 +168,7 @@ fn of_ticks(
 fn ending_at(
     (ends, shift_mm): (&[usize], f64),
     vector: &PlannedVector,
-    whole: &Cut,
+    whole: &TickStroke,
     (arm, target): (&TickedArm, [f64; 3]),
 ) -> Option<Vec<PlannedVector>> {
     if ends.is_empty() {
@@ -270,8 +271,8 @@ fn with_counts(
         })
     });
     let is_cut_so = |piece: &PlannedVector| {
-        let cut = arm.cut(piece);
-        cut.counts == counts && cut.is_true()
+        let tick_stroke = arm.tick_stroke(piece);
+        tick_stroke.counts == counts && tick_stroke.is_exact()
     };
     let found = tried.into_iter().find(is_cut_so)?;
     arm.run(&found);
@@ -297,10 +298,10 @@ mod tests {
     use super::*;
     use crate::{Laser, Paper, Pass, Pen, Plan};
 
-    fn machine(has_ticks: bool) -> Machine {
-        Machine {
+    fn arm_limits(has_ticks: bool) -> ArmLimits {
+        ArmLimits {
             has_ticks,
-            ..Machine::default()
+            ..ArmLimits::default()
         }
     }
 
@@ -319,29 +320,29 @@ mod tests {
     }
 
     /// The plan without pieces, and with them.
-    fn plans(strokes: &[Stroke], tool: DrawingTool, machine: &Machine) -> [Plan; 2] {
+    fn plans(strokes: &[Stroke], tool: DrawingTool, arm_limits: &ArmLimits) -> [Plan; 2] {
         let passes = [Pass::new(tool, strokes.to_vec())];
         let paper = Paper::level(-40.0);
-        [Plan::whole, Plan::new].map(|plan| plan(&passes, &paper, machine).expect("a plan"))
+        [Plan::whole, Plan::new].map(|plan| plan(&passes, &paper, arm_limits).expect("a plan"))
     }
 
     /// Where the tool of an arm is at each tick of a plan, in mm, and whether it burns or draws there.
     fn motion(plan: &Plan) -> Vec<([f64; 3], MoveKind)> {
         let mut places = Vec::new();
-        let mut ticker = Ticker::of(plan.machine(), 0.0);
+        let mut ticker = Ticker::of(plan.arm_limits(), 0.0);
         let (mut here, mut begin_s) = (plan.start, 0.0);
         let tick_s = f64::from(TICK_S);
         for (vector, there) in plan.moves.iter().zip(plan.positions()) {
             let direction = vector.increments().map(|it| it / vector.length_mm());
             let mut ways_mm = Vec::new();
             if let Some(ticker) = &mut ticker {
-                let cut = ticker.run(&write(vector));
-                ways_mm.extend(cut.speeds_mm_s().scan(0.0, |gone_mm, speed_mm_s| {
+                let tick_stroke = ticker.run(&write(vector));
+                ways_mm.extend(tick_stroke.speeds_mm_s().scan(0.0, |gone_mm, speed_mm_s| {
                     *gone_mm += f64::from(speed_mm_s * TICK_S);
                     Some(*gone_mm)
                 }));
             } else {
-                let profile = vector.profile(plan.machine().acceleration_mm_s2);
+                let profile = vector.profile(plan.arm_limits().acceleration_mm_s2);
                 let end_s = begin_s + profile.duration_s();
                 let first = (begin_s / tick_s).floor() + 1.0;
                 let ticks = (0..).map(|it| (first + f64::from(it)) * tick_s);
@@ -359,20 +360,20 @@ mod tests {
     /// Both plans move the arm in the same way; in pieces none that keeps its speed lasts longer than this, in s.
     fn check(
         whole: &Plan,
-        cut: &Plan,
+        divided: &Plan,
         kind: MoveKind,
         longest_s: f64,
     ) -> Result<(), TestCaseError> {
-        let mut ticker = Ticker::of(cut.machine(), 0.0);
-        for piece in &cut.moves {
+        let mut ticker = Ticker::of(divided.arm_limits(), 0.0);
+        for piece in &divided.moves {
             let evens = ticker.as_mut().map(|it| it.run(&write(piece)).counts[1]);
             let is_short = f64::from(piece.duration_s) <= 1.002 * longest_s;
             let may_be_long = piece.kind != kind || evens.is_some_and(|it| it < 2);
             prop_assert!(is_short || may_be_long, "{evens:?} {piece:?}");
         }
-        let [was_s, is_s] = [whole, cut].map(Plan::duration_s);
+        let [was_s, is_s] = [whole, divided].map(Plan::duration_s);
         prop_assert!((was_s - is_s).abs() < 1e-3 * was_s, "{was_s} s, {is_s} s");
-        let [was, is] = [whole, cut].map(motion);
+        let [was, is] = [whole, divided].map(motion);
         prop_assert!(
             was.len().abs_diff(is.len()) <= 1,
             "{} and {} ticks",
@@ -404,23 +405,30 @@ mod tests {
     fn a_long_line_is_burned_in_pieces_that_begin_and_end_at_its_speed() {
         let line = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(200.0, 96.0)]);
         for has_ticks in [false, true] {
-            let [whole, cut] = plans(std::slice::from_ref(&line), laser(3.0), &machine(has_ticks));
+            let [whole, divided] = plans(
+                std::slice::from_ref(&line),
+                laser(3.0),
+                &arm_limits(has_ticks),
+            );
             let burned = |plan: &Plan| -> Vec<PlannedVector> {
                 let burned = plan.moves.iter().filter(|it| it.kind == MoveKind::Burn);
                 burned.copied().collect()
             };
             assert_eq!(burned(&whole).len(), 1);
-            let pieces = burned(&cut);
+            let pieces = burned(&divided);
             // 32 s, in pieces of 0.18 s.
             assert!((178..=183).contains(&pieces.len()), "{}", pieces.len());
             for piece in &pieces {
                 let packet = write(piece);
-                let told = [
+                let speeds_mm_s = [
                     packet.start_speed_mm_s,
                     packet.end_speed_mm_s,
                     packet.max_speed_mm_s,
                 ];
-                assert!(told.iter().all(|it| (it - 3.0).abs() < 0.02), "{packet:?}");
+                assert!(
+                    speeds_mm_s.iter().all(|mm_s| (mm_s - 3.0).abs() < 0.02),
+                    "{packet:?}"
+                );
             }
         }
     }
@@ -430,16 +438,16 @@ mod tests {
         fn every_vector_that_burns_is_short_on_both_dialects(
             strokes in lines(), burn_speed_mm_s in 1.0..16.0_f64, has_ticks: bool,
         ) {
-            let [whole, cut] = plans(&strokes, laser(burn_speed_mm_s), &machine(has_ticks));
-            check(&whole, &cut, MoveKind::Burn, LONGEST_BURN_S)?;
+            let [whole, divided] = plans(&strokes, laser(burn_speed_mm_s), &arm_limits(has_ticks));
+            check(&whole, &divided, MoveKind::Burn, LONGEST_BURN_S)?;
         }
 
         #[test]
         fn every_vector_that_draws_is_short_on_both_dialects(
             strokes in lines(), draw_speed_mm_s in 5.0..40.0_f64, has_ticks: bool,
         ) {
-            let [whole, cut] = plans(&strokes, pen(draw_speed_mm_s), &machine(has_ticks));
-            check(&whole, &cut, MoveKind::Draw, LONGEST_DRAW_S)?;
+            let [whole, divided] = plans(&strokes, pen(draw_speed_mm_s), &arm_limits(has_ticks));
+            check(&whole, &divided, MoveKind::Draw, LONGEST_DRAW_S)?;
         }
     }
 }

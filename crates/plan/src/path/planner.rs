@@ -2,36 +2,36 @@
 
 use dobot_geometry::{Point, Stroke};
 
-use crate::path::detour::around_axis;
-use crate::path::endpoint::Landing;
+use crate::path::detour::detour;
+use crate::path::endpoint::Endpoint;
 use crate::path::pieces::LONGEST_BURN_S;
-use crate::path::travel::LoneVectors;
+use crate::path::travel::TravelVectors;
 use crate::path::vector::length;
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::joints::JointSpeeds;
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick_chain::LastPlaces;
 use crate::ticks::tick_fit::LEAST_BURN_MM_S;
 use crate::ticks::ticker::Ticker;
-use crate::{DrawingTool, Machine, MoveKind, Paper, Pass, Pen, PlannedVector};
+use crate::{ArmLimits, DrawingTool, MoveKind, Paper, Pass, Pen, PlannedVector};
 
 /// Plans one way after the other. A chain is a way between two rests.
 pub(crate) struct Planner<'a> {
     paper: &'a Paper,
-    pub(crate) machine: &'a Machine,
+    pub(crate) arm_limits: &'a ArmLimits,
     pub(crate) chain_speeds: ChainSpeeds,
     /// Where the arm has ticks.
     pub(crate) ticker: Option<Ticker>,
     /// Where the tool was at the last ticks.
     pub(crate) last_places: LastPlaces,
-    pub(crate) lone: LoneVectors,
+    pub(crate) travel: TravelVectors,
     /// Where the vectors so far lead, rounding included.
     pub(crate) here: [f64; 3],
     pub(crate) settled: Settled,
     /// What matters: of a pen that it is over soon.
-    pub(crate) aim: Aim,
+    pub(crate) objective: Objective,
     /// How fast the tool travels, in mm/s.
     pub(crate) travel_mm_s: f64,
     joints: JointSpeeds,
@@ -48,13 +48,13 @@ impl<'a> Planner<'a> {
         start: [f64; 3],
         tool: &DrawingTool,
         paper: &'a Paper,
-        machine: &'a Machine,
+        arm_limits: &'a ArmLimits,
     ) -> Self {
-        let ticker = Ticker::of(machine, 0.0);
-        let chain_speeds = ChainSpeeds::new(machine);
+        let ticker = Ticker::of(arm_limits, 0.0);
+        let chain_speeds = ChainSpeeds::new(arm_limits);
         Self {
             paper,
-            machine,
+            arm_limits,
             chain_speeds: if tool.burns() {
                 chain_speeds.in_pieces(LONGEST_BURN_S)
             } else {
@@ -66,16 +66,16 @@ impl<'a> Planner<'a> {
                 ticker
             },
             last_places: LastPlaces::default(),
-            lone: LoneVectors::default(),
+            travel: TravelVectors::default(),
             here: start,
             settled: Settled {
-                landing: Landing::new(machine, tool),
+                endpoint: Endpoint::new(arm_limits, tool),
                 count: 0,
                 here: start,
             },
-            aim: Aim::of(tool),
+            objective: Objective::of(tool),
             travel_mm_s: tool.travel_speed_mm_s(),
-            joints: JointSpeeds::new(machine.joint_speed_deg_s, tool.reach_mm()),
+            joints: JointSpeeds::new(arm_limits.joint_speed_deg_s, tool.reach_mm()),
             moves: Vec::new(),
             stroke: 0,
             pass: 0,
@@ -84,9 +84,9 @@ impl<'a> Planner<'a> {
     }
 
     pub(crate) fn pass(&mut self, number: u32, pass: &Pass) {
-        self.plan_lone(0);
+        self.plan_travel(0);
         self.pass = number;
-        self.aim = Aim::of(&pass.tool);
+        self.objective = Objective::of(&pass.tool);
         self.travel_mm_s = pass.tool.travel_speed_mm_s();
         for stroke in pass.drawn().filter(|it| !it.points.is_empty()) {
             match &pass.tool {
@@ -124,7 +124,7 @@ impl<'a> Planner<'a> {
     /// A way from rest to rest, around the place where the arm stands.
     pub(crate) fn travel(&mut self, to: Point, above_mm: f64, limit_mm_s: f64) {
         let here = Point::new(self.here[0], self.here[1]);
-        for corner in around_axis(here, to, self.machine.nearest_mm) {
+        for corner in detour(here, to, self.arm_limits.nearest_mm) {
             self.go(MoveKind::Travel, corner, above_mm, limit_mm_s);
         }
         self.go(MoveKind::Travel, to, above_mm, limit_mm_s);
@@ -141,7 +141,7 @@ impl<'a> Planner<'a> {
         if length(way) < self.least_vector_mm(kind) {
             return;
         }
-        self.here = self.settled.landing.about(here, [x_mm, y_mm, z_mm]);
+        self.here = self.settled.endpoint.about(here, [x_mm, y_mm, z_mm]);
         let limit_mm_s = self.joints.cap(here, way, limit_mm_s);
         self.chain.push(ChainVector::of(way, limit_mm_s));
         self.moves.push(PlannedVector {
@@ -163,7 +163,7 @@ impl<'a> Planner<'a> {
     fn least_vector_mm(&self, kind: MoveKind) -> f64 {
         match kind {
             MoveKind::Travel | MoveKind::Lower | MoveKind::Draw | MoveKind::Lift => {
-                LEAST_VECTOR_MM.max(self.machine.least_from_rest_mm())
+                LEAST_VECTOR_MM.max(self.arm_limits.least_from_rest_mm())
             }
             _ => LEAST_VECTOR_MM,
         }
@@ -177,12 +177,12 @@ impl<'a> Planner<'a> {
         let begin = self.moves.len() - self.chain.len();
         self.even_burning(begin);
         if self.ticker.is_none() {
-            let speeds = self.chain_speeds.plan(&mut self.chain, self.aim);
+            let speeds = self.chain_speeds.plan(&mut self.chain, self.objective);
             for (vector, speeds) in self.moves[begin..].iter_mut().zip(speeds) {
                 set(vector, speeds);
             }
             self.tell_burn_speeds(begin);
-        } else if self.aim == Aim::Soon && self.chain.len() == 1 {
+        } else if self.objective == Objective::Fast && self.chain.len() == 1 {
             self.note_lone();
         } else {
             self.rest_in_ticks(begin);
@@ -207,17 +207,17 @@ impl<'a> Planner<'a> {
     pub(crate) fn settle(&mut self, count: usize) {
         let settled = &mut self.settled;
         for vector in &self.moves[settled.count..count] {
-            settled.here = settled.landing.behind(settled.here, vector);
+            settled.here = settled.endpoint.behind(settled.here, vector);
         }
         settled.count = count;
         self.here = self.moves[count..].iter().fold(settled.here, |here, it| {
-            settled.landing.about(here, [it.x_mm, it.y_mm, it.z_mm])
+            settled.endpoint.about(here, [it.x_mm, it.y_mm, it.z_mm])
         });
     }
 
     /// All has been told.
     pub(crate) fn finish(mut self) -> Vec<PlannedVector> {
-        self.plan_lone(0);
+        self.plan_travel(0);
         self.moves
     }
 }
@@ -225,7 +225,7 @@ impl<'a> Planner<'a> {
 /// The vectors whose speeds are planned, on an arm with ticks.
 #[derive(Clone, Debug)]
 pub(crate) struct Settled {
-    landing: Landing,
+    endpoint: Endpoint,
     count: usize,
     /// Where they lead.
     here: [f64; 3],

@@ -29,7 +29,7 @@ pub fn acceleration(plan: &Plan, apart_s: f64) -> f64 {
 
 /// Where the tool is each `step_s` seconds.
 fn places(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
-    if plan.machine().has_ticks {
+    if plan.arm_limits().has_ticks {
         between(&ticks(plan), step_s / f64::from(TICK_S))
     } else {
         smooth(plan, step_s)
@@ -38,7 +38,7 @@ fn places(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
 
 /// Where the tool is at each tick of a stock arm.
 fn ticks(plan: &Plan) -> Vec<[f64; 3]> {
-    let mut ticker = Ticker::new(plan.machine(), 0.0);
+    let mut ticker = Ticker::new(plan.arm_limits(), 0.0);
     let (mut places, mut from) = (vec![plan.start], plan.start);
     for (vector, to) in plan.moves.iter().zip(plan.positions()) {
         let (way, length_mm) = (vector.increments(), vector.length_mm());
@@ -68,7 +68,7 @@ fn between(places: &[[f64; 3]], apart: f64) -> Vec<[f64; 3]> {
 
 /// Where the tool is if it follows its profiles without ticks.
 fn smooth(plan: &Plan, step_s: f64) -> Vec<[f64; 3]> {
-    let acceleration = plan.machine().acceleration_mm_s2;
+    let acceleration = plan.arm_limits().acceleration_mm_s2;
     let (mut places, mut from, mut t_s) = (Vec::new(), plan.start, 0.0);
     for (vector, to) in plan.moves.iter().zip(plan.positions()) {
         let profile = vector.profile(acceleration);
@@ -91,18 +91,18 @@ const AHEAD: usize = 4;
 #[expect(clippy::unwrap_used, reason = "a failing test may panic")]
 mod tests {
     use super::*;
-    use crate::{DrawingTool, Machine, Paper, Pass};
+    use crate::{ArmLimits, DrawingTool, Paper, Pass};
     use dobot_geometry::{Point, Stroke};
 
     #[test]
     fn a_lone_line_accelerates_as_much_as_it_may() {
         let stroke = Stroke::open(vec![Point::new(200.0, 0.0), Point::new(260.0, 0.0)]);
         let pass = Pass::new(DrawingTool::default(), vec![stroke]);
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             acceleration_mm_s2: 50.0,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
-        let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+        let plan = Plan::new(&[pass], &Paper::default(), &arm_limits).unwrap();
         for apart_s in [0.02, 0.08] {
             let found = acceleration(&plan, apart_s);
             assert!((found - 50.0).abs() < 0.01, "{found}");

@@ -3,10 +3,10 @@
 
 use std::iter::repeat;
 
-use crate::Machine;
+use crate::ArmLimits;
 use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering, Junction};
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::SeenMotion;
 use crate::speed::speeds::Speeds;
 
@@ -27,15 +27,15 @@ pub(crate) struct ChainSpeeds {
 }
 
 impl ChainSpeeds {
-    pub(crate) fn new(machine: &Machine) -> Self {
+    pub(crate) fn new(arm_limits: &ArmLimits) -> Self {
         Self {
             cornering: Cornering {
-                acceleration_mm_s2: machine.planned_acceleration_mm_s2(),
-                ..machine.cornering()
+                acceleration_mm_s2: arm_limits.planned_acceleration_mm_s2(),
+                ..arm_limits.cornering()
             },
             begin_mm_s: 0.0,
-            period_s: machine.link.period_s,
-            credit: Credit::new(machine.link),
+            period_s: arm_limits.link.period_s,
+            credit: Credit::new(arm_limits.link),
             junctions: Vec::new(),
             wanted_s: Vec::new(),
             seen: Vec::new(),
@@ -55,9 +55,9 @@ impl ChainSpeeds {
     pub(crate) fn plan<'a>(
         &'a mut self,
         chain: &'a mut [ChainVector],
-        aim: Aim,
+        objective: Objective,
     ) -> impl Iterator<Item = Speeds> + 'a {
-        self.plan_from(0.0, chain, aim)
+        self.plan_from(0.0, chain, objective)
     }
 
     /// The speeds of the chain's vectors, if it begins with this speed. Where braking takes longer
@@ -66,12 +66,12 @@ impl ChainSpeeds {
         &'a mut self,
         begin_mm_s: f64,
         chain: &'a mut [ChainVector],
-        aim: Aim,
+        objective: Objective,
     ) -> impl Iterator<Item = Speeds> + 'a {
         self.begin_mm_s = begin_mm_s;
-        match aim {
-            Aim::Evenly => self.lower_to_link(chain, 0),
-            Aim::Soon => {
+        match objective {
+            Objective::Even => self.lower_to_link(chain, 0),
+            Objective::Fast => {
                 self.plan_motion(chain);
                 if let Some(waits) = self.first_that_waits() {
                     self.lower_to_link(chain, waits.saturating_sub(REACH));

@@ -4,11 +4,11 @@ use dobot_arm::TICK_S;
 
 use crate::speed::link::Credit;
 use crate::speed::lookahead::{ChainVector, Cornering};
-use crate::{DrawingTool, LinkRate, Machine};
+use crate::{ArmLimits, DrawingTool, LinkRate};
 
 /// What decides how long a stroke takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pace {
+pub struct DurationEstimator {
     /// How corners slow the tool down.
     pub cornering: Cornering,
     /// The largest speed, in mm/s.
@@ -19,15 +19,15 @@ pub struct Pace {
     pub lost_s: f64,
 }
 
-impl Pace {
+impl DurationEstimator {
     /// The pace of this tool on this machine.
     #[must_use]
-    pub const fn of(machine: &Machine, tool: &DrawingTool) -> Self {
+    pub const fn of(arm_limits: &ArmLimits, tool: &DrawingTool) -> Self {
         Self {
-            cornering: machine.cornering(),
+            cornering: arm_limits.cornering(),
             speed_mm_s: tool.speed_mm_s(),
-            link: machine.link,
-            lost_s: if machine.has_ticks {
+            link: arm_limits.link,
+            lost_s: if arm_limits.has_ticks {
                 LOST_TICKS * TICK_S
             } else {
                 0.0
@@ -77,12 +77,12 @@ mod tests {
 
     #[test]
     fn a_way_takes_what_the_arm_or_the_link_needs() {
-        let pace = Pace::of(&Machine::default(), &DrawingTool::default());
+        let estimator = DurationEstimator::of(&ArmLimits::default(), &DrawingTool::default());
         // 40 mm at 40 mm/s and 100 mm/s2: 0.4 s up, 0.4 s down over 8 mm each, 24 mm at full speed.
-        let long = pace.durations_s([[40.0, 0.0, 0.0]].into_iter());
-        assert!((pace.time_s(&long) - 1.4).abs() < 1e-9, "{long:?}");
-        let short = pace.durations_s([[0.1, 0.0, 0.0]; 100].into_iter());
-        let took_s = pace.time_s(&short);
+        let long = estimator.durations_s([[40.0, 0.0, 0.0]].into_iter());
+        assert!((estimator.time_s(&long) - 1.4).abs() < 1e-9, "{long:?}");
+        let short = estimator.durations_s([[0.1, 0.0, 0.0]; 100].into_iter());
+        let took_s = estimator.time_s(&short);
         assert!((9.0..9.4).contains(&took_s), "{took_s}");
     }
 }

@@ -37,7 +37,7 @@ pub struct Cornering {
     pub acceleration_mm_s2: f64,
     /// How far an imagined arc through a corner may leave it, in mm: the larger, the faster
     /// corners are passed. The arm itself draws the corner sharp. See
-    /// [`Machine::corner_deviation_mm`](crate::Machine::corner_deviation_mm).
+    /// [`ArmLimits::corner_deviation_mm`](crate::ArmLimits::corner_deviation_mm).
     pub deviation_mm: f64,
     /// Over which time the acceleration at a corner is measured, in s. A corner turns the speed in
     /// no time at all; what counts is where the tool is this long before it, at it and behind it.

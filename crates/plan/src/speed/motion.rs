@@ -1,6 +1,6 @@
 //! How far the tool is at each moment of the fastest motion along a path.
 
-use crate::Pace;
+use crate::DurationEstimator;
 use crate::speed::lookahead::ChainVector;
 use crate::speed::speeds::{Ramps, Speeds};
 
@@ -30,10 +30,14 @@ struct MovingVector {
 impl Motion {
     /// The motion along vectors with these increments in mm, none of them all 0, at a pace. Each takes `least_s` at the least.
     #[must_use]
-    pub fn along(pace: &Pace, least_s: f64, increments: impl Iterator<Item = [f64; 3]>) -> Self {
-        let cornering = pace.cornering;
+    pub fn along(
+        estimator: &DurationEstimator,
+        least_s: f64,
+        increments: impl Iterator<Item = [f64; 3]>,
+    ) -> Self {
+        let cornering = estimator.cornering;
         let chain: Vec<ChainVector> = increments
-            .map(|it| ChainVector::of(it, pace.speed_mm_s))
+            .map(|it| ChainVector::of(it, estimator.speed_mm_s))
             .collect();
         let mut junctions = Vec::with_capacity(chain.len() + 1);
         cornering.speeds(0.0, &chain, &mut junctions);
@@ -99,13 +103,17 @@ impl Motion {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DrawingTool, Machine};
+    use crate::{ArmLimits, DrawingTool};
 
     #[test]
-    fn a_line_is_run_as_its_acceleration_and_its_speed_tell() {
+    fn a_line_is_run_at_its_acceleration_and_speed() {
         // 40 mm at 40 mm/s and 100 mm/s2, in two vectors: 0.4 s up and 0.4 s down over 8 mm each, 0.6 s between.
-        let pace = Pace::of(&Machine::default(), &DrawingTool::default());
-        let motion = Motion::along(&pace, 0.0, [[30.0, 0.0, 0.0], [10.0, 0.0, 0.0]].into_iter());
+        let estimator = DurationEstimator::of(&ArmLimits::default(), &DrawingTool::default());
+        let motion = Motion::along(
+            &estimator,
+            0.0,
+            [[30.0, 0.0, 0.0], [10.0, 0.0, 0.0]].into_iter(),
+        );
         assert!((motion.duration_s() - 1.4).abs() < 1e-9);
         let moments = [
             (0.0, 0.0),

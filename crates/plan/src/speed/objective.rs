@@ -4,19 +4,15 @@ use crate::DrawingTool;
 
 /// What matters where speeds are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Aim {
+pub(crate) enum Objective {
     /// That the way is run evenly, with the times and the speeds wanted: for what has to keep its speed, as a laser has.
-    Evenly,
+    Even,
     /// That the way is over soon: for a pen. Whether it turns too fast in ticks is told by where they lie.
-    Soon,
+    Fast,
 }
 
-impl Aim {
+impl Objective {
     pub(crate) const fn of(tool: &DrawingTool) -> Self {
-        if tool.burns() {
-            Self::Evenly
-        } else {
-            Self::Soon
-        }
+        if tool.burns() { Self::Even } else { Self::Fast }
     }
 }

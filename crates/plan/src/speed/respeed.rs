@@ -3,13 +3,13 @@
 use dobot_arm::Position;
 use dobot_wire::WriteVector;
 
-use crate::Machine;
+use crate::ArmLimits;
 use crate::path::planner::round_down;
 use crate::path::vector::length;
 use crate::speed::chain::ChainSpeeds;
 use crate::speed::joints::JointSpeeds;
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::ticks::ticker::Ticker;
 
 /// The arm where some vectors begin.
@@ -42,16 +42,16 @@ pub fn respeed(
     vectors: &[WriteVector],
     begin: &RespeedStart,
     share: f64,
-    machine: &Machine,
+    arm_limits: &ArmLimits,
 ) -> Vec<WriteVector> {
     let position = begin.position;
     let mut respeeding = Respeeding {
-        machine,
+        arm_limits,
         share,
         speed_mm_s: begin.speed_mm_s,
         here: [position.x.0, position.y.0, position.z.0],
-        joints: JointSpeeds::new(machine.joint_speed_deg_s, begin.tool.reach().0),
-        ticker: Ticker::of(machine, begin.speed_mm_s),
+        joints: JointSpeeds::new(arm_limits.joint_speed_deg_s, begin.tool.reach().0),
+        ticker: Ticker::of(arm_limits, begin.speed_mm_s),
     };
     vectors
         .split_inclusive(|it| it.end_speed_mm_s == 0.0)
@@ -62,13 +62,13 @@ pub fn respeed(
 /// The speed that an arm has behind a vector, in mm/s, if it had this one before: a stock arm ends
 /// a vector at another speed than it says, and begins the next one with that (note N48).
 #[must_use]
-pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, machine: &Machine) -> f32 {
-    let ticker = Ticker::of(machine, begin_speed_mm_s);
+pub fn end_speed_mm_s(vector: &WriteVector, begin_speed_mm_s: f32, arm_limits: &ArmLimits) -> f32 {
+    let ticker = Ticker::of(arm_limits, begin_speed_mm_s);
     ticker.map_or(vector.end_speed_mm_s, |mut it| it.run(vector).end_mm_s)
 }
 
 struct Respeeding<'a> {
-    machine: &'a Machine,
+    arm_limits: &'a ArmLimits,
     share: f64,
     /// The end speed of the vector before.
     speed_mm_s: f32,
@@ -111,7 +111,7 @@ impl Respeeding<'_> {
     }
 
     fn vector(&mut self, vector: &WriteVector, targets: [f64; 2], most_mm_s: f32) -> WriteVector {
-        let acceleration_mm_s2 = self.machine.acceleration_mm_s2;
+        let acceleration_mm_s2 = self.arm_limits.acceleration_mm_s2;
         let mut next = from_speed(vector, self.speed_mm_s.into(), targets, acceleration_mm_s2);
         if let Some(ticker) = &mut self.ticker {
             let rests = vector.end_speed_mm_s == 0.0;
@@ -134,8 +134,8 @@ impl Respeeding<'_> {
             ));
             here = [0, 1, 2].map(|i| here[i] + way[i]);
         }
-        let mut chain_speeds = ChainSpeeds::new(self.machine);
-        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs, Aim::Evenly);
+        let mut chain_speeds = ChainSpeeds::new(self.arm_limits);
+        let speeds = chain_speeds.plan_from(self.speed_mm_s.into(), &mut runs, Objective::Even);
         speeds.map(|it| [it.end_mm_s, it.max_mm_s]).collect()
     }
 
@@ -198,7 +198,7 @@ mod tests {
     fn planned(points: &[(f64, f64)]) -> Vec<WriteVector> {
         let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
         let pass = Pass::new(DrawingTool::default(), vec![Stroke::open(points)]);
-        let plan = Plan::new(&[pass], &Paper::default(), &Machine::default()).unwrap();
+        let plan = Plan::new(&[pass], &Paper::default(), &ArmLimits::default()).unwrap();
         let vectors = plan.commands().filter_map(|command| match command {
             Command::WriteVector(vector) => Some(vector),
             _ => None,
@@ -231,17 +231,17 @@ mod tests {
             position: Position::new(70.0, -100.0, 0.0),
             ..begin(0.0)
         };
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             link: crate::LinkRate { period_s: 0.0 },
             acceleration_mm_s2: 500.0,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
         let far = RespeedStart {
             position: Position::new(230.0, -100.0, 0.0),
             ..begin(0.0)
         };
         let fastest =
-            |begin: &RespeedStart| respeed(&[sideways], begin, 2.0, &machine)[0].max_speed_mm_s;
+            |begin: &RespeedStart| respeed(&[sideways], begin, 2.0, &arm_limits)[0].max_speed_mm_s;
         assert_eq!(fastest(&far), 160.0);
         let allowed_mm_s = 70.0 * 100.0_f32.to_radians();
         assert!(fastest(&near) <= allowed_mm_s, "{}", fastest(&near));
@@ -250,7 +250,7 @@ mod tests {
     #[test]
     fn half_the_speed_is_half_of_every_speed() {
         let planned = planned(&[(200.0, 0.0), (240.0, 0.0), (250.0, 5.0), (250.0, 6.0)]);
-        for (half, whole) in respeed(&planned, &begin(0.0), 0.5, &Machine::default())
+        for (half, whole) in respeed(&planned, &begin(0.0), 0.5, &ArmLimits::default())
             .iter()
             .zip(&planned)
         {
@@ -263,7 +263,7 @@ mod tests {
     fn a_long_line_at_twice_the_speed_gets_twice_as_fast() {
         let planned = planned(&[(150.0, 0.0), (250.0, 0.0)]);
         assert_eq!(planned[1].max_speed_mm_s, 40.0);
-        let faster = respeed(&planned, &begin(0.0), 2.0, &Machine::default());
+        let faster = respeed(&planned, &begin(0.0), 2.0, &ArmLimits::default());
         let fastest = faster.iter().map(|it| it.max_speed_mm_s);
         assert_eq!(fastest.fold(0.0, f32::max), 80.0);
         let drawn = &faster[1..faster.len() - 1];
@@ -273,22 +273,22 @@ mod tests {
 
     #[test]
     fn a_stock_arm_gets_half_the_speed_in_whole_ticks() {
-        let machine = Machine {
+        let arm_limits = ArmLimits {
             has_ticks: true,
-            ..Machine::default()
+            ..ArmLimits::default()
         };
         let points = [(200.0, 0.0), (203.0, 0.0), (206.0, 0.5), (209.0, 1.5)];
         let stroke = Stroke::open(points.map(|(x, y)| Point::new(x, y)).to_vec());
         let pass = Pass::new(DrawingTool::default(), vec![stroke]);
-        let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+        let plan = Plan::new(&[pass], &Paper::default(), &arm_limits).unwrap();
         let planned: Vec<WriteVector> = plan
             .moves
             .iter()
             .map(crate::path::commands::write)
             .collect();
-        assert_eq!(respeed(&planned, &begin(0.0), 1.0, &machine), planned);
-        let slower = respeed(&planned, &begin(0.0), 0.5, &machine);
-        let mut ticker = Ticker::new(&machine, 0.0);
+        assert_eq!(respeed(&planned, &begin(0.0), 1.0, &arm_limits), planned);
+        let slower = respeed(&planned, &begin(0.0), 0.5, &arm_limits);
+        let mut ticker = Ticker::new(&arm_limits, 0.0);
         for (vector, was) in slower.iter().zip(&planned) {
             assert!(vector.max_speed_mm_s <= 0.5 * was.max_speed_mm_s + 2.0);
             assert_eq!(vector.end_speed_mm_s == 0.0, was.end_speed_mm_s == 0.0);
@@ -308,25 +308,25 @@ mod tests {
         #[test]
         fn a_share_of_one_from_rest_changes_nothing(points in strokes()) {
             let planned = planned(&points);
-            prop_assert_eq!(respeed(&planned, &begin(0.0), 1.0, &Machine::default()), planned);
+            prop_assert_eq!(respeed(&planned, &begin(0.0), 1.0, &ArmLimits::default()), planned);
         }
 
         #[test]
         fn a_stock_arm_makes_vectors_of_another_length_as_long_as_they_are(
             points in strokes(), slope in -0.05..0.05_f32, at_mm_s in 0.0..1.5_f32,
         ) {
-            let machine = Machine { has_ticks: true, ..Machine::default() };
+            let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
             let points = points.iter().map(|&(x, y)| Point::new(x, y)).collect();
             let pass = Pass::new(DrawingTool::default(), vec![Stroke::open(points)]);
-            let plan = Plan::new(&[pass], &Paper::default(), &machine).unwrap();
+            let plan = Plan::new(&[pass], &Paper::default(), &arm_limits).unwrap();
             let planned: Vec<WriteVector> = plan.moves.iter().map(crate::path::commands::write).collect();
             let steeper = |it: &WriteVector| {
                 let z_mm = it.z_mm + slope * it.x_mm.hypot(it.y_mm);
                 WriteVector { z_mm, ..*it }
             };
             let steeper: Vec<WriteVector> = planned.iter().map(steeper).collect();
-            let next = respeed(&steeper, &begin(at_mm_s), 1.0, &machine);
-            prop_assert!(Ticker::new(&machine, at_mm_s).runs_true(&next));
+            let next = respeed(&steeper, &begin(at_mm_s), 1.0, &arm_limits);
+            prop_assert!(Ticker::new(&arm_limits, at_mm_s).runs_true(&next));
             let same = next.iter().zip(&steeper);
             prop_assert!(same.clone().all(|(it, was)| it.z_mm == was.z_mm));
             let ends = |it: &WriteVector| it.end_speed_mm_s == 0.0;
@@ -337,13 +337,13 @@ mod tests {
         fn speeds_meet_and_can_be_had_and_the_end_is_a_rest(
             points in strokes(), share in 0.1..2.0_f64, at in 0.0..1.0_f64, before in 0.1..2.0_f64,
         ) {
-            let machine = Machine::default();
+            let arm_limits = ArmLimits::default();
             let planned = planned(&points);
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "an index")]
             let at = (at * planned.len() as f64) as usize;
-            let running = respeed(&planned, &begin(0.0), before, &machine);
+            let running = respeed(&planned, &begin(0.0), before, &arm_limits);
             let mut speed = running[at].start_speed_mm_s;
-            let next = respeed(&planned[at..], &begin(speed), share, &machine);
+            let next = respeed(&planned[at..], &begin(speed), share, &arm_limits);
             prop_assert_eq!(next.len(), planned.len() - at);
             for (vector, was) in next.iter().zip(&planned[at..]) {
                 prop_assert_eq!(vector.start_speed_mm_s, speed);
@@ -353,7 +353,7 @@ mod tests {
                 let v2 = |v: f32| f64::from(v) * f64::from(v);
                 let change = (v2(speed) - v2(vector.start_speed_mm_s)).abs();
                 let needed = change / (2.0 * length(way(vector)));
-                prop_assert!(needed <= machine.acceleration_mm_s2 * 1.001, "{needed}");
+                prop_assert!(needed <= arm_limits.acceleration_mm_s2 * 1.001, "{needed}");
             }
             prop_assert!(speed < 0.01, "{speed}");
         }

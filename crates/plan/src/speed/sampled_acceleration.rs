@@ -1,6 +1,6 @@
 //! How a motion is seen to accelerate by somebody who looks where the tool is every now and then.
 
-use dobot_motion::Cut;
+use dobot_motion::TickStroke;
 
 use crate::path::vector::length;
 use crate::speed::lookahead::ChainVector;
@@ -141,9 +141,10 @@ impl Default for TickPositions {
 
 impl TickPositions {
     /// The next vector, as the arm runs it.
-    pub(crate) fn push(&mut self, run: &ChainVector, cut: &Cut) {
+    pub(crate) fn push(&mut self, run: &ChainVector, tick_stroke: &TickStroke) {
         let begin = self.places[self.places.len() - 1];
-        self.places.extend(at_ticks(begin, run.direction, cut));
+        self.places
+            .extend(at_ticks(begin, run.direction, tick_stroke));
         self.ends.push(self.places.len() - 1);
     }
 
@@ -174,12 +175,14 @@ impl TickPositions {
 pub(crate) fn at_ticks(
     begin: [f64; 3],
     direction: [f64; 3],
-    cut: &Cut,
+    tick_stroke: &TickStroke,
 ) -> impl Iterator<Item = [f64; 3]> {
-    cut.speeds_mm_s().scan(0.0, move |gone_mm, speed_mm_s| {
-        *gone_mm += f64::from(speed_mm_s * TICK_S);
-        Some([0, 1, 2].map(|i| begin[i] + *gone_mm * direction[i]))
-    })
+    tick_stroke
+        .speeds_mm_s()
+        .scan(0.0, move |gone_mm, speed_mm_s| {
+            *gone_mm += f64::from(speed_mm_s * TICK_S);
+            Some([0, 1, 2].map(|i| begin[i] + *gone_mm * direction[i]))
+        })
 }
 
 /// The second difference of places a window apart at this acceleration, in mm.

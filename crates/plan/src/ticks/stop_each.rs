@@ -2,7 +2,7 @@
 
 use dobot_wire::{WriteVector, single};
 
-use crate::Machine;
+use crate::ArmLimits;
 use crate::ticks::ticker::is_rapid;
 
 /// The same vectors at `share` of their largest speeds, and no faster than planned, each from rest to
@@ -21,7 +21,7 @@ use crate::ticks::ticker::is_rapid;
 /// A vector in laser mode with the laser off cannot speed up at all. So the one before it does not rest.
 /// What is planned from rest to rest stays as it is at a share of 1.
 #[must_use]
-pub fn rest_each(vectors: &[WriteVector], share: f64, machine: &Machine) -> Vec<WriteVector> {
+pub fn stop_each(vectors: &[WriteVector], share: f64, arm_limits: &ArmLimits) -> Vec<WriteVector> {
     let next = vectors.iter().skip(1).map(Some).chain([None]);
     let pairs = vectors.iter().zip(next);
     pairs
@@ -33,9 +33,9 @@ pub fn rest_each(vectors: &[WriteVector], share: f64, machine: &Machine) -> Vec<
             let max_speed_mm_s = if is_rapid(vector) {
                 single(wanted_mm_s)
             } else {
-                single(machine.rest_to_rest_mm_s(wanted_mm_s))
+                single(arm_limits.rest_to_rest_mm_s(wanted_mm_s))
             };
-            let goes_on = machine.has_ticks && !is_rapid(vector) && next.is_some_and(is_rapid);
+            let goes_on = arm_limits.has_ticks && !is_rapid(vector) && next.is_some_and(is_rapid);
             WriteVector {
                 start_speed_mm_s: 0.0,
                 end_speed_mm_s: if goes_on { max_speed_mm_s } else { 0.0 },
@@ -53,13 +53,13 @@ fn rests(vector: &WriteVector) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use dobot_motion::Cut;
+    use dobot_motion::TickStroke;
     use dobot_wire::WriteMode;
     use proptest::prelude::*;
 
     use super::*;
 
-    const STOCK: Machine = Machine {
+    const STOCK: ArmLimits = ArmLimits {
         has_ticks: true,
         acceleration_mm_s2: 100.0,
         joint_speed_deg_s: 100.0,
@@ -69,20 +69,24 @@ mod tests {
     };
 
     /// What a stock arm that has kept this speed makes of the vectors.
-    fn cuts(vectors: &[WriteVector], mut kept_mm_s: f32, machine: &Machine) -> Vec<Cut> {
-        let cut = |it: &WriteVector| {
+    fn tick_strokes(
+        vectors: &[WriteVector],
+        mut kept_mm_s: f32,
+        arm_limits: &ArmLimits,
+    ) -> Vec<TickStroke> {
+        let tick_stroke = |it: &WriteVector| {
             let factor = if is_rapid(it) { 100.0 } else { 1.0 };
-            let cut = Cut::of(
+            let tick_stroke = TickStroke::of(
                 it.x_mm,
                 kept_mm_s,
                 it.end_speed_mm_s,
                 it.max_speed_mm_s,
-                factor * single(machine.acceleration_mm_s2),
+                factor * single(arm_limits.acceleration_mm_s2),
             );
-            kept_mm_s = cut.end_mm_s;
-            cut
+            kept_mm_s = tick_stroke.end_mm_s;
+            tick_stroke
         };
-        vectors.iter().map(cut).collect()
+        vectors.iter().map(tick_stroke).collect()
     }
 
     #[test]
@@ -90,10 +94,13 @@ mod tests {
         // 6 mm/s at 10 %. At the speed kept, 1.66 mm would take 50 * 1.66 / 0.0044 ticks: 375 s.
         let vector = WriteVector::by(1.664_266, 0.0, 0.0, 6.0);
         for kept_mm_s in [0.0, 5.418_604e-7, 0.004_43, 0.4, 1.9] {
-            let slow = rest_each(&[vector], 0.1, &STOCK);
-            let cut = cuts(&slow, kept_mm_s, &STOCK)[0];
-            assert!((1..60).contains(&cut.ticks()), "{kept_mm_s}: {cut:?}");
-            assert!(cut.is_true(), "{kept_mm_s}: {cut:?}");
+            let slow = stop_each(&[vector], 0.1, &STOCK);
+            let tick_stroke = tick_strokes(&slow, kept_mm_s, &STOCK)[0];
+            assert!(
+                (1..60).contains(&tick_stroke.ticks()),
+                "{kept_mm_s}: {tick_stroke:?}"
+            );
+            assert!(tick_stroke.is_exact(), "{kept_mm_s}: {tick_stroke:?}");
         }
     }
 
@@ -111,21 +118,24 @@ mod tests {
             x_mm: 0.5,
             ..burn
         };
-        let cuts = cuts(&rest_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
-        assert!(cuts.iter().all(Cut::is_true), "{cuts:?}");
-        assert!(cuts[2].ticks() <= 4, "{cuts:?}");
+        let tick_strokes = tick_strokes(&stop_each(&[burn, burn, out], 1.0, &STOCK), 1e-6, &STOCK);
+        assert!(
+            tick_strokes.iter().all(TickStroke::is_exact),
+            "{tick_strokes:?}"
+        );
+        assert!(tick_strokes[2].ticks() <= 4, "{tick_strokes:?}");
     }
 
     #[test]
     fn what_is_planned_from_rest_to_rest_stays_as_it_is() {
         let planned = [WriteVector::by(3.0, 1.0, 0.0, 41.0)];
-        assert_eq!(rest_each(&planned, 1.0, &STOCK), planned);
+        assert_eq!(stop_each(&planned, 1.0, &STOCK), planned);
     }
 
     #[test]
-    fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_told() {
+    fn an_arm_as_the_document_says_goes_as_slowly_as_it_is_reported() {
         let vector = WriteVector::by(1.6, 0.0, 0.0, 6.0);
-        let slow = rest_each(&[vector], 0.1, &Machine::default())[0];
+        let slow = stop_each(&[vector], 0.1, &ArmLimits::default())[0];
         assert!((slow.max_speed_mm_s - 0.6).abs() < 1e-6, "{slow:?}");
         assert_eq!(slow.end_speed_mm_s, 0.0);
     }
@@ -139,7 +149,7 @@ mod tests {
             share in 0.1..2.0_f64,
             kept in prop_oneof![0.0..0.9_f32, (-9.0..0.0_f32).prop_map(|it| 0.9 * 10.0_f32.powf(it))],
         ) {
-            let machine = Machine { acceleration_mm_s2, ..STOCK };
+            let arm_limits = ArmLimits { acceleration_mm_s2, ..STOCK };
             let step_mm_s = single(acceleration_mm_s2) * 0.02;
             // From the middle of a stroke.
             let vector = |it: &f32| WriteVector {
@@ -147,14 +157,14 @@ mod tests {
                 ..WriteVector::by(*it, 0.0, 0.0, max_mm_s)
             };
             let planned: Vec<_> = lengths_mm.iter().map(vector).collect();
-            let vectors = rest_each(&planned, share, &machine);
-            for (vector, cut) in vectors.iter().zip(cuts(&vectors, kept * step_mm_s, &machine)) {
+            let vectors = stop_each(&planned, share, &arm_limits);
+            for (vector, tick_stroke) in vectors.iter().zip(tick_strokes(&vectors, kept * step_mm_s, &arm_limits)) {
                 // What is kept is kept on a short way if it is more than a tenth of the largest speed.
                 let most_ticks = 50.0 * vector.x_mm / (0.1 * step_mm_s) + 10.0;
-                let off_mm = cut.length_mm() - vector.x_mm;
-                prop_assert!(off_mm.abs() < 0.02, "{off_mm} mm: {vector:?}: {cut:?}");
-                prop_assert!(cut.counts.iter().all(|it| *it >= 0), "{cut:?}");
-                prop_assert!((1.0..=most_ticks).contains(&f32::from(cut.ticks())), "{vector:?}: {cut:?}");
+                let off_mm = tick_stroke.length_mm() - vector.x_mm;
+                prop_assert!(off_mm.abs() < 0.02, "{off_mm} mm: {vector:?}: {tick_stroke:?}");
+                prop_assert!(tick_stroke.counts.iter().all(|it| *it >= 0), "{tick_stroke:?}");
+                prop_assert!((1.0..=most_ticks).contains(&f32::from(tick_stroke.ticks())), "{vector:?}: {tick_stroke:?}");
             }
         }
     }

@@ -7,7 +7,7 @@ use dobot_wire::single;
 
 use crate::path::commands::write;
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::{WINDOW_TICKS, second_difference, seen_mm};
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
@@ -21,7 +21,7 @@ pub(crate) struct TickChain<'a> {
     pub moves: &'a [PlannedVector],
     pub chain: &'a [ChainVector],
     pub speeds: &'a [Speeds],
-    pub aim: Aim,
+    pub objective: Objective,
     /// How many times as much an end speed above the one wanted counts, for each vector.
     pub over: &'a [f64],
     /// No packet may tell a larger speed, in mm/s, for each vector.
@@ -43,7 +43,7 @@ impl LastPlaces {
     /// The same behind these vectors.
     pub(crate) fn behind(mut self, chain: &[ChainVector], fits: &[TickFit]) -> Self {
         for (run, fit) in chain.iter().zip(fits) {
-            for speed_mm_s in fit.cut.speeds_mm_s() {
+            for speed_mm_s in fit.tick_stroke.speeds_mm_s() {
                 self.go(run.direction, speed_mm_s);
             }
         }
@@ -95,7 +95,7 @@ impl Breadth {
         same_share: 0.1,
     };
     /// For vectors between two rests, of which the arm keeps less than a tick's change.
-    pub(crate) const LONE: Self = Self {
+    pub(crate) const TRAVEL: Self = Self {
         ways: 8,
         fits: MOST_FITS,
         same_share: 0.05,
@@ -134,7 +134,10 @@ impl TickChain<'_> {
                 let next = fits.get(i + 1).filter(|_| i >= change && ends)?;
                 let most_cost = ways[0].cost + MOST_LOSS;
                 ways.iter().position(|way| {
-                    let same = way.ticker.cut_with(&write(&self.moves[i + 1]), next) == next.cut;
+                    let same = way
+                        .ticker
+                        .tick_stroke_with(&write(&self.moves[i + 1]), next)
+                        == next.tick_stroke;
                     let rest = fits[i + 1..].iter().zip(&credits[i + 1..]);
                     same && self.cost_behind(i, way, fits) <= most_cost
                         && way.ticker.keeps_up(rest.take(MOST_AHEAD))
@@ -162,7 +165,7 @@ impl TickChain<'_> {
         for i in begin..self.moves.len() {
             let packet = write(&self.moves[i]);
             let wish = TickWish {
-                aim: self.aim,
+                objective: self.objective,
                 over: self.over[i],
                 most_mm_s: self.most_mm_s[i],
                 least_mm_s: self.least_mm_s(i),
@@ -241,8 +244,9 @@ impl TickChain<'_> {
         {
             let (before, fit) = (&ways[choice.before], choice.fit);
             let same_mm_s = breadth.same_share * before.ticker.step_mm_s();
-            let is_new =
-                |other: &Way| (other.ticker.stored_mm_s() - fit.cut.end_mm_s).abs() >= same_mm_s;
+            let is_new = |other: &Way| {
+                (other.ticker.stored_mm_s() - fit.tick_stroke.end_mm_s).abs() >= same_mm_s
+            };
             if !best.iter().all(is_new) {
                 continue;
             }
@@ -336,7 +340,7 @@ impl Way {
     /// What is seen while a vector is run like that, as a cost. Behind its first ticks only the vector itself is seen, which
     /// accelerates no more than it may.
     fn see(&mut self, direction: [f64; 3], fit: &TickFit) {
-        let mut speeds_mm_s = fit.cut.speeds_mm_s();
+        let mut speeds_mm_s = fit.tick_stroke.speeds_mm_s();
         self.see_ticks(direction, speeds_mm_s.by_ref());
         // Of the rest the last ticks will be seen.
         let (mut last_mm_s, mut count) = ([0.0; SEEN_TICKS], 0);
@@ -423,7 +427,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::Machine;
+    use crate::ArmLimits;
     use crate::speed::chain::ChainSpeeds;
 
     fn vector([x_mm, y_mm]: [f32; 2]) -> PlannedVector {
@@ -451,8 +455,8 @@ mod tests {
         let mut ticker = ticker.clone();
         for ((vector, speeds), fit) in moves.iter().zip(speeds).zip(fits) {
             let packet = write(vector);
-            prop_assert_eq!(ticker.cut_with(&packet, fit), fit.cut);
-            prop_assert!(fit.cut.is_true());
+            prop_assert_eq!(ticker.tick_stroke_with(&packet, fit), fit.tick_stroke);
+            prop_assert!(fit.tick_stroke.is_exact());
             prop_assert!(fit.ticks() >= ticker.least_ticks());
             ticker.take(speeds, fit);
         }
@@ -465,23 +469,23 @@ mod tests {
             ways in proptest::collection::vec([-3.0..3.0_f32, 0.1..3.0_f32], 2..60),
             slower in proptest::collection::vec((0..60_usize, 0.1..0.9_f64), 1..6),
         ) {
-            let machine = Machine { has_ticks: true, ..Machine::default() };
-            let ticker = Ticker::new(&machine, 0.0);
+            let arm_limits = ArmLimits { has_ticks: true, ..ArmLimits::default() };
+            let ticker = Ticker::new(&arm_limits, 0.0);
             let moves: Vec<PlannedVector> = ways.into_iter().map(vector).collect();
             let run = |it: &PlannedVector| ChainVector::of(it.increments(), 40.0);
             let mut chain: Vec<ChainVector> = moves.iter().map(run).collect();
             let (over, most_mm_s) = (vec![1.0; moves.len()], vec![40.0; moves.len()]);
-            let before: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
-            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
+            let before: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
+            let mut fits = TickChain { moves: &moves, chain: &chain, speeds: &before, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .fits(&ticker, Breadth::MANY);
             check(&ticker, &moves, &before, &fits)?;
             for (at, share) in slower {
                 let at = at % chain.len();
                 chain[at].corner_mm_s = before[at].end_mm_s * share;
             }
-            let speeds: Vec<Speeds> = ChainSpeeds::new(&machine).plan(&mut chain, Aim::Soon).collect();
+            let speeds: Vec<Speeds> = ChainSpeeds::new(&arm_limits).plan(&mut chain, Objective::Fast).collect();
             let changed: Vec<bool> = speeds.iter().zip(&before).map(|(now, before)| now != before).collect();
-            TickChain { moves: &moves, chain: &chain, speeds: &speeds, aim: Aim::Soon, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
+            TickChain { moves: &moves, chain: &chain, speeds: &speeds, objective: Objective::Fast, over: &over, most_mm_s: &most_mm_s, before: LastPlaces::default() }
                 .repair(&ticker, &mut fits, &changed, Breadth::MANY);
             prop_assert_eq!(fits.len(), moves.len());
             check(&ticker, &moves, &speeds, &fits)?;

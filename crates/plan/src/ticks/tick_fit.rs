@@ -1,13 +1,13 @@
 //! Speeds for a stock arm, which cuts each vector into whole ticks (note N48).
 
-use dobot_motion::Cut;
+use dobot_motion::TickStroke;
 use dobot_wire::single;
 
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
 
-/// How many ticks to try: what the processor makes of them is told by [`Cut`].
+/// How many ticks to try: what the processor makes of them is told by [`TickStroke`].
 #[expect(
     clippy::cast_possible_truncation,
     reason = "what is too large is found untrue"
@@ -37,7 +37,7 @@ pub(crate) struct TickTarget {
 /// What is wanted of the ticks of a vector, whatever its length and its speeds are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TickWish {
-    pub aim: Aim,
+    pub objective: Objective,
     /// How many times as much an end speed above the one wanted counts.
     pub over: f64,
     /// No packet may tell a larger speed, in mm/s.
@@ -53,7 +53,7 @@ pub(crate) struct TickWish {
 pub(crate) struct TickFit {
     pub end_mm_s: f32,
     pub max_mm_s: f32,
-    pub cut: Cut,
+    pub tick_stroke: TickStroke,
     pub cost: f64,
     /// What it costs to be as fast as wanted again behind it.
     pub behind: f64,
@@ -86,18 +86,18 @@ impl TickFit {
 
     /// How many ticks it takes.
     pub(crate) fn ticks(&self) -> u32 {
-        u32::from(self.cut.ticks().unsigned_abs())
+        u32::from(self.tick_stroke.ticks().unsigned_abs())
     }
 
     /// How long it takes, in s.
     pub(crate) fn duration_s(&self) -> f64 {
-        f64::from(self.cut.ticks()) * f64::from(TICK_S)
+        f64::from(self.tick_stroke.ticks()) * f64::from(TICK_S)
     }
 
     /// Whether the next vector would not tell them from each other.
     fn leaves_as_much(&self, other: &Self, same_share: f32) -> bool {
-        let apart_mm_s = (self.cut.end_mm_s - other.cut.end_mm_s).abs();
-        self.ticks() == other.ticks() && apart_mm_s < same_share * self.cut.change_mm_s
+        let apart_mm_s = (self.tick_stroke.end_mm_s - other.tick_stroke.end_mm_s).abs();
+        self.ticks() == other.ticks() && apart_mm_s < same_share * self.tick_stroke.change_mm_s
     }
 }
 
@@ -129,7 +129,7 @@ impl TickTarget {
 
     /// Whether it takes ever so long, since no counts of ticks take just as long as the link needs.
     fn creeps(&self, fit: &TickFit) -> bool {
-        f64::from(fit.cut.ticks()) > 2.0 * self.ticks.max(self.least_ticks.into())
+        f64::from(fit.tick_stroke.ticks()) > 2.0 * self.ticks.max(self.least_ticks.into())
     }
 
     /// No tick accelerates: the begin speed is free, up to the one that is stored and one step.
@@ -207,53 +207,54 @@ impl TickTarget {
             return;
         }
         let max_mm_s = slow_mm_s.max(self.wish.least_mm_s);
-        let cut = self.cut(stored_mm_s, end_mm_s, max_mm_s);
-        let creeps = !self.rests && cut.end_mm_s < LEAST_LEFT_MM_S;
+        let tick_stroke = self.tick_stroke(stored_mm_s, end_mm_s, max_mm_s);
+        let creeps = !self.rests && tick_stroke.end_mm_s < LEAST_LEFT_MM_S;
         // The processor counts in sixteen bits, and takes what is more for something else (note N51): what it corrects then
         // is no speed to count with.
-        let even_mm_s = cut.top_mm_s - cut.correction_mm_s;
+        let even_mm_s = tick_stroke.top_mm_s - tick_stroke.correction_mm_s;
         let is_endless =
-            cut.counts[1] > 0 && 50.0 * self.length_mm >= f32::from(i16::MAX) * even_mm_s;
-        if !cut.is_true() || cut.ticks() < self.least_ticks || creeps || is_endless {
+            tick_stroke.counts[1] > 0 && 50.0 * self.length_mm >= f32::from(i16::MAX) * even_mm_s;
+        if !tick_stroke.is_exact() || tick_stroke.ticks() < self.least_ticks || creeps || is_endless
+        {
             return;
         }
-        let perhaps_mm_s = self.ends_perhaps_mm_s(end_mm_s, max_mm_s, &cut);
-        let apart_mm_s = |it: &f32| (it - cut.end_mm_s).abs();
+        let perhaps_mm_s = self.ends_perhaps_mm_s(end_mm_s, max_mm_s, &tick_stroke);
+        let apart_mm_s = |it: &f32| (it - tick_stroke.end_mm_s).abs();
         let unsure_mm_s = perhaps_mm_s.iter().flatten().map(apart_mm_s);
-        let unsure = UNSURE * f64::from(unsure_mm_s.fold(0.0, f32::max) / cut.change_mm_s);
-        let cost = self.cost(stored_mm_s, &cut) + self.burns_too_long(slow_mm_s) + unsure;
+        let unsure = UNSURE * f64::from(unsure_mm_s.fold(0.0, f32::max) / tick_stroke.change_mm_s);
+        let cost = self.cost(stored_mm_s, &tick_stroke) + self.burns_too_long(slow_mm_s) + unsure;
         let fit = TickFit {
             end_mm_s,
             max_mm_s,
-            cut,
+            tick_stroke,
             cost,
-            behind: self.behind(&cut),
+            behind: self.behind(&tick_stroke),
             perhaps_mm_s,
         };
         fit.rank(fits, self.wish.same_share);
     }
 
-    fn cost(&self, stored_mm_s: f32, cut: &Cut) -> f64 {
-        let steps = |mm_s: f64| mm_s / f64::from(cut.change_mm_s);
-        let over = steps(f64::from(cut.end_mm_s) - self.speeds.end_mm_s);
-        let above = steps(f64::from(cut.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
-        match self.wish.aim {
-            Aim::Evenly => self.unlike(stored_mm_s, cut, over) + 4.0 * above * above,
-            Aim::Soon => {
+    fn cost(&self, stored_mm_s: f32, tick_stroke: &TickStroke) -> f64 {
+        let steps = |mm_s: f64| mm_s / f64::from(tick_stroke.change_mm_s);
+        let over = steps(f64::from(tick_stroke.end_mm_s) - self.speeds.end_mm_s);
+        let above = steps(f64::from(tick_stroke.top_mm_s) - self.speeds.limit_mm_s).max(0.0);
+        match self.wish.objective {
+            Objective::Even => self.unlike(stored_mm_s, tick_stroke, over) + 4.0 * above * above,
+            Objective::Fast => {
                 let kept = if self.rests {
                     OVER_AT_REST * (over - FREE_AT_REST_STEPS).max(0.0).powi(3)
                 } else {
                     OVER * (over - FREE_STEPS).max(0.0).powi(2) + LESS * over.max(0.0)
                 };
-                f64::from(cut.ticks()) + self.wish.over * kept + ABOVE * above * above
+                f64::from(tick_stroke.ticks()) + self.wish.over * kept + ABOVE * above * above
             }
         }
     }
 
     /// What it costs to burn slower than any laser should, where that is not wanted.
     fn burns_too_long(&self, max_mm_s: f32) -> f64 {
-        let is_wanted =
-            self.wish.aim == Aim::Soon || self.speeds.peak_mm_s < f64::from(BURNS_WELL_MM_S);
+        let is_wanted = self.wish.objective == Objective::Fast
+            || self.speeds.peak_mm_s < f64::from(BURNS_WELL_MM_S);
         if is_wanted || max_mm_s >= BURNS_WELL_MM_S {
             0.0
         } else {
@@ -263,11 +264,11 @@ impl TickTarget {
 
     /// How far it is from what is wanted, in steps of speed, squared: what is too fast counts more than what is too
     /// slow.
-    fn unlike(&self, stored_mm_s: f32, cut: &Cut, over: f64) -> f64 {
-        let late = f64::from(cut.ticks()) - self.ticks;
-        let brakes = cut.counts[0] == 0 && cut.counts[1] == 0;
-        let first = cut.first_mm_s - if brakes { cut.change_mm_s } else { 0.0 };
-        let jump = f64::from((first - stored_mm_s) / cut.change_mm_s).abs();
+    fn unlike(&self, stored_mm_s: f32, tick_stroke: &TickStroke, over: f64) -> f64 {
+        let late = f64::from(tick_stroke.ticks()) - self.ticks;
+        let brakes = tick_stroke.counts[0] == 0 && tick_stroke.counts[1] == 0;
+        let first = tick_stroke.first_mm_s - if brakes { tick_stroke.change_mm_s } else { 0.0 };
+        let jump = f64::from((first - stored_mm_s) / tick_stroke.change_mm_s).abs();
         let jump = (jump - 1.0).max(0.0);
         let weight = if over > 0.0 {
             8.0 * self.wish.over
@@ -279,13 +280,14 @@ impl TickTarget {
 
     /// How many ticks are lost until the arm is as fast as wanted again, if it may use all of the acceleration for that:
     /// with the speed v wanted, `(v - end)2 / (2 a v)`.
-    fn behind(&self, cut: &Cut) -> f64 {
-        if self.wish.aim == Aim::Evenly || self.rests {
+    fn behind(&self, tick_stroke: &TickStroke) -> f64 {
+        if self.wish.objective == Objective::Even || self.rests {
             return 0.0;
         }
         let wanted_mm_s = self.speeds.end_mm_s;
-        let missing_mm_s = (wanted_mm_s - f64::from(cut.end_mm_s)).max(0.0);
-        missing_mm_s * missing_mm_s / (2.0 * f64::from(cut.change_mm_s) * wanted_mm_s.max(1.0))
+        let missing_mm_s = (wanted_mm_s - f64::from(tick_stroke.end_mm_s)).max(0.0);
+        missing_mm_s * missing_mm_s
+            / (2.0 * f64::from(tick_stroke.change_mm_s) * wanted_mm_s.max(1.0))
     }
 
     /// The fastest even speed with which the vector gets its full length, or as far up and down as the
@@ -308,29 +310,34 @@ impl TickTarget {
         // With less than half a step it would keep for ever what it has.
         let max_mm_s = single(self.speeds.limit_mm_s).max(1.5 * change);
         let max_mm_s = max_mm_s.clamp(self.wish.least_mm_s, self.wish.most_mm_s);
-        let cut = self.cut(stored_mm_s, 0.0, max_mm_s);
+        let tick_stroke = self.tick_stroke(stored_mm_s, 0.0, max_mm_s);
         TickFit {
             end_mm_s: 0.0,
             max_mm_s,
-            cut,
+            tick_stroke,
             cost: f64::INFINITY,
             behind: 0.0,
-            perhaps_mm_s: self.ends_perhaps_mm_s(0.0, max_mm_s, &cut),
+            perhaps_mm_s: self.ends_perhaps_mm_s(0.0, max_mm_s, &tick_stroke),
         }
     }
 
     /// What the vector may leave instead, where it is not known how it begins: nothing if all of that is the same.
-    fn ends_perhaps_mm_s(&self, end_mm_s: f32, max_mm_s: f32, cut: &Cut) -> Option<[f32; 3]> {
-        let cut_perhaps = |stored_mm_s| self.cut(stored_mm_s, end_mm_s, max_mm_s);
-        let ends_mm_s = self.perhaps_mm_s?.map(|it| cut_perhaps(it).end_mm_s);
-        let is_same = |it: &f32| (it - cut.end_mm_s).abs() <= KNOWN_MM_S;
+    fn ends_perhaps_mm_s(
+        &self,
+        end_mm_s: f32,
+        max_mm_s: f32,
+        tick_stroke: &TickStroke,
+    ) -> Option<[f32; 3]> {
+        let possible = |stored_mm_s| self.tick_stroke(stored_mm_s, end_mm_s, max_mm_s);
+        let ends_mm_s = self.perhaps_mm_s?.map(|it| possible(it).end_mm_s);
+        let is_same = |it: &f32| (it - tick_stroke.end_mm_s).abs() <= KNOWN_MM_S;
         (!ends_mm_s.iter().all(is_same)).then_some(ends_mm_s)
     }
 
     /// What becomes of the vector with these speeds.
-    fn cut(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32) -> Cut {
+    fn tick_stroke(&self, stored_mm_s: f32, end_mm_s: f32, max_mm_s: f32) -> TickStroke {
         let (length_mm, acceleration_mm_s2) = (self.length_mm, self.acceleration_mm_s2);
-        Cut::of(
+        TickStroke::of(
             length_mm,
             stored_mm_s,
             end_mm_s,
@@ -397,7 +404,7 @@ mod tests {
             acceleration_mm_s2: 100.0,
             perhaps_mm_s: None,
             wish: TickWish {
-                aim: Aim::Soon,
+                objective: Objective::Fast,
                 over: 1.0,
                 most_mm_s: single(max),
                 least_mm_s: 0.0,
@@ -412,8 +419,8 @@ mod tests {
         // of which 0.7 mm/s are left.
         let wanted = target(15.9, [40.0, 0.5, 40.0], false);
         let fits = wanted.fits(40.0);
-        let found = fits.iter().find(|it| it.cut.counts == [0, 13, 18]);
-        let left_mm_s = found.expect("among the choices").cut.end_mm_s;
+        let found = fits.iter().find(|it| it.tick_stroke.counts == [0, 13, 18]);
+        let left_mm_s = found.expect("among the choices").tick_stroke.end_mm_s;
         assert!((left_mm_s - 0.68).abs() < 0.01, "{left_mm_s}");
     }
 
@@ -432,13 +439,13 @@ mod tests {
             let wanted = target(length_mm, [stored.into(), end, max], rests);
             let wish = TickWish { most_mm_s, ..wanted.wish };
             let fit = TickTarget { wish, ..wanted }.fits(stored)[0];
-            prop_assert!(fit.cut.is_true(), "{fit:?}");
+            prop_assert!(fit.tick_stroke.is_exact(), "{fit:?}");
             prop_assert_eq!(fit.end_mm_s == 0.0, rests);
             prop_assert!(fit.max_mm_s > 0.0 && fit.max_mm_s <= most_mm_s, "{fit:?}");
             // No slower than what is wanted, or than a tenth of what a tick changes.
             let slowest_mm_s = wanted.speeds.max_mm_s.min(0.2);
             let most_s = f64::from(length_mm) / slowest_mm_s + 2.0;
-            prop_assert!(f64::from(fit.cut.ticks()) * 0.02 <= most_s, "{fit:?}");
+            prop_assert!(f64::from(fit.tick_stroke.ticks()) * 0.02 <= most_s, "{fit:?}");
         }
 
         #[test]
@@ -451,10 +458,10 @@ mod tests {
         ) {
             let max = max.max(stored.into());
             let wanted = target(length_mm, [stored.into(), 0.0, max], true);
-            let aim = if evenly { Aim::Evenly } else { Aim::Soon };
-            let wish = TickWish { most_mm_s: single(max.max(3.0)), aim, ..wanted.wish };
+            let objective = if evenly { Objective::Even } else { Objective::Fast };
+            let wish = TickWish { most_mm_s: single(max.max(3.0)), objective, ..wanted.wish };
             let fit = TickTarget { least_ticks, wish, ..wanted }.fits(stored)[0];
-            prop_assert!(fit.cut.is_true(), "{fit:?}");
+            prop_assert!(fit.tick_stroke.is_exact(), "{fit:?}");
             // Twice as long as wanted, and some ticks.
             let most_s = 2.0 * f64::from(length_mm) / max.min(0.2) + 2.0;
             prop_assert!(fit.duration_s() <= most_s, "{fit:?}");

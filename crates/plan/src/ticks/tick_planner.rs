@@ -3,7 +3,7 @@
 use crate::path::planner::{Planner, round_down};
 use crate::speed::chain::{ChainSpeeds, LEAST_SHARE};
 use crate::speed::lookahead::ChainVector;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::sampled_acceleration::TickPositions;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
@@ -15,15 +15,15 @@ use crate::{MoveKind, PlannedVector};
 impl Planner<'_> {
     /// The chain ends, on an arm with ticks: its speeds can be planned.
     pub(crate) fn rest_in_ticks(&mut self, begin: usize) {
-        self.plan_lone(0);
+        self.plan_travel(0);
         let Some(ticker) = self.ticker.take() else {
             return;
         };
         let travel_mm_s = round_down(self.travel_mm_s);
         let moves = &self.moves[begin..];
         let mut it = InTicks::new(begin, ticker, moves, &self.chain, travel_mm_s);
-        let attempt = match self.aim {
-            Aim::Soon => {
+        let attempt = match self.objective {
+            Objective::Fast => {
                 let attempt = self.attempt(&it, Breadth::ONE);
                 if attempt.is_good() {
                     attempt
@@ -32,7 +32,7 @@ impl Planner<'_> {
                 }
             }
             // What a vector leaves decides how fast the next one can be: of a laser all are to be right.
-            Aim::Evenly => self.attempt(&it, Breadth::MANY),
+            Objective::Even => self.attempt(&it, Breadth::MANY),
         };
         it.ticker
             .set(&mut self.moves[begin..], &attempt.speeds, &attempt.fits);
@@ -109,7 +109,7 @@ impl Planner<'_> {
     /// How long a second part has to be: from this speed the arm comes to rest on it, and has some ticks to choose when it begins to
     /// brake.
     fn brakes_mm(&self, speed_mm_s: f64) -> f64 {
-        let brakes_mm = 0.5 * speed_mm_s * speed_mm_s / self.machine.acceleration_mm_s2;
+        let brakes_mm = 0.5 * speed_mm_s * speed_mm_s / self.arm_limits.acceleration_mm_s2;
         brakes_mm + EVEN_TICKS * f64::from(TICK_S) * speed_mm_s
     }
 
@@ -128,8 +128,8 @@ impl Planner<'_> {
     /// link allows is told by the ticks.
     pub(crate) fn wanted(&mut self, limits_mm_s: &[f64]) -> (ChainSpeeds, Vec<Speeds>) {
         let mut chain_speeds = self.chain_speeds.clone();
-        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.aim).collect();
-        if self.aim == Aim::Soon {
+        let mut speeds: Vec<Speeds> = chain_speeds.plan(&mut self.chain, self.objective).collect();
+        if self.objective == Objective::Fast {
             for (speeds, &limit_mm_s) in speeds.iter_mut().zip(limits_mm_s) {
                 speeds.limit_mm_s = limit_mm_s;
             }
@@ -154,15 +154,15 @@ impl Planner<'_> {
 
     fn in_ticks<'a>(&'a self, it: &'a InTicks, speeds: &'a [Speeds]) -> TickChain<'a> {
         TickChain {
-            aim: self.aim,
+            objective: self.objective,
             moves: &self.moves[it.begin..],
             chain: &self.chain,
             speeds,
             over: &it.over,
             most_mm_s: &it.most_mm_s,
-            before: match self.aim {
-                Aim::Soon => self.last_places,
-                Aim::Evenly => LastPlaces::default(),
+            before: match self.objective {
+                Objective::Fast => self.last_places,
+                Objective::Even => LastPlaces::default(),
             },
         }
     }
@@ -171,9 +171,9 @@ impl Planner<'_> {
     fn shares(&self, fits: &[TickFit]) -> Vec<f64> {
         let mut ticks = TickPositions::default();
         for (run, fit) in self.chain.iter().zip(fits) {
-            ticks.push(run, &fit.cut);
+            ticks.push(run, &fit.tick_stroke);
         }
-        ticks.shares(self.machine.acceleration_mm_s2, LEAST_SHARE)
+        ticks.shares(self.arm_limits.acceleration_mm_s2, LEAST_SHARE)
     }
 
     /// Corners that are too fast, round after round more so; those that are hardly faster than one

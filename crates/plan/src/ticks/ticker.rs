@@ -1,15 +1,15 @@
 //! A chain of vectors for a stock arm, tick by tick.
 
-use dobot_motion::Cut;
+use dobot_motion::TickStroke;
 use dobot_wire::{WriteMode, WriteVector};
 
 use crate::path::commands::write;
 use crate::speed::link::Credit;
-use crate::speed::objective::Aim;
+use crate::speed::objective::Objective;
 use crate::speed::speeds::Speeds;
 use crate::ticks::tick::TICK_S;
 use crate::ticks::tick_fit::{LEAST_LEFT_MM_S, TickFit, TickTarget, TickWish};
-use crate::{Machine, MoveKind, PlannedVector};
+use crate::{ArmLimits, MoveKind, PlannedVector};
 
 /// What the arm carries over from vector to vector.
 #[derive(Clone, Debug)]
@@ -26,19 +26,21 @@ pub(crate) struct Ticker {
 
 impl Ticker {
     #[expect(clippy::cast_possible_truncation, reason = "as the packet holds it")]
-    pub(crate) fn new(machine: &Machine, stored_mm_s: f32) -> Self {
+    pub(crate) fn new(arm_limits: &ArmLimits, stored_mm_s: f32) -> Self {
         Self {
-            acceleration_mm_s2: machine.acceleration_mm_s2 as f32,
+            acceleration_mm_s2: arm_limits.acceleration_mm_s2 as f32,
             stored_mm_s,
             perhaps_mm_s: None,
             early: 0.0,
-            credit: Credit::new(machine.link),
+            credit: Credit::new(arm_limits.link),
         }
     }
 
     /// The ticks of a machine that has some.
-    pub(crate) fn of(machine: &Machine, stored_mm_s: f32) -> Option<Self> {
-        machine.has_ticks.then(|| Self::new(machine, stored_mm_s))
+    pub(crate) fn of(arm_limits: &ArmLimits, stored_mm_s: f32) -> Option<Self> {
+        arm_limits
+            .has_ticks
+            .then(|| Self::new(arm_limits, stored_mm_s))
     }
 
     /// The same where others used the arm before: nobody knows what it has stored.
@@ -63,7 +65,7 @@ impl Ticker {
             vector.start_speed_mm_s = self.stored_mm_s.min(fit.max_mm_s);
             vector.end_speed_mm_s = fit.end_mm_s;
             vector.max_speed_mm_s = fit.max_mm_s;
-            vector.duration_s = f32::from(fit.cut.ticks()) * TICK_S;
+            vector.duration_s = f32::from(fit.tick_stroke.ticks()) * TICK_S;
             self.take(speeds, fit);
         }
     }
@@ -80,9 +82,9 @@ impl Ticker {
     }
 
     /// What becomes of the next vector with the speeds of this fit.
-    pub(crate) fn cut_with(&self, vector: &WriteVector, fit: &TickFit) -> Cut {
+    pub(crate) fn tick_stroke_with(&self, vector: &WriteVector, fit: &TickFit) -> TickStroke {
         let acceleration_mm_s2 = factor(vector) * self.acceleration_mm_s2;
-        Cut::of(
+        TickStroke::of(
             length(vector),
             self.stored_mm_s,
             fit.end_mm_s,
@@ -110,7 +112,7 @@ impl Ticker {
         let speeds = Speeds::of(length_mm.into(), [start, end, max], max, acceleration);
         let stored_mm_s = self.stored_mm_s;
         let wish = TickWish {
-            aim: Aim::Evenly,
+            objective: Objective::Even,
             over: 1.0,
             most_mm_s,
             least_mm_s: 0.0,
@@ -126,25 +128,25 @@ impl Ticker {
     }
 
     /// How the arm runs a vector behind those before.
-    pub(crate) fn run(&mut self, vector: &WriteVector) -> Cut {
-        let cut = self.cut(vector, self.stored_mm_s);
-        self.stored_mm_s = cut.end_mm_s;
-        cut
+    pub(crate) fn run(&mut self, vector: &WriteVector) -> TickStroke {
+        let tick_stroke = self.tick_stroke(vector, self.stored_mm_s);
+        self.stored_mm_s = tick_stroke.end_mm_s;
+        tick_stroke
     }
 
     /// How far the arm gets with a vector behind those before, in mm.
-    pub(crate) fn leads_mm(&mut self, vector: &WriteVector) -> [f32; 3] {
+    pub(crate) fn displacement_mm(&mut self, vector: &WriteVector) -> [f32; 3] {
         let way = [vector.x_mm, vector.y_mm, vector.z_mm];
-        self.run(vector).leads_mm(way, length(vector))
+        self.run(vector).displacement_mm(way, length(vector))
     }
 
     /// Whether the arm makes each of these vectors as long as it should be.
     pub(crate) fn runs_true(&self, vectors: &[WriteVector]) -> bool {
         let mut stored_mm_s = self.stored_mm_s;
         vectors.iter().all(|vector| {
-            let cut = self.cut(vector, stored_mm_s);
-            stored_mm_s = cut.end_mm_s;
-            cut.is_true()
+            let tick_stroke = self.tick_stroke(vector, stored_mm_s);
+            stored_mm_s = tick_stroke.end_mm_s;
+            tick_stroke.is_exact()
         })
     }
 
@@ -154,9 +156,9 @@ impl Ticker {
             let mut stored_mm_s = stored_mm_s;
             moves.iter().any(|vector| {
                 let creeps = vector.kind == MoveKind::RunOut && stored_mm_s < LEAST_LEFT_MM_S;
-                let cut = self.cut(&write(vector), stored_mm_s);
-                stored_mm_s = cut.end_mm_s;
-                creeps || is_sure && !cut.is_true()
+                let tick_stroke = self.tick_stroke(&write(vector), stored_mm_s);
+                stored_mm_s = tick_stroke.end_mm_s;
+                creeps || is_sure && !tick_stroke.is_exact()
             })
         };
         let mut perhaps_mm_s = self.perhaps_mm_s.iter().flatten();
@@ -184,7 +186,7 @@ impl Ticker {
             if credit.least_s() <= was.least_s() {
                 return true;
             }
-            if i32::from(fit.cut.ticks()) < i32::from(least_ticks(credit)) {
+            if i32::from(fit.tick_stroke.ticks()) < i32::from(least_ticks(credit)) {
                 return false;
             }
             credit.take(fit.duration_s());
@@ -211,8 +213,8 @@ impl Ticker {
         self.acceleration_mm_s2 * TICK_S
     }
 
-    fn cut(&self, vector: &WriteVector, stored_mm_s: f32) -> Cut {
-        Cut::of(
+    fn tick_stroke(&self, vector: &WriteVector, stored_mm_s: f32) -> TickStroke {
+        TickStroke::of(
             length(vector),
             stored_mm_s,
             vector.end_speed_mm_s,
@@ -224,9 +226,9 @@ impl Ticker {
     /// What the next vector should be, of this length. Speeds are whole ticks: the arm would not begin to
     /// accelerate to less than one and a half.
     fn target(&self, length_mm: f32, speeds: Speeds, factor: f32, wish: TickWish) -> TickTarget {
-        let early = match wish.aim {
-            Aim::Evenly => self.early,
-            Aim::Soon => 0.0,
+        let early = match wish.objective {
+            Objective::Even => self.early,
+            Objective::Fast => 0.0,
         };
         TickTarget {
             length_mm,
@@ -246,10 +248,10 @@ impl Ticker {
     /// The next vector is run like that.
     pub(crate) fn take(&mut self, speeds: &Speeds, fit: &TickFit) {
         let ticks = speeds.duration_s / f64::from(TICK_S);
-        let took = f64::from(fit.cut.ticks());
+        let took = f64::from(fit.tick_stroke.ticks());
         self.early = (self.early + ticks - took).clamp(-MOST_EARLY, MOST_EARLY);
         self.credit.take(fit.duration_s());
-        self.stored_mm_s = fit.cut.end_mm_s;
+        self.stored_mm_s = fit.tick_stroke.end_mm_s;
         self.perhaps_mm_s = fit.perhaps_mm_s;
     }
 }

@@ -129,7 +129,7 @@ proptest! {
         let policy = Policy::default();
         let model = Model::standing(Dialect::SPECIFICATION, from).calibrated(arm);
         let lowest_mm = |model: &Model, place: &ArmPlace| {
-            let there = model.true_place(place).pose.position;
+            let there = model.calibrated_place(place).pose.position;
             arm.above_table_mm(there).expect("there is a table")
         };
         let begins_mm = lowest_mm(&model, &from);

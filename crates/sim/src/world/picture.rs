@@ -5,7 +5,7 @@ mod side;
 mod top;
 mod words;
 
-use dobot_lettering::desk::{INK, MUTED, PAPER};
+use dobot_lettering::paper_style::{INK, MUTED, PAPER};
 use dobot_lettering::{Rectangle, Sheet};
 
 use super::{Object, WorldState};
@@ -30,7 +30,7 @@ impl WorldState {
             width: top.width + 16.0 * unit,
             height: top.height + side.height + (14.0 + 4.0 + 18.0) * unit,
         };
-        let mut sheet = Sheet::desk(page);
+        let mut sheet = Sheet::with_background(page);
         sheet.paper(&top, unit, |sheet| top::view(sheet, self, &top, unit));
         sheet.paper(&side, unit, |sheet| side::view(sheet, self, &side, unit));
         sheet.paper(&log, unit, |sheet| words::log(sheet, self, &log, unit));

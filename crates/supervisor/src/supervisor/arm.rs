@@ -104,7 +104,7 @@ impl Arm {
         // A slack joint that was turned back last stands further than its motor says.
         let arm = &model.calibration;
         place.joints = arm.joints_at(&place.joints, self.turned_deg);
-        let place = model.true_place(&place);
+        let place = model.calibrated_place(&place);
         Status {
             suction: told.suction,
             gripper_deg: told.gripper_deg,
@@ -122,7 +122,7 @@ impl Arm {
         Some(Status {
             suction: model.suction,
             gripper_deg: single(model.gripper_deg),
-            ..model.true_place(&model.place).status()
+            ..model.calibrated_place(&model.place).status()
         })
     }
 
@@ -150,7 +150,7 @@ impl Arm {
         let Some(model) = self.session.model() else {
             return Ok(*command);
         };
-        model.told(command).map_err(|error| {
+        model.to_raw(command).map_err(|error| {
             Refusal::from(Violation::of_trajectory(&TrajectoryError::Unreachable(
                 error,
             )))
@@ -335,7 +335,7 @@ fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation
     let place_at = |t_s| {
         let place = trajectory.place_at(t_s);
         let place = place.map_err(|error| Violation::of_trajectory(&error.into()))?;
-        Ok::<_, Violation>(model.true_place(&place))
+        Ok::<_, Violation>(model.calibrated_place(&place))
     };
     let (parts, duration_s) = match trajectory.motion_s() {
         Some(duration_s) if trajectory.moves() => (PATH_PARTS, duration_s),
@@ -343,7 +343,7 @@ fn way_view(model: &Model, trajectory: &Trajectory) -> Result<WayView, Violation
     };
     let times = (1..=parts).map(|part| duration_s * f64::from(part) / f64::from(PATH_PARTS));
     let way = times.map(place_at).collect::<Result<Vec<_>, _>>()?;
-    let start = model.true_place(&model.place);
+    let start = model.calibrated_place(&model.place);
     let end = way.last().unwrap_or(&start);
     let point = |place: &ArmPlace| {
         let at = place.pose.position;

@@ -189,7 +189,7 @@ impl Supervisor {
         let Some(model) = model.filter(|_| self.arm.is_at_rest() && self.arm.is_idle()) else {
             return Err(self.still_moving());
         };
-        let joints = model.true_place(&model.place).joints;
+        let joints = model.calibrated_place(&model.place).joints;
         if joints.base.0.abs() > STRAIGHT_DEG {
             return Err(Refusal::OutOfRange {
                 name: "the true base angle",

@@ -10,7 +10,7 @@ use std::time::Duration;
 use dobot_api::{JobPhase, JobView, News};
 use dobot_journal::{Window, model_at, window_end};
 use dobot_motion::Model;
-use dobot_plan::{Machine, end_speed_mm_s};
+use dobot_plan::{ArmLimits, end_speed_mm_s};
 use dobot_session::CommandId;
 use dobot_wire::{Command, PlaybackAdjustment, Status};
 
@@ -172,8 +172,8 @@ impl Run {
     /// A job of which so many commands are done as the journal has it.
     fn new(started: StartedJob, kept: usize, phase: Phase, from: Option<Status>) -> Self {
         let completed = started.completed;
-        let machine = Machine::of(started.dialect);
-        let speeds = Speeds::new(started.adjustment.speed_percent, machine);
+        let arm_limits = ArmLimits::of(started.dialect);
+        let speeds = Speeds::new(started.adjustment.speed_percent, arm_limits);
         Self {
             started,
             phase,
@@ -224,14 +224,14 @@ impl Run {
 
     /// What a command leaves that comes next, on what the one before has left.
     fn after(&self, before: CarriedOver, command: &Command) -> CarriedOver {
-        let machine = self.speeds.machine_at(&self.started.plan, self.next);
+        let arm_limits = self.speeds.arm_limits_at(&self.started.plan, self.next);
         match command {
             Command::WriteVector(it) => CarriedOver {
-                speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &machine),
+                speed_mm_s: end_speed_mm_s(it, before.speed_mm_s, &arm_limits),
                 moves: it.end_speed_mm_s > 0.0 && !it.stop,
                 is_unknown: before.is_unknown && self.speeds.rests_each(self.next),
             },
-            _ if machine.has_ticks => CarriedOver {
+            _ if arm_limits.has_ticks => CarriedOver {
                 moves: false,
                 ..before
             },

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use dobot_draw::{Settings, prepare_passes, simplify};
 use dobot_geometry::{PathDistance, Stroke, deviation, steps};
-use dobot_plan::{ChainVector, DrawingTool, Machine, MoveKind, Pass, Plan, acceleration};
+use dobot_plan::{ArmLimits, ChainVector, DrawingTool, MoveKind, Pass, Plan, acceleration};
 
 mod curves;
 
@@ -91,7 +91,7 @@ impl Case {
             "{drawn_s:.1} s | {:.3} | {} | {mean_mm:.4} mm | {largest_mm:.4} mm | {:.3} | {:.0} ms |",
             drawn_s / bound_s,
             draws.count(),
-            acceleration(&plan, settings.machine.cornering().window_s) / self.acceleration_mm_s2,
+            acceleration(&plan, settings.arm_limits.cornering().window_s) / self.acceleration_mm_s2,
             1e3 * took_s
         ))
     }
@@ -99,13 +99,13 @@ impl Case {
     fn settings(&self, has_ticks: bool) -> Settings {
         Settings {
             tolerance_mm: self.tolerance_mm,
-            machine: Machine {
+            arm_limits: ArmLimits {
                 acceleration_mm_s2: self.acceleration_mm_s2,
                 corner_deviation_mm: 2.0 * self.tolerance_mm,
                 // What is measured is the curve, not where it lies before the arm.
                 joint_speed_deg_s: 10_000.0,
                 has_ticks,
-                ..Machine::default()
+                ..ArmLimits::default()
             },
             tool: DrawingTool::default().at_speed(self.speed_mm_s),
             ..Settings::default()
@@ -120,7 +120,7 @@ impl Case {
             .filter(|(a, b)| a != b)
             .map(|(a, b)| ChainVector::of([b.x - a.x, b.y - a.y, 0.0], self.speed_mm_s))
             .collect();
-        let cornering = self.settings(false).machine.cornering();
+        let cornering = self.settings(false).arm_limits.cornering();
         cornering.durations_s(&chain).iter().sum()
     }
 
@@ -129,7 +129,7 @@ impl Case {
         let fewest = simplify(stroke, FEWEST_SHARE * self.tolerance_mm);
         #[expect(clippy::cast_precision_loss, reason = "some thousands")]
         let vectors = (fewest.points.len() - 1) as f64;
-        vectors * Machine::default().link.period_s
+        vectors * ArmLimits::default().link.period_s
     }
 }
 

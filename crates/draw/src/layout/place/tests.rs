@@ -2,7 +2,7 @@
 
 use super::*;
 use dobot_geometry::{Stroke, bounds_of_strokes};
-use dobot_plan::{DrawingTool, Machine, Pass};
+use dobot_plan::{ArmLimits, DrawingTool, Pass};
 
 fn place(placement: &Placement, stroke: Stroke) -> Result<(Vec<Stroke>, f64), PlaceError> {
     let layer = Layer {
@@ -107,8 +107,8 @@ fn a_margin_stays_empty_and_must_leave_room() {
     );
     for margin_mm in [-1.0, 60.0, f64::NAN] {
         let error = place(&within(margin_mm), square()).unwrap_err();
-        let told = format!("the margin is {margin_mm} mm; it must be from 0 to below 60 mm");
-        assert_eq!(error.to_string(), told);
+        let expected = format!("the margin is {margin_mm} mm; it must be from 0 to below 60 mm");
+        assert_eq!(error.to_string(), expected);
     }
 }
 
@@ -129,7 +129,7 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
     let paper = Paper::default();
     let ends_fine = [line(&[(0.0, 150.0), (0.0, -150.0)])];
     let pass = Pass::new(DrawingTool::default(), ends_fine.to_vec());
-    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+    let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
     let reachable = |p: Position| {
         if p.reach().0 < 129.0 {
             Err("too near")
@@ -153,50 +153,51 @@ fn a_straight_line_through_the_hole_around_the_base_is_found_out() {
 }
 
 #[test]
-fn a_way_through_the_hole_around_the_base_is_told_from_a_line_through_it() {
+fn a_way_through_the_hole_around_the_base_is_reported_from_a_line_through_it() {
     let dots = [
         line(&[(0.0, 150.0), (1.0, 150.0)]),
         line(&[(0.0, -150.0), (1.0, -150.0)]),
     ];
     let pass = Pass::new(DrawingTool::default(), dots.to_vec());
     let paper = Paper::default();
-    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+    let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
     let reachable = |p: Position| {
         let near = p.reach().0 < 129.0;
         if near { Err("too near") } else { Ok(()) }
     };
-    let told = check_reach(&plan, &paper, reachable)
+    let error = check_reach(&plan, &paper, reachable)
         .unwrap_err()
         .to_string();
     assert!(
-        told.starts_with("the way from one stroke to the next leads through x "),
-        "{told}"
+        error.starts_with("the way from one stroke to the next leads through x "),
+        "{error}"
     );
     assert!(
-        told.contains("mm: too near; place the drawing farther"),
-        "{told}"
+        error.contains("mm: too near; place the drawing farther"),
+        "{error}"
     );
 }
 
 #[test]
-fn a_place_beyond_the_reach_is_told_as_a_place_and_not_as_a_way_however_the_pen_gets_there() {
+fn a_place_beyond_the_reach_is_reported_as_a_place_and_not_as_a_way_however_the_pen_gets_there() {
     let lines = [
         line(&[(200.0, 0.0), (210.0, 0.0)]),
         line(&[(330.0, 0.0), (210.0, 20.0)]),
     ];
     let pass = Pass::new(DrawingTool::default(), lines.to_vec());
     let paper = Paper::default();
-    let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
-    let told = check_reach(&plan, &paper, within_320).unwrap_err();
+    let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
+    let error = check_reach(&plan, &paper, within_320).unwrap_err();
     assert!(
-        told.to_string()
+        error
+            .to_string()
             .starts_with("the pen would have to go to x 330.0, y 0.0"),
-        "{told}"
+        "{error}"
     );
 }
 
 #[test]
-fn a_laser_whose_run_leads_beyond_the_reach_is_told_to_burn_slower() {
+fn a_laser_whose_run_leads_beyond_the_reach_is_reported_to_burn_slower() {
     // At 100 mm/s it takes some 55 mm to get there.
     let laser = |burn_speed_mm_s| {
         DrawingTool::Laser(dobot_plan::Laser {
@@ -207,7 +208,7 @@ fn a_laser_whose_run_leads_beyond_the_reach_is_told_to_burn_slower() {
     let paper = Paper::default();
     let check = |speed_mm_s, ends: [(f64, f64); 2]| {
         let pass = Pass::new(laser(speed_mm_s), vec![line(&ends)]);
-        let plan = Plan::new(&[pass], &paper, &Machine::default()).unwrap();
+        let plan = Plan::new(&[pass], &paper, &ArmLimits::default()).unwrap();
         check_reach(&plan, &paper, within_320)
     };
     let inwards = [(290.0, 0.0), (250.0, 0.0)];

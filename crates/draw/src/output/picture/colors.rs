@@ -93,7 +93,7 @@ const DARKER: f64 = 130.0;
 mod tests {
     use super::*;
     use dobot_geometry::{Point, Stroke};
-    use dobot_plan::{DrawingTool, Machine, Paper, Pass};
+    use dobot_plan::{ArmLimits, DrawingTool, Paper, Pass};
 
     #[test]
     fn a_place_is_green_amber_or_red() {
@@ -120,7 +120,7 @@ mod tests {
             )
         };
         let passes = [Some([204, 0, 16]), Some([255, 255, 250]), None].map(pass);
-        let plan = Plan::new(&passes, &Paper::default(), &Machine::default()).unwrap();
+        let plan = Plan::new(&passes, &Paper::default(), &ArmLimits::default()).unwrap();
         assert_eq!(pass_color(&plan, 0), "#cc0010");
         // All three are as much darker as 130 is than 255.
         assert_eq!(pass_color(&plan, 1), "#82827f");

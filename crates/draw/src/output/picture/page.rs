@@ -1,7 +1,7 @@
 //! The page under the lines: what the arm reaches, its base, and the drawing area.
 
 use dobot_geometry::{Point, Rect, steps};
-use dobot_lettering::{Rectangle, ShapeStyle, Sheet, desk};
+use dobot_lettering::{Rectangle, ShapeStyle, Sheet, paper_style};
 
 use super::REACH_MM;
 use super::lines::{area_on_picture, seen};
@@ -14,7 +14,7 @@ pub(super) fn workspace(sheet: &mut Sheet, area: Rect, place: Option<&SheetPlace
         drawn_on(sheet, place);
     } else {
         let area = area_on_picture(area);
-        let look = ShapeStyle::area(desk::PAPER).edged("#9fb3c2", 0.25);
+        let look = ShapeStyle::area(paper_style::PAPER).edged("#9fb3c2", 0.25);
         sheet.rect(&frame(area), 1.0, &look.dashed("2 1.4"));
     }
     for (radius, color) in [(38.0, "#dfe6ea"), (22.0, "#f3f6f7")] {

@@ -1,7 +1,7 @@
 //! The words of a picture: title, legend, figures, and a row for each pass.
 
 use dobot_geometry::Rect;
-use dobot_lettering::desk::{INK, MUTED};
+use dobot_lettering::paper_style::{INK, MUTED};
 use dobot_lettering::{Anchor, ShapeStyle, Sheet, TextStyle};
 
 use super::colors::pass_color;

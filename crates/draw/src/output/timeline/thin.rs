@@ -43,9 +43,9 @@ fn is_straight(way: &[TracePoint]) -> bool {
         } else {
             1.0
         };
-        let told = from.position + (to.position - from.position) * share;
+        let between = from.position + (to.position - from.position) * share;
         let error_mm = from.error_mm + (to.error_mm - from.error_mm) * share;
-        told.distance(moment.position).0 <= WAY_MM
+        between.distance(moment.position).0 <= WAY_MM
             && (!errs || (error_mm - moment.error_mm).abs() <= ERROR_MM)
     })
 }

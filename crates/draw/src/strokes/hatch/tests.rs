@@ -188,8 +188,8 @@ fn a_winding_hatch_with_too_many_corners_is_refused() {
         &area(&[&teeth], FillRule::NonZero),
         &wound(HatchStyle::Spiral, 0.1),
     );
-    let told = error.unwrap_err().to_string();
-    assert!(told.contains("choose a wider spacing"), "{told}");
+    let error = error.unwrap_err().to_string();
+    assert!(error.contains("choose a wider spacing"), "{error}");
 }
 
 #[test]

@@ -395,14 +395,14 @@ mod tests {
                 part(a, b, backward[1]),
                 part(c, count, false),
             ];
-            let told = row.cost_of(&parts);
+            let reported = row.cost_of(&parts);
             row.put(&parts);
             let order: Vec<u32> = (1..count).map(|place| row.node(place)).collect();
             let expected = least_of_all(&nodes, &strokes, &order);
             let tour = cost(&strokes, &nodes.way(&row.tour()), Point::default(), Travel::Length);
             let ways: f64 = (0..count).map(|place| row.way(place)).sum();
             let whole = row.cost_of(&[part(0, count, false)]);
-            for found in [told, row.cost(), tour, ways, whole] {
+            for found in [reported, row.cost(), tour, ways, whole] {
                 prop_assert!((found - expected).abs() < 1e-9, "{found}, expected {expected}");
             }
         }

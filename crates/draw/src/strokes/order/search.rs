@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use super::nodes::{Near, Nodes};
 use super::tour::{MOST, Tour};
-use crate::preparation::cancel::GiveUp;
+use crate::preparation::cancel::CancelToken;
 
 /// Exchanges edges as long as the tour gets shorter (Lin and Kernighan's way): an edge is taken
 /// out, a shorter one to a near node put in, an edge there taken out, and so on, until joining the
@@ -19,11 +19,11 @@ pub(super) struct LocalSearch<'a> {
     queued: Vec<bool>,
     /// The ends of the edges taken out, in pairs.
     ends: [u32; 2 * MOST],
-    give_up: &'a GiveUp,
+    cancel: &'a CancelToken,
 }
 
 impl<'a> LocalSearch<'a> {
-    pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>, give_up: &'a GiveUp) -> Self {
+    pub(super) fn new(nodes: &'a Nodes, tour: Vec<u32>, cancel: &'a CancelToken) -> Self {
         let size = tour.len();
         Self {
             nodes,
@@ -31,7 +31,7 @@ impl<'a> LocalSearch<'a> {
             queued: vec![false; size],
             tour: Tour::new(tour, (WRITES / size).max(LEAST_REACH)),
             ends: [0; 2 * MOST],
-            give_up,
+            cancel,
         }
     }
 
@@ -60,7 +60,7 @@ impl<'a> LocalSearch<'a> {
         let mut best = self.tour.order().to_vec();
         for kick in 0_u64.. {
             let done = kick * KICK_WRITES + (self.tour.written() - begin);
-            if done >= work || self.give_up.is_given_up() {
+            if done >= work || self.cancel.is_cancelled() {
                 break;
             }
             #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
@@ -175,7 +175,7 @@ impl<'a> LocalSearch<'a> {
         let mut gain = 0.0;
         while let Some(node) = self.queue.pop_front() {
             self.queued[node as usize] = false;
-            if self.give_up.is_given_up() {
+            if self.cancel.is_cancelled() {
                 continue;
             }
             while let Some(more) = self.improve(node) {

@@ -147,20 +147,20 @@ fn a_field_of_dots_is_gone_through_almost_without_a_detour() {
 }
 
 #[test]
-fn a_search_that_is_given_up_tries_nothing_more() {
+fn a_cancelled_search_tries_nothing_more() {
     let mut random = Random::new(4);
     let mut dot = || line(&[(random.share() * 100.0, random.share() * 100.0)]);
     let dots: Vec<Stroke> = (0..500).map(|_| dot()).collect();
-    let give_up = GiveUp::default();
-    let ordered = |seed, give_up: &GiveUp| {
+    let cancel = CancelToken::default();
+    let ordered = |seed, cancel: &CancelToken| {
         let search = Search { seed, ..SEARCH };
-        order_until(dots.clone(), Point::default(), &search, give_up)
+        order_until(dots.clone(), Point::default(), &search, cancel)
     };
-    assert_ne!(ordered(1, &give_up), ordered(2, &give_up));
-    give_up.give_up();
+    assert_ne!(ordered(1, &cancel), ordered(2, &cancel));
+    cancel.cancel();
     // Without tries chance decides nothing; nor is anything lost.
-    let found = ordered(1, &give_up);
-    assert_eq!(found, ordered(2, &give_up));
+    let found = ordered(1, &cancel);
+    assert_eq!(found, ordered(2, &cancel));
     assert_eq!(found.len(), dots.len());
     assert!(dots.iter().all(|dot| found.contains(dot)));
 }

@@ -13,7 +13,7 @@ use dobot_geometry::Random;
 
 use super::nodes::{Near, Nodes};
 use super::row::{Part, Row};
-use crate::preparation::cancel::GiveUp;
+use crate::preparation::cancel::CancelToken;
 
 /// Moves parts of a row as long as it gets shorter.
 #[derive(Debug)]
@@ -22,16 +22,16 @@ pub(super) struct Turns<'a> {
     row: Row<'a>,
     /// Nodes of the strokes beside which something has changed.
     queue: Vec<u32>,
-    give_up: &'a GiveUp,
+    cancel: &'a CancelToken,
 }
 
 impl<'a> Turns<'a> {
-    pub(super) fn new(nodes: &'a Nodes, tour: &[u32], give_up: &'a GiveUp) -> Self {
+    pub(super) fn new(nodes: &'a Nodes, tour: &[u32], cancel: &'a CancelToken) -> Self {
         Self {
             nodes,
             row: Row::new(nodes, tour),
             queue: Vec::new(),
-            give_up,
+            cancel,
         }
     }
 
@@ -46,7 +46,7 @@ impl<'a> Turns<'a> {
     pub(super) fn kicks(&mut self, kicks: u32, random: &mut Random) {
         let mut best = self.row.clone();
         for _ in 0..kicks {
-            if self.give_up.is_given_up() {
+            if self.cancel.is_cancelled() {
                 break;
             }
             let Some(places) = self.kick_places(random) else {
@@ -141,7 +141,7 @@ impl<'a> Turns<'a> {
 
     fn settle(&mut self) {
         while let Some(node) = self.queue.pop() {
-            if self.give_up.is_given_up() {
+            if self.cancel.is_cancelled() {
                 continue;
             }
             while self.improve(node) || self.improve(self.nodes.mate(node)) {}
@@ -322,8 +322,8 @@ mod tests {
     fn before_and_after(strokes: &[Stroke]) -> (f64, f64) {
         let way = given(strokes);
         let nodes = Nodes::new(strokes, &way, START, Travel::Length);
-        let give_up = GiveUp::default();
-        let mut turns = Turns::new(&nodes, &nodes.tour(&way), &give_up);
+        let cancel = CancelToken::default();
+        let mut turns = Turns::new(&nodes, &nodes.tour(&way), &cancel);
         turns.settle_all();
         turns.kicks(50, &mut Random::new(1));
         let of = |way: &_| cost(strokes, way, START, Travel::Length);

@@ -12,7 +12,7 @@
 use std::iter::successors;
 
 use dobot_geometry::Point;
-use dobot_plan::Pace;
+use dobot_plan::DurationEstimator;
 
 use super::corridor::{Corner, Corridor};
 use super::timed::{TOO_SHARP_S, seen_mm};
@@ -24,7 +24,7 @@ pub(super) fn spliced<'a>(
     corridor: &Corridor<'_>,
     planned: impl Iterator<Item = (&'a [Corner], &'a [f64])>,
     change_s: f64,
-    pace: &Pace,
+    estimator: &DurationEstimator,
 ) -> Option<Vec<Corner>> {
     let lengths = Lengths::of(corridor);
     let paths = Paths {
@@ -32,7 +32,7 @@ pub(super) fn spliced<'a>(
             .map(|(path, durations_s)| PlannedPath::new(&lengths, path, durations_s))
             .collect(),
         corridor,
-        pace,
+        estimator,
         change_s,
     };
     let nodes = paths.nodes();
@@ -152,7 +152,7 @@ struct Label {
 struct Paths<'a> {
     corridor: &'a Corridor<'a>,
     all: Vec<PlannedPath<'a>>,
-    pace: &'a Pace,
+    estimator: &'a DurationEstimator,
     /// What it costs to change the path, in s.
     change_s: f64,
 }
@@ -247,8 +247,8 @@ impl Paths<'_> {
         let (begin_s, end_s) = (own.times_s[from.corner], other.times_s[to.corner]);
         let beside_s = other.time_s(from.gone_mm);
         let took_s = 0.5 * (end_s - beside_s + own.time_s(to.gone_mm) - begin_s);
-        let took_s = took_s.max(self.pace.link.period_s);
-        let a = self.pace.cornering.acceleration_mm_s2;
+        let took_s = took_s.max(self.estimator.link.period_s);
+        let a = self.estimator.cornering.acceleration_mm_s2;
         let (has, wanted) = (own.speed_mm_s(begin_s), other.speed_mm_s(beside_s));
         let unlike_s = (has - wanted).powi(2) / (2.0 * a * has.max(wanted).max(1.0));
         let [from_at, to_at] = [from, to].map(|it| self.corner(it).at);
@@ -261,10 +261,10 @@ impl Paths<'_> {
                 from_at.lerp(to_at, t_s / took_s)
             }
         };
-        let window_s = self.pace.cornering.window_s;
+        let window_s = self.estimator.cornering.window_s;
         let too_sharp_s = |t_s: f64| {
             let [before, now, after] = [t_s - window_s, t_s, t_s + window_s].map(at);
-            let seen = ((after - now) - (now - before)).length() / seen_mm(self.pace);
+            let seen = ((after - now) - (now - before)).length() / seen_mm(self.estimator);
             TOO_SHARP_S * (seen - 1.0).max(0.0).powi(2)
         };
         took_s + self.change_s + unlike_s + too_sharp_s(0.0).max(too_sharp_s(took_s))

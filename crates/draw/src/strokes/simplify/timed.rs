@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use dobot_arm::TICK_S;
 use dobot_geometry::{Point, Vec2};
-use dobot_plan::{Motion, Pace};
+use dobot_plan::{DurationEstimator, Motion};
 
 use super::corridor::{Corner, Corridor};
 use super::visibility::Visibility;
@@ -35,8 +35,13 @@ pub(super) struct Course<'a> {
 impl<'a> Course<'a> {
     /// The motion along a path whose vectors take `least_s` each at the least. Speeds in curves are so many times lower than the pace
     /// allows; the largest speed is not.
-    pub(super) fn along(path: &'a [Corner], least_s: f64, gentler: f64, pace: &Pace) -> Self {
-        let mut gentle = *pace;
+    pub(super) fn along(
+        path: &'a [Corner],
+        least_s: f64,
+        gentler: f64,
+        estimator: &DurationEstimator,
+    ) -> Self {
+        let mut gentle = *estimator;
         gentle.cornering.acceleration_mm_s2 /= gentler * gentler;
         let increments = path.windows(2).map(|pair| {
             let way = pair[1].at - pair[0].at;
@@ -52,7 +57,7 @@ impl<'a> Course<'a> {
         Self {
             motion,
             gone_mm,
-            window_s: pace.cornering.window_s,
+            window_s: estimator.cornering.window_s,
             path,
         }
     }
@@ -80,10 +85,10 @@ impl<'a> Course<'a> {
         &self,
         corridor: &Corridor<'_>,
         sides: &[f64],
-        pace: &Pace,
+        estimator: &DurationEstimator,
     ) -> Option<TimedPath> {
         let places = Places::of(self, corridor, sides).all;
-        let rates = Rates::of(pace);
+        let rates = Rates::of(estimator);
         let quickly = labels(corridor, &places, &rates, MOST_LATE_S);
         let reached = |labels: &[Label]| labels[labels.len() - 1].time_s.is_finite();
         let labels = if reached(&quickly) {
@@ -330,10 +335,10 @@ struct Rates {
 }
 
 impl Rates {
-    fn of(pace: &Pace) -> Self {
+    fn of(estimator: &DurationEstimator) -> Self {
         Self {
-            least_s: whole_ticks_s(pace.link.period_s),
-            seen_mm: seen_mm(pace),
+            least_s: whole_ticks_s(estimator.link.period_s),
+            seen_mm: seen_mm(estimator),
         }
     }
 
@@ -344,8 +349,11 @@ impl Rates {
 }
 
 /// How much of a turn may be seen within the window, in mm.
-pub(super) fn seen_mm(pace: &Pace) -> f64 {
-    let (a, window_s) = (pace.cornering.acceleration_mm_s2, pace.cornering.window_s);
+pub(super) fn seen_mm(estimator: &DurationEstimator) -> f64 {
+    let (a, window_s) = (
+        estimator.cornering.acceleration_mm_s2,
+        estimator.cornering.window_s,
+    );
     a * window_s * window_s
 }
 

@@ -8,7 +8,7 @@ use dobot_controller::Personality;
 use dobot_draw::{Material, Materials};
 use dobot_geometry::{Point, Stroke};
 use dobot_host::VirtualStation;
-use dobot_plan::{DrawingTool, Machine, Paper, Pass, Plan};
+use dobot_plan::{ArmLimits, DrawingTool, Paper, Pass, Plan};
 
 use super::chance::Chance;
 use super::jobs::DOWN_MM;
@@ -144,8 +144,8 @@ fn one(tool: DrawingTool, end: LineEnd, personality: Personality, seed: u64) -> 
 fn line(tool: DrawingTool, personality: Personality) -> Result<NewJob, Wrong> {
     let ends = [BEGIN_MM, BEGIN_MM + 96.0].map(|y| Point::new(220.0, y));
     let pass = Pass::new(tool, vec![Stroke::open(ends.to_vec())]);
-    let machine = Machine::of(personality.dialect());
-    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM.into()), &machine);
+    let arm_limits = ArmLimits::of(personality.dialect());
+    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM.into()), &arm_limits);
     let plan = plan.map_err(|error| Wrong(error.to_string()))?;
     Ok(NewJob {
         title: "one long line".into(),

@@ -9,7 +9,7 @@ use dobot_host::VirtualStation;
 use dobot_plan::{DrawingTool, Laser, Paper, Pass, Plan};
 
 use super::drawing::virtual_station;
-use super::strokes::{DOWN_MM, finish, length_mm, machine, run_to, wait_until_paused};
+use super::strokes::{DOWN_MM, arm_limits, finish, length_mm, run_to, wait_until_paused};
 use crate::cases::light::longest_stand_s;
 
 const LINES: [f64; 3] = [-10.0, 0.0, 10.0];
@@ -28,7 +28,7 @@ fn wanted() -> Vec<Stroke> {
 
 fn laser_job(personality: Personality) -> NewJob {
     let pass = Pass::new(DrawingTool::Laser(Laser::default()), wanted());
-    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &machine(personality)).unwrap();
+    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &arm_limits(personality)).unwrap();
     NewJob {
         title: "three lines".into(),
         kind: JobKind::Drawing,

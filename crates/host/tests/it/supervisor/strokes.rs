@@ -8,7 +8,7 @@ use dobot_arm::Position;
 use dobot_controller::Personality;
 use dobot_geometry::{Deviation, Point, Stroke, deviation};
 use dobot_host::VirtualStation;
-use dobot_plan::{DrawingTool, Machine, Paper, Pass, Pen, Plan};
+use dobot_plan::{ArmLimits, DrawingTool, Paper, Pass, Pen, Plan};
 use dobot_sim::Sample;
 
 use super::drawing::{is_over, virtual_station};
@@ -48,7 +48,7 @@ pub(crate) fn pen_job_at(
         ..Pass::new(DrawingTool::Pen(pen), vec![stroke.clone()])
     };
     let passes: Vec<Pass> = passes.iter().map(pass).collect();
-    let plan = Plan::new(&passes, &Paper::level(DOWN_MM), &machine(personality)).unwrap();
+    let plan = Plan::new(&passes, &Paper::level(DOWN_MM), &arm_limits(personality)).unwrap();
     let pause = |(before, message): (usize, &str)| JobPause {
         before,
         message: message.to_owned(),
@@ -63,8 +63,8 @@ pub(crate) fn pen_job_at(
     }
 }
 
-pub(crate) fn machine(personality: Personality) -> Machine {
-    Machine::of(personality.dialect())
+pub(crate) fn arm_limits(personality: Personality) -> ArmLimits {
+    ArmLimits::of(personality.dialect())
 }
 
 /// A station, a client that has control, and a job that is under way.
@@ -202,7 +202,7 @@ fn a_long_drawing_ends_where_it_should_for_all_the_rounding_of_a_stock_arm() {
     };
     let dashes: Vec<Stroke> = (0..1600).map(dash).collect();
     let pass = Pass::new(DrawingTool::default(), dashes);
-    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &machine(personality)).unwrap();
+    let plan = Plan::new(&[pass], &Paper::level(DOWN_MM), &arm_limits(personality)).unwrap();
     let planned = NewJob {
         title: "dashes".into(),
         kind: JobKind::Drawing,

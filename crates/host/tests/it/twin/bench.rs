@@ -8,7 +8,7 @@ use dobot_controller::{Personality, PowerUp};
 use dobot_draw::Sample;
 use dobot_geometry::{Point, Stroke};
 use dobot_host::StationClient;
-use dobot_plan::{DrawingTool, Laser, Machine, Paper, Pass, Pen, Plan};
+use dobot_plan::{ArmLimits, DrawingTool, Laser, Paper, Pass, Pen, Plan};
 use dobot_safety::Policy;
 use dobot_session::position;
 use dobot_sim::RECORDING_PERIOD;
@@ -177,6 +177,6 @@ pub(crate) fn laser(strokes: Vec<Stroke>, times: u32) -> Pass {
 }
 
 pub(crate) fn plan(passes: &[Pass], personality: Personality) -> Plan {
-    let machine = Machine::of(personality.dialect());
-    Plan::new(passes, &PAPER, &machine).unwrap()
+    let arm_limits = ArmLimits::of(personality.dialect());
+    Plan::new(passes, &PAPER, &arm_limits).unwrap()
 }

@@ -9,7 +9,7 @@ use dobot_controller::{Controller, Personality, PowerUp};
 use dobot_draw::{Prepared, Settings, prepare};
 use dobot_geometry::{Deviation, Point, Random, Stroke, deviation};
 use dobot_host::VirtualStation;
-use dobot_plan::{Machine, Paper};
+use dobot_plan::{ArmLimits, Paper};
 use dobot_safety::Policy;
 use dobot_sim::{Fault, SerialLine, VirtualArm};
 use dobot_wire::{Command, MoveJoints, MovingMode};
@@ -254,14 +254,14 @@ fn prepared(personality: Personality, calibration: Option<CalibrationFile>) -> P
         Some(known) => {
             let found = known.paper.as_ref().unwrap();
             let paper = Paper::sloping(found.plane());
-            paper.seen_by(known.arm(), TOOL)
+            paper.to_raw(known.arm(), TOOL)
         }
         None => paper,
     };
     let settings = Settings {
         paper,
         calibration,
-        machine: Machine::of(personality.dialect()),
+        arm_limits: ArmLimits::of(personality.dialect()),
         ..Settings::default()
     };
     let reachable = |position| {

@@ -4,8 +4,8 @@ use dobot_arm::{Pose, Position, Tool};
 use dobot_geometry::{Point, Stroke};
 use dobot_motion::{ArmPlace, Model};
 use dobot_plan::{
-    DrawingTool, Laser, Machine, MoveKind, Paper, Pass, Pen, Plan, RespeedStart, end_speed_mm_s,
-    respeed, rest_each,
+    ArmLimits, DrawingTool, Laser, MoveKind, Paper, Pass, Pen, Plan, RespeedStart, end_speed_mm_s,
+    respeed, stop_each,
 };
 use dobot_safety::Policy;
 use dobot_wire::{Command, Dialect, Status, WriteVector};
@@ -143,7 +143,7 @@ struct Other {
 
 impl Other {
     fn of(plan: &Plan, at: usize, share: f64, tool: Tool) -> Self {
-        let machine = plan.machine();
+        let arm_limits = plan.arm_limits();
         let mut running: Vec<Command> = plan.commands().collect();
         let first = plan.command_of(at);
         let vector = |it: &Command| match it {
@@ -151,7 +151,7 @@ impl Other {
             _ => None,
         };
         let before = running[..first].iter().filter_map(vector);
-        let speed_mm_s = before.fold(0.0, |speed, it| end_speed_mm_s(&it, speed, machine));
+        let speed_mm_s = before.fold(0.0, |speed, it| end_speed_mm_s(&it, speed, arm_limits));
         let vectors: Vec<WriteVector> = running[first..].iter().filter_map(vector).collect();
         let here = plan.positions().take(at).last().unwrap_or(plan.start);
         let begin = RespeedStart {
@@ -159,14 +159,14 @@ impl Other {
             position: Position::new(here[0], here[1], here[2]),
             tool,
         };
-        let faster_or_slower = respeed(&vectors, &begin, share, machine);
+        let faster_or_slower = respeed(&vectors, &begin, share, arm_limits);
         for (command, other) in running[first..].iter_mut().zip(faster_or_slower) {
             *command = other.into();
         }
         let rest = vectors.iter().position(|it| it.end_speed_mm_s == 0.0);
         let chain = &vectors[..=rest.expect("a plan ends at rest")];
         let setup = plan.commands().take(plan.command_of(0) - 1);
-        let resting = rest_each(chain, share, machine);
+        let resting = stop_each(chain, share, arm_limits);
         Self {
             running,
             behind_a_crash: setup
@@ -183,9 +183,9 @@ proptest! {
         strokes in strokes(), tool in tool(), share in 0.1..1.0_f64, at in any::<prop::sample::Index>(),
     ) {
         for dialect in [Dialect::SPECIFICATION, Dialect::FIRMWARE_1_1] {
-            let machine = Machine::of(dialect);
+            let arm_limits = ArmLimits::of(dialect);
             let pass = Pass::new(tool, strokes.clone());
-            let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).unwrap();
+            let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).unwrap();
             let most = 200.0_f64;
             for vector in &plan.moves {
                 prop_assert!(f64::from(vector.max_speed_mm_s) <= most, "{vector:?}");
@@ -233,8 +233,8 @@ fn a_laser_that_goes_off_behind_a_slow_shape_does_not_creep_on() {
             ..Laser::default()
         });
         let pass = Pass::new(tool, vec![pentagon.clone()]);
-        let machine = Machine::of(Dialect::FIRMWARE_1_1);
-        let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).unwrap();
+        let arm_limits = ArmLimits::of(Dialect::FIRMWARE_1_1);
+        let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).unwrap();
         for vector in plan.moves.iter().filter(|it| it.kind == MoveKind::RunOut) {
             assert!(
                 vector.duration_s < 0.5,
@@ -264,7 +264,7 @@ fn a_laser_does_not_creep_along_a_short_piece_for_a_long_line_before_it() {
     });
     let dialect = Dialect::FIRMWARE_1_1;
     let pass = Pass::new(tool, vec![stroke]);
-    let plan = Plan::new(&[pass], &Paper::level(-40.0), &Machine::of(dialect)).unwrap();
+    let plan = Plan::new(&[pass], &Paper::level(-40.0), &ArmLimits::of(dialect)).unwrap();
     let refusal = refused(plan.commands().collect(), plan.start, dialect, Tool::Laser);
     assert_eq!(refusal, None);
 }
@@ -289,8 +289,8 @@ fn a_laser_does_not_creep_behind_small_shapes_that_begin_with_a_speed_that_nobod
                 });
                 let dialect = Dialect::FIRMWARE_1_1;
                 let pass = Pass::new(tool, vec![polygon.clone()]);
-                let machine = Machine::of(dialect);
-                let plan = Plan::new(&[pass], &Paper::level(-40.0), &machine).unwrap();
+                let arm_limits = ArmLimits::of(dialect);
+                let plan = Plan::new(&[pass], &Paper::level(-40.0), &arm_limits).unwrap();
                 let commands = plan.commands().collect();
                 let refusal =
                     refused_behind(Before::Others, commands, plan.start, dialect, Tool::Laser);

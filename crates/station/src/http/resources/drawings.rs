@@ -9,7 +9,7 @@ use dobot_api::problem_kinds::{BAD_DRAWING, DRAWING_PHASE, NO_SUCH_DRAWING, TOO_
 use dobot_api::{NewJob, Problem};
 use dobot_arm::Tool;
 use dobot_draw::{
-    DrawingRequest, FrameShape, GiveUp, Materials, Options, OptionsError, Prepared, Subject,
+    CancelToken, DrawingRequest, FrameShape, Materials, Options, OptionsError, Prepared, Subject,
     Timeline, WITHOUT_ARM_Z_MM, frame,
 };
 use dobot_host::{PlannedFor, drawing_job};
@@ -120,7 +120,7 @@ struct Kept {
 #[derive(Debug)]
 struct Drawing {
     title: String,
-    give_up: GiveUp,
+    cancel: CancelToken,
     progress: watch::Receiver<Progress>,
     work: AbortHandle,
 }
@@ -177,19 +177,19 @@ impl Drawings {
         kept.last += 1;
         let number = kept.last;
         let title = new.title();
-        let give_up = GiveUp::default();
+        let cancel = CancelToken::default();
         let (tell, progress) = watch::channel(Progress::Waiting);
         let work = Work {
             number,
             title: title.clone(),
             new,
             planned_for,
-            give_up: give_up.clone(),
+            cancel: cancel.clone(),
         };
         let work = tokio::spawn(work.run(self.slots.clone(), tell)).abort_handle();
         let drawing = Drawing {
             title,
-            give_up,
+            cancel,
             progress,
             work,
         };
@@ -336,7 +336,7 @@ impl Drawing {
 impl Drop for Drawing {
     /// Nobody waits for it any more: where it is forgotten, and where the station ends.
     fn drop(&mut self) {
-        self.give_up.give_up();
+        self.cancel.cancel();
         self.work.abort();
     }
 }
@@ -390,14 +390,14 @@ struct Work {
     title: String,
     new: NewDrawing,
     planned_for: PlannedFor,
-    give_up: GiveUp,
+    cancel: CancelToken,
 }
 
 impl Work {
     async fn run(self, slots: Arc<Semaphore>, tell: watch::Sender<Progress>) {
         let slot = slots.acquire_owned().await;
         tell.send_replace(Progress::Planning);
-        let give_up = self.give_up.clone();
+        let cancel = self.cancel.clone();
         let planning = beside(move || {
             // Others wait until this has really ended.
             let _slot = slot;
@@ -405,7 +405,7 @@ impl Work {
         });
         let planned = tokio::time::timeout(LONGEST_PLAN, planning).await;
         let planned = planned.unwrap_or_else(|_| {
-            give_up.give_up();
+            cancel.cancel();
             let most_s = LONGEST_PLAN.as_secs();
             Ok(Err(BAD_DRAWING.hinted(
                 format!("it is not planned after {most_s} s, and takes no longer"),
@@ -434,7 +434,7 @@ impl Work {
     fn planned(self) -> Result<Planned, Problem> {
         let subject = self.new.subject(&self.title)?;
         let asked = DrawingRequest::new(self.new.options, subject, &Materials::built_in());
-        let asked = asked.map_err(|why| bad(&why))?.until(self.give_up);
+        let asked = asked.map_err(|why| bad(&why))?.until(self.cancel);
         let arm = self.planned_for;
         let standing_z_mm = arm.status.map_or(WITHOUT_ARM_Z_MM, |it| it.z_mm.into());
         let (prepared, settings) = asked
@@ -446,7 +446,7 @@ impl Work {
         let around = frame(
             passes,
             &settings.paper,
-            plan.machine(),
+            plan.arm_limits(),
             FrameShape::Rectangle,
         );
         let frame = around.map(|it| drawing_job(&it, &format!("frame of {}", self.title)));
@@ -535,7 +535,7 @@ mod tests {
         };
         Drawing {
             title: String::new(),
-            give_up: GiveUp::default(),
+            cancel: CancelToken::default(),
             progress: watch::channel(Progress::Planned(Arc::new(planned))).1,
             work: tokio::spawn(async {}).abort_handle(),
         }

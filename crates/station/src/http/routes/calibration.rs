@@ -258,7 +258,7 @@ fn fitted(asked: &NewTouches) -> Result<(Vec<Touch>, Fit), NotDone> {
         Touch {
             place_mm: it.place_mm,
             height_mm: it.height_mm,
-            told: Joints::new(base_deg, rear_deg, fore_deg, 0.0),
+            raw: Joints::new(base_deg, rear_deg, fore_deg, 0.0),
         }
     });
     let touches: Vec<Touch> = touches.collect();

@@ -1,7 +1,7 @@
 //! At which speeds the vectors go that are not sent yet.
 
 use dobot_motion::burns;
-use dobot_plan::{Machine, RespeedStart, respeed, rest_each};
+use dobot_plan::{ArmLimits, RespeedStart, respeed, stop_each};
 use dobot_wire::{Command, WriteVector, single};
 
 use crate::supervisor::JobPlan;
@@ -11,7 +11,7 @@ use crate::supervisor::JobPlan;
 #[derive(Clone, Debug)]
 pub(crate) struct Speeds {
     share: f64,
-    machine: Machine,
+    arm_limits: ArmLimits,
     /// The first vector with a speed of its own.
     first: usize,
     vectors: Vec<WriteVector>,
@@ -20,10 +20,10 @@ pub(crate) struct Speeds {
 }
 
 impl Speeds {
-    pub(crate) const fn new(speed_percent: f64, machine: Machine) -> Self {
+    pub(crate) const fn new(speed_percent: f64, arm_limits: ArmLimits) -> Self {
         Self {
             share: speed_percent / 100.0,
-            machine,
+            arm_limits,
             first: 0,
             vectors: Vec::new(),
             rests_until: 0,
@@ -32,8 +32,8 @@ impl Speeds {
 
     /// Nobody knows with what speed a stock arm begins the rest of this stroke. A vector between two
     /// rests becomes as long as it should whatever that is, so each of them is one.
-    pub(crate) fn rest_each(&mut self, plan: &JobPlan, index: usize) {
-        if self.machine.has_ticks {
+    pub(crate) fn stop_each(&mut self, plan: &JobPlan, index: usize) {
+        if self.arm_limits.has_ticks {
             self.rests_until = index + plan.chain(index).count();
         }
     }
@@ -95,18 +95,18 @@ impl Speeds {
         }
         self.vectors.truncate(count);
         slow_down(&mut self.vectors, speed_mm_s);
-        if self.machine.has_ticks {
+        if self.arm_limits.has_ticks {
             let begin = begin(plan, index, speed_mm_s);
-            self.vectors = respeed(&self.vectors, &begin, 1.0, &self.machine);
+            self.vectors = respeed(&self.vectors, &begin, 1.0, &self.arm_limits);
         }
         Some(index + count)
     }
 
     /// The arm as it does a vector of the job.
-    pub(crate) fn machine_at(&self, plan: &JobPlan, index: usize) -> Machine {
-        Machine {
+    pub(crate) fn arm_limits_at(&self, plan: &JobPlan, index: usize) -> ArmLimits {
+        ArmLimits {
             acceleration_mm_s2: plan.drawn_with(index).acceleration_mm_s2,
-            ..self.machine
+            ..self.arm_limits
         }
     }
 
@@ -120,13 +120,13 @@ impl Speeds {
 
     fn go_on(&mut self, plan: &JobPlan, index: usize, speed_mm_s: f32) {
         let chain: Vec<WriteVector> = plan.chain(index).copied().collect();
-        self.machine = self.machine_at(plan, index);
+        self.arm_limits = self.arm_limits_at(plan, index);
         self.first = index;
         self.vectors = if self.rests_each(index) {
-            rest_each(&chain, self.share, &self.machine)
+            stop_each(&chain, self.share, &self.arm_limits)
         } else {
             let begin = begin(plan, index, speed_mm_s);
-            respeed(&chain, &begin, self.share, &self.machine)
+            respeed(&chain, &begin, self.share, &self.arm_limits)
         };
     }
 }

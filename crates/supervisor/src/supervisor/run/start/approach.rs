@@ -32,8 +32,7 @@ impl Run {
         run.target_speed = run.started.target_speed(run.next).filter(|_| !is_planned);
         let left = run.left_before(paused);
         if left.is_unknown {
-            run.speeds
-                .rest_each(&run.started.plan, run.started.completed);
+            run.speeds.stop_each(&run.started.plan, run.started.completed);
         }
         let ways = first.iter().chain(&lower);
         run.left = ways.fold(left, |left, it| run.after(left, it));

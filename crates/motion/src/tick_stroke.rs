@@ -2,8 +2,8 @@
 
 use dobot_arm::stock::short;
 
-use crate::Gait;
-use crate::gait::{TICK_S, added};
+use crate::TickProgress;
+use crate::tick_progress::{TICK_S, added};
 
 /// How a stock arm runs a vector: so many ticks faster each, so many as fast, so many slower.
 ///
@@ -16,7 +16,7 @@ use crate::gait::{TICK_S, added};
 ///     +-------------------- ticks
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cut {
+pub struct TickStroke {
     /// Ticks that accelerate, go on as fast, and slow down.
     pub counts: [i16; 3],
     /// The speed of the first tick, before it accelerates, in mm/s.
@@ -31,7 +31,7 @@ pub struct Cut {
     pub change_mm_s: f32,
 }
 
-impl Cut {
+impl TickStroke {
     /// What the controller makes of a vector of this length, in its own arithmetic: single precision,
     /// in this order. `stored_mm_s` is what the vector before left; end speed and largest speed are
     /// those of the packet, and the acceleration is a hundredfold in laser mode without the laser.
@@ -118,7 +118,7 @@ impl Cut {
         rises.chain(keeps).chain(falls)
     }
 
-    /// How long the vector becomes, in mm: as long as it should where it [is true](Self::is_true), and
+    /// How long the vector becomes, in mm: as long as it should where it [is true](Self::is_exact), and
     /// less than nothing where it goes back.
     #[must_use]
     pub fn length_mm(&self) -> f32 {
@@ -127,19 +127,19 @@ impl Cut {
 
     /// How far a vector with these increments, which is cut like this, leads, in mm: rounding included.
     #[must_use]
-    pub fn leads_mm(&self, vector_mm: [f32; 3], length_mm: f32) -> [f32; 3] {
-        let mut gait = Gait::default();
-        gait.begin(Some(self));
+    pub fn displacement_mm(&self, vector_mm: [f32; 3], length_mm: f32) -> [f32; 3] {
+        let mut progress = TickProgress::default();
+        progress.begin(Some(self));
         for _ in 0..self.ticks() {
-            gait = gait.tick(vector_mm, length_mm, self.change_mm_s);
+            progress = progress.tick(vector_mm, length_mm, self.change_mm_s);
         }
-        gait.travelled_mm()
+        progress.travelled_mm()
     }
 
     /// Whether the vector becomes as long as it should. Where more than one step of speed is left
     /// to spread, the controller spreads one step and is off the way.
     #[must_use]
-    pub fn is_true(&self) -> bool {
+    pub fn is_exact(&self) -> bool {
         self.counts.iter().all(|&count| count >= 0)
             && self.correction_mm_s.abs() <= self.change_mm_s * (1.0 - SPARE)
             && self.end_mm_s >= 0.0
@@ -184,25 +184,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_vector_from_rest_to_rest_is_cut_as_the_note_tells() {
+    fn a_vector_from_rest_to_rest_has_the_ticks_of_the_note() {
         // 10 mm at 100 mm/s2: the peak is sqrt(1000) = 31.6 mm/s, 16 steps of 2 mm/s up and down;
         // their ways are 4.8 mm each, and the 0.4 mm left make 50 * 0.4 / 32 = 0.625 mm/s more.
-        let cut = Cut::of(10.0, 0.0, 0.0, 40.0, 100.0);
-        assert_eq!(cut.counts, [16, 0, 16]);
-        assert!((cut.correction_mm_s - 0.625).abs() < 1e-4);
-        assert!((cut.end_mm_s - 0.625).abs() < 1e-4);
-        let way_mm = cut.length_mm();
+        let tick_stroke = TickStroke::of(10.0, 0.0, 0.0, 40.0, 100.0);
+        assert_eq!(tick_stroke.counts, [16, 0, 16]);
+        assert!((tick_stroke.correction_mm_s - 0.625).abs() < 1e-4);
+        assert!((tick_stroke.end_mm_s - 0.625).abs() < 1e-4);
+        let way_mm = tick_stroke.length_mm();
         assert!((way_mm - 10.0).abs() < 1e-4, "{way_mm}");
-        assert!(cut.is_true());
+        assert!(tick_stroke.is_exact());
     }
 
     #[test]
     fn a_short_vector_in_full_motion_would_be_too_short_and_is_found_untrue() {
         // 3 mm at 40 mm/s: three ticks of 0.8 mm leave 0.6 mm, which is 10 mm/s for each.
-        let cut = Cut::of(3.0, 40.0, 40.0, 40.0, 100.0);
-        assert_eq!(cut.counts, [0, 3, 0]);
+        let tick_stroke = TickStroke::of(3.0, 40.0, 40.0, 40.0, 100.0);
+        assert_eq!(tick_stroke.counts, [0, 3, 0]);
         // One step of 2 mm/s is spread of them: 42 mm/s for 60 ms.
-        assert!((cut.length_mm() - 2.52).abs() < 1e-4);
-        assert!(!cut.is_true());
+        assert!((tick_stroke.length_mm() - 2.52).abs() < 1e-4);
+        assert!(!tick_stroke.is_exact());
     }
 }

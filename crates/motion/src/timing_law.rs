@@ -8,14 +8,14 @@ use crate::{PlanError, Profile};
 /// slowest in speed and that of the slowest in acceleration. Nothing to move takes no time;
 /// nor does a way too small to calculate with (below 1e-300).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct MovePace {
+pub(crate) struct TimingLaw {
     /// How long the slowest would take at full speed all the way.
     pub(crate) per_speed_s: f64,
     /// The largest way per acceleration.
     pub(crate) per_acceleration_s2: f64,
 }
 
-impl MovePace {
+impl TimingLaw {
     /// The pace of a thing that goes `way` within `speed` and `acceleration`.
     pub(crate) fn of(way: f64, speed: f64, acceleration: f64) -> Self {
         Self {

@@ -2,11 +2,11 @@
 
 use dobot_arm::TICK;
 
-use crate::Cut;
+use crate::TickStroke;
 
 /// How far a stock arm has gone along a vector, and how it goes on, in the controller's own arithmetic.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Gait {
+pub struct TickProgress {
     /// Ticks left that accelerate, go on as fast, and slow down.
     counts: [i16; 3],
     speed_mm_s: f32,
@@ -15,14 +15,14 @@ pub struct Gait {
     travelled_mm: [f32; 3],
 }
 
-impl Gait {
+impl TickProgress {
     /// Begins a vector that is cut like that. Without a cut it has no ticks; the speed of the one before stays.
-    pub fn begin(&mut self, cut: Option<&Cut>) {
+    pub fn begin(&mut self, tick_stroke: Option<&TickStroke>) {
         self.travelled_mm = [0.0; 3];
         self.counts = [0; 3];
-        if let Some(cut) = cut {
-            self.counts = cut.counts;
-            self.speed_mm_s = cut.first_mm_s;
+        if let Some(tick_stroke) = tick_stroke {
+            self.counts = tick_stroke.counts;
+            self.speed_mm_s = tick_stroke.first_mm_s;
         }
     }
 

@@ -10,7 +10,7 @@
 //!                   `--.____.--'          the arm limits the long one
 //! ```
 
-use dobot_plan::Pace;
+use dobot_plan::DurationEstimator;
 
 use super::MIN_VECTOR_MM;
 use super::corridor::{Corner, Corridor};
@@ -20,9 +20,12 @@ use super::timed::{Course, FEW_SIDES, SIDES, TimedPath};
 
 /// The corners of the fastest path that is found in a corridor or a narrower one; `None` if there is none
 /// without vectors that are too short.
-pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
+pub(super) fn fastest(
+    mut corridor: Corridor<'_>,
+    estimator: &DurationEstimator,
+) -> Option<Vec<Corner>> {
     let path = fewest(&corridor)?;
-    Some(Found::new(&mut corridor, path, pace).best.path)
+    Some(Found::new(&mut corridor, path, estimator).best.path)
 }
 
 /// The same, and on a curve others: some whose vectors take whole ticks, the one with the fewest vectors, which is given, and
@@ -30,16 +33,16 @@ pub(super) fn fastest(mut corridor: Corridor<'_>, pace: &Pace) -> Option<Vec<Cor
 pub(super) fn fast_ways(
     mut corridor: Corridor<'_>,
     fewest: Vec<Corner>,
-    pace: &Pace,
+    estimator: &DurationEstimator,
 ) -> Vec<Vec<Corner>> {
     let most_mm = corridor.radii[0];
-    let mut found = Found::new(&mut corridor, fewest, pace);
+    let mut found = Found::new(&mut corridor, fewest, estimator);
     let mut timed = Vec::new();
     if found.is_curved {
-        if let Some(fine) = fine(&mut corridor, most_mm, pace) {
+        if let Some(fine) = fine(&mut corridor, most_mm, estimator) {
             found.smoothest = found.smoothest.or_smoother(fine);
         }
-        timed = found.timed(&mut corridor, most_mm, pace);
+        timed = found.timed(&mut corridor, most_mm, estimator);
     }
     let mut ways = vec![found.best.path];
     ways.extend(timed);
@@ -53,40 +56,45 @@ pub(super) fn fast_ways(
 pub(super) fn seemingly_fastest(
     mut corridor: Corridor<'_>,
     fewest: Vec<Corner>,
-    pace: &Pace,
+    estimator: &DurationEstimator,
 ) -> Vec<Corner> {
     let most_mm = corridor.radii[0];
-    let few = Attempt::of(fewest, &corridor, pace);
+    let few = Attempt::of(fewest, &corridor, estimator);
     if !few.is_curved(&corridor, most_mm / NARROWEST) {
         return few.path;
     }
-    let given = as_given(&corridor).map(|it| Attempt::of(it, &corridor, pace));
+    let given = as_given(&corridor).map(|it| Attempt::of(it, &corridor, estimator));
     let begin = (few.clone(), few.clone());
-    let best = narrowed(&mut corridor, most_mm, pace, &ROUNDS[..1], begin);
+    let best = narrowed(&mut corridor, most_mm, estimator, &ROUNDS[..1], begin);
     let sooner_s = best.arm_s().min(few.arm_s());
     let smoothest = match given.filter(|it| it.arm_s() < sooner_s) {
         // Without tremor there is no smoother path.
         Some(given) => given,
-        None => match fine(&mut corridor, most_mm, pace) {
+        None => match fine(&mut corridor, most_mm, estimator) {
             Some(fine) => few.or_smoother(fine),
             None => few,
         },
     };
     corridor.radii.fill(most_mm);
-    let [as_the_arm, as_the_link] = gentler(pace);
-    let (sides, arm_seems, best_seems) = if pace.has_ticks() {
+    let [as_the_arm, as_the_link] = gentler(estimator);
+    let (sides, arm_seems, best_seems) = if estimator.has_ticks() {
         (&SIDES[..], 1.0, 1.0)
     } else {
         (&FEW_SIDES[..], ARM_SEEMS, BEST_SEEMS)
     };
-    let link = Course::along(&best.path, pace.link.period_s, as_the_link[0], pace);
-    let arm = Course::along(&smoothest.path, 0.0, as_the_arm[0], pace);
+    let link = Course::along(
+        &best.path,
+        estimator.link.period_s,
+        as_the_link[0],
+        estimator,
+    );
+    let arm = Course::along(&smoothest.path, 0.0, as_the_arm[0], estimator);
     let timed = [(link, 1.0), (arm, arm_seems)].map(|(course, seems)| {
-        let TimedPath { path, time_s } = course.timed(&corridor, sides, pace)?;
-        if pace.has_ticks() {
+        let TimedPath { path, time_s } = course.timed(&corridor, sides, estimator)?;
+        if estimator.has_ticks() {
             return Some((time_s, path));
         }
-        let it = Attempt::of(path, &corridor, pace);
+        let it = Attempt::of(path, &corridor, estimator);
         Some((seems * it.time_s, it.path))
     });
     let best = (best_seems * best.time_s, best.path);
@@ -108,9 +116,13 @@ struct Found {
 impl Found {
     /// It is looked for within the tolerance, within a half of it and so on, so that a larger tolerance is not
     /// slower than a smaller one. The path with the fewest vectors is given.
-    fn new(corridor: &mut Corridor<'_>, fewest: Vec<Corner>, pace: &Pace) -> Self {
+    fn new(
+        corridor: &mut Corridor<'_>,
+        fewest: Vec<Corner>,
+        estimator: &DurationEstimator,
+    ) -> Self {
         let mut most_mm = corridor.radii[0];
-        let mut here = Attempt::of(fewest, corridor, pace);
+        let mut here = Attempt::of(fewest, corridor, estimator);
         let mut found = Self {
             best: here.clone(),
             smoothest: here.clone(),
@@ -128,13 +140,13 @@ impl Found {
                 break;
             }
             found.is_curved = true;
-            found.best = narrowed(corridor, most_mm, pace, &ROUNDS, (here, found.best));
+            found.best = narrowed(corridor, most_mm, estimator, &ROUNDS, (here, found.best));
             most_mm *= 0.5;
             if most_mm < NARROWEST * MIN_VECTOR_MM {
                 break;
             }
             corridor.radii.fill(most_mm);
-            let Some(next) = Attempt::new(corridor, pace) else {
+            let Some(next) = Attempt::new(corridor, estimator) else {
                 break;
             };
             here = next;
@@ -144,57 +156,72 @@ impl Found {
 
     /// Paths whose vectors take whole ticks: at speeds as the arm's fastest motion along the smoothest path has them, or along a
     /// smoother one, or the link's, or somewhat lower ones, and within half of the tolerance.
-    fn timed(&self, corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) -> Vec<Vec<Corner>> {
-        let [as_the_arm, as_the_link] = gentler(pace);
+    fn timed(
+        &self,
+        corridor: &mut Corridor<'_>,
+        most_mm: f64,
+        estimator: &DurationEstimator,
+    ) -> Vec<Vec<Corner>> {
+        let [as_the_arm, as_the_link] = gentler(estimator);
         corridor.radii.fill(most_mm);
-        let smoother = self.smoother(corridor, pace);
-        let arms = as_the_arm.iter().map(|it| self.as_the_arm(*it, pace));
+        let smoother = self.smoother(corridor, estimator);
+        let arms = as_the_arm.iter().map(|it| self.as_the_arm(*it, estimator));
         let smoother = smoother.iter().flat_map(|path| {
             let gentler = as_the_arm.iter();
-            gentler.map(|it| Course::along(path, 0.0, *it, pace))
+            gentler.map(|it| Course::along(path, 0.0, *it, estimator))
         });
-        let links = as_the_link.iter().map(|it| self.as_the_link(*it, pace));
-        let timed = |course: Course<'_>| course.timed(corridor, &SIDES, pace);
+        let links = as_the_link
+            .iter()
+            .map(|it| self.as_the_link(*it, estimator));
+        let timed = |course: Course<'_>| course.timed(corridor, &SIDES, estimator);
         let mut ways: Vec<TimedPath> = arms
             .chain(links)
             .chain(smoother)
             .filter_map(timed)
             .collect();
         corridor.radii.fill(0.5 * most_mm);
-        let nearer = self.as_the_arm(as_the_arm[0], pace);
-        ways.extend(nearer.timed(corridor, &SIDES, pace));
+        let nearer = self.as_the_arm(as_the_arm[0], estimator);
+        ways.extend(nearer.timed(corridor, &SIDES, estimator));
         ways.into_iter().map(|it| it.path).collect()
     }
 
     /// A path on which the arm would be faster than on the smoothest so far, if there is one: past the points as they are given, or
     /// without their tremor.
-    fn smoother(&self, corridor: &Corridor<'_>, pace: &Pace) -> Option<Vec<Corner>> {
+    fn smoother(
+        &self,
+        corridor: &Corridor<'_>,
+        estimator: &DurationEstimator,
+    ) -> Option<Vec<Corner>> {
         let paths = [as_given(corridor), smooth(corridor)].into_iter().flatten();
-        let attempts = paths.map(|it| Attempt::of(it, corridor, pace));
+        let attempts = paths.map(|it| Attempt::of(it, corridor, estimator));
         let fastest = attempts.min_by(|a, b| a.arm_s().total_cmp(&b.arm_s()))?;
         (fastest.arm_s() * SAME < self.smoothest.arm_s()).then_some(fastest.path)
     }
 
     /// The fastest motion of the arm alone.
-    fn as_the_arm(&self, gentler: f64, pace: &Pace) -> Course<'_> {
-        Course::along(&self.smoothest.path, 0.0, gentler, pace)
+    fn as_the_arm(&self, gentler: f64, estimator: &DurationEstimator) -> Course<'_> {
+        Course::along(&self.smoothest.path, 0.0, gentler, estimator)
     }
 
     /// The fastest motion of the arm behind the link.
-    fn as_the_link(&self, gentler: f64, pace: &Pace) -> Course<'_> {
-        Course::along(&self.best.path, pace.link.period_s, gentler, pace)
+    fn as_the_link(&self, gentler: f64, estimator: &DurationEstimator) -> Course<'_> {
+        Course::along(&self.best.path, estimator.link.period_s, gentler, estimator)
     }
 }
 
 /// The fewest vectors in a much narrower corridor: without a link the arm may be faster on them.
-fn fine(corridor: &mut Corridor<'_>, most_mm: f64, pace: &Pace) -> Option<Attempt> {
+fn fine(
+    corridor: &mut Corridor<'_>,
+    most_mm: f64,
+    estimator: &DurationEstimator,
+) -> Option<Attempt> {
     corridor.radii.fill(most_mm / FINE);
-    Attempt::new(corridor, pace)
+    Attempt::new(corridor, estimator)
 }
 
 /// How many times lower than with the fastest motion speeds in curves are tried, for the arm's motion and for the link's.
-fn gentler(pace: &Pace) -> [&'static [f64]; 2] {
-    if pace.has_ticks() {
+fn gentler(estimator: &DurationEstimator) -> [&'static [f64]; 2] {
+    if estimator.has_ticks() {
         [&GENTLER_IN_TICKS, &GENTLER_LINK_IN_TICKS]
     } else {
         [&GENTLER, &GENTLER_LINK]
@@ -206,15 +233,15 @@ fn gentler(pace: &Pace) -> [&'static [f64]; 2] {
 fn narrowed(
     corridor: &mut Corridor<'_>,
     most_mm: f64,
-    pace: &Pace,
+    estimator: &DurationEstimator,
     rounds: &[f64],
     (mut last, mut best): (Attempt, Attempt),
 ) -> Attempt {
     for periods in rounds {
-        if !last.narrow(corridor, most_mm, periods * pace.link.period_s) {
+        if !last.narrow(corridor, most_mm, periods * estimator.link.period_s) {
             break;
         }
-        let Some(next) = Attempt::new(corridor, pace) else {
+        let Some(next) = Attempt::new(corridor, estimator) else {
             break;
         };
         best = best.or(next.clone());
@@ -237,19 +264,19 @@ struct Attempt {
 
 impl Attempt {
     /// The fewest vectors in a corridor.
-    fn new(corridor: &Corridor<'_>, pace: &Pace) -> Option<Self> {
-        Some(Self::of(fewest(corridor)?, corridor, pace))
+    fn new(corridor: &Corridor<'_>, estimator: &DurationEstimator) -> Option<Self> {
+        Some(Self::of(fewest(corridor)?, corridor, estimator))
     }
 
     /// A path in a corridor.
-    fn of(path: Vec<Corner>, corridor: &Corridor<'_>, pace: &Pace) -> Self {
+    fn of(path: Vec<Corner>, corridor: &Corridor<'_>, estimator: &DurationEstimator) -> Self {
         let increments = path.windows(2).map(|pair| {
             let way = pair[1].at - pair[0].at;
             [way.x, way.y, 0.0]
         });
-        let durations_s = pace.durations_s(increments);
+        let durations_s = estimator.durations_s(increments);
         Self {
-            time_s: pace.time_s(&durations_s),
+            time_s: estimator.time_s(&durations_s),
             durations_s,
             width_mm: corridor.radii.iter().sum(),
             path,

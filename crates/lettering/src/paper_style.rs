@@ -6,9 +6,9 @@ use crate::{Anchor, Rectangle, ShapeStyle, Sheet, TextStyle};
 impl Sheet {
     /// An empty desk.
     #[must_use]
-    pub fn desk(page: Rectangle) -> Self {
+    pub fn with_background(page: Rectangle) -> Self {
         let mut sheet = Self::new(page, "mm");
-        sheet.rect(&page, 0.0, &ShapeStyle::area(DESK));
+        sheet.rect(&page, 0.0, &ShapeStyle::area(BACKGROUND));
         sheet
     }
 
@@ -63,7 +63,7 @@ impl Sheet {
 }
 
 /// The colour of the desk.
-const DESK: &str = "#f4f1e9";
+const BACKGROUND: &str = "#f4f1e9";
 /// The colour of paper.
 pub const PAPER: &str = "#fffefb";
 /// The colour of ink and of words that matter.

@@ -9,7 +9,7 @@ use crate::{Cornering, DrawingTool, PlanError};
 
 /// What arm and link can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Machine {
+pub struct ArmLimits {
     /// Largest acceleration of the tool, along its path and across it, in mm/s2.
     pub acceleration_mm_s2: f64,
     /// The largest speed of base, rear arm and forearm, in degrees per second. Where a millimetre
@@ -30,7 +30,7 @@ pub struct Machine {
     pub has_ticks: bool,
 }
 
-impl Machine {
+impl ArmLimits {
     /// An arm that speaks this dialect.
     #[must_use]
     pub fn of(dialect: Dialect) -> Self {
@@ -114,7 +114,7 @@ const FROM_REST: f64 = 1.2;
 /// whatever less than a step the arm has kept from before.
 const KEPT_STEPS: f64 = 0.45;
 
-impl Default for Machine {
+impl Default for ArmLimits {
     /// An arm that does as the document says, behind a stock arm's link: 100 mm/s2, and 100 deg/s
     /// as in a stock arm's own moves.
     fn default() -> Self {
