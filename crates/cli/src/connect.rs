@@ -15,8 +15,9 @@ use crate::control::first_state;
 use crate::failure::Failure;
 use crate::reach::{Station, client_name, folders};
 
-/// Which arm, and by which way.
+/// The arm, and the connection to it.
 #[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "Connection")]
 pub(crate) struct To {
     /// The arm's address.
     #[arg(
@@ -25,22 +26,22 @@ pub(crate) struct To {
         value_name = "ADDRESS",
         global = true,
         conflicts_with = "station",
-        help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT",
-        long_help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT\n\n\
-            Without it, the running station is asked; when none runs, it is virtual:, an arm in this process."
+        help = "Address of the arm: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT",
+        long_help = "Address of the arm: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT\n\n\
+            Default: the running station, or a virtual arm in this process if no station runs."
     )]
     pub(crate) address: Option<Address>,
-    /// What the arm understands: specification, or firmware-1.1 for an arm as it was sold
+    /// Protocol dialect of the arm: specification, or firmware-1.1 for an arm as sold
     ///
-    /// A virtual arm speaks the specification unless told otherwise; over a port nobody knows until it is
-    /// told here, and what depends on it is refused. A station knows it already.
+    /// Default for a virtual arm: specification. For a real arm it must be given or detected; until then,
+    /// commands that depend on it are refused. A station knows the dialect of its arm.
     #[arg(long, value_name = "DIALECT", global = true)]
     pub(crate) dialect: Option<Dialect>,
-    /// The safety policy, a TOML file (default: the one that `dobot policy` shows); a station has its own
-    #[arg(long, value_name = "FILE", global = true)]
+    /// Safety policy, a TOML file (default: as printed by `dobot policy`); a station has its own
+    #[arg(long, value_name = "FILE", global = true, hide_short_help = true)]
     pub(crate) policy: Option<PathBuf>,
-    /// Do not ask where the arm stands: a person has looked since its port was opened or it was reset
-    #[arg(long, global = true)]
+    /// Confirm the arm's pose without being asked; a person must have looked since it was reset
+    #[arg(long, global = true, hide_short_help = true)]
     pub(crate) pose_confirmed: bool,
     #[command(flatten)]
     pub(crate) station: Station,

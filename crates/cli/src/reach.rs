@@ -8,8 +8,9 @@ use dobot_host::StationClient;
 
 use crate::failure::Failure;
 
-/// Which station.
+/// The station, as the options name it.
 #[derive(Clone, Debug, Default, clap::Args)]
+#[command(next_help_heading = "Connection")]
 pub(crate) struct Station {
     #[command(flatten)]
     options: StationOptions,

@@ -14,9 +14,9 @@ use dobot_api::Button;
 /// Which gamepad.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(crate) struct PadArgs {
-    /// A gamepad of Linux, as in /dev/input/js0: sticks move for as long as they are held, A and B switch the pump,
-    /// the shoulder buttons move the gripper, and every other button stops the arm
-    #[arg(long, value_name = "DEVICE")]
+    /// Gamepad device (Linux), for example /dev/input/js0: sticks move the arm while they are held, A and B switch
+    /// the pump, the shoulder buttons move the gripper, every other button stops the arm
+    #[arg(long, value_name = "DEVICE", hide_short_help = true)]
     gamepad: Option<PathBuf>,
 }
 

@@ -76,7 +76,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
         return drawing.estimate().await;
     }
     let draw = async |station: &mut StationClient| {
-        if args.frame {
+        if args.outline {
             check_frame(station)?;
         }
         check_pose(station, args.to.pose_confirmed).await?;
@@ -90,7 +90,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
         }
         let plan = &drawing.prepared.plan;
         check_laser(station, plan, args.arm_laser).await?;
-        if args.frame {
+        if args.outline {
             drawing.frame(station).await?;
         }
         drawing.draw(station).await

@@ -3,7 +3,7 @@
 use dobot_session::plausible;
 use dobot_wire::{Command, Decoder, Dialect, Frame, PACKET_LEN, Packet, Status};
 
-use super::From;
+use super::Sender;
 use super::content::{Content, Oddity, readings};
 use super::rounded::rounded;
 
@@ -25,7 +25,7 @@ pub(super) struct Piece {
 /// that makes more sense begins inside of it.
 pub(super) fn pieces(
     bytes: &[u8],
-    from: From,
+    from: Sender,
     dialect: Option<Dialect>,
     in_step: bool,
 ) -> Vec<Piece> {
@@ -84,8 +84,8 @@ struct View {
 }
 
 impl View {
-    fn of(window: &[u8; PACKET_LEN], from: From) -> Self {
-        let unless = |it: From, trust: fn(&[u8; PACKET_LEN]) -> Confidence| {
+    fn of(window: &[u8; PACKET_LEN], from: Sender) -> Self {
+        let unless = |it: Sender, trust: fn(&[u8; PACKET_LEN]) -> Confidence| {
             if from == it {
                 Confidence::No
             } else {
@@ -93,8 +93,8 @@ impl View {
             }
         };
         Self {
-            client: unless(From::Arm, as_command),
-            arm: unless(From::Client, as_status),
+            client: unless(Sender::Arm, as_command),
+            arm: unless(Sender::Client, as_status),
         }
     }
 
@@ -133,7 +133,7 @@ struct Found<'a> {
     view: View,
 }
 
-fn find(bytes: &[u8], from: From, mut in_step: bool) -> Vec<Found<'_>> {
+fn find(bytes: &[u8], from: Sender, mut in_step: bool) -> Vec<Found<'_>> {
     let view_at = |offset: usize| {
         let window = bytes.get(offset..)?.first_chunk()?;
         Some((window, View::of(window, from)))
@@ -318,7 +318,7 @@ mod tests {
 
     /// What is found: `c` a command, `r` one that is refused, `s` a status, `d` a damaged one, `n` one
     /// whose pose is lost, `~` a rounded one, `-` bytes that belong to no packet.
-    fn kinds(bytes: &[u8], from: From) -> String {
+    fn kinds(bytes: &[u8], from: Sender) -> String {
         let kind = |piece: Piece| match piece.content {
             Content::Status(_) => 's',
             Content::OddStatus(_, Oddity::PoseLost) => 'n',
@@ -343,16 +343,16 @@ mod tests {
         let mut bytes = joined(&[STATUS; 75]);
         bytes[40 * 42 + 3] ^= 0x40;
         let expected = format!("{}d{}", "s".repeat(40), "s".repeat(34));
-        assert_eq!(kinds(&bytes, From::Auto), expected);
-        assert_eq!(kinds(&bytes, From::Arm), expected);
+        assert_eq!(kinds(&bytes, Sender::Auto), expected);
+        assert_eq!(kinds(&bytes, Sender::Arm), expected);
     }
 
     #[test]
     fn each_packet_of_a_file_with_both_directions_is_what_it_is() {
         let bytes = joined(&[STATUS, MOVE, STATUS, BAD_MOVE, STATUS, STATUS]);
-        assert_eq!(kinds(&bytes, From::Auto), "scsrss");
+        assert_eq!(kinds(&bytes, Sender::Auto), "scsrss");
         let noisy = [&bytes[..84], &[0xA5, 0x17, 0x00], &bytes[84..]].concat();
-        assert_eq!(kinds(&noisy, From::Auto), "sc-srss");
+        assert_eq!(kinds(&noisy, Sender::Auto), "sc-srss");
     }
 
     #[test]
@@ -361,22 +361,22 @@ mod tests {
         let one = [190.9, -124.0, 53.4, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
         let none = [191.0, -124.0, 53.0, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
         assert_eq!(
-            kinds(&joined(&[one, none, STATUS, MOVE]), From::Auto),
+            kinds(&joined(&[one, none, STATUS, MOVE]), Sender::Auto),
             "~~sc"
         );
-        assert_eq!(kinds(&joined(&[one, none]), From::Arm), "~~");
+        assert_eq!(kinds(&joined(&[one, none]), Sender::Arm), "~~");
         // An X of 11 mm instead of 191 is no state 11 among them.
         let damaged = [11.0, -124.0, 53.0, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
-        assert_eq!(kinds(&joined(&[none, damaged]), From::Auto), "~d");
+        assert_eq!(kinds(&joined(&[none, damaged]), Sender::Auto), "~d");
         let off = [200.9, -124.0, 53.4, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
-        assert_eq!(kinds(&joined(&[one, off]), From::Auto), "~d");
+        assert_eq!(kinds(&joined(&[one, off]), Sender::Auto), "~d");
     }
 
     #[test]
     fn a_status_without_a_pose_is_a_status() {
         let nan = f32::NAN;
         let lost = [nan, nan, nan, -33.0, -33.0, nan, nan, 0.0, 1.0, 0.0];
-        for from in [From::Auto, From::Arm] {
+        for from in [Sender::Auto, Sender::Arm] {
             assert_eq!(kinds(&joined(&[lost]), from), "n");
             assert_eq!(kinds(&joined(&[STATUS, lost, lost]), from), "snn");
             let joined_late = [&[0x17, 0x5A][..], &joined(&[lost, lost])].concat();
@@ -387,26 +387,26 @@ mod tests {
     #[test]
     fn a_packet_that_makes_no_sense_is_one_of_who_sent_the_others() {
         let nonsense = [1.5, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        assert_eq!(kinds(&joined(&[MOVE, nonsense]), From::Auto), "cr");
-        assert_eq!(kinds(&joined(&[STATUS, nonsense]), From::Auto), "sd");
-        assert_eq!(kinds(&joined(&[nonsense]), From::Client), "r");
+        assert_eq!(kinds(&joined(&[MOVE, nonsense]), Sender::Auto), "cr");
+        assert_eq!(kinds(&joined(&[STATUS, nonsense]), Sender::Auto), "sd");
+        assert_eq!(kinds(&joined(&[nonsense]), Sender::Client), "r");
         // State 0 alone.
-        assert_eq!(kinds(&joined(&[[0.0; 10]]), From::Auto), "r");
+        assert_eq!(kinds(&joined(&[[0.0; 10]]), Sender::Auto), "r");
     }
 
     #[test]
     fn a_packet_that_was_cut_short_does_not_swallow_the_next() {
         let cut = &packet(MOVE)[..30];
         let bytes = [cut, &joined(&[STATUS, MOVE])].concat();
-        assert_eq!(kinds(&bytes, From::Auto), "-sc");
-        assert_eq!(kinds(&bytes, From::Client), "-c");
+        assert_eq!(kinds(&bytes, Sender::Auto), "-sc");
+        assert_eq!(kinds(&bytes, Sender::Client), "-c");
     }
 
     #[test]
     fn a_stream_joined_in_the_middle_is_found_again() {
         let bytes = joined(&[STATUS, STATUS, MOVE]);
         for cut in 1..42 {
-            assert_eq!(kinds(&bytes[cut..], From::Auto), "-sc", "cut {cut}");
+            assert_eq!(kinds(&bytes[cut..], Sender::Auto), "-sc", "cut {cut}");
         }
     }
 
@@ -426,7 +426,7 @@ mod tests {
             in_step: bool,
         ) {
             let bytes = [joined(&[MOVE, STATUS][..good.min(2)]), bytes].concat();
-            for from in [From::Auto, From::Arm, From::Client] {
+            for from in [Sender::Auto, Sender::Arm, Sender::Client] {
                 let mut end = 0;
                 for piece in pieces(&bytes, from, None, in_step) {
                     proptest::prop_assert_eq!(piece.offset, end);

@@ -13,6 +13,7 @@ use toml::de::{DeTable, DeValue};
 use crate::Cli;
 use crate::drawing_options::DrawingOptions;
 use crate::failure::Failure;
+use crate::renamed::draw_option;
 
 /// A default.
 #[derive(Clone, Debug)]
@@ -51,7 +52,10 @@ pub(super) fn entries(file: &Path, text: &str) -> Result<Vec<Entry>, Failure> {
     let known = known();
     let folder = file.parent().unwrap_or(Path::new(""));
     let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue<'_>>)| {
-        let (option, at) = (key_text(key), key.span().start);
+        let ((option, renamed), at) = (draw_option(&key_text(key)), key.span().start);
+        if let Some(hint) = renamed {
+            eprintln!("hint: {}: {hint}", file.display());
+        }
         let Some(arg) = known.iter().find(|it| it.get_long() == Some(&option)) else {
             return Err(Failure::new(wrong(at, &unknown(&option, &known)), KEYS));
         };
@@ -79,7 +83,7 @@ pub(super) fn entries(file: &Path, text: &str) -> Result<Vec<Entry>, Failure> {
 /// The options of `draw` that a file may have: those that do not say what is drawn this time.
 pub(in crate::verbs::draw) fn known() -> Vec<Arg> {
     let options = DrawingOptions::augment_args(Command::new("draw"));
-    let others = ["materials", "frame"];
+    let others = ["materials", "outline"];
     let program = Cli::command();
     let draw = program.find_subcommand("draw").expect("it is a verb");
     let others = draw
