@@ -1,7 +1,6 @@
 //! From the words of a command line to a verb, and the form of usage errors.
 
 use std::ffi::OsString;
-use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{Command, CommandFactory, FromArgMatches};
@@ -51,17 +50,17 @@ pub(crate) fn parse(
     Ok(cli.verb.unwrap_or_else(crate::default_verb))
 }
 
-/// Prints a usage error, or the help that was asked for, and returns the exit code.
-pub(crate) fn report(error: &clap::Error, format: ErrorFormat) -> ExitCode {
-    let code = u8::try_from(error.exit_code()).unwrap_or(1);
+/// Prints a usage error, or the help that was asked for, and ends the program.
+pub(crate) fn exit(error: &clap::Error, format: ErrorFormat) -> ! {
+    let code = error.exit_code();
     if format == ErrorFormat::Json && error.use_stderr() {
         let (text, hint) = text_and_hint(error);
-        print_error(format, &text, Some(&hint), code);
+        print_error(format, &text, Some(&hint), u8::try_from(code).unwrap_or(2));
     } else {
         // A closed standard output is no failure.
         let _ = error.print();
     }
-    code.into()
+    std::process::exit(code)
 }
 
 /// Splits a usage error into its message and a hint.

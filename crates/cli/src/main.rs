@@ -43,10 +43,9 @@ fn main() -> ExitCode {
     let verb = match verbs::with_defaults(&words) {
         Some(Ok(verb)) => verb,
         Some(Err(failure)) => return failure.report(format),
-        None => match command_line::parse(words) {
-            Ok(verb) => verb,
-            Err(error) => return command_line::report(&error, format),
-        },
+        None => {
+            command_line::parse(words).unwrap_or_else(|error| command_line::exit(&error, format))
+        }
     };
     let log = verb.log_format();
     log.start();

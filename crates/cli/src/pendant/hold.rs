@@ -87,12 +87,12 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
     /// Takes that a key is let go.
     pub(crate) fn handle_release(&mut self, key: &K) {
         if self.held.as_ref().is_some_and(|it| it.key == *key) {
-            self.let_go();
+            self.release();
         }
     }
 
     /// Lets go of whatever is held.
-    pub(crate) fn let_go(&mut self) {
+    pub(crate) fn release(&mut self) {
         self.released |= self.held.take().is_some();
     }
 
@@ -106,7 +106,7 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
     /// Takes the passing of time.
     pub(crate) fn handle_time(&mut self, now: Duration) {
         if self.held.as_ref().is_some_and(|it| it.until <= now) {
-            self.let_go();
+            self.release();
         }
     }
 

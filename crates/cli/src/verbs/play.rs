@@ -9,7 +9,7 @@ use dobot_host::{PlannedFor, Prediction, Rules, StationClient, predict};
 use dobot_teach::{Compiled, Times, check};
 use serde::Serialize;
 
-use crate::connect::{To, speaker};
+use crate::connect::{To, personality_of};
 use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow;
@@ -136,7 +136,7 @@ impl Planned {
         let prediction = predict(
             &job,
             policy,
-            speaker(arm.dialect()),
+            personality_of(arm.dialect()),
             arm.calibration.as_ref(),
         );
         let prediction = prediction.map_err(|error| anyhow!("in the simulation: {error}"))?;

@@ -45,7 +45,7 @@ impl PaperToucher {
     }
 
     fn handle_key(&mut self, key: TouchKey) {
-        self.pendant.let_go();
+        self.pendant.release();
         if key != TouchKey::Keep {
             self.kept.forget_shown();
         }
@@ -55,15 +55,15 @@ impl PaperToucher {
                     self.touched.push(place);
                     self.judge();
                 }
-                Err(why) => self.pendant.tell(format!("not touched: {why}")),
+                Err(why) => self.pendant.show(format!("not touched: {why}")),
             },
             TouchKey::Undo if self.touched.pop().is_some() => self.judge(),
-            TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
+            TouchKey::Undo => self.pendant.show("nothing is touched yet".into()),
             TouchKey::Skip => self.skipped += 1,
             TouchKey::Keep => self.keep(),
             TouchKey::Block => self
                 .pendant
-                .tell("the paper itself is touched, not a block".into()),
+                .show("the paper itself is touched, not a block".into()),
         }
     }
 
@@ -78,7 +78,7 @@ impl PaperToucher {
     fn judge(&mut self) {
         self.outcome = paper(&self.touched);
         let touched = self.touched.len();
-        self.pendant.tell(format!("{touched} touched"));
+        self.pendant.show(format!("{touched} touched"));
     }
 
     fn keep(&mut self) {
@@ -90,7 +90,7 @@ impl PaperToucher {
             Err(why) => Some(format!("nothing to keep: {why}")),
         };
         if let Some(text) = told {
-            self.pendant.tell(text);
+            self.pendant.show(text);
         }
     }
 
@@ -169,7 +169,7 @@ impl Panel for PaperToucher {
             self.touched.clear();
             self.judge();
             let text = "the arm was reset: its base counts anew, and all touches are forgotten; touch the paper again";
-            self.pendant.tell(text.into());
+            self.pendant.show(text.into());
         }
     }
 
@@ -179,7 +179,7 @@ impl Panel for PaperToucher {
 
     fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
         if let Some(told) = self.kept.handle_saved(&text, saved) {
-            self.pendant.tell(told);
+            self.pendant.show(told);
         }
     }
 }

@@ -76,13 +76,13 @@ impl Toucher {
     fn turn_to_block(&mut self) {
         if self.block_mm.is_none() {
             let text = "how high is the block? leave with q, and say it: --block 40";
-            return self.pendant.tell(text.into());
+            return self.pendant.show(text.into());
         }
         self.on_block = !self.on_block;
     }
 
     fn handle_key(&mut self, key: TouchKey) {
-        self.pendant.let_go();
+        self.pendant.release();
         if key != TouchKey::Keep {
             self.kept.forget_shown();
         }
@@ -93,10 +93,10 @@ impl Toucher {
                     self.on_block = false;
                     self.judge();
                 }
-                Err(why) => self.pendant.tell(format!("not touched: {why}")),
+                Err(why) => self.pendant.show(format!("not touched: {why}")),
             },
             TouchKey::Undo if self.procedure.undo() => self.judge(),
-            TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
+            TouchKey::Undo => self.pendant.show("nothing is touched yet".into()),
             TouchKey::Skip => self.procedure.skip(),
             TouchKey::Keep => self.keep(),
             TouchKey::Block => self.turn_to_block(),
@@ -121,7 +121,7 @@ impl Toucher {
     fn judge(&mut self) {
         self.outcome = self.procedure.outcome();
         let touched = self.procedure.touches().len();
-        self.pendant.tell(format!("{touched} touched"));
+        self.pendant.show(format!("{touched} touched"));
     }
 
     /// What was shown is kept; what was not is shown first.
@@ -138,7 +138,7 @@ impl Toucher {
             Err(why) => Some(format!("nothing to keep: {why}")),
         };
         if let Some(text) = told {
-            self.pendant.tell(text);
+            self.pendant.show(text);
         }
     }
 }
@@ -175,7 +175,7 @@ impl Panel for Toucher {
         if is_lost && self.procedure.begin_anew() > 0 {
             self.judge();
             let text = "the arm was reset: its base counts anew, and all touches are forgotten; touch point 1 again";
-            self.pendant.tell(text.into());
+            self.pendant.show(text.into());
         }
     }
 
@@ -185,7 +185,7 @@ impl Panel for Toucher {
 
     fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
         if let Some(told) = self.kept.handle_saved(&text, saved) {
-            self.pendant.tell(told);
+            self.pendant.show(told);
         }
     }
 }

@@ -51,7 +51,7 @@ pub(crate) struct Args {
         requires = "laser"
     )]
     pub(crate) arm_laser: Option<Duration>,
-    /// Trace the outline of the drawing area first, with pen up and laser off, and ask before drawing
+    /// Trace the bounding rectangle of the drawing first, with pen up and laser off, and ask before drawing
     #[arg(long, help_heading = "Run")]
     pub(crate) outline: bool,
     /// Simulate only: report time, ink and reach without moving the arm

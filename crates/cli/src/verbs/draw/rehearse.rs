@@ -14,7 +14,7 @@ use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};
 use indicatif::ProgressBar;
 
 use super::execute::execute;
-use crate::connect::speaker;
+use crate::connect::personality_of;
 use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
 use crate::reach::client_name;
@@ -64,7 +64,7 @@ pub(super) async fn rehearse(
     from: Option<&Status>,
     bar: &ProgressBar,
 ) -> Result<Rehearsed, Failure> {
-    let power_up = PowerUp::new(speaker(dialect));
+    let power_up = PowerUp::new(personality_of(dialect));
     let name = client_name("draw");
     let mut station = StationClient::with_virtual_arm(power_up, policy, &name);
     control::status(&mut station).await?;

@@ -17,7 +17,7 @@ use dobot_wire::Dialect;
 use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::sync::mpsc;
 
-use crate::connect::{read_policy, speaker};
+use crate::connect::{personality_of, read_policy};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::{self, clock};
@@ -56,7 +56,7 @@ impl TogetherArgs {
         let arm = PlannedFor::any(Rules::of(&policy).into(), Some(self.dialect));
         let parts = read(&self.file, &arm)?;
         if self.dry_run {
-            let rehearsal = rehearse(&parts, &policy, speaker(self.dialect))?;
+            let rehearsal = rehearse(&parts, &policy, personality_of(self.dialect))?;
             return print(&rehearsal, as_json);
         }
         let address = station.address_of_running().await?;

@@ -149,7 +149,7 @@ impl RequirementArgs {
     }
 }
 
-/// The number of the work requirements number begins so.
+/// Finds the work whose ID starts with a text.
 async fn find(address: &StationAddress, number: &str) -> Result<String, Failure> {
     let all: Vec<WorkView> = fetch(address, WORK).await?;
     let mut found = all.into_iter().filter(|work| work.id.starts_with(number));

@@ -104,7 +104,7 @@ impl Teacher {
     }
 
     fn handle_key(&mut self, key: TeachKey) {
-        self.pendant.let_go();
+        self.pendant.release();
         let captured = self.captured.take();
         let leaves_unsaved = std::mem::take(&mut self.leaves_unsaved);
         match key {
@@ -149,12 +149,12 @@ impl Teacher {
     fn capture(&mut self, before: Option<RecordedPlace>) {
         let place = match self.place() {
             Ok(place) => place,
-            Err(why) => return self.pendant.tell(format!("not taught: {why}")),
+            Err(why) => return self.pendant.show(format!("not taught: {why}")),
         };
         if before != Some(place) {
             match self.lesson.capture(&place, self.path) {
-                Ok(name) => self.pendant.tell(format!("{name} is taught")),
-                Err(error) => self.pendant.tell(error.to_string()),
+                Ok(name) => self.pendant.show(format!("{name} is taught")),
+                Err(error) => self.pendant.show(error.to_string()),
             }
         }
         self.captured = Some(place);
@@ -162,13 +162,13 @@ impl Teacher {
 
     fn undo(&mut self) {
         if !self.lesson.undo() {
-            self.pendant.tell("there is nothing to undo".into());
+            self.pendant.show("there is nothing to undo".into());
         }
     }
 
     fn redo(&mut self) {
         if !self.lesson.redo() {
-            self.pendant.tell("there is nothing to redo".into());
+            self.pendant.show("there is nothing to redo".into());
         }
     }
 
@@ -177,13 +177,13 @@ impl Teacher {
             self.recording = Some(Vec::new());
             return self
                 .pendant
-                .tell("the path is recorded: jog, then v again".into());
+                .show("the path is recorded: jog, then v again".into());
         };
         let kept = simplified(&places, self.settings.tolerance_mm);
         if kept.len() < 2 {
             return self
                 .pendant
-                .tell("nothing was jogged, so nothing is taught".into());
+                .show("nothing was jogged, so nothing is taught".into());
         }
         let text = format!(
             "{} places became {} steps, within {} mm",
@@ -192,8 +192,8 @@ impl Teacher {
             self.settings.tolerance_mm
         );
         match self.lesson.add_path(&kept) {
-            Ok(()) => self.pendant.tell(text),
-            Err(error) => self.pendant.tell(error.to_string()),
+            Ok(()) => self.pendant.show(text),
+            Err(error) => self.pendant.show(error.to_string()),
         }
     }
 
@@ -210,7 +210,7 @@ impl Teacher {
         let phase = self.job().map(|it| it.phase);
         if phase == Some(JobPhase::Running) {
             let text = "it runs: p pauses it, x ends it, Space stops the arm";
-            return self.pendant.tell(text.into());
+            return self.pendant.show(text.into());
         }
         let text = self.lesson.text();
         if let Some(own) = &self.job
@@ -237,7 +237,7 @@ impl Teacher {
                 self.submitting = Some(start);
                 self.pendant.ask(Request::SubmitJob { job, key: None });
             }
-            Err(why) => self.pendant.tell(format!("not run: {why}")),
+            Err(why) => self.pendant.show(format!("not run: {why}")),
         }
     }
 
@@ -247,7 +247,7 @@ impl Teacher {
             return true;
         }
         let Some(for_s) = self.settings.arm_laser.map(|it| it.as_secs_f64()) else {
-            self.pendant.tell(
+            self.pendant.show(
                 "not run: it burns. Leave, and teach with --arm-laser SECONDS: everybody's goggles are on".into(),
             );
             return false;
@@ -259,7 +259,7 @@ impl Teacher {
     fn cancel(&mut self) {
         match self.job().map(|it| it.job) {
             Some(job) => self.pendant.ask(Request::CancelJob { job }),
-            None => self.pendant.tell("no program runs".into()),
+            None => self.pendant.show("no program runs".into()),
         }
     }
 
@@ -268,14 +268,14 @@ impl Teacher {
             self.leaves_unsaved = true;
             return self
                 .pendant
-                .tell("the program is not saved: w saves it, q leaves without".into());
+                .show("the program is not saved: w saves it, q leaves without".into());
         }
         self.pendant.quit();
     }
 
     fn tell_error(&mut self, done: Result<(), ProgramError>) {
         if let Err(error) = done {
-            self.pendant.tell(error.to_string());
+            self.pendant.show(error.to_string());
         }
     }
 }
@@ -359,12 +359,12 @@ impl Panel for Teacher {
         let name = self.file.display();
         match saved {
             Ok(()) => {
-                self.pendant.tell(format!("{name} is saved"));
+                self.pendant.show(format!("{name} is saved"));
                 self.lesson.handle_saved(text);
             }
             Err(error) => self
                 .pendant
-                .tell(format!("{name} cannot be written: {error}")),
+                .show(format!("{name} cannot be written: {error}")),
         }
     }
 
