@@ -48,9 +48,9 @@ pub(crate) struct Args {
     /// File, - for standard input, or the bytes as text
     #[arg(required = true)]
     input: Vec<String>,
-    /// Sender of the bytes
+    /// SenderOption of the bytes
     #[arg(long, value_enum, default_value_t)]
-    sender: Sender,
+    sender: SenderOption,
     /// Protocol dialect: specification or firmware-1.1 (default: show both)
     #[arg(long, value_name = "DIALECT")]
     dialect: Option<Dialect>,
@@ -59,9 +59,9 @@ pub(crate) struct Args {
     json: bool,
 }
 
-/// The sender of the bytes.
+/// The sender of the bytes, or automatic detection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
-enum Sender {
+enum SenderOption {
     /// A client: commands
     Client,
     /// The arm: statuses
@@ -139,7 +139,7 @@ mod tests {
 
     const ANY: Args = Args {
         input: Vec::new(),
-        sender: Sender::Auto,
+        sender: SenderOption::Auto,
         dialect: None,
         json: false,
     };
