@@ -26,7 +26,7 @@ fn rows() -> Vec<Row> {
         parsed::<Align>("align", "SIDE"),
         several::<f64>("card", ValueParser::new(card_speed))
             .arg(|arg| arg.value_name("SPEED,...").value_delimiter(',')),
-        whole::<u32>("card_passes", value_parser!(u32)),
+        whole::<u32>("card_passes"),
         number("card_size", "MM"),
         number("card_gap", "MM"),
         text("card_label", "TEXT"),
@@ -49,7 +49,7 @@ fn rows() -> Vec<Row> {
         number("contrast", "PERCENT"),
         number("gamma", "GAMMA"),
         number("threshold", "DARKNESS"),
-        whole::<u8>("levels", value_parser!(u8)).arg(|arg| arg.conflicts_with("threshold")),
+        whole::<u8>("levels").arg(|arg| arg.conflicts_with("threshold")),
         flag("invert"),
     ];
     let paper = vec![
@@ -62,7 +62,7 @@ fn rows() -> Vec<Row> {
                 .conflicts_with_all(["at", "paper"])
         }),
         flag("fit").arg(|arg| arg.conflicts_with("scale")),
-        number("scale", "FACTOR"),
+        positive("scale", "FACTOR"),
         several::<f64>("at", ValueParser::new(finite))
             .arg(|arg| arg.num_args(2).value_names(["X", "Y"])),
         flag("mirror"),
@@ -84,22 +84,22 @@ fn rows() -> Vec<Row> {
         text("pen", "PEN").arg(|arg| arg.conflicts_with("laser").help_heading("Pen")),
         laser(text("laser", "MATERIAL")),
         number("lift", "MM").arg(|arg| arg.help_heading("Pen")),
-        number("speed", "MM/S"),
-        number("travel_speed", "MM/S"),
-        whole::<u32>("passes", value_parser!(u32)),
+        positive("speed", "MM/S"),
+        positive("travel_speed", "MM/S"),
+        whole::<u32>("passes"),
         cut(parsed::<PassesBy>("passes_by", "WHAT")),
         cut(number("kerf", "MM")),
         cut(number("lead_in", "MM")),
         cut(number("overcut", "MM")),
-        cut(whole::<u32>("tabs", value_parser!(u32))),
+        cut(whole::<u32>("tabs")),
         laser(number("tab_width", "MM")).arg(|arg| arg.requires("tabs")),
-        number("acceleration", "MM/S2"),
+        positive("acceleration", "MM/S2"),
         number("tolerance", "MM"),
         number("join", "MM"),
         flag("drop_doubles"),
         flag("keep_order"),
-        whole::<u32>("tries", value_parser!(u32)).arg(|arg| arg.conflicts_with("keep_order")),
-        whole::<u64>("seed", value_parser!(u64)),
+        whole::<u32>("tries").arg(|arg| arg.conflicts_with("keep_order")),
+        whole::<u64>("seed"),
         parsed::<StartFrom>("from", "WHERE"),
     ];
     let under = |heading: &'static str| {
@@ -173,11 +173,23 @@ fn number(field: &'static str, value_name: &'static str) -> Row {
     one::<f64>(field, value_name, ValueParser::new(finite))
 }
 
-fn whole<T: Clone + Serialize + Send + Sync + 'static>(
-    field: &'static str,
-    parser: impl Into<ValueParser>,
-) -> Row {
-    one::<T>(field, "N", parser.into())
+fn positive(field: &'static str, value_name: &'static str) -> Row {
+    let parse = |text: &str| {
+        let value = finite(text).ok().filter(|value| *value > 0.0);
+        value.ok_or("expected a number above 0")
+    };
+    one::<f64>(field, value_name, ValueParser::new(parse))
+}
+
+fn whole<T>(field: &'static str) -> Row
+where
+    T: FromStr + Clone + Serialize + Send + Sync + 'static,
+{
+    let parse = |text: &str| {
+        let value = text.parse::<T>();
+        value.map_err(|_| "expected a whole number, 0 or more")
+    };
+    one::<T>(field, "N", ValueParser::new(parse))
 }
 
 fn parsed<T>(field: &'static str, value_name: &'static str) -> Row

@@ -105,9 +105,15 @@ impl Failure {
 
     /// 2 for an invalid option or value, otherwise 1.
     fn exit_code(&self) -> u8 {
-        let is_usage = self.is_usage || self.error.chain().any(|cause| cause.is::<OptionsError>());
+        let is_usage = self.is_usage || self.error.chain().any(is_invalid_option);
         if is_usage { 2 } else { 1 }
     }
+}
+
+/// Whether an error is an option that no drawing may have, or that does not fit what is drawn.
+fn is_invalid_option(cause: &(dyn std::error::Error + 'static)) -> bool {
+    let error = cause.downcast_ref::<OptionsError>();
+    error.is_some_and(|error| !matches!(error, OptionsError::Prepare(_) | OptionsError::NoSurface))
 }
 
 /// Prints an error and its hint.

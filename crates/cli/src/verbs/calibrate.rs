@@ -18,7 +18,7 @@ use dobot_calibrate::{check_bar, read_calibration, sheet_svg, write_calibration}
 use dobot_host::StationClient;
 use dobot_wire::{MoveJoints, MovingMode, Status};
 
-use self::comb::{CombOf, read_slack};
+use self::comb::{CombOf, measure_backlash};
 use self::paper::PaperToucher;
 use self::toucher::Toucher;
 use crate::bounded;
@@ -121,7 +121,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         ))?);
     }
     if args.forget {
-        let forget = async |station: &mut StationClient| hold(station, None).await;
+        let forget = async |station: &mut StationClient| apply(station, None).await;
         return args.to.with_arm("calibrate", forget).await;
     }
     if let Some(times) = args.test {
@@ -135,13 +135,13 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let file = args.file.as_deref().expect("clap asks for one");
     if args.use_file {
         let known = read(file)?;
-        let take = async |station: &mut StationClient| hold(station, Some(known)).await;
+        let take = async |station: &mut StationClient| apply(station, Some(known)).await;
         return args.to.with_arm("calibrate", take).await;
     }
     if let Some(of) = args.comb {
         let known = read(file)?;
         let look = async |station: &mut StationClient| {
-            read_slack(station, &args.to, file, known, of).await
+            measure_backlash(station, &args.to, file, known, of).await
         };
         return args.to.with_arm("calibrate", look).await;
     }
@@ -157,7 +157,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         let file = file.to_owned();
         let before = before.clone();
         let status = if args.touch_paper {
-            hold_for_paper(station, before.as_ref()).await?;
+            apply_for_paper(station, before.as_ref()).await?;
             let panel = |pendant| PaperToucher::new(pendant, file.clone(), before.clone());
             with_keys(station, &args.to, &args.pad, Drive::Jog, panel).await?
         } else {
@@ -171,7 +171,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         };
         // A saved calibration applies to this arm from now on.
         if let Some(kept) = known(&file)?.filter(|kept| before.as_ref() != Some(kept)) {
-            hold(station, Some(kept)).await?;
+            apply(station, Some(kept)).await?;
         }
         Ok(status)
     };
@@ -180,7 +180,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 }
 
 /// Applies a calibration to the arm, or none.
-async fn hold(
+async fn apply(
     station: &mut StationClient,
     calibration: Option<CalibrationFile>,
 ) -> Result<(), Failure> {
@@ -202,12 +202,12 @@ async fn hold(
 }
 
 /// Applies the known calibration, so that the paper is touched at calibrated positions.
-async fn hold_for_paper(
+async fn apply_for_paper(
     station: &mut StationClient,
     known: Option<&CalibrationFile>,
 ) -> Result<(), Failure> {
     if let Some(known) = known {
-        return hold(station, Some(known.clone())).await;
+        return apply(station, Some(known.clone())).await;
     }
     let (arm, _) = control::arm(station).await?;
     if arm.told.is_some() {
@@ -284,7 +284,7 @@ fn named(known: CalibrationFile, file: &Path) -> CalibrationFile {
 }
 
 /// Saves a calibration, and keeps the previous one beside it.
-fn keep(file: &Path, known: &CalibrationFile) -> Result<(), Failure> {
+fn save(file: &Path, known: &CalibrationFile) -> Result<(), Failure> {
     let before = before(file);
     fs::copy(file, &before).with_context(|| format!("cannot write {}", before.display()))?;
     let text = write_calibration(known);

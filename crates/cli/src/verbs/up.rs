@@ -168,16 +168,16 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         LogFormat::Json => welcome.log(),
     }
     if opens && let Err(error) = open::that_detached(station.url()) {
-        log.tell(&format!("no browser could be opened: {error}"));
+        log.report(&format!("no browser could be opened: {error}"));
     }
     let service_manager = ServiceManager::of_environment();
     service_manager.tell(Notification::Ready);
     tokio::select! {
-        () = tell(notices, log) => {}
+        () = print_notices(notices, log) => {}
         () = &mut interrupt => {}
     }
     service_manager.tell(Notification::Stopping);
-    log.tell("stopping: the laser goes off, and the arm comes to rest");
+    log.report("stopping: the laser goes off, and the arm comes to rest");
     // The other stations still see the arm come to rest.
     let ended = async {
         let ended = station.end().await;
@@ -203,7 +203,7 @@ async fn start(config: Config, log: LogFormat) -> Result<Station, Failure> {
         Err(NotAlone::Unreadable(failure)) => Some(failure),
     };
     if config.arm.is_none() {
-        log.tell("looking for an arm");
+        log.report("looking for an arm");
     }
     let approach = config.approach().await.map_err(no_start)?;
     // The laser is off by now, even if the data cannot be read.
@@ -319,7 +319,7 @@ fn welcome(station: &Station, personality: Personality, data: String) -> Welcome
 }
 
 /// Prints notices until the station ends by itself.
-async fn tell(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
+async fn print_notices(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
     let shown = log.shows_notices();
     loop {
         match notices.recv().await {
