@@ -96,7 +96,10 @@ fn without_far_suggestions(mut error: clap::Error) -> clap::Error {
             _ => continue,
         };
         let is_one = matches!(error.get(kind), Some(ContextValue::String(_)));
-        let near: Vec<String> = near.into_iter().filter(|it| is_near(&given, it)).collect();
+        let near: Vec<String> = near
+            .into_iter()
+            .filter(|meant| is_near(&given, meant))
+            .collect();
         match near.first() {
             None => drop(error.remove(kind)),
             Some(one) if is_one => drop(error.insert(kind, ContextValue::String(one.clone()))),

@@ -93,7 +93,7 @@ impl Failure {
         let causes = || self.error.chain();
         let unread = |cause: &(dyn std::error::Error + 'static)| {
             let io = cause.downcast_ref::<std::io::Error>();
-            io.is_some_and(|it| it.kind() == std::io::ErrorKind::BrokenPipe)
+            io.is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
         };
         if causes().any(unread) {
             return ExitCode::SUCCESS;

@@ -1,4 +1,4 @@
-//! The screen of the pendant, as a pure function of what is known and of the terminal's size.
+//! The screen of the pendant, as a pure function of the state and of the terminal's size.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -12,7 +12,7 @@ use super::{Drive, KeyReports, Pendant, Question};
 use crate::verbs::watch::dashboard::{alarm_of_state, bar};
 use crate::verbs::watch::panels;
 
-/// Draws everything.
+/// Draws the screen.
 pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
     let rows = [
         Constraint::Length(1),

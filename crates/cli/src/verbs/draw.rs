@@ -403,7 +403,7 @@ impl Drawn {
 
 fn is_png(file: &Path) -> bool {
     file.extension()
-        .is_some_and(|it| it.eq_ignore_ascii_case("png"))
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("png"))
 }
 
 /// Longer drawings are announced before they start.

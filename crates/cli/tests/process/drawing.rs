@@ -543,7 +543,7 @@ fn a_terminal_is_told_what_is_done_and_hours_before_they_are_planned() {
     let file = file.path().to_str().expect("the path is text");
     let draw = ["draw", file, "--dry-run", "--speed", "20", "--passes", "20"];
     let mut terminal = Terminal::with_errors(&command(&draw));
-    terminal.shows("hours of drawing, by a rough estimate before it is planned");
+    terminal.shows("hours of drawing (rough estimate before planning)");
     terminal.shows("warning: this takes about");
     terminal.shows("h planned");
     assert!(terminal.ends().success());

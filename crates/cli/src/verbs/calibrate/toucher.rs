@@ -35,7 +35,10 @@ impl Toucher {
     /// Creates it; the result is saved in a file, with the previous calibration beside it.
     pub(super) fn new(pendant: Pendant, file: PathBuf, known: Option<CalibrationFile>) -> Self {
         let procedure = Procedure::new(Tool::SuctionCup);
-        let backlash = known.as_ref().map(|it| it.backlash).unwrap_or_default();
+        let backlash = known
+            .as_ref()
+            .map(|known| known.backlash)
+            .unwrap_or_default();
         Self {
             pendant,
             outcome: procedure.outcome(),

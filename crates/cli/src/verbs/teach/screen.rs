@@ -11,7 +11,7 @@ use crate::output;
 use crate::pendant::{alarm, answer, held, key_line, move_lines};
 use crate::verbs::watch::panels;
 
-/// Draws everything.
+/// Draws the screen.
 pub(crate) fn draw(frame: &mut Frame, teacher: &Teacher) {
     let rows = [
         Constraint::Length(1),

@@ -53,7 +53,7 @@ impl View {
     }
 }
 
-/// Draws everything.
+/// Draws the screen.
 pub(crate) fn draw(frame: &mut Frame, view: &View) {
     let rows = [
         Constraint::Length(1),
