@@ -40,10 +40,9 @@ pub(crate) fn replace(words: &mut [OsString]) -> Vec<String> {
     let mut hints = Vec::new();
     let is_end = |word: &OsString| word.as_os_str() == "--";
     let end = words.iter().position(is_end).unwrap_or(words.len());
-    for renamed in RENAMED
-        .iter()
-        .filter(|renamed| renamed.is_for(&words[..end]))
-    {
+    let is_used = |renamed: &&Renamed| renamed.is_for(&words[..end]);
+    let used: Vec<&Renamed> = RENAMED.iter().filter(is_used).collect();
+    for renamed in used {
         let (old, new) = (format!("--{}", renamed.old), format!("--{}", renamed.new));
         for word in &mut words[..end] {
             let Some(value) = word.to_str().and_then(|word| word.strip_prefix(&old)) else {

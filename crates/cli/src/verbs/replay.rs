@@ -122,7 +122,7 @@ fn due(replay: &mut Replay, now: Duration) -> Vec<u8> {
 }
 
 fn conclude(report: &Report, dialect: Option<Dialect>, as_json: bool) -> Result<(), Failure> {
-    let differences = report.differences.len() + report.more;
+    let differences = report.differences.len() as u64 + report.more;
     if as_json {
         let shown: Vec<_> = report
             .differences
