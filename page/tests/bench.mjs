@@ -108,7 +108,7 @@ async function createFront() {
  */
 export async function open({ viewport = { width: 1130, height: 640 }, webgl = false, virtual = false, personality = "firmware-1.1", speed = 1, patient = true, options = {}, scripts = [] } = {}) {
   const folder = await mkdtemp(join(tmpdir(), "dobot-page-"));
-  const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", personality, "--speed", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
+  const arm = virtual ? null : await start(["arm", "--tcp", "127.0.0.1:0", "--personality", personality, "--time-factor", String(speed)], /^tcp:127\.0\.0\.1:(\d+)/);
   const told = new Told();
   const tap = createServer((station) => {
     const way = createConnection({ port: Number(arm?.found), host: "127.0.0.1", noDelay: true });
@@ -121,7 +121,7 @@ export async function open({ viewport = { width: 1130, height: 640 }, webgl = fa
   tap.listen(0, "127.0.0.1");
   await once(tap, "listening");
   // What the station's own virtual arm speaks, it knows.
-  const to = virtual ? ["--virtual", "--speed", String(speed)] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", personality];
+  const to = virtual ? ["--virtual", "--time-factor", String(speed)] : ["--arm", `tcp:127.0.0.1:${tap.address().port}`, "--dialect", personality];
   const front = await createFront();
   const begin = async () => {
     const words = ["up", ...to, "--http", "127.0.0.1:0", "--raw", "off", "--data", folder];

@@ -1,10 +1,10 @@
-//! Reading what may never end: no more of it than is allowed.
+//! Bounded reads of inputs that may never end.
 
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
-/// All that comes; where that is more than `most`, which the first bytes tell, one byte more than that.
+/// Reads all bytes, or one byte more than the maximum that `most` returns for the first bytes.
 pub(crate) fn bytes(mut from: impl Read, most: impl FnOnce(&[u8]) -> u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let begun = from.by_ref().take(START).read_to_end(&mut bytes)?;
@@ -13,13 +13,13 @@ pub(crate) fn bytes(mut from: impl Read, most: impl FnOnce(&[u8]) -> u64) -> io:
     Ok(bytes)
 }
 
-/// The text of a file of settings: a policy, defaults, materials, a calibration.
+/// Reads a settings file: a policy, defaults, materials or a calibration.
 pub(crate) fn settings(file: &Path) -> io::Result<String> {
     let bytes = bytes(File::open(file)?, |_| MOST_OF_SETTINGS)?;
     if bytes.len() as u64 > MOST_OF_SETTINGS {
         let most_mb = MOST_OF_SETTINGS / 1_000_000;
         let problem = format!(
-            "it has more than {most_mb} MB, and a file of settings may have {most_mb} MB; is it the right one?"
+            "it has more than {most_mb} MB, the maximum for a settings file; check that it is the right file"
         );
         return Err(io::Error::new(ErrorKind::FileTooLarge, problem));
     }
@@ -27,9 +27,9 @@ pub(crate) fn settings(file: &Path) -> io::Result<String> {
     text.map_err(|_| io::Error::new(ErrorKind::InvalidData, "it is not UTF-8 text"))
 }
 
-/// What tells of what kind a file is.
+/// The number of first bytes, which identify the kind of a file.
 const START: u64 = 1000;
-/// The longest that is known has some ten thousand.
+/// The maximum size of a settings file; the longest known one has about 10,000 bytes.
 const MOST_OF_SETTINGS: u64 = 1_000_000;
 
 #[cfg(test)]

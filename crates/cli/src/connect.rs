@@ -1,4 +1,4 @@
-//! From an address to an arm under its rules.
+//! Connecting to an arm, through a station or directly.
 
 use std::path::{Path, PathBuf};
 
@@ -15,8 +15,9 @@ use crate::control::first_state;
 use crate::failure::Failure;
 use crate::reach::{Station, client_name, folders};
 
-/// Which arm, and by which way.
+/// The arm, and the connection to it.
 #[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "Connection")]
 pub(crate) struct To {
     /// The arm's address.
     #[arg(
@@ -25,31 +26,30 @@ pub(crate) struct To {
         value_name = "ADDRESS",
         global = true,
         conflicts_with = "station",
-        help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT",
-        long_help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT\n\n\
-            Without it, the running station is asked; when none runs, it is virtual:, an arm in this process."
+        help = "Address of the arm: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT",
+        long_help = "Address of the arm: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT\n\n\
+            Default: the running station, or a virtual arm in this process if no station runs."
     )]
     pub(crate) address: Option<Address>,
-    /// What the arm understands: specification, or firmware-1.1 for an arm as it was sold
+    /// Protocol dialect of the arm: specification, or firmware-1.1 for an arm as sold
     ///
-    /// A virtual arm speaks the specification unless told otherwise; over a port nobody knows until it is
-    /// told here, and what depends on it is refused. A station knows it already.
+    /// Default for a virtual arm: specification. For a real arm it must be given or detected; until then,
+    /// commands that depend on it are refused. A station knows the dialect of its arm.
     #[arg(long, value_name = "DIALECT", global = true)]
     pub(crate) dialect: Option<Dialect>,
-    /// The safety policy, a TOML file (default: the one that `dobot policy` shows); a station has its own
-    #[arg(long, value_name = "FILE", global = true)]
+    /// Safety policy, a TOML file (default: as printed by `dobot policy`); a station has its own
+    #[arg(long, value_name = "FILE", global = true, hide_short_help = true)]
     pub(crate) policy: Option<PathBuf>,
-    /// Do not ask where the arm stands: a person has looked since its port was opened or it was reset
-    #[arg(long, global = true)]
+    /// Confirm the arm's pose without being asked; a person must have looked since it was reset
+    #[arg(long, global = true, hide_short_help = true)]
     pub(crate) pose_confirmed: bool,
     #[command(flatten)]
     pub(crate) station: Station,
 }
 
 impl To {
-    /// Does something with the arm: through the station that is named, or that runs here and has this
-    /// arm, and otherwise under the same rules in this process. Whatever comes of it, the arm is left
-    /// in order.
+    /// Runs `act` on the arm: through the station that is named, or that runs on this machine and owns
+    /// the arm, and otherwise under the same rules in this process. The arm is released afterwards.
     pub(crate) async fn with_arm<T>(
         &self,
         verb: &str,
@@ -60,7 +60,7 @@ impl To {
         } else {
             if self.address.is_none() {
                 eprintln!(
-                    "no station runs: this uses a virtual arm of this process, and no real arm moves"
+                    "no station runs; using a virtual arm in this process, no real arm moves"
                 );
             }
             self.open(verb).await?
@@ -70,8 +70,7 @@ impl To {
         done
     }
 
-    /// The same for what only makes sense with an arm that outlives this process: there is no
-    /// virtual one unless it is asked for.
+    /// Runs `act` on an arm that outlives this process, and on a virtual arm only if `--to` asks for it.
     pub(crate) async fn with_lasting_arm<T>(
         &self,
         verb: &str,
@@ -93,7 +92,7 @@ impl To {
         };
         let mut station = match StationClient::connect(&address, &client_name(verb)).await {
             Ok(station) => station,
-            // It was killed, and could not take back that it runs.
+            // A killed station leaves its file behind.
             Err(error) if error.is_nobody() && !named => return Ok(None),
             Err(error) => return Err(error.into()),
         };
@@ -116,27 +115,30 @@ impl To {
             return Ok(());
         }
         Err(Failure::new(
-            anyhow!("a station runs, and it has a policy of its own"),
-            "leave `--policy` out, or start the station with it: `dobot up --policy FILE`",
+            anyhow!("a station runs, which has its own policy"),
+            "leave out `--policy`, or start the station with it: `dobot up --policy FILE`",
         ))
     }
 
-    /// A station that knows another dialect would read what is sent otherwise.
+    /// Checks that the station uses the dialect of `--dialect`.
     fn check_dialect(&self, state: &State) -> Result<(), Failure> {
-        let Some(wanted) = self.dialect.filter(|it| state.dialect != Some(*it)) else {
+        let Some(wanted) = self
+            .dialect
+            .filter(|dialect| state.dialect != Some(*dialect))
+        else {
             return Ok(());
         };
-        let known = state.dialect.map(|it| format!("that the arm speaks {it}"));
-        let known = known.unwrap_or_else(|| "no dialect of the arm".to_owned());
+        let known = state.dialect.map(|dialect| dialect.to_string());
+        let known = known.unwrap_or_else(|| "unknown".to_owned());
         Err(Failure::new(
-            anyhow!("the dialect is {wanted}; the station knows {known}"),
+            anyhow!("--dialect is {wanted}; the dialect of the station's arm is {known}"),
             format!(
-                "leave `--dialect` out, or start the station with it: `dobot up --dialect {wanted}`"
+                "leave out `--dialect`, or start the station with it: `dobot up --dialect {wanted}`"
             ),
         ))
     }
 
-    /// The policy that was given, or the default one.
+    /// The policy of `--policy`, or the default one.
     pub(crate) fn policy(&self) -> Result<Policy, Failure> {
         let file = self.policy.as_deref();
         file.map_or_else(|| Ok(Policy::default()), read_policy)
@@ -148,7 +150,7 @@ impl To {
         match &self.address {
             None | Some(Address::Virtual) => {
                 let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
-                let power_up = PowerUp::new(speaker(dialect));
+                let power_up = PowerUp::new(personality_of(dialect));
                 Ok(StationClient::with_virtual_arm(power_up, policy, &name))
             }
             Some(address) => {
@@ -165,10 +167,10 @@ impl To {
     }
 }
 
-/// Whether the arm of a station is the one at this address.
+/// Whether a station owns the arm at an address.
 fn owns(state: &State, address: &Address) -> bool {
     let owned = state.link.address.as_ref();
-    let Some(Ok(owned)) = owned.map(|it| it.parse::<Address>()) else {
+    let Some(Ok(owned)) = owned.map(|owned| owned.parse::<Address>()) else {
         return false;
     };
     match (&owned, address) {
@@ -179,27 +181,27 @@ fn owns(state: &State, address: &Address) -> bool {
     }
 }
 
-/// The device behind the names that it may have.
+/// Resolves the links to a device.
 fn device(path: &str) -> PathBuf {
     std::fs::canonicalize(path).unwrap_or_else(|_| path.into())
 }
 
-/// The controller that speaks a dialect.
-pub(crate) fn speaker(dialect: Dialect) -> Personality {
+/// The personality of a controller with a dialect.
+pub(crate) fn personality_of(dialect: Dialect) -> Personality {
     Personality::ALL
         .into_iter()
-        .find(|it| it.dialect() == dialect)
-        .expect("each dialect has a controller that speaks it")
+        .find(|personality| personality.dialect() == dialect)
+        .expect("each dialect has a personality")
 }
 
 /// Reads a policy file.
 pub(crate) fn read_policy(file: &Path) -> Result<Policy, Failure> {
     let text = bounded::settings(file)
-        .with_context(|| format!("the policy {} cannot be read", file.display()))?;
+        .with_context(|| format!("cannot read the policy {}", file.display()))?;
     Policy::from_toml(&text).map_err(|error| {
         Failure::new(
             anyhow!("{}: {error}", file.display()),
-            "`dobot policy` prints the default policy with every key and a comment on each",
+            "run `dobot policy` for the default policy with a comment on each key",
         )
     })
 }

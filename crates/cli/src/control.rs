@@ -1,4 +1,4 @@
-//! Having an arm do something, under its rules.
+//! Sending commands to an arm, under its rules.
 
 use std::io::IsTerminal;
 use std::time::Duration;
@@ -22,7 +22,7 @@ pub(crate) async fn take_control(station: &mut StationClient) -> Result<(), Remo
     Ok(())
 }
 
-/// Lets the laser be switched on for a while, if that is wanted; control has been taken.
+/// Arms the laser for a time, if any; the client must have control.
 pub(crate) async fn arm_laser(
     station: &mut StationClient,
     time: Option<Duration>,
@@ -34,7 +34,7 @@ pub(crate) async fn arm_laser(
     Ok(())
 }
 
-/// Sends a command and waits until it is over; Ctrl-C stops the arm.
+/// Sends a command and waits for its end; Ctrl-C stops the arm.
 pub(crate) async fn carry_out(
     station: &mut StationClient,
     command: Command,
@@ -43,7 +43,7 @@ pub(crate) async fn carry_out(
         .request_at_rest(Request::Command { command })
         .await?;
     let Reply::Accepted { command, .. } = reply else {
-        // A switch that is over at once.
+        // A switch, which ends immediately.
         return Ok(());
     };
     tokio::select! {
@@ -53,8 +53,8 @@ pub(crate) async fn carry_out(
     stop(station).await
 }
 
-/// Carries out one command, which is made from how the arm stands and from its dialect; the laser may be
-/// switched on for so long. Gives how the arm rests then.
+/// Carries out one command, created from the status and the dialect of the arm. Arms the laser for a
+/// time, if any. Returns the status at rest.
 pub(crate) async fn carry_out_one(
     station: &mut StationClient,
     to: &To,
@@ -76,11 +76,11 @@ pub(crate) async fn stop(station: &mut StationClient) -> Result<(), Failure> {
     station.request(Request::Stop { reason }).await?;
     Err(Failure::new(
         anyhow!("interrupted; the arm is stopped"),
-        "when it may move again: `dobot stop --reset`",
+        "look at the arm, then run `dobot stop --reset`",
     ))
 }
 
-/// The line that a person enters; `None` at the end of all lines.
+/// Reads a line from standard input; `None` at its end.
 pub(crate) async fn line_entered() -> Option<String> {
     let mut line = String::new();
     let mut lines = BufReader::new(tokio::io::stdin());
@@ -90,18 +90,18 @@ pub(crate) async fn line_entered() -> Option<String> {
     }
 }
 
-/// The first state that the station tells.
+/// Returns the first state that the station reports.
 pub(crate) async fn first_state(station: &mut StationClient) -> Result<State, Failure> {
     let state = timeout(PATIENCE, station.state()).await;
     Ok(state.map_err(|_| RemoteError::Silent)??)
 }
 
-/// What the arm tells next, through its station.
+/// Returns the next status of the arm.
 pub(crate) async fn status(station: &mut StationClient) -> Result<Status, Failure> {
     Ok(arm(station).await?.0.status)
 }
 
-/// For which arm to plan: as it stands, by these rules.
+/// Returns the arm to plan for: its current state and these rules.
 pub(crate) async fn planned_for(
     station: &mut StationClient,
     policy: &Policy,
@@ -110,8 +110,8 @@ pub(crate) async fn planned_for(
     Ok(station.planned_for(Rules::of(policy), &state).await?)
 }
 
-/// What the arm tells next, and which dialect it speaks if that is known. A station that has just
-/// been started is waited for until its arm tells something.
+/// Returns the next report of the arm, and its dialect if it is known. Waits for the first report after
+/// the start of a station.
 pub(crate) async fn arm(
     station: &mut StationClient,
 ) -> Result<(ArmView, Option<Dialect>), Failure> {
@@ -120,8 +120,8 @@ pub(crate) async fn arm(
     Ok((arm, state.dialect))
 }
 
-/// Whether the arm stands where it says is known before it is moved: a person is asked, or has said
-/// so already (`--pose-confirmed`).
+/// Ensures that the pose of the arm is confirmed before a motion: by a question to the person, or by
+/// `--pose-confirmed`.
 pub(crate) async fn check_pose(
     station: &mut StationClient,
     pose_confirmed: bool,
@@ -139,18 +139,20 @@ pub(crate) async fn check_pose(
     Ok(())
 }
 
-/// Tells what happened, and asks whether the arm stands where it says.
+/// Asks whether the arm has the pose that it reports.
 async fn ask_about_pose(why: &str, status: &Status) -> Result<bool, Failure> {
     if !std::io::stdin().is_terminal() {
         return Err(Failure::new(
-            anyhow!("the arm may not stand where it says, and nobody is there to be asked: {why}"),
-            "look at the arm; where it stands as `dobot status` says: `--pose-confirmed`",
+            anyhow!(
+                "the arm may not be at the position it reports, and standard input is no terminal: {why}"
+            ),
+            "look at the arm; if it is where `dobot status` shows it, add `--pose-confirmed`",
         ));
     }
-    eprintln!("The arm may not stand where it says: {why}.");
+    eprintln!("The arm may not be at the position it reports: {why}.");
     eprintln!("{}", output::status_text(status));
     eprintln!(
-        "Look at it: does it stand there, and does it point to where base {:.1}° is? y or n",
+        "Look at it: is it there, and does it point in the direction of base {:.1}°? y or n",
         status.base_deg
     );
     let answer = tokio::task::spawn_blocking(|| {
@@ -163,7 +165,7 @@ async fn ask_about_pose(why: &str, status: &Status) -> Result<bool, Failure> {
     }
 }
 
-/// What the arm tells when it has come to rest.
+/// Waits until the arm is at rest, and returns its status.
 pub(crate) async fn rest(station: &mut StationClient) -> Result<Status, Failure> {
     loop {
         let (arm, _) = arm(station).await?;
@@ -173,7 +175,7 @@ pub(crate) async fn rest(station: &mut StationClient) -> Result<Status, Failure>
     }
 }
 
-/// The same, but no longer than a motion that runs down takes.
+/// Waits until the arm is at rest, at most 5 s.
 pub(crate) async fn rest_soon(station: &mut StationClient) -> Result<(), Failure> {
     let until = station.now() + PATIENCE;
     while arm(station).await?.0.moving && station.now() < until {}

@@ -1,4 +1,4 @@
-//! The options of a drawing as arguments: each field of [`Options`] is one, with the documentation of the field as its help.
+//! The options of a drawing as arguments: one for each field of [`Options`], with the field's documentation as its help.
 
 use std::collections::HashMap;
 use std::str::FromStr;
@@ -17,94 +17,95 @@ use serde_json::{Map, Value};
 #[derive(Clone, Debug)]
 pub(crate) struct DrawingOptions(pub(crate) Options);
 
-/// The arguments, in the order of the help.
+/// Returns the arguments in the order of the help.
 fn rows() -> Vec<Row> {
     let source = vec![
-        text("text", "TEXT").arg(|it| it.conflicts_with("card")),
+        text("text", "TEXT").arg(|arg| arg.conflicts_with("card")),
         text("font", "NAME"),
         number("height", "MM"),
         parsed::<Align>("align", "SIDE"),
         several::<f64>("card", ValueParser::new(card_speed))
-            .arg(|it| it.value_name("SPEED,...").value_delimiter(',')),
-        whole::<u32>("card_passes", value_parser!(u32)),
+            .arg(|arg| arg.value_name("SPEED,...").value_delimiter(',')),
+        whole::<u32>("card_passes"),
         number("card_size", "MM"),
         number("card_gap", "MM"),
         text("card_label", "TEXT"),
         parsed::<LayersBy>("layers", "BY"),
         several::<LayerTool>("layer", parser::<LayerTool>())
-            .arg(|it| it.value_name("NAME=PEN").requires("layers")),
+            .arg(|arg| arg.value_name("NAME=PEN").requires("layers")),
         several::<String>("only", value_parser!(String))
-            .arg(|it| it.value_name("NAME").requires("layers")),
+            .arg(|arg| arg.value_name("NAME").requires("layers")),
         flag("no_crop"),
         flag("hide"),
-        parsed::<Spacing>("hatch", "MM").arg(|it| it.num_args(0..=1).default_missing_value("auto")),
-        number("hatch_angle", "DEGREES").arg(|it| it.requires("hatch")),
-        parsed::<HatchStyle>("hatch_style", "STYLE").arg(|it| it.requires("hatch")),
-        number("hatch_inset", "MM").arg(|it| it.requires("hatch")),
-        flag("cross").arg(|it| it.requires("hatch")),
+        parsed::<Spacing>("hatch", "MM")
+            .arg(|arg| arg.num_args(0..=1).default_missing_value("auto")),
+        number("hatch_angle", "DEGREES").arg(|arg| arg.requires("hatch")),
+        parsed::<HatchStyle>("hatch_style", "STYLE").arg(|arg| arg.requires("hatch")),
+        number("hatch_inset", "MM").arg(|arg| arg.requires("hatch")),
+        flag("cross").arg(|arg| arg.requires("hatch")),
         parsed::<ShadingStyle>("shade", "STYLE"),
         number("spacing", "MM"),
         number("brightness", "PERCENT"),
         number("contrast", "PERCENT"),
         number("gamma", "GAMMA"),
         number("threshold", "DARKNESS"),
-        whole::<u8>("levels", value_parser!(u8)).arg(|it| it.conflicts_with("threshold")),
+        whole::<u8>("levels").arg(|arg| arg.conflicts_with("threshold")),
         flag("invert"),
     ];
     let paper = vec![
         parsed::<PaperSize>("paper_size", "SIZE"),
-        flag("landscape").arg(|it| it.requires("paper_size")),
-        several::<f64>("corner", ValueParser::new(finite)).arg(|it| {
-            it.num_args(2)
+        flag("landscape").arg(|arg| arg.requires("paper_size")),
+        several::<f64>("corner", ValueParser::new(finite)).arg(|arg| {
+            arg.num_args(2)
                 .value_names(["X", "Y"])
                 .requires("paper_size")
                 .conflicts_with_all(["at", "paper"])
         }),
-        flag("fit").arg(|it| it.conflicts_with("scale")),
-        number("scale", "FACTOR"),
+        flag("fit").arg(|arg| arg.conflicts_with("scale")),
+        positive("scale", "FACTOR"),
         several::<f64>("at", ValueParser::new(finite))
-            .arg(|it| it.num_args(2).value_names(["X", "Y"])),
+            .arg(|arg| arg.num_args(2).value_names(["X", "Y"])),
         flag("mirror"),
         parsed::<Grid>("grid", "GRID"),
         number("gap", "MM"),
         number("rotate", "DEGREES"),
         number("margin", "MM"),
         flag("clip"),
-        number("pen_down", "Z").arg(|it| it.conflicts_with("paper")),
-        several::<f64>("paper", ValueParser::new(finite)).arg(|it| {
-            it.num_args(9)
+        number("pen_down", "Z").arg(|arg| arg.conflicts_with("paper")),
+        several::<f64>("paper", ValueParser::new(finite)).arg(|arg| {
+            arg.num_args(9)
                 .value_names(["X", "Y", "Z", "X", "Y", "Z", "X", "Y", "Z"])
         }),
         number("offset", "MM"),
     ];
-    let laser = |row: Row| row.arg(|it| it.help_heading("Laser"));
-    let cut = |row: Row| laser(row).arg(|it| it.requires("laser"));
+    let laser = |row: Row| row.arg(|arg| arg.help_heading("Laser"));
+    let cut = |row: Row| laser(row).arg(|arg| arg.requires("laser"));
     let run = vec![
-        text("pen", "PEN").arg(|it| it.conflicts_with("laser").help_heading("Pen")),
+        text("pen", "PEN").arg(|arg| arg.conflicts_with("laser").help_heading("Pen")),
         laser(text("laser", "MATERIAL")),
-        number("lift", "MM").arg(|it| it.help_heading("Pen")),
-        number("speed", "MM/S"),
-        number("travel_speed", "MM/S"),
-        whole::<u32>("passes", value_parser!(u32)),
+        number("lift", "MM").arg(|arg| arg.help_heading("Pen")),
+        positive("speed", "MM/S"),
+        positive("travel_speed", "MM/S"),
+        whole::<u32>("passes"),
         cut(parsed::<PassesBy>("passes_by", "WHAT")),
         cut(number("kerf", "MM")),
         cut(number("lead_in", "MM")),
         cut(number("overcut", "MM")),
-        cut(whole::<u32>("tabs", value_parser!(u32))),
-        laser(number("tab_width", "MM")).arg(|it| it.requires("tabs")),
-        number("acceleration", "MM/S2"),
+        cut(whole::<u32>("tabs")),
+        laser(number("tab_width", "MM")).arg(|arg| arg.requires("tabs")),
+        positive("acceleration", "MM/S2"),
         number("tolerance", "MM"),
         number("join", "MM"),
         flag("drop_doubles"),
         flag("keep_order"),
-        whole::<u32>("tries", value_parser!(u32)).arg(|it| it.conflicts_with("keep_order")),
-        whole::<u64>("seed", value_parser!(u64)),
+        whole::<u32>("tries").arg(|arg| arg.conflicts_with("keep_order")),
+        whole::<u64>("seed"),
         parsed::<ResumePoint>("from", "WHERE"),
     ];
     let under = |heading: &'static str| {
         move |row: Row| match row.arg.get_help_heading() {
             Some(_) => row,
-            None => row.arg(|it| it.help_heading(heading)),
+            None => row.arg(|arg| arg.help_heading(heading)),
         }
     };
     let source = source.into_iter().map(under("Source"));
@@ -113,7 +114,7 @@ fn rows() -> Vec<Row> {
     source.chain(paper).chain(run).collect()
 }
 
-/// An argument, and how its value becomes JSON.
+/// An argument, and the conversion of its value to JSON.
 struct Row {
     field: &'static str,
     arg: Arg,
@@ -172,11 +173,23 @@ fn number(field: &'static str, value_name: &'static str) -> Row {
     one::<f64>(field, value_name, ValueParser::new(finite))
 }
 
-fn whole<T: Clone + Serialize + Send + Sync + 'static>(
-    field: &'static str,
-    parser: impl Into<ValueParser>,
-) -> Row {
-    one::<T>(field, "N", parser.into())
+fn positive(field: &'static str, value_name: &'static str) -> Row {
+    let parse = |text: &str| {
+        let value = finite(text).ok().filter(|value| *value > 0.0);
+        value.ok_or("expected a number above 0")
+    };
+    one::<f64>(field, value_name, ValueParser::new(parse))
+}
+
+fn whole<T>(field: &'static str) -> Row
+where
+    T: FromStr + Clone + Serialize + Send + Sync + 'static,
+{
+    let parse = |text: &str| {
+        let value = text.parse::<T>();
+        value.map_err(|_| "expected a whole number, 0 or more")
+    };
+    one::<T>(field, "N", ValueParser::new(parse))
 }
 
 fn parsed<T>(field: &'static str, value_name: &'static str) -> Row
@@ -193,23 +206,22 @@ where
     ValueParser::new(|text: &str| text.parse::<T>())
 }
 
-/// JSON has no other numbers.
+/// Parses a finite number, the only kind that JSON has.
 fn finite(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err("allowed are finite numbers".to_owned()),
-        Err(error) => Err(error.to_string()),
+        _ => Err("expected a finite number".to_owned()),
     }
 }
 
 fn card_speed(text: &str) -> Result<f64, &'static str> {
     finite(text).map_err(|_| {
-        "expected speeds in mm/s with commas between them, as in 2,5,10; a test card is drawn without a file"
+        "expected speeds in mm/s, separated by commas, as in 2,5,10; a test card is drawn without a file"
     })
 }
 
 fn json(value: &impl Serialize) -> Value {
-    serde_json::to_value(value).expect("its keys are texts")
+    serde_json::to_value(value).expect("the keys are strings")
 }
 
 impl clap::Args for DrawingOptions {
@@ -248,21 +260,21 @@ impl clap::FromArgMatches for DrawingOptions {
     }
 }
 
-/// What an error, a warning or a description of a drawing says, with the options of the command line in place of the fields.
+/// Replaces the field names in a text about a drawing by options of the command line.
 pub(crate) fn with_option_names(text: &str) -> String {
     Options::rename_fields(text, |field| format!("--{}", option_name(field)))
 }
 
-/// The option of a field, without its dashes.
+/// Returns the option of a field, without dashes.
 pub(crate) fn option_name(field: &str) -> String {
     field.replace('_', "-")
 }
 
-/// What the command line has to know of a field.
+/// A field, as the command line needs it.
 struct Field {
     group: String,
     option: String,
-    /// The value where it is not given, as the help shows it.
+    /// The default value that the help shows.
     default: Option<String>,
 }
 
@@ -288,7 +300,7 @@ impl Field {
     }
 }
 
-/// A default as the help shows it; none where it says nothing.
+/// Formats a default for the help; `None` if it is not worth showing.
 fn shown_default(default: &Value) -> Option<String> {
     match default {
         Value::Number(number) => number.as_f64().map(|number| number.to_string()),
@@ -297,11 +309,11 @@ fn shown_default(default: &Value) -> Option<String> {
     }
 }
 
-/// The documentation of a field as a help text.
+/// Converts the documentation of a field to a help text.
 fn help(field: &str) -> String {
     let docs = Options::description(field).expect("every field is documented");
     let help = with_option_names(&docs.replace('\n', " "));
-    // `--text` stands without the marks of code.
+    // Options are shown without backticks.
     let parts = help.split('`').enumerate();
     let bare = parts.map(|(n, part)| match n % 2 {
         1 if !part.starts_with("--") => format!("`{part}`"),

@@ -1,5 +1,6 @@
-//! What went wrong, what to do about it, and the exit code.
+//! Failures: an error, a hint and the exit code.
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use dobot_api::{ConnectError, NotBuilt, RemoteError};
@@ -7,66 +8,134 @@ use dobot_draw::OptionsError;
 use dobot_host::{NoArm, OpenArmError};
 use dobot_session::{LinkError, OpenError, SendError};
 
-use crate::drawing_options::with_option_names;
-use crate::logging::LogFormat;
+use serde_json::json;
 
-/// What went wrong.
+use crate::drawing_options::with_option_names;
+
+/// A failure of a verb.
 #[derive(Debug)]
 pub(crate) struct Failure {
     error: anyhow::Error,
     hint: Option<String>,
+    is_usage: bool,
+}
+
+/// The form of an error on standard error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ErrorFormat {
+    /// Lines for people.
+    Text,
+    /// One JSON object with `error`, `hint` and `exit_code`.
+    Json,
+    /// An event of the log.
+    Log,
+}
+
+impl ErrorFormat {
+    /// The form that a command line asks for: JSON with `--json`.
+    pub(crate) fn of(words: &[OsString]) -> Self {
+        let mut options = words.iter().take_while(|word| *word != "--");
+        if options.any(|word| word == "--json") {
+            Self::Json
+        } else {
+            Self::Text
+        }
+    }
 }
 
 impl Failure {
-    /// A failure with something to do about it.
+    /// Creates a failure with a hint.
     pub(crate) fn new(error: impl Into<anyhow::Error>, hint: impl Into<String>) -> Self {
         Self {
             error: error.into(),
             hint: Some(hint.into()),
+            is_usage: false,
         }
     }
 
-    /// The same failure; where nothing else helps, this may.
+    /// Creates a failure of an invalid option value.
+    pub(crate) fn usage(error: impl Into<anyhow::Error>) -> Self {
+        Self {
+            is_usage: true,
+            ..Self::from(error)
+        }
+    }
+
+    /// Adds a hint.
+    pub(crate) fn with_hint(self, hint: impl Into<String>) -> Self {
+        Self {
+            hint: Some(hint.into()),
+            ..self
+        }
+    }
+
+    /// Adds a hint unless the failure has one.
     pub(crate) fn or_hint(mut self, hint: impl FnOnce() -> Option<String>) -> Self {
         self.hint = self.hint().or_else(hint);
         self
     }
 
-    /// What went wrong, in one line.
+    /// The error message, in one line.
     pub(crate) fn detail(&self) -> String {
         with_option_names(&format!("{:#}", self.error))
     }
 
-    /// What to do about it.
+    /// The hint, if there is a remedy.
     pub(crate) fn hint(&self) -> Option<String> {
         let causes = self.error.chain().find_map(known_hint);
         let hint = self.hint.clone().or(causes);
         hint.map(|hint| with_option_names(&hint))
     }
 
-    /// Tells the person, and gives the exit code. Output that nobody wants to read any more, as
-    /// with `dobot decode FILE | head`, is no failure.
-    pub(crate) fn report(&self, log: LogFormat) -> ExitCode {
+    /// Prints the failure and returns the exit code. Output that is no longer read, as with
+    /// `dobot decode FILE | head`, is no failure.
+    pub(crate) fn report(&self, format: ErrorFormat) -> ExitCode {
         let causes = || self.error.chain();
         let unread = |cause: &(dyn std::error::Error + 'static)| {
             let io = cause.downcast_ref::<std::io::Error>();
-            io.is_some_and(|it| it.kind() == std::io::ErrorKind::BrokenPipe)
+            io.is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
         };
         if causes().any(unread) {
             return ExitCode::SUCCESS;
         }
-        let hint = self.hint();
-        match log {
-            LogFormat::Text => {
-                eprintln!("error: {}", self.detail());
-                hint.inspect(|it| eprintln!("hint: {it}"));
-            }
-            LogFormat::Json => {
-                tracing::error!(hint, "{}", self.detail());
-                crate::stderr::flush();
+        let code = self.exit_code();
+        print_error(format, &self.detail(), self.hint().as_deref(), code);
+        code.into()
+    }
+
+    /// 2 for an invalid option or value, otherwise 1.
+    fn exit_code(&self) -> u8 {
+        let is_usage = self.is_usage || self.error.chain().any(is_invalid_option);
+        if is_usage { 2 } else { 1 }
+    }
+}
+
+/// Whether an error is an option that no drawing may have, or that does not fit what is drawn.
+fn is_invalid_option(cause: &(dyn std::error::Error + 'static)) -> bool {
+    let error = cause.downcast_ref::<OptionsError>();
+    error.is_some_and(|error| !matches!(error, OptionsError::Prepare(_) | OptionsError::NoSurface))
+}
+
+/// Prints an error and its hint.
+pub(crate) fn print_error(format: ErrorFormat, error: &str, hint: Option<&str>, exit_code: u8) {
+    match format {
+        ErrorFormat::Text => {
+            eprintln!("error: {error}");
+            if let Some(hint) = hint {
+                eprintln!("hint: {hint}");
             }
         }
-        ExitCode::FAILURE
+        ErrorFormat::Json => {
+            let mut object = json!({ "error": error, "exit_code": exit_code });
+            if let Some(hint) = hint {
+                object["hint"] = hint.into();
+            }
+            eprintln!("{object}");
+        }
+        ErrorFormat::Log => {
+            tracing::error!(hint, "{error}");
+            crate::stderr::flush();
+        }
     }
 }
 
@@ -75,11 +144,12 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
         Self {
             error: error.into(),
             hint: None,
+            is_usage: false,
         }
     }
 }
 
-/// What helps against the failures that any verb may meet.
+/// Returns the hint for a failure that any verb may have.
 fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
     if let Some(error) = cause.downcast_ref::<OpenError>() {
         return error.hint();
@@ -116,9 +186,9 @@ fn known_hint(cause: &(dyn std::error::Error + 'static)) -> Option<String> {
 const fn send_hint(error: &SendError) -> Option<&'static str> {
     match error {
         SendError::Undecided { .. } => Some(
-            "say which: `--dialect firmware-1.1` for an arm as it was sold, `--dialect specification` for one that follows the published protocol",
+            "name its dialect: `--dialect firmware-1.1` for an arm as sold, `--dialect specification` for the published protocol; or find out with `dobot detect`",
         ),
-        SendError::OnTheSpot => Some("`--path jump` goes there without harm"),
+        SendError::OnTheSpot => Some("use `--path jump`, which is safe there"),
         _ => None,
     }
 }
@@ -126,16 +196,16 @@ const fn send_hint(error: &SendError) -> Option<&'static str> {
 const fn link_hint(error: &LinkError) -> Option<&'static str> {
     match error {
         LinkError::Silent { noise: 0, .. } => {
-            Some("is the arm switched on, and is this its port? `dobot ports` lists them")
+            Some("switch the arm on, and check its port: `dobot ports` lists the ports")
         }
         LinkError::Silent { .. } => Some(
-            "wrong line speed or not a Dobot Arm? 9600 is usual; a green board wants `@256000` behind the port",
+            "check the line speed and the device: 9600 is usual; append `@256000` to the port for a green board",
         ),
         LinkError::Closed | LinkError::Broken(_) => Some(
-            "is the arm still plugged in and switched on? over TCP it serves one client at a time",
+            "check that the arm is plugged in and switched on; over TCP it serves one client at a time",
         ),
         LinkError::NotReached { .. } => {
-            Some("`dobot status` tells where the arm is; a nearer target may be allowed")
+            Some("run `dobot status` to see where the arm is; a nearer target may be allowed")
         }
         _ => None,
     }

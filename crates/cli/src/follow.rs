@@ -1,4 +1,4 @@
-//! Following a job until it is over.
+//! Following a job to its end.
 
 use std::io::IsTerminal;
 use std::time::Duration;
@@ -13,12 +13,11 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::time_left;
 
-/// Starts a job, or goes on with it, and follows it until it is over; control has been taken.
-/// Where the job does not `burn`, control is given back while it runs: whoever is there may change
-/// its speed.
+/// Starts or resumes a job, and follows it to its end. The client must have control, which is released
+/// while the job runs unless it burns, so that other clients can change its speed.
 ///
-/// Ctrl-C pauses it with the tool lifted and asks what is to become of it. `see` is shown every
-/// state. Gives how long the arm was at it.
+/// Ctrl-C pauses the job with the tool lifted and asks how to proceed. `see` is called with every state.
+/// Returns the time that the arm worked on the job.
 pub(crate) async fn start(
     station: &mut StationClient,
     job: u64,
@@ -29,7 +28,7 @@ pub(crate) async fn start(
     start_shown(station, job, burns, &bar, see).await
 }
 
-/// The same with another bar.
+/// Starts or resumes a job like [`start`], with a given progress bar.
 pub(crate) async fn start_shown(
     station: &mut StationClient,
     job: u64,
@@ -49,36 +48,39 @@ pub(crate) async fn start_shown(
         }
         let ended = follow(station, job, bar, &mut see).await?;
         if matches!(ended, End::Paused(_) | End::Interrupted) {
-            // What the arm has got already it does, and it lifts the tool.
+            // The arm finishes its in-flight commands and lifts the tool.
             station.idle().await?;
         }
         match ended {
             End::Done => return took(station, job).await,
             End::Over(text) => return Err(anyhow!(text).into()),
-            End::Paused(text) => go_on(station, (job, burns), &text).await?,
+            End::Paused(text) => ask_to_resume(station, (job, burns), &text).await?,
             End::Interrupted => {
                 let why = if burns {
                     "interrupted; the laser is off"
                 } else {
                     "interrupted; the tool is up"
                 };
-                go_on(station, (job, burns), why).await?;
+                ask_to_resume(station, (job, burns), why).await?;
             }
         }
         is_confirmed = true;
     }
 }
 
-/// Says that a person has done what a paused job waits for, if it waits for one; control has been taken.
+/// Confirms that a person has done what a paused job waits for, if it waits. The client must have control.
 pub(crate) async fn confirm(station: &mut StationClient, job: u64) -> Result<(), Failure> {
     let jobs = station.jobs().await?;
-    if jobs.iter().any(|it| it.job == job && it.waits_for_person) {
+    if jobs
+        .iter()
+        .any(|one| one.job == job && one.waits_for_person)
+    {
         station.request(Request::ConfirmJob { job }).await?;
     }
     Ok(())
 }
 
-/// Does the next step of a job, until it rests behind that.
+/// Runs the next step of a job, and waits for the pause after it.
 pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Failure> {
     take_control(station).await?;
     station.request_at_rest(Request::StepJob { job }).await?;
@@ -91,7 +93,7 @@ pub(crate) async fn step(station: &mut StationClient, job: u64) -> Result<(), Fa
     }
 }
 
-/// `cycle 12 of 40, 8.3 s each`: how far a program is.
+/// Formats the progress of a program: `cycle 12 of 40, 8.3 s each`.
 pub(crate) fn place(program: &ProgramView) -> String {
     let step = format!(
         "step {} of {}",
@@ -99,7 +101,7 @@ pub(crate) fn place(program: &ProgramView) -> String {
         program.steps
     );
     let cycle_s = program.mean_cycle_s.or(program.planned_cycle_s);
-    let each = cycle_s.map_or_else(String::new, |it| format!(", {it:.1} s each"));
+    let each = cycle_s.map_or_else(String::new, |cycle_s| format!(", {cycle_s:.1} s each"));
     let cycle = program.cycles_done + 1;
     match program.cycles {
         Some(1) => step,
@@ -108,17 +110,17 @@ pub(crate) fn place(program: &ProgramView) -> String {
     }
 }
 
-/// How long the arm was at a job that is done, without its pauses; where a crash came between, since
+/// Returns the time that the arm worked on a finished job, without pauses; after a crash, the time since
 /// then.
 async fn took(station: &mut StationClient, job: u64) -> Result<Duration, Failure> {
     let jobs = station.jobs().await?;
-    let job = jobs.iter().find(|it| it.job == job);
-    let took_s = job.and_then(|it| it.took_s).unwrap_or_default();
+    let job = jobs.iter().find(|one| one.job == job);
+    let took_s = job.and_then(|job| job.took_s).unwrap_or_default();
     Ok(Duration::try_from_secs_f64(took_s).unwrap_or_default())
 }
 
-/// Asks a person whether a paused job, which burns or not, is to go on: because it waits for a new pen, say.
-async fn go_on(
+/// Asks a person whether to resume a paused job, for example after a change of pen.
+async fn ask_to_resume(
     station: &mut StationClient,
     (job, burns): (u64, bool),
     why: &str,
@@ -127,12 +129,12 @@ async fn go_on(
         .strip_prefix(&format!("job {job} is paused: "))
         .unwrap_or(why);
     let answer = match ask(job, why).await {
-        // A virtual arm in this process harms nobody, and has no pen that a person would change.
-        None if station.virtual_arm().is_some() => PausedChoice::GoOn,
+        // A virtual arm in this process is harmless, and nobody changes its pen.
+        None if station.virtual_arm().is_some() => PausedChoice::Resume,
         answer => answer.unwrap_or(PausedChoice::Leave),
     };
     match answer {
-        PausedChoice::GoOn => Ok(()),
+        PausedChoice::Resume => Ok(()),
         PausedChoice::Cancel => {
             station.request(Request::CancelJob { job }).await?;
             Err(anyhow!("job {job} is cancelled").into())
@@ -141,26 +143,26 @@ async fn go_on(
     }
 }
 
-/// How a job stopped running.
+/// The end of a run of a job.
 #[derive(Clone, Debug, PartialEq)]
 enum End {
     Done,
-    /// It will not go on.
+    /// Ended for good.
     Over(String),
     Paused(String),
-    /// Paused, because the person pressed Ctrl-C.
+    /// Paused by Ctrl-C.
     Interrupted,
 }
 
-/// What is to become of a job that the person paused.
+/// The decision about a paused job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum PausedChoice {
-    GoOn,
+    Resume,
     Cancel,
     Leave,
 }
 
-/// Until the job does not run any more.
+/// Follows a job until it no longer runs.
 async fn follow(
     station: &mut StationClient,
     job: u64,
@@ -168,7 +170,7 @@ async fn follow(
     mut see: impl FnMut(&State),
 ) -> Result<End, Failure> {
     bar.reset();
-    // In this process the time of the arm is not that of whoever waits.
+    // The time of a virtual arm in this process is not real time.
     let is_virtual = station.virtual_arm().is_some();
     let mut interrupt = std::pin::pin!(interrupt());
     let mut interrupted = false;
@@ -184,7 +186,7 @@ async fn follow(
         };
         match heard {
             StationEvent::State(state) => {
-                if let Some(view) = state.job.as_ref().filter(|it| it.job == job) {
+                if let Some(view) = state.job.as_ref().filter(|view| view.job == job) {
                     show(bar, view, is_virtual);
                 }
                 see(&state);
@@ -209,7 +211,7 @@ fn end(phase: JobPhase, text: String, interrupted: bool) -> End {
     }
 }
 
-/// A job that is over in this very moment need not be paused any more.
+/// Pauses the running job; it may have just ended.
 async fn pause(station: &mut StationClient) -> Result<(), RemoteError> {
     match station.request(Request::PauseJob).await {
         Err(RemoteError::Refused(_)) | Ok(_) => Ok(()),
@@ -219,25 +221,27 @@ async fn pause(station: &mut StationClient) -> Result<(), RemoteError> {
 
 fn paused(station: &StationClient, (job, burns): (u64, bool), text: &str) -> Failure {
     let to = station.arm_address();
-    let to = to.map_or_else(String::new, |it| format!(" --to {it}"));
+    let to = to.map_or_else(String::new, |address| format!(" --to {address}"));
     let laser = if burns { " --arm-laser SECONDS" } else { "" };
     Failure::new(
         anyhow!("job {job} is paused: {text}"),
         format!(
-            "`dobot jobs start {job}{to}{laser}` goes on with it, `dobot jobs cancel {job}{to}` ends it"
+            "resume it with `dobot jobs start {job}{to}{laser}`, or end it with `dobot jobs cancel {job}{to}`"
         ),
     )
 }
 
-/// Asks the person, if one is there.
+/// Asks the person at the terminal, if there is one.
 async fn ask(job: u64, why: &str) -> Option<PausedChoice> {
     if !std::io::stdin().is_terminal() {
         return None;
     }
-    eprintln!("{why}\njob {job} is paused: g goes on, c cancels it, Enter leaves it paused");
+    eprintln!(
+        "{why}\njob {job} is paused: press g and Enter to resume, c and Enter to cancel, Enter to leave it paused"
+    );
     Some(tokio::select! {
         line = tokio::task::spawn_blocking(read_line) => {
-            line.ok().map_or(PausedChoice::Leave, |it| answer(&it))
+            line.ok().map_or(PausedChoice::Leave, |line| answer(&line))
         }
         () = interrupt() => PausedChoice::Leave,
     })
@@ -245,20 +249,20 @@ async fn ask(job: u64, why: &str) -> Option<PausedChoice> {
 
 fn read_line() -> String {
     let mut line = String::new();
-    // What cannot be read is no answer.
+    // An unreadable line is no answer.
     let _ = std::io::stdin().read_line(&mut line);
     line
 }
 
 fn answer(line: &str) -> PausedChoice {
     match line.trim() {
-        "g" | "G" => PausedChoice::GoOn,
+        "g" | "G" => PausedChoice::Resume,
         "c" | "C" => PausedChoice::Cancel,
         _ => PausedChoice::Leave,
     }
 }
 
-/// A bar for a job of this arm.
+/// Creates the progress bar for a job of an arm.
 pub(crate) fn progress_bar(station: &StationClient) -> ProgressBar {
     match station.virtual_arm() {
         Some(_) => share_bar(),
@@ -267,12 +271,12 @@ pub(crate) fn progress_bar(station: &StationClient) -> ProgressBar {
     }
 }
 
-/// A bar that tells which share is done, for what does not last as long as the arm would.
+/// Creates a progress bar in percent, for simulated work.
 pub(crate) fn share_bar() -> ProgressBar {
     ProgressBar::new(1).with_style(share_style())
 }
 
-/// The look of such a bar: what is being done stands in front.
+/// The style of a bar in percent, with the current task as its prefix.
 pub(crate) fn share_style() -> ProgressStyle {
     style("{wide_bar:.cyan/dim} {prefix}{msg}")
 }
@@ -289,7 +293,7 @@ fn show(bar: &ProgressBar, job: &JobView, is_virtual: bool) {
         let percent = 100 * job.completed / job.commands.max(1);
         Some(format!("{percent} %"))
     } else {
-        job.left_s.map(|it| time_left(Some(it)))
+        job.left_s.map(|left_s| time_left(Some(left_s)))
     };
     let parts: Vec<String> = [place, left].into_iter().flatten().collect();
     bar.set_message(parts.join(", "));
@@ -310,7 +314,7 @@ mod tests {
 
     #[test]
     fn only_clear_answers_move_the_arm_or_end_the_job() {
-        assert_eq!(answer("g\n"), PausedChoice::GoOn);
+        assert_eq!(answer("g\n"), PausedChoice::Resume);
         assert_eq!(answer("c\n"), PausedChoice::Cancel);
         for line in ["", "\n", "go\n", "cancel?\n"] {
             assert_eq!(answer(line), PausedChoice::Leave, "{line:?}");

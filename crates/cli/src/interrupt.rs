@@ -1,4 +1,4 @@
-//! Ctrl-C, and the requests of the system to end.
+//! Ctrl-C and termination signals.
 
 use std::future::Future;
 

@@ -1,4 +1,4 @@
-//! The log: the events of all crates through `tracing`, on standard error.
+//! The log of all crates through `tracing`, on standard error.
 
 use std::env::VarError;
 
@@ -10,19 +10,19 @@ use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::stderr;
 
-/// How the log is written.
+/// The format of the log.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum LogFormat {
     /// Lines for people
     #[default]
     Text,
-    /// One JSON object a line, for services; level info and above unless `RUST_LOG` says otherwise
+    /// One JSON object per line, for services; level info and above unless `RUST_LOG` sets another
     Json,
 }
 
 impl LogFormat {
-    /// Starts the log with what the environment variable `RUST_LOG` asks for. A value that cannot be
-    /// read is told, and counts as none.
+    /// Starts the log with the levels in the environment variable `RUST_LOG`. An invalid value is reported
+    /// and ignored.
     pub(crate) fn start(self) {
         let (targets, problem) = match self.targets(std::env::var("RUST_LOG")) {
             Ok(targets) => (targets, None),
@@ -44,15 +44,15 @@ impl LogFormat {
         }
     }
 
-    /// Tells a person what the program does; in a log for programs it is an event.
-    pub(crate) fn tell(self, text: &str) {
+    /// Reports what the program does, as a line or as an event.
+    pub(crate) fn report(self, text: &str) {
         match self {
             Self::Text => stderr::line(text),
             Self::Json => tracing::info!("{text}"),
         }
     }
 
-    /// Whether a person sees a station's notices here: not where the log holds them already.
+    /// Whether to print the notices of a station; not if the log contains them.
     pub(crate) fn shows_notices(self) -> bool {
         self == Self::Text && !tracing::enabled!(target: "dobot_host", Level::INFO)
     }
@@ -77,8 +77,8 @@ impl LogFormat {
 
 fn not_understood(wanted: &str, error: &dyn std::error::Error) -> String {
     format!(
-        "RUST_LOG is \"{}\", which cannot be read ({error}), and is passed over; it may be a level (off, error, warn, info, \
-         debug, trace), or levels of crates, as in dobot_host=debug,dobot_station=info",
+        "RUST_LOG is \"{}\", which is invalid ({error}) and is ignored; expected a level (off, error, warn, info, debug, \
+         trace), or levels of crates, as in dobot_host=debug,dobot_station=info",
         wanted.escape_debug()
     )
 }
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn each_room_may_have_a_level_of_its_own() {
+    fn each_crate_may_have_a_level_of_its_own() {
         let wanted = "warn,dobot_host=debug";
         let (rules, station) = ("dobot_host::driver", "dobot_station::http");
         assert!(wants(LogFormat::Text, wanted, rules, Level::DEBUG));

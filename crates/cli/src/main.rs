@@ -1,6 +1,7 @@
-//! The `dobot` program: everything that a person needs to use the original Dobot Arm.
+//! The `dobot` program: draw, teach, calibrate and drive the original Dobot Arm.
 
 mod bounded;
+mod command_line;
 mod connect;
 mod control;
 mod drawing_options;
@@ -13,18 +14,20 @@ mod output;
 mod pendant;
 mod program_file;
 mod reach;
+mod renamed;
 mod stderr;
+mod values;
 mod verbs;
 
-use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::failure::ErrorFormat;
 use crate::logging::LogFormat;
 use crate::verbs::Verb;
 
-/// Everything that a person needs to use the original Dobot Arm (V1.0, 2016), with or without it.
+/// Control the original Dobot Arm (V1.0, 2016), real or virtual
 #[derive(Debug, Parser)]
 #[command(name = "dobot", version, max_term_width = 100, after_help = EXAMPLES)]
 struct Cli {
@@ -35,11 +38,14 @@ struct Cli {
 /// The one place where an outcome becomes an exit code: 0 done, 1 failed, 2 usage.
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(stderr::report_panic));
-    let words: Vec<OsString> = std::env::args_os().collect();
+    let words = command_line::words();
+    let format = ErrorFormat::of(&words);
     let verb = match verbs::with_defaults(&words) {
         Some(Ok(verb)) => verb,
-        Some(Err(failure)) => return failure.report(LogFormat::Text),
-        None => Cli::parse_from(words).verb.unwrap_or_else(default_verb),
+        Some(Err(failure)) => return failure.report(format),
+        None => {
+            command_line::parse(words).unwrap_or_else(|error| command_line::exit(&error, format))
+        }
     };
     let log = verb.log_format();
     log.start();
@@ -47,33 +53,35 @@ fn main() -> ExitCode {
     stderr::flush();
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(log),
+        Err(failure) if log == LogFormat::Json => failure.report(ErrorFormat::Log),
+        Err(failure) => failure.report(format),
     }
 }
 
-/// What `dobot` alone does.
+/// The verb of `dobot` without arguments: start the station.
 fn default_verb() -> Verb {
     let cli = Cli::parse_from(["dobot", "up"]);
     cli.verb.expect("it is given")
 }
 
-/// Whether a command line would be understood.
-#[cfg(unix)]
-fn check(words: impl IntoIterator<Item = String>) -> Result<(), clap::Error> {
-    Cli::try_parse_from(words).map(drop)
-}
-
 const EXAMPLES: &str = "\
 Examples:
-  dobot                                        start the station, with the arm that is found or a virtual one
-  dobot watch                                  its dashboard, in another terminal
-  dobot draw photo.jpg --picture drawn.png     draw, and see what comes out
-  dobot arm                                    serve a virtual arm on TCP and a virtual serial port
-  dobot status --to serial:/dev/ttyUSB0        see where a real arm is
-  dobot move 220 0 30                          go to a point
+  dobot                                      start the station
+  dobot watch                                open its dashboard in another terminal
+  dobot draw photo.jpg --picture drawn.png   draw, and save a picture of the result
+  dobot arm                                  serve a virtual arm
+  dobot status --to serial:/dev/ttyUSB0      show where a real arm is
+  dobot move 220 0 30                        move to a point
 
-As long as a station runs, the verbs go through it. An arm's address (--to) is virtual:, serial:PORT[@BAUD] or
-tcp:HOST:PORT.";
+While a station runs, the commands go through it. `--to` selects an arm:
+virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT.
+
+A dialect is the protocol that an arm understands, a personality is the
+behaviour of a virtual arm. They have the same names: specification (the
+published protocol) and firmware-1.1 (the arms that were sold).
+
+Exit codes: 0 done, 1 failed, 2 invalid command line. With `--json`, an error
+is one JSON object on standard error: error, hint and exit_code.";
 
 #[cfg(test)]
 mod tests {
@@ -81,8 +89,7 @@ mod tests {
 
     #[test]
     fn the_command_line_is_well_formed() {
-        use clap::CommandFactory;
-        Cli::command().debug_assert();
+        command_line::command().debug_assert();
     }
 
     #[test]

@@ -1,13 +1,13 @@
-//! How many files and connections this program may have open.
+//! The limit of open files and connections.
 
-/// Asks the system for as many as it gives anybody: a program usually gets 1,024, and a thousand arms or stations need more.
+/// Raises the limit to its maximum: the usual 1,024 is not enough for a thousand arms or stations.
 pub(crate) fn allow_many() {
     #[cfg(unix)]
     {
         use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 
         let limit = getrlimit(Resource::Nofile);
-        // What is not granted is told when a file cannot be opened.
+        // If this fails, opening a file reports it later.
         let _ = setrlimit(
             Resource::Nofile,
             Rlimit {

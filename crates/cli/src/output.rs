@@ -1,5 +1,6 @@
-//! What is printed: one line for a person, or one JSON object for a program; and files that are written whole.
+//! Output: lines for people or JSON objects for programs, and files.
 
+use std::fmt::Display;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;
@@ -17,7 +18,7 @@ pub(crate) fn line(text: &str) -> io::Result<()> {
     writeln!(io::stdout(), "{text}")
 }
 
-/// Prints a line with texts of others: what a terminal would obey or not show is left out.
+/// Prints a line with text from other programs, without control characters.
 pub(crate) fn plain_line(text: &str) -> io::Result<()> {
     line(&plain(text, usize::MAX))
 }
@@ -27,12 +28,12 @@ pub(crate) fn bytes(document: &[u8]) -> io::Result<()> {
     io::stdout().write_all(document)
 }
 
-/// Writes a whole document to a file; over one that is there only with `--force`.
+/// Writes a whole document to a file; overwrites an existing one only with `force`.
 pub(crate) fn file(file: &Path, document: &[u8], force: bool) -> Result<(), Failure> {
     Ok(new_file(file, force)?.write_all(document)?)
 }
 
-/// Begins a file; over one that is there only with `--force`.
+/// Creates a file; overwrites an existing one only with `force`.
 pub(crate) fn new_file(file: &Path, force: bool) -> Result<File, Failure> {
     let mut options = OpenOptions::new();
     options
@@ -44,11 +45,30 @@ pub(crate) fn new_file(file: &Path, force: bool) -> Result<File, Failure> {
         let exists = error.kind() == io::ErrorKind::AlreadyExists;
         let error = anyhow::Error::from(error).context(format!("cannot write {}", file.display()));
         if exists {
-            Failure::new(error, "`--force` writes over it")
+            Failure::new(error, "overwrite it with `--force`")
         } else {
             error.into()
         }
     })
+}
+
+/// Returns a number with a noun that forms its plural with `s`: `1 file`, `2 files`.
+pub(crate) fn count(number: impl Display, noun: &str) -> String {
+    many(number, noun, &format!("{noun}s"))
+}
+
+/// Returns a number with a noun in singular or plural.
+pub(crate) fn many(number: impl Display, singular: &str, plural: &str) -> String {
+    let number = number.to_string();
+    let noun = if number == "1" { singular } else { plural };
+    format!("{number} {noun}")
+}
+
+/// Returns numbers with nouns in singular or plural, without those that are 0.
+pub(crate) fn counts(all: &[(usize, &str, &str)]) -> String {
+    let some = all.iter().filter(|(number, ..)| *number > 0);
+    let some = some.map(|(number, singular, plural)| many(number, singular, plural));
+    some.collect::<Vec<_>>().join(", ")
 }
 
 /// Prints a value as one line of JSON.
@@ -66,24 +86,24 @@ pub(crate) fn status(status: &Status, as_json: bool) -> io::Result<()> {
     }
 }
 
-/// A status on one line.
-pub(crate) fn status_text(it: &Status) -> String {
+/// Formats a status as one line.
+pub(crate) fn status_text(status: &Status) -> String {
     format!(
         "x {:8.3}  y {:8.3}  z {:8.3} mm   turn {:7.2}°   base {:7.2}°  rear {:6.2}°  fore {:6.2}°  servo {:6.2}°   suction {}  gripper {:.1}°",
-        it.x_mm,
-        it.y_mm,
-        it.z_mm,
-        it.rotation_deg,
-        it.base_deg,
-        it.rear_deg,
-        it.fore_deg,
-        it.servo_deg,
-        if it.suction { "on " } else { "off" },
-        it.gripper_deg,
+        status.x_mm,
+        status.y_mm,
+        status.z_mm,
+        status.rotation_deg,
+        status.base_deg,
+        status.rear_deg,
+        status.fore_deg,
+        status.servo_deg,
+        if status.suction { "on " } else { "off" },
+        status.gripper_deg,
     )
 }
 
-/// Minutes and seconds, or seconds with a decimal.
+/// Formats a duration as minutes and seconds, or as seconds with one decimal.
 pub(crate) fn clock(seconds: f64) -> String {
     if seconds < 59.95 {
         return format!("{:.1} s", seconds.max(0.0));
@@ -98,12 +118,12 @@ pub(crate) fn clock(seconds: f64) -> String {
     }
 }
 
-/// How much longer something takes, as far as that is known.
+/// Formats the remaining time; empty if it is unknown.
 pub(crate) fn time_left(seconds: Option<f64>) -> String {
-    seconds.map_or_else(String::new, |it| format!("{} left", clock(it)))
+    seconds.map_or_else(String::new, |seconds| format!("{} left", clock(seconds)))
 }
 
-/// The fields of a message for a person: `x 200 mm, y -50 mm, suction off`.
+/// Formats the fields of a message for a person: `x 200 mm, y -50 mm, suction off`.
 pub(crate) fn fields(message: &impl Serialize) -> String {
     let Ok(Value::Object(fields)) = serde_json::to_value(message) else {
         return String::new();
@@ -124,12 +144,12 @@ fn field(name: &str, value: &Value) -> String {
     let value = match value {
         Value::Bool(true) => "on".to_owned(),
         Value::Bool(false) => "off".to_owned(),
-        // The shortest decimal that is this very f32: 0.1, not 0.10000000149.
+        // The shortest decimal of the f32: 0.1, not 0.10000000149.
         Value::Number(number) => number
             .as_f64()
             .map_or_else(|| number.to_string(), |wide| narrow(wide).to_string()),
         Value::String(text) => text.clone(),
-        // JSON has no such number.
+        // JSON has no NaN.
         Value::Null => "NaN".to_owned(),
         other => other.to_string(),
     };
@@ -175,6 +195,19 @@ mod tests {
         assert_eq!(clock(59.96), "1:00 min");
         assert_eq!(clock(61.4), "1:01 min");
         assert_eq!(clock(3725.0), "1:02:05 h");
+    }
+
+    #[test]
+    fn nouns_are_in_singular_or_plural_and_zeros_are_omitted() {
+        assert_eq!(count(1, "file"), "1 file");
+        assert_eq!(count(0, "file"), "0 files");
+        assert_eq!(many(2, "status", "statuses"), "2 statuses");
+        let all = [
+            (1, "step", "steps"),
+            (0, "pause", "pauses"),
+            (2, "command", "commands"),
+        ];
+        assert_eq!(counts(&all), "1 step, 2 commands");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! A pendant in the terminal: keys that are held move the arm, and it stops when they are let go.
+//! A pendant in the terminal: the arm moves while a key is held, and stops when it is released.
 
 mod gamepad;
 mod hold;
@@ -26,18 +26,18 @@ pub(crate) use self::screen::{alarm, answer, held, key_line, move_lines};
 pub(crate) use self::session::{Panel, run};
 pub(crate) use self::terminal::check_terminal;
 
-/// The pendant as an engine: events of the terminal and of the station go in, requests come out. The
-/// caller passes the time since it began.
+/// The pendant as an engine: it takes events of the terminal and of the station, and returns requests.
+/// The caller passes the time since the start.
 #[derive(Debug)]
 pub(crate) struct Pendant {
     client: ClientId,
     hold: HoldToRun<Source, Button>,
     pad: Gamepad,
-    /// The share of the speed at which the gamepad is held.
+    /// The fraction of the speed that the gamepad asks for.
     pad_share: f32,
     drive: Drive,
     frame: JogFrame,
-    /// How far a press moves the arm, in mm or degrees; `None` where it moves for as long as it is held.
+    /// The step of a press in mm or degrees; `None` if the arm moves while a key is held.
     step: Option<f32>,
     speed_percent: f32,
     state: Option<State>,
@@ -47,7 +47,7 @@ pub(crate) struct Pendant {
     is_over: bool,
 }
 
-/// By what a key that is held moves the arm.
+/// The kind of commands that move the arm.
 #[derive(Debug)]
 pub(crate) enum Drive {
     /// Jogs (states 2 and 7).
@@ -56,25 +56,25 @@ pub(crate) enum Drive {
     Mouse(Mouse),
 }
 
-/// With what a button is held.
+/// The input device that holds a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Source {
     Key(KeyCode),
     Pad,
 }
 
-/// What a person is asked before the arm may move again.
+/// A question to the person before the arm may move again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Question {
-    /// Whether a stop is to end.
+    /// Whether to clear the stop.
     Reset,
-    /// Whether the arm stands where it says.
+    /// Whether the arm has the pose that it reports.
     Confirm,
 }
 
 impl Pendant {
-    /// The pendant of a client, at half the speed. `dead_man` is how long a jog button stays pressed
-    /// without being said again.
+    /// Creates the pendant of a client, at half speed. `dead_man` is the time after which a jog button is
+    /// released without a further request.
     pub(crate) const fn new(
         client: ClientId,
         keys: KeyReports,
@@ -98,24 +98,24 @@ impl Pendant {
         }
     }
 
-    /// Takes what the terminal tells.
+    /// Handles an event of the terminal.
     pub(crate) fn handle_event(&mut self, now: Duration, event: &Event) {
         match event {
             Event::Key(key) if key.kind == KeyEventKind::Release => {
                 self.hold.handle_release(&Source::Key(folded(key.code)));
             }
             Event::Key(key) => self.handle_key(now, key),
-            // Who does not look at this window does not see what its keys do.
-            Event::FocusLost => self.hold.let_go(),
+            // Without focus the person does not see this window.
+            Event::FocusLost => self.hold.release(),
             _ => {}
         }
     }
 
-    /// Takes what the gamepad tells; `None` where it is gone.
+    /// Handles an event of the gamepad; `None` after it was disconnected.
     pub(crate) fn handle_pad(&mut self, now: Duration, event: Option<[u8; EVENT_LEN]>) {
         let Some(event) = event else {
             self.hold.handle_release(&Source::Pad);
-            self.answer = Some("the gamepad is gone".into());
+            self.answer = Some("the gamepad was disconnected".into());
             return;
         };
         match self.pad.handle(event) {
@@ -125,23 +125,23 @@ impl Pendant {
             }
             Some(PadAction::Release) => self.hold.handle_release(&Source::Pad),
             Some(PadAction::Suction(on)) => {
-                self.hold.let_go();
+                self.hold.release();
                 self.switch_suction(on);
             }
             Some(PadAction::Stop) => {
-                self.hold.let_go();
+                self.hold.release();
                 self.stop();
             }
             None => {}
         }
     }
 
-    /// Takes what the station tells all the time.
+    /// Handles a state of the station.
     pub(crate) fn handle_state(&mut self, state: State) {
         self.state = Some(state);
     }
 
-    /// Takes that something happened.
+    /// Handles a notice of the station.
     pub(crate) fn handle_notice(&mut self, notice: Notice) {
         if let Drive::Mouse(mouse) = &mut self.drive {
             mouse.handle_news(&notice.news);
@@ -157,14 +157,14 @@ impl Pendant {
         }
     }
 
-    /// Takes what the station answers.
+    /// Handles a reply of the station.
     pub(crate) fn handle_reply(&mut self, reply: &Reply) {
         if let (Drive::Mouse(mouse), Reply::Accepted { command, .. }) = (&mut self.drive, reply) {
             mouse.handle_accepted(*command);
         }
     }
 
-    /// Takes that the station refuses a request.
+    /// Handles the refusal of a request.
     pub(crate) fn handle_refused(&mut self, request: &Request, why: String) {
         if matches!(request, Request::Jog { .. } | Request::Command { .. }) {
             self.hold.handle_refused();
@@ -172,53 +172,53 @@ impl Pendant {
         self.answer = Some(why);
     }
 
-    /// Asks the station for something.
+    /// Queues a request to the station.
     pub(crate) fn ask(&mut self, request: Request) {
         self.requests.push_back(request);
     }
 
-    /// Tells the person something.
-    pub(crate) fn tell(&mut self, text: String) {
+    /// Shows a text to the person.
+    pub(crate) fn show(&mut self, text: String) {
         self.answer = Some(text);
     }
 
-    /// Lets go of whatever is held.
-    pub(crate) fn let_go(&mut self) {
-        self.hold.let_go();
+    /// Releases the held button.
+    pub(crate) fn release(&mut self) {
+        self.hold.release();
     }
 
-    /// What the station told last.
+    /// The last state of the station.
     pub(crate) const fn state(&self) -> Option<&State> {
         self.state.as_ref()
     }
 
-    /// What an arm tells that rests, and is where it says; or why not, in these words where it cannot be trusted.
+    /// Returns the status of an arm that is at rest with a confirmed pose, or the reason why there is none.
     pub(crate) fn resting(&self, untrusted: &'static str) -> Result<&Status, &'static str> {
-        let state = self.state().ok_or("the arm has not told yet")?;
+        let state = self.state().ok_or("no status of the arm yet")?;
         if !state.trust.trusted {
             return Err(untrusted);
         }
         match &state.arm {
-            Some(arm) if arm.moving => Err("the arm still moves"),
+            Some(arm) if arm.moving => Err("the arm is moving"),
             Some(arm) => Ok(&arm.status),
-            None => Err("the arm has not told yet"),
+            None => Err("no status of the arm yet"),
         }
     }
 
-    /// Takes the passing of time.
+    /// Advances to a time.
     pub(crate) fn handle_time(&mut self, now: Duration) {
-        // A stick tells only that it moved; the device says when it is gone.
+        // A held stick sends no events, but the device reports when it is disconnected.
         self.hold.handle_still(now, &Source::Pad);
         self.hold.handle_time(now);
     }
 
-    /// The person, or the system, wants to leave: what is held is let go.
+    /// Ends the pendant, and releases the held button.
     pub(crate) fn quit(&mut self) {
-        self.hold.let_go();
+        self.hold.release();
         self.is_over = true;
     }
 
-    /// What the station is asked for next.
+    /// Returns the next request to the station.
     pub(crate) fn poll_request(&mut self, now: Duration) -> Option<Request> {
         loop {
             if let Some(request) = self.requests.pop_front() {
@@ -229,12 +229,12 @@ impl Pendant {
         }
     }
 
-    /// When [`handle_time`](Self::handle_time) wants to be called next.
+    /// Returns the time at which to call [`handle_time`](Self::handle_time) next.
     pub(crate) fn poll_wakeup(&self) -> Option<Duration> {
         self.hold.poll_wakeup()
     }
 
-    /// Whether the person has left, and all was asked for that this takes.
+    /// Whether the person has quit and no request is left.
     pub(crate) const fn is_over(&self) -> bool {
         self.is_over
     }
@@ -243,14 +243,14 @@ impl Pendant {
         let meaning = meaning(key, self.frame, self.hindrance().is_some());
         let asked = self.asks.take();
         if !matches!(meaning, KeyMeaning::Hold(_) | KeyMeaning::Speed(_)) {
-            self.hold.let_go();
+            self.hold.release();
         }
         match meaning {
             KeyMeaning::Stop => self.stop(),
             KeyMeaning::Hold(button) => match self.step {
                 None => self.press(now, Source::Key(folded(key.code)), button),
                 Some(size) if key.kind == KeyEventKind::Press => self.step(button, size),
-                // A key that is held goes one step.
+                // A repeated key makes no further step.
                 Some(_) => {}
             },
             KeyMeaning::Steps => self.change_step(),
@@ -264,7 +264,7 @@ impl Pendant {
         }
     }
 
-    /// What hinders the arm from moving until a person has looked at it.
+    /// The question that must be answered before the arm may move.
     fn hindrance(&self) -> Option<Question> {
         let state = self.state.as_ref()?;
         if state.stop.is_some() {
@@ -273,11 +273,11 @@ impl Pendant {
         (state.arm.is_some() && !state.trust.trusted).then_some(Question::Confirm)
     }
 
-    /// A stop goes before all that was asked for and is not sent.
+    /// Stops the arm; requests that were not sent yet are dropped.
     fn stop(&mut self) {
         self.requests.clear();
         self.requests.push_back(Request::Stop {
-            reason: Some("a key of the pendant was pressed".into()),
+            reason: Some("a key was pressed on the pendant".into()),
         });
         self.answer = None;
     }
@@ -304,16 +304,16 @@ impl Pendant {
         self.ask(Request::Command { command });
     }
 
-    /// Moves an arm that rests by one step.
+    /// Moves an arm at rest by one step.
     fn step(&mut self, button: Button, size: f32) {
-        let untrusted = "the pose is not trusted; press r, look, and press y";
+        let untrusted = "the pose is not confirmed; press r, look, and press y";
         match self.resting(untrusted) {
             Ok(status) if button.step(status, size).is_some() => {
                 self.answer = None;
                 self.ask(Request::Step { button, by: size });
             }
-            Ok(_) => self.tell("no step: this key has to be held; . ends the steps".into()),
-            Err(why) => self.tell(format!("no step: {why}")),
+            Ok(_) => self.show("no step: this key must be held; press . to leave step mode".into()),
+            Err(why) => self.show(format!("no step: {why}")),
         }
     }
 
@@ -332,14 +332,14 @@ impl Pendant {
         };
     }
 
-    /// In percent: a stick that is held half-way is half as fast.
+    /// The current speed in percent; proportional to the deflection of a stick.
     fn speed_now(&self) -> f32 {
         let by_pad = self.hold.is_held_by(&Source::Pad);
         let share = if by_pad { self.pad_share } else { 1.0 };
         (self.speed_percent * share).max(1.0)
     }
 
-    /// What the station is asked for because a button is held or let go.
+    /// The request for a button that is held or released.
     fn driven(&self, beat: Beat<Button>) -> Option<Request> {
         match (&self.drive, beat) {
             (Drive::Jog, Beat::Hold(button)) => Some(Request::Jog {
@@ -364,7 +364,7 @@ impl Question {
     }
 }
 
-/// How far a press moves the arm, in mm or degrees: the second to touch a point.
+/// The step sizes in mm or degrees; the second one is for touching a point.
 const STEPS: [f32; 2] = [1.0, 0.1];
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Programs in files: taught ones, and those of the vendor's programs.
+//! Program files: taught programs, and files of the vendor's software.
 
 use std::fs;
 use std::path::Path;
@@ -10,15 +10,14 @@ use dobot_teach::{Compiled, Files, Program, ProgramForm};
 
 use crate::failure::Failure;
 
-/// Reads a program, or points of a vendor's program, and makes commands of it; what was surprising goes to standard
-/// error.
+/// Reads and compiles a program or points of the vendor's software. Prints warnings on standard error.
 pub(crate) fn compile(file: &Path, arm: &PlannedFor) -> Result<Compiled, Failure> {
     let program = match Kind::of(file)? {
         Kind::Program(form) => read(file, form)?,
         Kind::Params => {
             return Err(Failure::new(
-                anyhow!("{} holds speeds, no program", named(file)),
-                "`dobot convert PlayBackParams.json speeds.toml` makes a step of it",
+                anyhow!("{} contains speeds, not a program", named(file)),
+                "convert it to a step: `dobot convert PlayBackParams.json speeds.toml`",
             ));
         }
     };
@@ -35,7 +34,7 @@ pub(crate) fn compile(file: &Path, arm: &PlannedFor) -> Result<Compiled, Failure
     Ok(compiled)
 }
 
-/// Reads a program of a form; what was surprising goes to standard error.
+/// Reads a program of a format. Prints warnings on standard error.
 pub(crate) fn read(file: &Path, form: ProgramForm) -> Result<Program, Failure> {
     let read = form.read(&bytes(file)?).with_context(|| named(file))?;
     for warning in read.warnings {
@@ -44,7 +43,7 @@ pub(crate) fn read(file: &Path, form: ProgramForm) -> Result<Program, Failure> {
     Ok(read.it)
 }
 
-/// What a file is, by the end of its name.
+/// The kind of a file, by its extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// A program.
@@ -63,7 +62,7 @@ impl Kind {
             return Ok(Self::Params);
         }
         Err(anyhow!(
-            "{} ends in {end:?}; programs end in .toml, .xml or .play, and speeds in .json",
+            "{} has the extension {end:?}; expected .toml, .xml or .play for a program, or .json for speeds",
             named(file)
         )
         .into())
@@ -74,7 +73,7 @@ pub(crate) fn bytes(file: &Path) -> Result<Vec<u8>, Failure> {
     Ok(fs::read(file).with_context(|| format!("cannot read {}", named(file)))?)
 }
 
-/// The files beside a program; drawings are prepared for this arm.
+/// The files that a program refers to; drawings are prepared for an arm.
 pub(crate) fn files_beside(program: &Path, arm: &PlannedFor) -> impl Files + use<> {
     let folder = program.parent().unwrap_or(Path::new("")).to_owned();
     let read = move |path: &str| {

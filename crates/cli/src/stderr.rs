@@ -1,4 +1,4 @@
-//! Standard error, written by a thread of its own: a pipe that nobody reads, or a stopped terminal, holds up nothing else.
+//! Standard error, written by its own thread, so that a blocked pipe or terminal blocks nothing else.
 
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::io::{self, Write};
@@ -21,10 +21,10 @@ static THREAD: LazyLock<Option<Background<Item>>> = LazyLock::new(|| {
     })
     .ok()
 });
-/// Lines that found no room.
+/// The number of dropped lines.
 static DROPPED: AtomicU64 = AtomicU64::new(0);
 
-/// A writer for a log: each write is a line.
+/// A writer for the log; each write is a line.
 pub(crate) struct Lines;
 
 impl Write for Lines {
@@ -38,12 +38,12 @@ impl Write for Lines {
     }
 }
 
-/// Writes a line, without waiting. A line that finds no room is dropped and counted.
+/// Writes a line without blocking. If the queue is full, the line is dropped and counted.
 pub(crate) fn line(text: &str) {
     push(format!("{text}\n").into_bytes());
 }
 
-/// Waits until all lines are written, but not for a reader that does not read.
+/// Waits until all lines are written, for a limited time.
 pub(crate) fn flush() {
     let (done, written) = sync_channel(1);
     if let Some(thread) = &*THREAD
@@ -53,7 +53,7 @@ pub(crate) fn flush() {
     }
 }
 
-/// Writes the message of a panic, without holding up the thread that panicked for long.
+/// Writes the message of a panic without blocking its thread for long.
 pub(crate) fn report_panic(panic: &PanicHookInfo<'_>) {
     let thread = std::thread::current();
     line(&format!(
@@ -70,7 +70,7 @@ pub(crate) fn report_panic(panic: &PanicHookInfo<'_>) {
 fn push(bytes: Vec<u8>) {
     let pushed = THREAD
         .as_ref()
-        .is_some_and(|it| it.push(Item::Bytes(bytes)).is_ok());
+        .is_some_and(|thread| thread.push(Item::Bytes(bytes)).is_ok());
     if !pushed {
         DROPPED.fetch_add(1, Ordering::Relaxed);
     }
@@ -79,7 +79,7 @@ fn push(bytes: Vec<u8>) {
 fn write_item(item: Item) {
     match item {
         Item::Bytes(bytes) => {
-            // Nobody may read any more.
+            // The reader may be gone.
             let _ = io::stderr().write_all(&bytes);
         }
         Item::Flush(done) => drop(done.send(())),
@@ -88,11 +88,12 @@ fn write_item(item: Item) {
     if dropped > 0 {
         let _ = writeln!(
             io::stderr(),
-            "{dropped} lines were dropped: nobody read standard error"
+            "{} dropped, because standard error was not read",
+            crate::output::many(dropped, "line was", "lines were")
         );
     }
 }
 
-/// Lines that wait to be written, at most.
+/// The maximum number of waiting lines.
 const CAPACITY: usize = 1024;
 const PATIENCE: Duration = Duration::from_millis(500);

@@ -1,4 +1,4 @@
-//! The verbs of the program, a file each: what comes behind `dobot`.
+//! The verbs of the program: one file for each subcommand of `dobot`.
 
 mod arm;
 mod calibrate;
@@ -49,7 +49,7 @@ pub(crate) use self::draw::read as with_defaults;
 use crate::failure::Failure;
 use crate::logging::LogFormat;
 
-/// What comes behind `dobot`.
+/// A subcommand of `dobot`.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
     Up(up::Args),
@@ -98,7 +98,7 @@ pub(crate) enum Verb {
 }
 
 impl Verb {
-    /// How its log is written.
+    /// The format of the verb's log.
     pub(crate) fn log_format(&self) -> LogFormat {
         match self {
             Self::Up(args) => args.log_format,
@@ -106,7 +106,7 @@ impl Verb {
         }
     }
 
-    /// Does it.
+    /// Runs the verb.
     pub(crate) fn run(self) -> Result<(), Failure> {
         match self {
             Self::Up(args) => wait_for(up::run(args)),
@@ -155,11 +155,11 @@ impl Verb {
     }
 }
 
-/// Runs a verb that waits for ports and for time.
+/// Runs an asynchronous verb to its end.
 fn wait_for(verb: impl Future<Output = Result<(), Failure>>) -> Result<(), Failure> {
     let runtime = tokio::runtime::Runtime::new()?;
     let result = runtime.block_on(verb);
-    // A read of standard input or a port may still hang in a thread of its own.
+    // A read of standard input or of a port may still block a thread.
     runtime.shutdown_background();
     result
 }

@@ -180,7 +180,7 @@ impl Suite {
     fn forbidden(&self, check: &Check) -> Option<String> {
         let options = self.rig.options;
         let why = match check.id {
-            "laser" if !options.laser => "it burns: `--laser` tries it",
+            "laser" if !options.laser => "it burns: `--with-laser` tries it",
             "limit-jog" if !options.traps => {
                 "a stock arm forgives the first limit: `--traps` tries it on a virtual arm"
             }

@@ -10,10 +10,10 @@ use crate::mounted_tool::{BadLength, MountedTool};
 /// What is mounted, as the options of a program say it.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct ToolOptions {
-    /// What is mounted
+    /// Mounted tool
     #[arg(long, value_parser = values(), default_value = Tool::SuctionCup.short())]
     tool: Mounted,
-    /// How far the tip of the tool hangs below the wrist, in mm: 20 to 200; else as in the default policy
+    /// Length of the tool below the wrist, 20 to 200 mm (default: as in the default policy)
     #[arg(long, value_name = "MM")]
     length: Option<f64>,
 }

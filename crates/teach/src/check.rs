@@ -250,7 +250,7 @@ fn steps_s(program: &Compiled, took: &[f64]) -> Vec<f64> {
 fn remedy(rule: &str) -> &'static str {
     match rule.split('.').next().unwrap_or(rule) {
         "joints" => {
-            "go by another way (path = \"movj\"), or move the point or the rotation so that the joint turns less"
+            "change the point, the angles or the rotation so that the joint turns less, or a straight line to path = \"movj\""
         }
         "workspace" => "move the point to where the policy and the arm allow it",
         "table" => "raise the point, or say the true length of the tool in the policy",
@@ -260,6 +260,8 @@ fn remedy(rule: &str) -> &'static str {
         }
         "jump" => "set a lower jump_height in a speed step, or go by another path",
         "laser" => "burn with a drawing step, and let the policy allow it",
-        _ => "go by its joints (path = \"movj\"), or over a point between",
+        _ => {
+            "move the point to where the arm reaches it, or add a point between if only the way is out of reach"
+        }
     }
 }

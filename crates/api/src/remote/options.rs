@@ -7,19 +7,19 @@ use super::{CertificateTrust, StationSearch, fingerprint};
 /// Which station, as the options of a program say it.
 #[derive(Clone, Default, clap::Args)]
 pub struct StationOptions {
-    /// The station's address, as in <http://127.0.0.1:8642>
+    /// Address of the station, for example <http://127.0.0.1:8642>
     ///
-    /// Without it, the environment variable `DOBOT_STATION` is used, and then the station that
-    /// runs on this machine: the one of this person's data folder, or what answers at port 8642.
+    /// Default: the environment variable `DOBOT_STATION`, otherwise the station that runs on this
+    /// machine: that of this user's data folder, or the one at port 8642.
     #[arg(id = "station", long = "station", value_name = "URL", global = true)]
     address: Option<String>,
-    /// What allows more than watching; better given in the environment variable `DOBOT_TOKEN`
+    /// Access token, required for more than watching; prefer the environment variable `DOBOT_TOKEN`
     #[arg(long, value_name = "TOKEN", global = true, hide_short_help = true)]
     token: Option<String>,
-    /// The SHA-256 digest of the station's certificate, which the station prints when it starts
+    /// SHA-256 digest of the station's certificate, as the station prints it at its start
     #[arg(long, value_name = "DIGEST", global = true, hide_short_help = true, value_parser = fingerprint)]
     fingerprint: Option<[u8; 32]>,
-    /// A PEM file with the certificate that the station's own one was issued by
+    /// Certificate of the authority that issued the station's certificate, a PEM file
     #[arg(
         long,
         value_name = "FILE",

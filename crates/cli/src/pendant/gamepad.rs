@@ -1,4 +1,4 @@
-//! A gamepad, as the joystick driver of Linux tells it: events of eight bytes, for which no library is needed.
+//! A gamepad through the joystick driver of Linux, whose events have eight bytes.
 
 use std::fs::File;
 use std::io::Read;
@@ -11,39 +11,39 @@ use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
 use crate::failure::Failure;
 use dobot_api::Button;
 
-/// Which gamepad.
+/// The gamepad option.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(crate) struct PadArgs {
-    /// A gamepad of Linux, as in /dev/input/js0: sticks move for as long as they are held, A and B switch the pump,
-    /// the shoulder buttons move the gripper, and every other button stops the arm
-    #[arg(long, value_name = "DEVICE")]
+    /// Gamepad device (Linux), for example /dev/input/js0: sticks move the arm while they are held, A and B switch
+    /// the pump, the shoulder buttons move the gripper, every other button stops the arm
+    #[arg(long, value_name = "DEVICE", hide_short_help = true)]
     gamepad: Option<PathBuf>,
 }
 
-/// What a gamepad asks for.
+/// An action of a gamepad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum PadAction {
-    /// This button is held, at a share of the speed.
+    /// Hold a button, at a fraction of the speed.
     Hold(Button, f32),
-    /// Nothing is held any more.
+    /// Release the held button.
     Release,
-    /// The pump on or off.
+    /// Switch the pump.
     Suction(bool),
-    /// The arm stops.
+    /// Stop the arm.
     Stop,
 }
 
-/// What is held of a gamepad.
+/// The state of a gamepad.
 #[derive(Debug)]
 pub(crate) struct Gamepad {
-    /// Where its axes are, from -32767 to 32767.
+    /// The positions of the axes, -32767 to 32767.
     axes: [i16; AXES],
-    /// The shoulder button that is held.
+    /// The held shoulder button.
     shoulder: Option<LinearJogAxis>,
 }
 
 impl Gamepad {
-    /// Everything is at rest.
+    /// Creates a gamepad at rest.
     pub(crate) const fn new() -> Self {
         Self {
             axes: [0; AXES],
@@ -51,7 +51,7 @@ impl Gamepad {
         }
     }
 
-    /// Takes an event: time (4 bytes), value (2), kind, number, in the order of the machine's bytes.
+    /// Handles an event: time (4 bytes), value (2), kind, number, in native byte order.
     pub(crate) fn handle(&mut self, event: [u8; EVENT_LEN]) -> Option<PadAction> {
         let [_, _, _, _, low, high, kind, number] = event;
         let value = i16::from_ne_bytes([low, high]);
@@ -61,7 +61,7 @@ impl Gamepad {
                 Some(self.held())
             }
             BUTTON => self.press(number, value != 0),
-            // Where everything was when the device was opened moves nothing.
+            // The initial positions move nothing.
             _ => None,
         }
     }
@@ -87,7 +87,7 @@ impl Gamepad {
         }
     }
 
-    /// The shoulder button, or the stick that is farthest from its rest.
+    /// The held shoulder button, or the stick with the largest deflection.
     fn held(&self) -> PadAction {
         if let Some(axis) = self.shoulder {
             return PadAction::Hold(Button::Linear(axis), 1.0);
@@ -105,7 +105,7 @@ impl Gamepad {
     }
 }
 
-/// How far a stick is beyond its dead zone, from -1 to 1.
+/// The deflection of a stick beyond its dead zone, -1 to 1.
 fn share(value: i16) -> f32 {
     let value = f32::from(value) / f32::from(i16::MAX);
     let beyond = ((value.abs() - DEAD_ZONE) / (1.0 - DEAD_ZONE)).clamp(0.0, 1.0);
@@ -113,21 +113,21 @@ fn share(value: i16) -> f32 {
 }
 
 impl PadArgs {
-    /// What the gamepad tells from now on: nothing at all without one. It ends with the device.
+    /// Opens the gamepad, if any, and returns its events, which end with the device.
     ///
     /// # Errors
     ///
-    /// Where the device cannot be opened.
+    /// If the device cannot be opened.
     pub(crate) fn open(&self) -> Result<Option<PadEvents>, Failure> {
         let Some(device) = &self.gamepad else {
             return Ok(None);
         };
         let file = open(device)?;
-        let (tell, events) = unbounded_channel();
-        // The read of a device cannot be ended: the thread ends with it, or with the program.
+        let (sender, events) = unbounded_channel();
+        // A blocking read cannot be cancelled: the thread ends with the device or the program.
         std::thread::spawn(move || {
             let (mut file, mut event) = (file, [0; EVENT_LEN]);
-            while file.read_exact(&mut event).is_ok() && tell.send(event).is_ok() {}
+            while file.read_exact(&mut event).is_ok() && sender.send(event).is_ok() {}
         });
         Ok(Some(events))
     }
@@ -135,11 +135,11 @@ impl PadArgs {
 
 fn open(device: &Path) -> Result<File, Failure> {
     let file = File::open(device);
-    let file = file.with_context(|| format!("the gamepad {} cannot be opened", device.display()));
+    let file = file.with_context(|| format!("cannot open the gamepad {}", device.display()));
     file.map_err(|error| {
         Failure::new(
             error,
-            "plugged-in gamepads are /dev/input/js0 and so on; who may read them is in the group `input`",
+            "name a device such as /dev/input/js0, and join the group `input` if access is denied",
         )
     })
 }
@@ -147,8 +147,8 @@ fn open(device: &Path) -> Result<File, Failure> {
 /// Events of a gamepad.
 pub(crate) type PadEvents = UnboundedReceiver<[u8; EVENT_LEN]>;
 
-/// The axes that move something, with where their negative and their positive side lead: up and left are
-/// negative. Left stick, right stick, and the cross.
+/// The axes with the jogs of their negative and positive sides; up and left are negative. Left stick, right
+/// stick and directional pad.
 const STICKS: [(usize, LinearJogAxis, LinearJogAxis); 6] = {
     use LinearJogAxis as L;
     [
@@ -165,7 +165,7 @@ const AXES: usize = 8;
 pub(crate) const EVENT_LEN: usize = 8;
 const BUTTON: u8 = 1;
 const AXIS: u8 = 2;
-/// A stick at rest may be so far from its middle.
+/// The maximum deflection of a stick at rest.
 const DEAD_ZONE: f32 = 0.25;
 
 #[cfg(test)]

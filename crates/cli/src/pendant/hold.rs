@@ -1,37 +1,37 @@
-//! Hold-to-run: what a key that is held says again and again, and when it counts as let go.
+//! Hold-to-run: the repeated requests of a held key, and its release.
 
 use std::time::Duration;
 
-/// What is held with one key, as an engine: the caller passes the time since it began.
+/// The button held with one key, as an engine: the caller passes the time since the start.
 ///
-/// Most terminals tell only that a key is pressed, and tell it again while it is held. There a key
-/// counts as let go when it was not told for the dead-man time. Those that also tell when a key is
-/// let go are given [`FIRST_REPEAT`] for the first repeat, because a keyboard waits before it repeats;
-/// from then on the same holds, so that a key whose end is lost moves no arm for long.
+/// Most terminals report only key presses, repeatedly while a key is held. There a key is released when
+/// it was not reported for the dead-man time. With terminals that also report releases, the first repeat
+/// may take up to [`FIRST_REPEAT`], because keyboards delay it; after that the dead-man time applies, so
+/// that a lost release does not move the arm for long.
 #[derive(Debug)]
 pub(crate) struct HoldToRun<K, B> {
     keys: KeyReports,
     dead_man: Duration,
     held: Option<Held<K, B>>,
-    /// The last one was let go, and that was not polled yet.
+    /// Whether the last button was released and this was not polled yet.
     released: bool,
 }
 
-/// What a terminal tells of its keys.
+/// The key events that a terminal reports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum KeyReports {
-    /// Presses alone, again and again while a key is held.
+    /// Only presses, repeatedly while a key is held.
     Presses,
-    /// Also when a key is let go.
+    /// Presses and releases.
     Releases,
 }
 
-/// What has to be said now.
+/// A request to send now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Beat<B> {
     /// The button is held.
     Hold(B),
-    /// The button is let go.
+    /// The button is released.
     Release,
 }
 
@@ -39,16 +39,17 @@ pub(crate) enum Beat<B> {
 struct Held<K, B> {
     key: K,
     button: B,
-    /// When it counts as let go.
+    /// The time at which it is released.
     until: Duration,
-    /// When it is to be said again.
+    /// The time of the next request.
     beat: Duration,
-    /// It was refused, and does nothing until it is pressed anew.
+    /// Whether it was refused, and is ignored until it is pressed again.
     refused: bool,
 }
 
 impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
-    /// Nothing is held. `dead_man` is how long a button stays pressed without being said again.
+    /// Creates it without a held button. `dead_man` is the time after which a button is released without a
+    /// further request.
     pub(crate) const fn new(keys: KeyReports, dead_man: Duration) -> Self {
         Self {
             keys,
@@ -58,64 +59,64 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
         }
     }
 
-    /// Takes that a key is pressed, or repeats. Another key takes the place of the one before.
+    /// Handles a press or repeat of a key. Another key replaces the held one.
     pub(crate) fn handle_press(&mut self, now: Duration, key: K, button: B) {
         self.handle_time(now);
-        let again = |it: &&mut Held<K, B>| it.key == key && it.button == button;
+        let again = |held: &&mut Held<K, B>| held.key == key && held.button == button;
         if let Some(held) = self.held.as_mut().filter(again) {
             held.until = now + self.dead_man;
             return;
         }
-        // A button that takes the place of another one is told by its first beat.
+        // The first request of a button also ends the previous one.
         self.released = false;
         self.held = Some(Held {
             key,
             button,
-            until: now + self.first_patience(),
+            until: now + self.first_timeout(),
             beat: now,
             refused: false,
         });
     }
 
-    /// Takes that a key is still held that does not repeat by itself.
+    /// Handles that a key without repeats is still held.
     pub(crate) fn handle_still(&mut self, now: Duration, key: &K) {
-        if let Some(held) = self.held.as_mut().filter(|it| it.key == *key) {
+        if let Some(held) = self.held.as_mut().filter(|held| held.key == *key) {
             held.until = now + self.dead_man;
         }
     }
 
-    /// Takes that a key is let go.
+    /// Handles the release of a key.
     pub(crate) fn handle_release(&mut self, key: &K) {
-        if self.held.as_ref().is_some_and(|it| it.key == *key) {
-            self.let_go();
+        if self.held.as_ref().is_some_and(|held| held.key == *key) {
+            self.release();
         }
     }
 
-    /// Lets go of whatever is held.
-    pub(crate) fn let_go(&mut self) {
+    /// Releases the held button.
+    pub(crate) fn release(&mut self) {
         self.released |= self.held.take().is_some();
     }
 
-    /// Takes that the button was refused, or let go for the person: it has to be pressed anew.
+    /// Handles that the button was refused or released by the station: it must be pressed again.
     pub(crate) fn handle_refused(&mut self) {
         if let Some(held) = &mut self.held {
             held.refused = true;
         }
     }
 
-    /// Takes the passing of time.
+    /// Advances to a time.
     pub(crate) fn handle_time(&mut self, now: Duration) {
-        if self.held.as_ref().is_some_and(|it| it.until <= now) {
-            self.let_go();
+        if self.held.as_ref().is_some_and(|held| held.until <= now) {
+            self.release();
         }
     }
 
-    /// What has to be said now, if anything.
+    /// Returns the request to send now, if any.
     pub(crate) fn poll(&mut self, now: Duration) -> Option<Beat<B>> {
         if std::mem::take(&mut self.released) {
             return Some(Beat::Release);
         }
-        let held = self.held.as_mut().filter(|it| !it.refused)?;
+        let held = self.held.as_mut().filter(|held| !held.refused)?;
         if held.beat > now {
             return None;
         }
@@ -123,7 +124,7 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
         Some(Beat::Hold(held.button))
     }
 
-    /// When something has to be said, or counts as let go.
+    /// Returns the time of the next request or release.
     pub(crate) fn poll_wakeup(&self) -> Option<Duration> {
         let held = self.held.as_ref()?;
         Some(if held.refused {
@@ -133,23 +134,23 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
         })
     }
 
-    /// The button that acts.
+    /// The held button, unless it was refused.
     pub(crate) fn button(&self) -> Option<B> {
-        let held = self.held.as_ref().filter(|it| !it.refused)?;
+        let held = self.held.as_ref().filter(|held| !held.refused)?;
         Some(held.button)
     }
 
-    /// Whether it is held with this key.
+    /// Whether the button is held with a key.
     pub(crate) fn is_held_by(&self, key: &K) -> bool {
-        self.held.as_ref().is_some_and(|it| it.key == *key)
+        self.held.as_ref().is_some_and(|held| held.key == *key)
     }
 
-    /// What the terminal tells.
+    /// The key events that the terminal reports.
     pub(crate) const fn keys(&self) -> KeyReports {
         self.keys
     }
 
-    fn first_patience(&self) -> Duration {
+    fn first_timeout(&self) -> Duration {
         match self.keys {
             KeyReports::Presses => self.dead_man,
             KeyReports::Releases => FIRST_REPEAT.max(self.dead_man),
@@ -157,9 +158,9 @@ impl<K: PartialEq, B: Copy + PartialEq> HoldToRun<K, B> {
     }
 }
 
-/// How often a button is said within the dead-man time.
+/// The number of requests within the dead-man time.
 const BEATS: u32 = 3;
-/// Longer than a keyboard waits before a key repeats.
+/// Longer than the delay of a keyboard before the first repeat.
 const FIRST_REPEAT: Duration = Duration::from_secs(1);
 
 #[cfg(test)]

@@ -1,37 +1,37 @@
-//! What the keys of the pendant mean.
+//! The keys of the pendant.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use dobot_wire::{JointJogAxis, LinearJogAxis};
 
 use dobot_api::{Button, JogFrame};
 
-/// What a key means.
+/// The action of a key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum KeyMeaning {
-    /// The arm stops.
+    /// Stop the arm.
     Stop,
-    /// The arm moves for as long as the key is held.
+    /// Move the arm while the key is held.
     Hold(Button),
-    /// The speed from now on, in percent of the jog speed.
+    /// Set the speed, in percent of the jog speed.
     Speed(f32),
-    /// The pump on or off.
+    /// Switch the pump.
     Suction(bool),
-    /// The arrows move joints instead of along axes, or the other way round.
+    /// Toggle between joints and axes.
     Frame,
-    /// What hinders the arm from moving is to end: the person is asked first.
+    /// Show the question that must be answered before the arm may move.
     Ask,
-    /// The answer to a question is yes.
+    /// Answer yes.
     Yes,
-    /// A press moves by a step instead of for as long as it is held, or the other way round.
+    /// Toggle between steps and continuous motion.
     Steps,
-    /// The person leaves.
+    /// Quit.
     Quit,
-    /// Nothing.
+    /// No action.
     Nothing,
 }
 
-/// The meaning of a key that is pressed. `hindered` is an arm that is stopped, or whose pose is not
-/// trusted: no key moves it, and `r` asks whether that is to end.
+/// Returns the action of a pressed key. `hindered` is an arm that is stopped, or whose pose is not confirmed:
+/// no key moves it, and `r` shows the question.
 pub(crate) fn meaning(key: &KeyEvent, frame: JogFrame, hindered: bool) -> KeyMeaning {
     let code = folded(key.code);
     if code == KeyCode::Char('c') && key.modifiers.contains(KeyModifiers::CONTROL) {
@@ -51,7 +51,7 @@ pub(crate) fn meaning(key: &KeyEvent, frame: JogFrame, hindered: bool) -> KeyMea
     }
 }
 
-/// A key without its shift, which may be let go before the key.
+/// A key without shift, which may be released before the key.
 pub(crate) const fn folded(code: KeyCode) -> KeyCode {
     match code {
         KeyCode::Char(letter) => KeyCode::Char(letter.to_ascii_lowercase()),
@@ -59,7 +59,7 @@ pub(crate) const fn folded(code: KeyCode) -> KeyCode {
     }
 }
 
-/// 1 to 9 are tenths of the speed, and 0 is all of it.
+/// The speed of a digit: 1 to 9 are tenths, 0 is 100 %.
 fn speed_percent(digit: char) -> f32 {
     match digit.to_digit(10) {
         Some(tenths @ 1..=9) => f32::from(u8::try_from(tenths).unwrap_or(10)) * 10.0,

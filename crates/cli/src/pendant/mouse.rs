@@ -1,45 +1,45 @@
-//! Mouse packets for a key that is held (state 1).
+//! Mouse packets of a held key (state 1).
 
 use dobot_api::{Button, News, State};
 use dobot_wire::{Command, Dialect, LinearJogAxis, MouseMove, Status};
 
-/// How far the arm is with the mouse packets of a key that is held.
+/// The mouse packets of a held key.
 #[derive(Debug)]
 pub(crate) struct Mouse {
-    /// The packets that are not over; at most [`AHEAD`].
-    under_way: Vec<u64>,
+    /// The in-flight packets, at most [`MAX_IN_FLIGHT`].
+    in_flight: Vec<u64>,
 }
 
 impl Mouse {
-    /// Nothing is under way.
+    /// Creates it without in-flight packets.
     pub(crate) const fn new() -> Self {
         Self {
-            under_way: Vec::new(),
+            in_flight: Vec::new(),
         }
     }
 
-    /// Whether a mouse has this button.
+    /// Checks that a mouse has a button.
     pub(crate) fn check(button: Button) -> Result<(), &'static str> {
         direction(button)
             .map(|_| ())
-            .ok_or("a mouse packet moves x, y and z alone; `dobot jog` has the tool too")
+            .ok_or("a mouse packet moves only x, y and z; use `dobot jog` for the tool")
     }
 
-    /// The next packet; none while enough are under way, because those are carried out to their end.
+    /// Returns the next packet; `None` while enough packets are in flight, because they are always completed.
     pub(crate) fn packet(
         &self,
         button: Button,
         speed_percent: f32,
         state: &State,
     ) -> Option<Command> {
-        if self.under_way.len() >= AHEAD {
+        if self.in_flight.len() >= MAX_IN_FLIGHT {
             return None;
         }
         let status = &state.arm.as_ref()?.status;
         let units = FASTEST * speed_percent / 100.0;
-        let [x, y, z] = direction(button)?.map(|it| it * units);
+        let [x, y, z] = direction(button)?.map(|axis| axis * units);
         // On a stock arm Y swings the base, and the other way round (note N9).
-        let swings = state.dialect.is_some_and(|it| it.mouse_swings);
+        let swings = state.dialect.is_some_and(|dialect| dialect.mouse_swings);
         let packet = MouseMove {
             y: if swings { 0.0 - y } else { y },
             x,
@@ -50,18 +50,18 @@ impl Mouse {
         Some(packet.into())
     }
 
-    /// Takes that the station accepted a packet.
+    /// Handles the acceptance of a packet.
     pub(crate) fn handle_accepted(&mut self, command: u64) {
-        self.under_way.push(command);
+        self.in_flight.push(command);
     }
 
-    /// Takes that something happened.
+    /// Handles an event of the station.
     pub(crate) fn handle_news(&mut self, news: &News) {
         match news {
             News::CommandDone { command } | News::CommandFailed { command } => {
-                self.under_way.retain(|it| it != command);
+                self.in_flight.retain(|packet| packet != command);
             }
-            News::LinkLost => self.under_way.clear(),
+            News::LinkLost => self.in_flight.clear(),
             _ => {}
         }
     }
@@ -69,7 +69,7 @@ impl Mouse {
 
 /// The rotation of a mouse move that leaves the tool as it is, in degrees (notes N9 and N49).
 pub(crate) fn kept_rotation_deg(from: &Status, dialect: Option<Dialect>) -> f32 {
-    let takes_servo = dialect.is_some_and(|it| it.mouse_swings);
+    let takes_servo = dialect.is_some_and(|dialect| dialect.mouse_swings);
     if takes_servo {
         from.servo_deg
     } else {
@@ -91,8 +91,8 @@ const fn direction(button: Button) -> Option<[f32; 3]> {
     })
 }
 
-/// So many packets may be under way: the arm goes on without a break, and no more than this is left
-/// when the key is let go.
-const AHEAD: usize = 2;
+/// The maximum number of in-flight packets: enough for a continuous motion, and few enough for a short
+/// motion after the key is released.
+const MAX_IN_FLIGHT: usize = 2;
 /// The increment of a packet at full speed, in units of the dialect: millimetres by the specification.
 const FASTEST: f32 = 5.0;

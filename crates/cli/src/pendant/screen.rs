@@ -1,4 +1,4 @@
-//! The screen of the pendant, as a pure function of what is known and of the terminal's size.
+//! The screen of the pendant, as a pure function of the state and of the terminal's size.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -12,7 +12,7 @@ use super::{Drive, KeyReports, Pendant, Question};
 use crate::verbs::watch::dashboard::{alarm_of_state, bar};
 use crate::verbs::watch::panels;
 
-/// Draws everything.
+/// Draws the screen.
 pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
     let rows = [
         Constraint::Length(1),
@@ -33,12 +33,12 @@ pub(crate) fn draw(frame: &mut Frame, pendant: &Pendant) {
     frame.render_widget(answer(pendant), bottom);
 }
 
-/// What a person has to know first.
+/// The alarm line.
 pub(crate) fn alarm(pendant: &Pendant) -> Paragraph<'static> {
     bar(&alarm_of_state(pendant.state.as_ref()))
 }
 
-/// What is held, and how fast.
+/// The held button and its speed.
 pub(crate) fn held(pendant: &Pendant) -> Paragraph<'static> {
     let (name, unit) = match pendant.drive {
         Drive::Jog => (" jog ", "% of the jog speed"),
@@ -68,17 +68,15 @@ const fn frame_name(frame: JogFrame) -> &'static str {
     }
 }
 
-/// The keys, and what this terminal tells of them.
+/// The keys, and how this terminal reports them.
 fn keys_of(frame: &mut Frame, area: Rect, pendant: &Pendant) {
     let mut lines = move_lines(pendant);
-    lines.push(key_line(&[("u j", "pump on, off"), ("q", "leave")]));
+    lines.push(key_line(&[("u j", "pump on, off"), ("q", "quit")]));
     lines.push(match pendant.hold.keys() {
         KeyReports::Releases => "the arm moves while a key is held".dim().into(),
-        KeyReports::Presses => {
-            "the arm moves while a key repeats: first a short step, then on and on"
-                .dim()
-                .into()
-        }
+        KeyReports::Presses => "the arm moves while a key repeats: a short step, then continuously"
+            .dim()
+            .into(),
     });
     panels::panel(frame, area, "keys", lines);
 }
@@ -99,15 +97,15 @@ pub(crate) fn move_lines(pendant: &Pendant) -> Vec<Line<'static>> {
     ];
     if matches!(pendant.drive, Drive::Jog) {
         lines.push(key_line(&[
-            ("r f", "tool turns"),
-            ("o c", "gripper opens, closes"),
+            ("r f", "turn tool"),
+            ("o c", "open, close gripper"),
             ("Tab", "joints or x, y, z"),
         ]));
     }
     lines
 }
 
-/// Keys with what they do.
+/// Formats keys with their meanings.
 pub(crate) fn key_line(keys: &[(&'static str, &'static str)]) -> Line<'static> {
     let spans = keys
         .iter()
@@ -115,12 +113,12 @@ pub(crate) fn key_line(keys: &[(&'static str, &'static str)]) -> Line<'static> {
     Line::from(spans.collect::<Vec<Span>>())
 }
 
-/// The question, or what there is to say about the last key.
+/// The question, or the answer to the last key.
 pub(crate) fn answer(pendant: &Pendant) -> Paragraph<'_> {
     let question = match pendant.asks {
-        Some(Question::Reset) => " let the arm move again? look at it first   y yes   n no",
+        Some(Question::Reset) => " clear the stop? look at the arm first   y yes   n no",
         Some(Question::Confirm) => {
-            " does the arm stand where the screen says, and does it point there?   y yes   n no"
+            " is the arm at this position, and does it point there?   y yes   n no"
         }
         None => {
             let text = pendant.answer.as_deref().or_else(|| pendant.remedy());
@@ -131,12 +129,12 @@ pub(crate) fn answer(pendant: &Pendant) -> Paragraph<'_> {
 }
 
 impl Pendant {
-    /// What to do where no key moves the arm.
+    /// The remedy while no key moves the arm.
     fn remedy(&self) -> Option<&'static str> {
-        self.hindrance().map(|it| match it {
-            Question::Reset => "look at the arm; r lets it move again",
+        self.hindrance().map(|question| match question {
+            Question::Reset => "look at the arm, then press r to clear the stop",
             Question::Confirm => {
-                "see where the arm stands and points; if not as the screen says, turn it by hand; then r"
+                "compare the arm with the screen, turn it by hand if it differs, then press r"
             }
         })
     }
@@ -177,11 +175,11 @@ mod tests {
             "x+ x-",
             "y+ y-",
             "z+ z-",
-            "tool turns",
+            "turn tool",
             "gripper",
             "pump",
             "speed",
-            "leave",
+            "quit",
             "a key repeats",
             "no key held",
             "50 %",
@@ -198,7 +196,7 @@ mod tests {
             screen.contains("x+ x-") && screen.contains("is held"),
             "{screen}"
         );
-        assert!(!screen.contains("gripper opens"), "{screen}");
+        assert!(!screen.contains("close gripper"), "{screen}");
     }
 
     #[test]

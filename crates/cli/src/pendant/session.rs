@@ -1,4 +1,4 @@
-//! The pendant at work: between the terminal and the station.
+//! The loop of the pendant between the terminal and the station.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,40 +18,40 @@ use super::{Drive, Pendant};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 
-/// A pendant, and what its keys mean beside.
+/// A screen around a pendant with additional keys.
 pub(crate) trait Panel {
     /// The pendant.
     fn pendant(&mut self) -> &mut Pendant;
 
-    /// Draws everything.
+    /// Draws the screen.
     fn draw(&self, frame: &mut Frame);
 
-    /// Takes what the terminal tells.
+    /// Handles an event of the terminal.
     fn handle_event(&mut self, now: Duration, event: &Event) {
         self.pendant().handle_event(now, event);
     }
 
-    /// Takes what the station tells all the time.
+    /// Handles a state of the station.
     fn handle_state(&mut self, state: State) {
         self.pendant().handle_state(state);
     }
 
-    /// Takes what the station answers.
+    /// Handles a reply of the station.
     fn handle_reply(&mut self, reply: &Reply) {
         self.pendant().handle_reply(reply);
     }
 
-    /// Takes that the station refuses a request.
+    /// Handles the refusal of a request.
     fn handle_refused(&mut self, request: &Request, _kind: Option<&str>, why: String) {
         self.pendant().handle_refused(request, why);
     }
 
-    /// A file that is to be written, and its text.
+    /// Returns the next file to write, with its text.
     fn poll_file(&mut self) -> Option<(PathBuf, String)> {
         None
     }
 
-    /// Takes what came of writing this text.
+    /// Handles the result of writing a text.
     fn handle_saved(&mut self, _: String, _: io::Result<()>) {}
 }
 
@@ -65,8 +65,8 @@ impl Panel for Pendant {
     }
 }
 
-/// Lets a person move the arm with keys until they leave; control has been taken. `panel` makes what is
-/// on the screen of a pendant that jogs.
+/// Lets a person move the arm with keys until they quit. The client must have control. `panel` creates the
+/// screen around the pendant.
 pub(crate) async fn run<P: Panel>(
     station: &mut StationClient,
     drive: Drive,
@@ -95,14 +95,14 @@ pub(crate) async fn run<P: Panel>(
                 continue;
             }
             () = clock.wait_until(panel.pendant().poll_wakeup()) => {}
-            heard = clock.next(station) => match heard? {
+            event = clock.next(station) => match event? {
                 StationEvent::State(state) => panel.handle_state(*state),
                 StationEvent::Notice(notice) => panel.pendant().handle_notice(notice),
             },
         }
         is_shown = false;
         panel.pendant().handle_time(clock.now());
-        ask_all(station, &mut panel, clock).await?;
+        send_requests(station, &mut panel, clock).await?;
         if let Some((file, text)) = panel.poll_file() {
             let saved = write_whole(&file, &text);
             panel.handle_saved(text, saved);
@@ -113,22 +113,22 @@ pub(crate) async fn run<P: Panel>(
     }
 }
 
-/// Writes a file so that it is there as it was or as it is to be, whatever happens meanwhile.
+/// Replaces a file atomically.
 fn write_whole(file: &Path, text: &str) -> io::Result<()> {
-    // A link goes on to lead to where it leads.
+    // Keep a symbolic link, and replace its target.
     let file = file.canonicalize().unwrap_or_else(|_| file.to_owned());
     let mut name = file.file_name().unwrap_or_default().to_owned();
     name.push(".new");
     let beside = file.with_file_name(name);
     let written = std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, &file));
     if written.is_err() {
-        // What is left of it is of no use.
+        // Best effort: remove the incomplete file.
         let _ = std::fs::remove_file(&beside);
     }
     written
 }
 
-/// What the gamepad tells next; once `None` where it is gone, and nothing where there is none.
+/// Waits for the next event of the gamepad, once for `None` after it was disconnected, and forever without one.
 async fn pad_event(pad: &mut Option<PadEvents>) -> Option<[u8; EVENT_LEN]> {
     let Some(events) = pad else {
         return std::future::pending().await;
@@ -140,8 +140,8 @@ async fn pad_event(pad: &mut Option<PadEvents>) -> Option<[u8; EVENT_LEN]> {
     event
 }
 
-/// Asks for all that the pendant wants now.
-async fn ask_all(
+/// Sends the pending requests of the pendant.
+async fn send_requests(
     station: &mut StationClient,
     panel: &mut impl Panel,
     clock: Clock,
@@ -150,7 +150,7 @@ async fn ask_all(
         match station.request(request.clone()).await {
             Ok(reply) => panel.handle_reply(&reply),
             Err(error @ RemoteError::Refused(_)) => {
-                let hint = error.hint().map(|it| format!("; {it}"));
+                let hint = error.hint().map(|hint| format!("; {hint}"));
                 let why = format!("{error}{}", hint.unwrap_or_default());
                 panel.handle_refused(&request, error.kind(), why);
             }
@@ -160,17 +160,17 @@ async fn ask_all(
     Ok(())
 }
 
-/// The person's clock. An arm in this process has a clock of its own that stands while nobody waits:
-/// it is kept at the person's.
+/// Real time. A virtual arm in this process has its own clock, which advances only while waiting; it is kept
+/// in step with real time.
 #[derive(Clone, Copy)]
 pub(crate) struct Clock {
     began: Instant,
-    /// What the arm's clock showed then.
+    /// The time of the arm's clock at the start.
     arm: Duration,
 }
 
 impl Clock {
-    /// From now on.
+    /// Starts the clock.
     pub(crate) fn of(station: &StationClient) -> Self {
         Self {
             began: Instant::now(),
@@ -178,12 +178,12 @@ impl Clock {
         }
     }
 
-    /// The time since then.
+    /// The time since the start.
     pub(crate) fn now(&self) -> Duration {
         self.began.elapsed()
     }
 
-    /// Waits for a time; for ever, where none is given.
+    /// Waits until a time, or forever for `None`.
     pub(crate) async fn wait_until(&self, time: Option<Duration>) {
         match time {
             Some(time) => tokio::time::sleep_until(self.began + time).await,
@@ -191,14 +191,14 @@ impl Clock {
         }
     }
 
-    /// What the station tells next.
+    /// Waits for the next event of the station.
     pub(crate) async fn next(
         &self,
         station: &mut StationClient,
     ) -> Result<StationEvent, RemoteError> {
         if station.virtual_arm().is_some() {
-            let told_until = station.now().saturating_sub(self.arm);
-            tokio::time::sleep_until(self.began + told_until).await;
+            let arm_time = station.now().saturating_sub(self.arm);
+            tokio::time::sleep_until(self.began + arm_time).await;
         }
         station.next().await
     }

@@ -1,4 +1,4 @@
-//! The terminal of the pendant: its screen, and what it tells of its keys.
+//! The terminal of the pendant: its screen and its key events.
 
 use std::io::{self, IsTerminal, stdout};
 use std::time::Duration;
@@ -25,15 +25,15 @@ pub(crate) struct Screen {
 }
 
 impl Screen {
-    /// Takes the terminal, and has it tell when a key is let go if it can.
+    /// Opens the screen, and enables reports of key releases if the terminal supports them.
     pub(crate) fn open() -> io::Result<Self> {
-        // From here on a panic restores the terminal, too.
+        // From here on, a panic also restores the terminal.
         let terminal = ratatui::try_init()?;
-        // One that does not answer tells presses alone.
-        let tells = supports_keyboard_enhancement().unwrap_or(false);
+        // A terminal that does not answer reports only presses.
+        let reports_releases = supports_keyboard_enhancement().unwrap_or(false);
         let screen = Self {
             terminal,
-            keys: if tells || cfg!(windows) {
+            keys: if reports_releases || cfg!(windows) {
                 KeyReports::Releases
             } else {
                 KeyReports::Presses
@@ -41,23 +41,23 @@ impl Screen {
             free_from: Instant::now(),
         };
         execute!(stdout(), EnableFocusChange)?;
-        if tells {
+        if reports_releases {
             execute!(stdout(), PushKeyboardEnhancementFlags(FLAGS))?;
         }
         Ok(screen)
     }
 
-    /// What the terminal tells of its keys.
+    /// The key events that the terminal reports.
     pub(crate) const fn keys(&self) -> KeyReports {
         self.keys
     }
 
-    /// From when on it is to be drawn anew: an arm tells more than a person sees, and no key waits for that.
+    /// The time of the next drawing, which limits the frame rate.
     pub(crate) const fn free_from(&self) -> Instant {
         self.free_from
     }
 
-    /// Draws anew.
+    /// Draws the screen.
     pub(crate) fn draw(&mut self, draw: impl FnOnce(&mut Frame)) -> io::Result<()> {
         self.terminal.draw(draw)?;
         self.free_from = Instant::now() + FRAME;
@@ -67,7 +67,7 @@ impl Screen {
 
 impl Drop for Screen {
     fn drop(&mut self) {
-        // A terminal that is gone needs nothing.
+        // Errors do not matter: the terminal may be gone.
         if self.keys == KeyReports::Releases && !cfg!(windows) {
             let _ = execute!(stdout(), PopKeyboardEnhancementFlags);
         }
@@ -76,7 +76,7 @@ impl Drop for Screen {
     }
 }
 
-/// Whether a person sits at a terminal; `instead` is what a program does.
+/// Checks that there is a terminal; `instead` is the hint.
 pub(crate) fn check_terminal(what: &str, instead: &str) -> Result<(), Failure> {
     if io::stdin().is_terminal() && io::stdout().is_terminal() {
         return Ok(());
@@ -84,9 +84,9 @@ pub(crate) fn check_terminal(what: &str, instead: &str) -> Result<(), Failure> {
     Err(Failure::new(anyhow!("{what} needs a terminal"), instead))
 }
 
-/// Thirty pictures a second.
+/// Thirty frames per second.
 const FRAME: Duration = Duration::from_millis(33);
-/// With presses, repeats and releases of all keys.
+/// Reports of presses, repeats and releases of all keys.
 const FLAGS: Flags = Flags::DISAMBIGUATE_ESCAPE_CODES
     .union(Flags::REPORT_EVENT_TYPES)
     .union(Flags::REPORT_ALL_KEYS_AS_ESCAPE_CODES);

@@ -1,4 +1,4 @@
-//! `dobot arm`: serve a virtual arm.
+//! `dobot arm`: serves a virtual arm.
 
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -17,69 +17,71 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::verbs::calibrate;
 use crate::verbs::world::read_scene;
-use crate::{open_files, output, stderr};
+use crate::{open_files, output, stderr, values};
 
-/// Serve a virtual arm, in real time or faster, on TCP and on a virtual serial port
+/// Serve a virtual arm on TCP and on a virtual serial port
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot arm                          on TCP 127.0.0.1:5555 and on a virtual serial port
-  dobot arm --pty /tmp/dobot         a virtual serial port with a name of your own, only
-  dobot arm --tcp 127.0.0.1:0        a free TCP port, only
-  dobot arm --speed max              as fast as its client keeps up
+  dobot arm                          on tcp:127.0.0.1:5555 and a serial port
+  dobot arm --pty /tmp/dobot         only on a serial port with this name
+  dobot arm --tcp 127.0.0.1:0        only on TCP, on a free port
+  dobot arm --time-factor max        as fast as its client can follow
   dobot arm --fault drop=1% --fault reset@open
-                                     a bad line, and an arm that starts anew when its port is opened
-  dobot arm --world desk.toml        with paper, tool and objects; `dobot world` tells of them
-  dobot arm --calibration arm.toml   what `dobot calibrate` found wrong with an arm of yours
-  dobot arm --count 30               thirty arms, on the ports 5555 to 5584
+                                     a bad line; a reset when the port opens
+  dobot arm --world desk.toml        with paper, tool and objects
+  dobot arm --calibration arm.toml   with the errors of a calibrated arm
+  dobot arm --count 30               thirty arms, on ports 5555 to 5584
 
-It behaves like a real arm: one client at a time, 9600 baud, 12.5 statuses per second.
-What it refuses and which fault strikes is told here. Ctrl-C ends it.
+It behaves like a real arm: one client at a time, 9600 baud, 12.5 statuses per
+second. Refused packets and injected faults are printed. Ctrl-C ends it.
 
-Faults: drop=1%, flip=0.1%, duplicate=1% (or a number of bytes; :to or :from for one way),
-delay=50ms, withhold@10s..12s, close@12s..14s, reset@12s, reset=rear:1.5,fore:-0.8@open,
-power@12s..15s, lose=rear:30, lose=fore:1%, backlash=base:0.3, zero=fore:2.
-When: @12s, @packet5 or @status100, from then on; @12s..15s, @packet5..+2s, a while.")]
+Faults: drop=1%, flip=0.1%, duplicate=1% (or a number of bytes; append :to or
+:from for one direction), delay=50ms, withhold@10s..12s, close@12s..14s,
+reset@12s, reset=rear:1.5,fore:-0.8@open, power@12s..15s, lose=rear:30,
+lose=fore:1%, backlash=base:0.3, zero=fore:2.
+Times: from @12s, @packet5 or @status100 on; or during @12s..15s,
+@packet5..+2s.")]
 pub(crate) struct Args {
-    /// Serve on TCP; port 0 takes a free one
-    #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = "127.0.0.1:5555")]
+    /// TCP address to serve on; port 0 picks a free port
+    #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = "127.0.0.1:5555", value_parser = values::socket_address)]
     tcp: Option<SocketAddr>,
     /// Serve on a virtual serial port, with a symbolic link to it at LINK
     #[cfg(unix)]
     #[arg(long, value_name = "LINK", num_args = 0..=1, default_missing_value = "", conflicts_with = "count")]
     pty: Option<PathBuf>,
-    /// How the arm behaves: specification, or firmware-1.1 as the arms that were sold do
+    /// Behaviour of the arm: specification, or firmware-1.1 for an arm as sold
     #[arg(long, value_name = "PERSONALITY", default_value = "specification")]
     personality: Personality,
-    /// The port that firmware-1.1 serves: usb or bluetooth
-    #[arg(long, value_name = "PORT", default_value = "usb", value_parser = port)]
+    /// Port of a firmware-1.1 arm: usb or bluetooth
+    #[arg(long, value_name = "PORT", default_value = "usb", value_parser = port, hide_short_help = true)]
     port: Port,
-    /// What the tilt sensors read at power-up: rear arm and forearm, in degrees
+    /// Angles of rear arm and forearm at power-up, in degrees
     #[arg(long, value_name = "REAR,FORE", default_value = "45,45", value_parser = pose, allow_hyphen_values = true)]
     pose: (f64, f64),
-    /// How fast time passes: 0.1 to 1000 times as fast as a clock, or max
+    /// Simulation speed, 0.1 to 1000 times real time, or max
     ///
-    /// With max, time runs on to the next status, then waits until the client has answered, for a
-    /// millisecond at most; without a client it stands still.
+    /// With max, time advances to the next status, then waits until the client has answered, for up to a
+    /// millisecond. Without a client it stands still.
     #[arg(long, value_name = "FACTOR", default_value = "1")]
-    speed: Speed,
-    /// What goes wrong, as in drop=1% or reset@12s; may be given several times
+    time_factor: Speed,
+    /// Fault to inject, for example drop=1% or reset@12s; may be repeated
     #[arg(long = "fault", value_name = "FAULT")]
     faults: Vec<Fault>,
-    /// Be an arm with the zeros and the backlash of a calibration
+    /// Calibration file with the zeros and the backlash of the arm
     #[arg(long, value_name = "ARM.toml")]
     calibration: Option<PathBuf>,
-    /// Chooses what happens by chance: the same faults with the same seed do the same
-    #[arg(long, value_name = "N", default_value = "0")]
+    /// Random seed of the faults; the same seed gives the same faults
+    #[arg(long, value_name = "N", default_value = "0", value_parser = values::whole_from(0), hide_short_help = true)]
     seed: u64,
-    /// Serve so many arms, each on a TCP port of its own, one after the other
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=10_000))]
+    /// Number of arms, 1 to 10000, each on its own TCP port
+    #[arg(long, value_name = "N", value_parser = values::number(1..=10_000_u16, "arms"))]
     count: Option<u16>,
-    /// Put the arm into the world of a scene file: paper, tool, objects
+    /// Scene file with the arm's surroundings: paper, tool, objects
     #[arg(long, value_name = "SCENE", conflicts_with = "count")]
     world: Option<PathBuf>,
-    /// Where `dobot world` can ask for it; port 0 takes a free one
-    #[arg(long, value_name = "HOST:PORT", requires = "world", default_value_t = DEFAULT_WORLD)]
+    /// TCP address that serves the surroundings to `dobot world`; port 0 picks a free port
+    #[arg(long, value_name = "HOST:PORT", requires = "world", default_value_t = DEFAULT_WORLD, value_parser = values::socket_address)]
     world_port: SocketAddr,
 }
 
@@ -93,7 +95,8 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let (tcp, pty) = args.places();
     let mut servers = Vec::new();
     for (number, address) in args.addresses(tcp)?.into_iter().enumerate() {
-        let mut server = Server::new(args.arm(number as u64, scene.as_ref())).at_speed(args.speed);
+        let mut server =
+            Server::new(args.arm(number as u64, scene.as_ref())).at_speed(args.time_factor);
         if let Some(address) = address {
             server = server.on_tcp(args.listen(address).await?);
         }
@@ -101,20 +104,20 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
     #[cfg(unix)]
     if let Some(link) = pty {
-        let link = Some(link).filter(|it| !it.as_os_str().is_empty());
+        let link = Some(link).filter(|link| !link.as_os_str().is_empty());
         let pty =
             dobot_sim::Pty::open(link.as_deref()).map_err(|error| no_pty(error, link.as_ref()))?;
         output::line(&format!("serial:{}   the same arm", pty.path().display()))?;
-        let only = servers.pop().expect("there is one arm at least");
+        let only = servers.pop().expect("there is at least one arm");
         servers.push(only.on_pty(pty));
     }
     if scene.is_some() {
         let listener = listen(args.world_port, "world-port").await?;
         output::line(&format!(
-            "{}   its world, for `dobot world --from`",
+            "{}   its surroundings, for `dobot world --address`",
             listener.local_addr()?
         ))?;
-        let only = servers.pop().expect("there is one arm at least");
+        let only = servers.pop().expect("there is at least one arm");
         servers.push(only.on_world(listener));
     }
     tokio::select! {
@@ -123,7 +126,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
 }
 
-/// Runs all arms; ends with the first one that cannot be served any more.
+/// Runs all arms until one of them fails.
 async fn serve(servers: Vec<Server>) -> Result<(), Failure> {
     let several = servers.len() > 1;
     let mut running = JoinSet::new();
@@ -135,7 +138,7 @@ async fn serve(servers: Vec<Server>) -> Result<(), Failure> {
         };
         running.spawn(async move {
             server
-                .run(|it| stderr::line(&format!("{name}{}", text(&it))))
+                .run(|event| stderr::line(&format!("{name}{}", text(&event))))
                 .await
         });
     }
@@ -147,8 +150,8 @@ async fn serve(servers: Vec<Server>) -> Result<(), Failure> {
 }
 
 impl Args {
-    /// Where to serve: everywhere, unless told where. A virtual serial port without a link has an
-    /// empty name.
+    /// The TCP address and the serial port to serve on; both by default. A virtual serial port without
+    /// a link has an empty name.
     #[cfg(unix)]
     fn places(&self) -> (Option<SocketAddr>, Option<PathBuf>) {
         match (self.tcp, &self.pty) {
@@ -163,7 +166,7 @@ impl Args {
         (self.tcp.or(Some(DEFAULT_TCP)), ())
     }
 
-    /// Where each arm is served on TCP, if it is.
+    /// The TCP address of each arm, if it is served on TCP.
     fn addresses(&self, tcp: Option<SocketAddr>) -> Result<Vec<Option<SocketAddr>>, Failure> {
         let Some(first) = tcp else {
             return Ok(vec![None]);
@@ -180,11 +183,11 @@ impl Args {
         let addresses: Option<Vec<_>> = (0..count).map(at).collect();
         addresses.ok_or_else(|| {
             let last = 65_535 - (count - 1);
-            anyhow!("{count} arms from port {} on go beyond port 65535; the first port may be up to {last}", first.port()).into()
+            anyhow!("{count} arms from port {} on exceed port 65535; the first port may be up to {last}", first.port()).into()
         })
     }
 
-    /// The arm of that number; each has chances of its own.
+    /// Creates the arm with a number; each has its own random sequence.
     fn arm(&self, number: u64, scene: Option<&Scene>) -> VirtualArm {
         let power_up = PowerUp {
             personality: self.personality,
@@ -215,7 +218,7 @@ impl Args {
     }
 }
 
-/// A calibration as faults: its zeros and its backlash.
+/// Converts the zeros and the backlash of a calibration to faults.
 fn faults_of(known: &CalibrationFile) -> Vec<Fault> {
     let Zeros { base, rear, fore } = known.zeros;
     let [slack_base, slack_rear, slack_fore] = known.backlash_deg();
@@ -231,14 +234,14 @@ fn faults_of(known: &CalibrationFile) -> Vec<Fault> {
     .filter(|(_, deg)| *deg != 0.0)
     .map(|(what, deg)| format!("{what}:{deg}").parse())
     .collect::<Result<_, _>>()
-    .expect("what a calibration may hold an arm may have")
+    .expect("a calibration holds only values that a fault allows")
 }
 
 fn port(text: &str) -> Result<Port, String> {
     match text {
         "usb" => Ok(Port::Usb),
         "bluetooth" => Ok(Port::Bluetooth),
-        _ => Err("a port is usb or bluetooth".to_owned()),
+        _ => Err("expected usb or bluetooth".to_owned()),
     }
 }
 
@@ -248,13 +251,13 @@ fn pose(text: &str) -> Result<(f64, f64), String> {
         Some((angle(rear, -5.0, 85.0)?, angle(fore, -10.0, 95.0)?))
     };
     angles().ok_or_else(|| {
-        "a pose is two angles in degrees, the rear arm's from -5 to 85 and the forearm's from -10 to 95, as in 45,45"
+        "expected two angles in degrees, -5 to 85 for the rear arm and -10 to 95 for the forearm, as in 45,45"
             .to_owned()
     })
 }
 
 fn angle(text: &str, least: f64, most: f64) -> Option<f64> {
-    text.parse().ok().filter(|it| (least..=most).contains(it))
+    text.parse().ok().filter(|deg| (least..=most).contains(deg))
 }
 
 async fn listen(address: SocketAddr, option: &str) -> Result<TcpListener, Failure> {
@@ -265,7 +268,7 @@ async fn listen(address: SocketAddr, option: &str) -> Result<TcpListener, Failur
             Failure::new(
                 error,
                 format!(
-                    "another arm may be served there; `--{option} 127.0.0.1:0` takes a free port"
+                    "use `--{option} 127.0.0.1:0` for a free port; another arm may be served on this one"
                 ),
             )
         } else {
@@ -285,12 +288,9 @@ fn no_pty(error: std::io::Error, link: Option<&PathBuf>) -> Failure {
     let result: Result<(), _> = Err(error);
     let error = result
         .with_context(|| format!("cannot make a virtual serial port at {}", link.display()))
-        .expect_err("it is one");
+        .expect_err("the result is an error");
     if exists {
-        Failure::new(
-            error,
-            "something is there already: remove it or choose another name",
-        )
+        Failure::new(error, "remove the existing file, or choose another name")
     } else {
         error.into()
     }
@@ -300,18 +300,18 @@ fn text(event: &ServerEvent) -> String {
     match event {
         ServerEvent::TcpConnected(from) => format!("connected: {from}"),
         ServerEvent::TcpRefused(from) => {
-            format!("turned away: {from}; another client has the arm")
+            format!("connection refused: {from}; another client is connected")
         }
         ServerEvent::PtyOpened => "connected: virtual serial port".to_owned(),
         ServerEvent::PtyMoved(path) => format!(
-            "the last client left the virtual serial port locked; now it is serial:{}",
+            "the last client left the virtual serial port locked; it is now serial:{}",
             path.display()
         ),
         ServerEvent::Overrun => {
-            "the client sends faster than 9600 baud: bytes are lost, as on a real line".to_owned()
+            "the client sends faster than 9600 baud; bytes are lost, as on a real line".to_owned()
         }
         ServerEvent::PortClosed(from) => {
-            format!("turned away: {from}; a fault has closed the port")
+            format!("connection refused: {from}; a fault has closed the port")
         }
         ServerEvent::Struck(struck) => struck.to_string(),
         ServerEvent::World(happened) => happened.to_string(),
@@ -321,5 +321,5 @@ fn text(event: &ServerEvent) -> String {
     }
 }
 
-/// With that many arms the open files may not be enough.
+/// Above this number of arms, the limit of open files is raised.
 const MANY_ARMS: u16 = 100;

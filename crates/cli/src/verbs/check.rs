@@ -1,4 +1,4 @@
-//! `dobot check`: looks at a program before anything moves.
+//! `dobot check`: checks a program before anything moves.
 
 use dobot_host::{PlannedFor, Rules};
 use std::path::PathBuf;
@@ -14,26 +14,26 @@ use crate::failure::Failure;
 use crate::output;
 use crate::program_file;
 
-/// Look at a program before anything moves: all that is wrong in it, and how long it takes
+/// Check a program: list its problems and its duration; nothing moves
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot check pick-and-place.toml          every problem, with its step, its line and what helps
-  dobot check PlayBackPoints.xml           points of the vendor's program
+  dobot check pick-and-place.toml       each problem with its step, line and remedy
+  dobot check PlayBackPoints.xml        points of the vendor's program
   dobot check job.toml --policy policy.toml --dialect specification
-  dobot check --schema > program.json      the JSON Schema of programs, for editors
+  dobot check --schema > program.json   the JSON Schema of programs, for editors
 
-Exit code 1 tells that there are problems. Times are those of the motion model from an arm that was just
-switched on.")]
+The exit code is 1 if there are problems. Durations follow from the motion
+model of an arm that was just switched on.")]
 pub(crate) struct Args {
-    /// The program: a TOML file, PlayBackPoints.xml or a .play file
+    /// Program: a TOML file, PlayBackPoints.xml or a .play file
     #[arg(required_unless_present = "schema")]
     program: Option<PathBuf>,
-    /// The policy, a TOML file; the default policy if it is not given
+    /// Safety policy, a TOML file (default: as printed by `dobot policy`)
     #[arg(long, value_name = "FILE")]
     policy: Option<PathBuf>,
-    /// Which arm: specification or firmware-1.1
-    #[arg(long, default_value_t = Dialect::FIRMWARE_1_1)]
+    /// Protocol dialect of the arm: specification or firmware-1.1
+    #[arg(long, value_name = "DIALECT", default_value_t = Dialect::FIRMWARE_1_1)]
     dialect: Dialect,
     /// Print the report as JSON
     #[arg(long)]
@@ -70,18 +70,24 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
     match report.problems.len() {
         0 => Ok(()),
-        count => Err(anyhow!("{} has {count} problems", file.display()).into()),
+        count => Err(anyhow!("{} has {}", file.display(), output::count(count, "problem")).into()),
     }
 }
 
 fn lines(compiled: &Compiled, report: &Report) -> Vec<String> {
     let mut lines: Vec<String> = report.problems.iter().map(ToString::to_string).collect();
     lines.push(format!(
-        "{}: {} steps, {} commands, {} waits for a person",
+        "{}: {}",
         compiled.title,
-        compiled.steps.len(),
-        compiled.commands.len(),
-        compiled.pauses.len()
+        output::counts(&[
+            (compiled.steps.len(), "step", "steps"),
+            (compiled.commands.len(), "command", "commands"),
+            (
+                compiled.pauses.len(),
+                "pause for a person",
+                "pauses for a person"
+            ),
+        ])
     ));
     if let Some(cycle_s) = report.cycle_s {
         lines.push(format!("a cycle takes {}", output::clock(cycle_s)));

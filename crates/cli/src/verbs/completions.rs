@@ -1,13 +1,12 @@
-//! `dobot completions`: what a shell has to know to complete the verbs.
+//! `dobot completions`: prints shell completions.
 
-use clap::CommandFactory;
 use clap_complete::Shell;
 
-use crate::Cli;
+use crate::command_line;
 use crate::failure::Failure;
 use crate::output;
 
-/// Print what a shell needs to complete verbs and options with the Tab key
+/// Print shell completions
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -15,12 +14,12 @@ Examples:
   dobot completions zsh > ~/.zfunc/_dobot
   dobot completions fish > ~/.config/fish/completions/dobot.fish")]
 pub(crate) struct Args {
-    /// Which shell
+    /// Shell
     shell: Shell,
 }
 
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let mut text = Vec::new();
-    clap_complete::generate(args.shell, &mut Cli::command(), "dobot", &mut text);
+    clap_complete::generate(args.shell, &mut command_line::command(), "dobot", &mut text);
     Ok(output::bytes(&text)?)
 }

@@ -1,21 +1,22 @@
-//! `dobot confirm`: the arm stands where it says.
+//! `dobot confirm`: confirms the reported pose of the arm.
 
 use crate::control::{self, check_pose};
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
 
-/// Confirm that the arm stands where its statuses say, after a reset
+/// Confirm the reported pose of the arm after a reset
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot confirm            shows where the arm says that it stands, and asks
+  dobot confirm            show the reported pose, and ask
   dobot confirm --yes      a person has looked already
 
-An arm that was reset takes its base for pointing straight ahead, wherever it points. If it does not, turn it by
-hand, or tell it its angles with `dobot set angles`. Until its pose is trusted, the station moves nothing.")]
+After a reset, the arm assumes that its base points straight ahead. If it does
+not, turn it by hand, or send the angles with `dobot set angles`. The station
+moves nothing until the pose is confirmed.")]
 pub(crate) struct Args {
-    /// Do not ask: a person has looked
+    /// Confirm without being asked; a person must have looked
     #[arg(long)]
     yes: bool,
     #[command(flatten)]
@@ -27,5 +28,5 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let status = control::status(&mut station).await?;
     check_pose(&mut station, args.yes).await?;
     output::line(&output::status_text(&status))?;
-    Ok(output::line("the pose is trusted")?)
+    Ok(output::line("the pose is confirmed")?)
 }

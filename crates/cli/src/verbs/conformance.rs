@@ -1,4 +1,4 @@
-//! `dobot conformance`: check a controller against the protocol.
+//! `dobot conformance`: checks a controller against the protocol.
 
 use std::fs;
 use std::io::{self, IsTerminal, Write};
@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
 
-/// Check a controller, real or virtual, against the protocol
+/// Check a real or virtual controller against the protocol
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -23,32 +23,35 @@ Examples:
   dobot conformance serial:/dev/ttyUSB0
   dobot conformance tcp:localhost:5555 --yes --report arm.md
 
-It takes about a minute and a half (a virtual arm in this process: no time). How long the line takes is measured
-first; up to 600 ms there and back are waited for. The arm is lifted by 10 mm, moves by up
-to 10 mm and 5 degrees around there, never below where it stood, switches the pump for a moment, and goes
-back. Speeds and other settings end up as they are at power-up. Ctrl-C stops it and brings the arm back.
+It takes about 90 seconds, or no time for a virtual arm in this process. The
+round-trip time of the line is measured first; it may be up to 600 ms. The arm
+is lifted by 10 mm, moves by up to 10 mm and 5 degrees around that point, never
+below its start, switches the pump briefly, and moves back. Speeds and other
+settings are reset to their power-up values. Ctrl-C stops the checks and brings
+the arm back.
 
-A line for each check: holds; specification or firmware-1.1, where only this dialect has it so; DIFFERS;
-unsteady, where it was not the same each time; not tried. The exit code is 0 when all that was tried holds, in
-one dialect.")]
+Each check has one line with its result: holds; specification or firmware-1.1,
+if only that dialect has this behaviour; DIFFERS; unsteady, if the result was
+not always the same; not tried. The exit code is 0 if all checks that were tried
+hold in one dialect.")]
 pub(crate) struct Args {
     /// The controller's address.
-    #[arg(help = "The controller's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT")]
+    #[arg(help = "Address of the controller: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT")]
     address: Address,
-    /// How the arm of virtual: behaves: specification, or firmware-1.1 as the arms that were sold do
+    /// Behaviour of the arm at virtual:, specification or firmware-1.1 (default: specification)
     #[arg(long, value_name = "PERSONALITY")]
     personality: Option<Personality>,
-    /// Where to write the report; only another report is overwritten
+    /// Report file; only an earlier report is overwritten
     #[arg(long, value_name = "FILE", default_value = "conformance.md")]
     report: PathBuf,
     /// Move the arm without asking first
     #[arg(long)]
     yes: bool,
-    /// Switch the laser on for a moment: eyes, and what lies below, must be safe from it
+    /// Switch the laser on briefly; protect eyes and the surface below
     #[arg(long)]
-    laser: bool,
-    /// Try last what makes a stock arm hang until it is reset; for virtual arms
-    #[arg(long)]
+    with_laser: bool,
+    /// Try commands that make an arm as sold hang until it is reset; for virtual arms
+    #[arg(long, hide_short_help = true)]
     traps: bool,
 }
 
@@ -57,7 +60,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let link = args.link().await?;
     let interrupt = interrupt();
     let options = Options {
-        laser: args.laser,
+        laser: args.with_laser,
         traps: args.traps,
         fresh: args.is_virtual(),
     };
@@ -74,7 +77,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     };
     printed?;
     let Some(report) = report else {
-        eprintln!("stopping: the arm is brought back");
+        eprintln!("stopping: the arm moves back to its start");
         suite.stop().await?;
         return Err(anyhow!("interrupted").into());
     };
@@ -82,7 +85,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     fs::write(&args.report, file)
         .with_context(|| format!("cannot write {}", args.report.display()))?;
     let latency = report.latency();
-    let latency = latency.map_or_else(String::new, |it| format!("\nlatency: {it}"));
+    let latency = latency.map_or_else(String::new, |latency| format!("\nlatency: {latency}"));
     output::line(&format!(
         "\n{}{latency}\nreport: {}",
         report.summary(),
@@ -104,19 +107,18 @@ impl Args {
             return Ok(Link::over_peer(InProcess::new(arm)));
         }
         if self.personality.is_some() {
-            return Err(Failure::new(
-                anyhow!(
-                    "--personality is for virtual: only; {} has its own",
-                    self.address
-                ),
-                "leave it away: the checks find out what the controller speaks",
-            ));
+            let error = anyhow!(
+                "--personality is only for virtual:; {} has its own",
+                self.address
+            );
+            return Err(Failure::usage(error)
+                .with_hint("leave out `--personality`; the checks detect the dialect"));
         }
         self.consent()?;
         Ok(Link::open(&self.address).await?)
     }
 
-    /// Says what will move, and waits until a person agrees.
+    /// Describes what will move, and waits until a person agrees.
     fn consent(&self) -> Result<(), Failure> {
         if self.yes {
             return Ok(());
@@ -124,42 +126,43 @@ impl Args {
         if !io::stdin().is_terminal() {
             return Err(Failure::new(
                 anyhow!(
-                    "the arm at {} will move, and nobody is here to agree",
+                    "the arm at {} will move, and standard input is no terminal for a confirmation",
                     self.address
                 ),
-                "`--yes` agrees; the arm needs 30 mm of room around and above it",
+                "confirm with `--yes`; the arm needs 30 mm of free space around and above it",
             ));
         }
         eprint!("{}", self.warning());
         io::stderr().flush()?;
         let mut answer = String::new();
         if io::stdin().read_line(&mut answer)? == 0 {
-            return Err(anyhow!("nobody agreed").into());
+            return Err(anyhow!("not confirmed").into());
         }
         Ok(())
     }
 
     fn warning(&self) -> String {
-        let laser = if self.laser {
+        let laser = if self.with_laser {
             "The laser will be on for a moment.\n"
         } else {
             ""
         };
         let traps = if self.traps {
-            "At the end a stock arm will hang until it is reset.\n"
+            "At the end an arm as sold will hang until it is reset.\n"
         } else {
             ""
         };
         format!(
-            "The arm at {} will move for a minute or two: 10 mm up, around there by up to 10 mm and 5 degrees,\n\
-             and back. Its pump will run for a moment. Take off what hangs on it, and leave it 30 mm of room.\n\
-             {laser}{traps}Enter begins, Ctrl-C does not: ",
+            "The arm at {} will move for one to two minutes: 10 mm up, by up to 10 mm and 5 degrees around\n\
+             that point, and back. Its pump will run briefly. Remove what hangs on the arm, and keep 30 mm\n\
+             around it free.\n\
+             {laser}{traps}Press Enter to begin or Ctrl-C to cancel: ",
             self.address
         )
     }
 }
 
-/// One line of the table, in colour for a person.
+/// Formats one line of the table, in colour on a terminal.
 fn text(row: &Row) -> String {
     if !io::stdout().is_terminal() {
         return row.to_string();
@@ -176,7 +179,7 @@ fn text(row: &Row) -> String {
     format!("{id:<16}  \x1b[{colour}m{word:<13}\x1b[0m  {found}")
 }
 
-/// What it comes to, for the exit code.
+/// Judges the report, for the exit code.
 fn judged(report: &Report, address: &Address) -> Result<(), Failure> {
     if report.conforms() {
         return Ok(());
@@ -193,51 +196,51 @@ fn judged(report: &Report, address: &Address) -> Result<(), Failure> {
     let differing = report.differing();
     let error = match report.verdict() {
         _ if !differing.is_empty() => anyhow!(
-            "{} differ from the protocol: {}",
-            differing.len(),
+            "{} from the protocol: {}",
+            output::many(differing.len(), "check differs", "checks differ"),
             differing.join(", ")
         ),
         Verdict::Mixed { .. } => anyhow!("the controller mixes two dialects"),
         _ if !unsteady.is_empty() => {
             return Err(Failure::new(
                 anyhow!(
-                    "{} not the same each time: {}",
-                    unsteady.len(),
+                    "{} the same result each time: {}",
+                    output::many(unsteady.len(), "check does not have", "checks do not have"),
                     unsteady.join(", ")
                 ),
-                "the line loses packets: try another cable, or a machine nearer to the arm, and once more",
+                "try again with another cable, or on a machine closer to the arm; the line loses packets",
             ));
         }
-        _ => anyhow!("no check told which dialect the controller speaks"),
+        _ => anyhow!("no check identified the controller's dialect"),
     };
     Err(Failure::new(
         error,
-        "the report says what was found and which table or note says otherwise",
+        "see the report for the findings and the table or note that differs",
     ))
 }
 
-/// What to do about an arm that was not moved.
+/// Returns a remedy for an arm that was not moved.
 fn remedy(why: &Hindrance, address: &Address) -> String {
     match why {
         Hindrance::Pump => format!(
-            "`dobot jog suction-off --to {address}` switches it off; where it does not run, the status tells it the wrong way round"
+            "switch it off with `dobot jog suction-off --to {address}`; if it is off, the status reports it inverted"
         ),
         Hindrance::Slow(_) => {
             "run it on the machine that the arm is plugged into: `dobot conformance serial:PORT`"
                 .into()
         }
         _ => {
-            format!("`dobot move --joints 0 45 45 --to {address}` puts the arm where there is room")
+            format!("move the arm to free space: `dobot move --joints 0 45 45 --to {address}`")
         }
     }
 }
 
-/// Nothing but a report may be overwritten.
+/// Checks that only an earlier report would be overwritten.
 fn writable(report: &Path) -> Result<(), Failure> {
     match fs::read(report) {
         Ok(old) if !old.starts_with(HEADING.as_bytes()) => Err(Failure::new(
-            anyhow!("{} is there already and is no report", report.display()),
-            "`--report FILE` writes to another file",
+            anyhow!("{} exists and is not a report", report.display()),
+            "name another file with `--report FILE`",
         )),
         Ok(_) => Ok(()),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
@@ -247,13 +250,13 @@ fn writable(report: &Path) -> Result<(), Failure> {
     }
 }
 
-/// The date of today in UTC, as 2016-02-26.
+/// Today's date in UTC, as in 2016-02-26.
 fn today() -> String {
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     date(now.unwrap_or_default().as_secs() / 86_400)
 }
 
-/// The date so many days after 1970-01-01.
+/// The date a number of days after 1970-01-01.
 fn date(mut days: u64) -> String {
     let mut year = 1970;
     while days >= days_of(year) {

@@ -1,4 +1,4 @@
-//! `dobot convert`: programs and files of the vendor's programs, from one form to another.
+//! `dobot convert`: converts programs from and to the formats of the vendor's software.
 
 use std::path::{Path, PathBuf};
 
@@ -10,21 +10,21 @@ use crate::failure::Failure;
 use crate::output;
 use crate::program_file::{self, Kind};
 
-/// Convert a program into another form: .toml, PlayBackPoints.xml, .play, PlayBackParams.json
+/// Convert a program: .toml, PlayBackPoints.xml, .play, PlayBackParams.json
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot convert PlayBackPoints.xml job.toml        an old file as a program
-  dobot convert job.toml PlayBackPoints.xml        and back, for the vendor's program
-  dobot convert PlayBackParams.json speeds.toml    its speeds, as a step
+  dobot convert PlayBackPoints.xml job.toml       from the vendor's program
+  dobot convert job.toml PlayBackPoints.xml       and back
+  dobot convert PlayBackParams.json speeds.toml   its speeds, as one step
 
-What the other form cannot carry is told as warnings.")]
+Warnings name what the other format cannot hold.")]
 pub(crate) struct Args {
-    /// What is read
+    /// Input file
     from: PathBuf,
-    /// What is written
+    /// Output file
     to: PathBuf,
-    /// Write over a file that is there
+    /// Overwrite an existing file
     #[arg(long)]
     force: bool,
 }
@@ -48,13 +48,13 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     output::file(&args.to, text.as_bytes(), args.force)
 }
 
-/// A program with one step, which sets the speeds of `PlayBackParams.json`.
+/// Creates a program of one step that sets the speeds of `PlayBackParams.json`.
 fn speeds(file: &Path) -> Result<Program, Failure> {
     let params = PlaybackParams::read(&program_file::bytes(file)?)
         .with_context(|| file.display().to_string())?;
     if params.pause_time != 0.0 {
         eprintln!(
-            "warning: {}: pauseTime is {}; a program says each pause at its step, so it is left out",
+            "warning: {}: pauseTime is {}; it is omitted, because each step of a program has its own pause",
             file.display(),
             params.pause_time
         );
@@ -62,17 +62,26 @@ fn speeds(file: &Path) -> Result<Program, Failure> {
     Ok(Program::new(vec![Action::Speed(params.speed())]))
 }
 
-/// The first speeds of a program as `PlayBackParams.json`.
+/// Converts the first speeds of a program to `PlayBackParams.json`.
 fn params(program: &Program) -> Result<(String, Vec<String>), Failure> {
-    let speeds = program.steps.0.iter().find_map(|it| match it.get_ref() {
-        Action::Speed(speed) => Some(speed),
-        _ => None,
-    });
+    let speeds = program
+        .steps
+        .0
+        .iter()
+        .find_map(|step| match step.get_ref() {
+            Action::Speed(speed) => Some(speed),
+            _ => None,
+        });
     let speeds = speeds.ok_or_else(|| {
-        anyhow!("the program has no step with speeds; a file of speeds needs one")
+        anyhow!("the program has no step with speeds, which PlayBackParams.json needs")
     })?;
     let others = program.steps.0.len() - 1;
-    let lost = (others > 0).then(|| format!("{others} other steps: the file knows speeds alone"));
+    let lost = (others > 0).then(|| {
+        format!(
+            "{} omitted: the file holds only speeds",
+            output::many(others, "other step is", "other steps are")
+        )
+    });
     Ok((
         PlaybackParams::of_speed(speeds).write(),
         lost.into_iter().collect(),

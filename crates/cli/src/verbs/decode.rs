@@ -1,4 +1,4 @@
-//! `dobot decode`: from bytes to annotated lines.
+//! `dobot decode`: decodes packets and prints their fields.
 
 mod capture;
 mod content;
@@ -17,51 +17,56 @@ pub(crate) use self::content::{Content, Place, kind, readings, show};
 use self::input::{Input, Part};
 use self::judge::{Piece, pieces};
 use crate::failure::Failure;
+use crate::output;
 
-/// Say what bytes mean
+/// Decode packets and print their fields
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot decode a5 00004040 00000000 00004843 000048c2 0000a041 00007041 00000000 00000000 00000000 00000000 5a
-  dobot decode capture.bin --from arm
-  socat -x TCP-LISTEN:5556 TCP:127.0.0.1:5555 2> both-ways.txt; dobot decode both-ways.txt
+  dobot decode capture.bin --sender arm
+  dobot decode both-ways.txt --dialect firmware-1.1
   some-program | dobot decode - --json
+  dobot decode a5 00004040 00000000 00004843 000048c2 0000a041 00007041 \\
+      00000000 00000000 00000000 00000000 5a
+  socat -x TCP-LISTEN:5556 TCP:127.0.0.1:5555 2> both-ways.txt
 
-What is given is a file, - for standard input, or the bytes themselves as text. What a file holds is
-found out:
+The input is a file, - for standard input, or the bytes as text. The format of
+a file is detected:
 
   bytes            as they are
-  hex digits       with or without blanks, `:`, `,`, `-`, 0x, \\x; # begins a comment
-  a program's      b'\\xa5\\x00A', bytearray(b'..'), [165, 0, 65], { 0xa5, 0x00 }
-  dumps            of xxd, xxd -p, hexdump -C, od -t x1, and socat -x with its directions
-  pcap, pcapng     TCP connections, each way put in order, with times; what is missing is told
+  hex digits       also with spaces, `:`, `,`, `-`, 0x or \\x; # starts a comment
+  source code      b'\\xa5\\x00A', bytearray(b'..'), [165, 0, 65], { 0xa5, 0x00 }
+  dumps            of xxd, xxd -p, hexdump -C, od -t x1, and socat -x with both
+                   directions
+  pcap, pcapng     TCP connections, reassembled, with times; gaps are reported
 
-Each packet is judged by itself, so both directions may be in one file. Commands whose meaning differs
-between dialects are shown in each of them unless --dialect chooses one. A command that is not allowed
-but does no harm to a stock arm is marked so.")]
+Each packet is decoded by itself, so that a file may contain both directions.
+A command whose meaning depends on the dialect is shown in each dialect unless
+--dialect chooses one. A command that is not allowed but harmless to an arm as
+sold is marked.")]
 pub(crate) struct Args {
-    /// A file, - or the bytes as text
+    /// File, - for standard input, or the bytes as text
     #[arg(required = true)]
     input: Vec<String>,
-    /// Who sent it
+    /// SenderOption of the bytes
     #[arg(long, value_enum, default_value_t)]
-    from: From,
-    /// In which dialect: specification or firmware-1.1
+    sender: SenderOption,
+    /// Protocol dialect: specification or firmware-1.1 (default: show both)
     #[arg(long, value_name = "DIALECT")]
     dialect: Option<Dialect>,
-    /// Print JSON, one object a line
+    /// Print JSON, one object per line
     #[arg(long)]
     json: bool,
 }
 
-/// Who sent the bytes.
+/// The sender of the bytes, or automatic detection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, ValueEnum)]
-enum From {
+enum SenderOption {
     /// A client: commands
     Client,
     /// The arm: statuses
     Arm,
-    /// Each packet is what makes more sense
+    /// Detected for each packet
     #[default]
     Auto,
 }
@@ -70,8 +75,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let input = reader::read(&args.input)?;
     if input.len() == 0 {
         return Err(Failure::new(
-            anyhow!("there are no bytes to decode"),
-            "`dobot decode --help` shows examples",
+            anyhow!("the input is empty"),
+            "run `dobot decode --help` for examples",
         ));
     }
     for note in input.notes() {
@@ -85,18 +90,18 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Ok(())
     } else {
         let found = anyhow!(
-            "no packet in {} bytes, read as {}",
-            input.len(),
+            "no packet in {}, read as {}",
+            output::count(input.len(), "byte"),
             input.format
         );
         Err(Failure::new(
             found,
-            "a packet is 42 bytes: A5, ten little-endian floats, 5A",
+            "check the input: a packet is 42 bytes: A5, ten little-endian floats, 5A",
         ))
     }
 }
 
-/// What is told: in the order in which it was sent, as far as that is known.
+/// The lines to show, in the order of sending as far as it is known.
 fn lines(input: &Input, args: &Args) -> Vec<(usize, Place, Content)> {
     let parts = input.streams.iter().flat_map(|stream| &stream.parts);
     let mut lines: Vec<_> = parts.flat_map(|part| part_lines(part, args)).collect();
@@ -110,7 +115,7 @@ fn part_lines(part: &Part, args: &Args) -> Vec<(usize, Place, Content)> {
         (order, place, Content::Gap(part.gap))
     });
     let in_step = part.gap == 0;
-    let pieces = pieces(&part.bytes, args.from, args.dialect, in_step);
+    let pieces = pieces(&part.bytes, args.sender, args.dialect, in_step);
     let line = |Piece {
                     offset,
                     len,
@@ -134,7 +139,7 @@ mod tests {
 
     const ANY: Args = Args {
         input: Vec::new(),
-        from: From::Auto,
+        sender: SenderOption::Auto,
         dialect: None,
         json: false,
     };

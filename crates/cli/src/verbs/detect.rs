@@ -1,4 +1,4 @@
-//! `dobot detect`: find out which dialect the arm speaks.
+//! `dobot detect`: detects the dialect of the arm.
 
 use dobot_api::{Reply, Request};
 use dobot_host::StationClient;
@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output;
 
-/// Find out which dialect the arm speaks, by small slow motions
+/// Detect the arm's protocol dialect by small, slow motions
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -17,8 +17,8 @@ Examples:
   dobot detect --to serial:/dev/ttyUSB0
   dobot detect --json
 
-The arm makes a few small motions: keep your hands off, and let nothing stand next to it. What it does where the
-dialects disagree is shown, and remembered for this arm. Ctrl-C stops the arm.")]
+The arm makes a few small motions: keep hands and objects away. The result is
+printed and remembered for this arm. Ctrl-C stops the arm.")]
 pub(crate) struct Args {
     #[command(flatten)]
     to: To,
@@ -47,7 +47,7 @@ async fn detect(station: &mut StationClient, args: &Args) -> Result<(), Failure>
                 output::line(&line)?;
             }
             Ok(output::line(&format!(
-                "the arm speaks {}",
+                "the dialect of the arm is {}",
                 finding.dialect
             ))?)
         }

@@ -1,4 +1,4 @@
-//! `dobot draw`: from a drawing, a picture or a text to ink on the paper.
+//! `dobot draw`: draws a file, a picture or a text.
 
 mod args;
 mod defaults;
@@ -57,7 +57,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
         check_writable(file)?;
     }
     let (args, mut asked) = asked(args)?;
-    // What is wrong with it is told before any arm is touched.
+    // Report problems of the drawing before connecting to an arm.
     let mut drawing = Drawing::new(
         &args,
         &asked,
@@ -76,7 +76,7 @@ async fn draw(args: Args) -> Result<(), Failure> {
         return drawing.estimate().await;
     }
     let draw = async |station: &mut StationClient| {
-        if args.frame {
+        if args.outline {
             check_frame(station)?;
         }
         check_pose(station, args.to.pose_confirmed).await?;
@@ -90,25 +90,24 @@ async fn draw(args: Args) -> Result<(), Failure> {
         }
         let plan = &drawing.prepared.plan;
         check_laser(station, plan, args.arm_laser).await?;
-        if args.frame {
-            drawing.frame(station).await?;
+        if args.outline {
+            drawing.outline(station).await?;
         }
         drawing.draw(station).await
     };
     args.to.with_arm("draw", draw).await
 }
 
-/// How the arm differs from the drawing of it: as a file says, and as is known where the rules are kept, which have to
-/// be one.
+/// The calibration of the arm: that of a file or that in use, which must be the same.
 fn calibration(args: &Args, arm: &PlannedFor) -> Result<Option<CalibrationFile>, Failure> {
-    let told = args.calibration.as_deref().map(calibrate::read);
-    match (told.transpose()?, &arm.calibration) {
-        (Some(told), Some(known)) if !told.arm().is_same(&known.arm()) => Err(Failure::new(
-            anyhow!("the arm is known by another calibration than that of --calibration"),
-            "leave it out; or `dobot calibrate FILE --use` puts that of a file in place",
+    let given = args.calibration.as_deref().map(calibrate::read);
+    match (given.transpose()?, &arm.calibration) {
+        (Some(given), Some(known)) if !given.arm().is_same(&known.arm()) => Err(Failure::new(
+            anyhow!("--calibration differs from the calibration in use for the arm"),
+            "leave out `--calibration`, or apply that of the file: `dobot calibrate FILE --use`",
         )),
         (None, known) => Ok(known.clone()),
-        (told, _) => Ok(told),
+        (given, _) => Ok(given),
     }
 }
 
@@ -118,9 +117,9 @@ struct Drawing<'a> {
     title: String,
     prepared: Prepared,
     settings: Settings,
-    /// What the arm speaks, where that is known.
+    /// The dialect of the arm, if known.
     dialect: Option<Dialect>,
-    /// Where the arm stands, where that is known.
+    /// The status of the arm, if known.
     from: Option<Status>,
 }
 
@@ -151,7 +150,7 @@ impl<'a> Drawing<'a> {
         })
     }
 
-    /// Tells what it would be; nothing moves.
+    /// Reports the result of a simulation; nothing moves.
     async fn estimate(&self) -> Result<(), Failure> {
         if self.is_long() {
             let report = self.write_files(None, self.planned().as_ref(), Times::default())?;
@@ -172,12 +171,12 @@ impl<'a> Drawing<'a> {
         print(self.args, &report)
     }
 
-    /// Whether it takes so long that a rehearsal would keep a person waiting: what is planned is as good.
+    /// Whether a simulation would take too long; the plan is then reported instead.
     fn is_long(&self) -> bool {
         self.prepared.plan.duration_s() / 3600.0 > LONG_HOURS
     }
 
-    /// What is planned as ink, for a picture: to measure it takes as long as it is.
+    /// The planned ink, for a picture only, because measuring it takes long.
     fn planned(&self) -> Option<Drawn> {
         let is_shown = self.args.result.picture.is_some();
         is_shown.then(|| Drawn::planned(&self.prepared))
@@ -187,11 +186,11 @@ impl<'a> Drawing<'a> {
         let dialect = self.dialect.unwrap_or(Dialect::SPECIFICATION);
         let policy = self.args.to.policy()?;
         let from = self.from.as_ref();
-        let bar = self.bar(share_bar).with_prefix("rehearsing ");
+        let bar = self.bar(share_bar).with_prefix("simulating ");
         rehearse(&self.prepared, &self.settings, dialect, policy, from, &bar).await
     }
 
-    /// A bar that nobody sees where a program reads what comes out.
+    /// The progress bar, hidden with `--json`.
     fn bar(&self, bar: impl FnOnce() -> ProgressBar) -> ProgressBar {
         if self.args.result.json {
             ProgressBar::hidden()
@@ -200,8 +199,8 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Goes around it, and asks whether that is the place.
-    async fn frame(&self, station: &mut StationClient) -> Result<(), Failure> {
+    /// Traces the outline, and asks whether the position is right.
+    async fn outline(&self, station: &mut StationClient) -> Result<(), Failure> {
         let Prepared { passes, plan, .. } = &self.prepared;
         let plan = frame(
             passes,
@@ -209,7 +208,7 @@ impl<'a> Drawing<'a> {
             plan.arm_limits(),
             FrameShape::Rectangle,
         )?;
-        let title = format!("frame of {}", self.title);
+        let title = format!("outline of {}", self.title);
         let armed_for = self.args.arm_laser;
         let bar = self.bar(|| progress_bar(station));
         let executed = execute(station, &plan, &title, armed_for, &bar).await;
@@ -219,14 +218,15 @@ impl<'a> Drawing<'a> {
 
     async fn draw(&self, station: &mut StationClient) -> Result<(), Failure> {
         let is_virtual = station.virtual_arm().is_some();
-        // What a virtual arm in this process does is not estimated, it is seen. Where another policy
-        // holds than here, the estimate may be refused: then there is none.
+        // A virtual arm in this process needs no estimate. With another policy than here, the
+        // estimate may be refused: then there is none.
         let rehearsed = match self.dialect.filter(|_| !is_virtual && !self.is_long()) {
             Some(_) => self.rehearse().await.ok(),
             None => None,
         };
-        let (estimated, estimate) =
-            rehearsed.map_or((None, None), |it| (Some(it.time), it.carried));
+        let (estimated, estimate) = rehearsed.map_or((None, None), |rehearsed| {
+            (Some(rehearsed.time), rehearsed.carried)
+        });
         if let Some(arm) = station.virtual_arm_mut().filter(|_| !self.is_long()) {
             arm.record(RECORDING_PERIOD);
         }
@@ -242,7 +242,7 @@ impl<'a> Drawing<'a> {
         let arm = station.virtual_arm();
         let carried = arm
             .filter(|_| !self.is_long())
-            .and_then(|it| Carried::of(it, &self.prepared, &self.settings));
+            .and_then(|arm| Carried::of(arm, &self.prepared, &self.settings));
         let drawn = if is_virtual && self.is_long() {
             self.planned()
         } else if is_virtual {
@@ -256,7 +256,7 @@ impl<'a> Drawing<'a> {
         print(self.args, &report)
     }
 
-    /// Writes the files that were asked for: of a drawing that was stopped half way, too.
+    /// Writes the requested files, also for an incomplete drawing.
     fn write_files(
         &self,
         carried: Option<&Carried>,
@@ -264,7 +264,7 @@ impl<'a> Drawing<'a> {
         times: Times,
     ) -> Result<Report, Failure> {
         let results = &self.args.result;
-        let estimate = carried.map(|it| &it.estimate);
+        let estimate = carried.map(|carried| &carried.estimate);
         let sheet = self.settings.placement.sheet.as_ref();
         let defaults = self.args.from_file.as_ref().map(Defaults::line);
         let report = Report::new(&self.prepared, sheet, estimate, drawn, times, defaults);
@@ -277,7 +277,7 @@ impl<'a> Drawing<'a> {
             )?;
         }
         if let Some(file) = &results.picture {
-            let ink = drawn.map_or(&[][..], |it| &it.ink);
+            let ink = drawn.map_or(&[][..], |drawn| &drawn.ink);
             write(file, &self.picture(file, ink, &report)?)?;
         }
         if let Some(file) = &results.timeline {
@@ -337,21 +337,21 @@ fn print(args: &Args, report: &Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What became ink, and what is known of it.
+/// The ink, and its deviation.
 struct Drawn {
     ink: Vec<InkLine>,
     deviation: Deviation,
     from: MeasuredFrom,
 }
 
-/// Where it is known from what became ink.
+/// The source of the ink.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum MeasuredFrom {
-    /// The true position was recorded.
+    /// The recorded true position.
     TruePosition,
-    /// Only the statuses tell.
+    /// The statuses.
     Statuses,
-    /// It is what was planned.
+    /// The plan.
     Plan,
 }
 
@@ -366,7 +366,7 @@ impl Drawn {
 
     fn planned(prepared: &Prepared) -> Self {
         let ink = prepared.ink();
-        let planned: Vec<Stroke> = ink.iter().map(|it| it.stroke.clone()).collect();
+        let planned: Vec<Stroke> = ink.iter().map(|line| line.stroke.clone()).collect();
         Self {
             deviation: deviation(&prepared.wanted(), &planned),
             ink,
@@ -385,12 +385,12 @@ impl Drawn {
         }
     }
 
-    /// Whether there is anything of which to tell how far it is astray.
+    /// Whether a deviation can be measured.
     fn is_measured(&self) -> bool {
         self.from == MeasuredFrom::TruePosition || !self.ink.is_empty()
     }
 
-    /// What the statuses do not show is not missing.
+    /// The largest deviation; paths missing from the statuses do not count.
     fn worst(&self) -> WorstPoint {
         let Deviation { astray, missed } = self.deviation;
         if self.from != MeasuredFrom::Statuses && missed.distance_mm > astray.distance_mm {
@@ -403,9 +403,9 @@ impl Drawn {
 
 fn is_png(file: &Path) -> bool {
     file.extension()
-        .is_some_and(|it| it.eq_ignore_ascii_case("png"))
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("png"))
 }
 
-/// What takes longer is told before it begins.
+/// Longer drawings are announced before they start.
 const LONG_HOURS: f64 = 3.0;
 const PNG_WIDTH_PX: u32 = 2000;

@@ -1,4 +1,4 @@
-//! `dobot fleet`: several stations at once.
+//! `dobot fleet`: the stations of a fleet.
 
 #[cfg(feature = "fleet")]
 mod set_up;
@@ -18,18 +18,22 @@ use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
 
-/// See the stations of a fleet, stop them all, and set a fleet up
+/// List and stop the stations of a fleet, and set a fleet up
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot fleet                                    who is there, and what each does
-  dobot fleet stop --reason \"fire drill\"         all arms; `dobot fleet stop --group room-2` those of one group
-  dobot fleet stop --reset                       a person has looked: all may move again; --reset=desk-1 one of them
-  dobot fleet certificates keys desk-1 desk-2 router=192.168.7.1    a folder with a certificate for each
+  dobot fleet                               list the stations and their activity
+  dobot fleet stop --reason \"fire drill\"    stop all arms
+  dobot fleet stop --group room-2           stop the arms of a group
+  dobot fleet stop --reset                  clear the stop after looking at all arms
+  dobot fleet stop --reset=desk-1           clear the stop of one station
+  dobot fleet certificates keys desk-1 desk-2 router=192.168.7.1
+                                            create a certificate for each
   dobot fleet router --listen quic/0.0.0.0:7447 --fleet=keys/router
 
-A station joins with `dobot up --fleet`; docs/fleet.md tells how a school sets one up. Each station keeps its rules,
-its tokens and its own page, where its arm is stopped even when the network is gone.")]
+A station joins a fleet with `dobot up --fleet`. docs/fleet.md describes the
+setup for a school. Each station keeps its rules, its tokens and its own page,
+which stops its arm even without the network.")]
 pub(crate) struct Args {
     #[command(subcommand)]
     action: Option<Action>,
@@ -44,15 +48,15 @@ pub(crate) struct Args {
 enum Action {
     /// List the stations
     List,
-    /// Stop the arms of all stations, or of those of a group
+    /// Stop the arms of all stations or of a group, or clear a stop
     Stop {
-        /// Only those of this group
+        /// Group of stations to stop (default: all)
         #[arg(long, value_name = "NAME")]
         group: Option<String>,
-        /// Why, for those who find their arm stopped
+        /// Reason, shown to others who find their arm stopped
         #[arg(long, value_name = "TEXT")]
         reason: Option<String>,
-        /// Let the whole fleet move again after a stop of all, or only the arm of the station NAME; a person has looked
+        /// Clear the stop of all stations, or of the station NAME; a person must have looked at the arms
         #[arg(long, value_name = "NAME", num_args = 0..=1, require_equals = true, conflicts_with_all = ["group", "reason"])]
         #[expect(
             clippy::option_option,
@@ -60,19 +64,19 @@ enum Action {
         )]
         reset: Option<Option<String>>,
     },
-    /// Submit drawings and programs to any arm that has what they need, and see what has become of them
+    /// Submit drawings and programs to any suitable arm, and track them
     Work(WorkArgs),
     #[cfg(feature = "fleet")]
-    /// Do one program with several arms, which wait for each other at barriers
+    /// Run a coordinated program on several arms, with barriers
     Together(together::TogetherArgs),
     #[cfg(feature = "fleet")]
-    /// Make a certificate for each station, and the authority where there is none yet
+    /// Create a certificate for each station, and an authority if needed
     Certificates(set_up::Certificates),
     #[cfg(feature = "fleet")]
-    /// Revoke the certificates of stations, as of one on a stick that was lost
+    /// Revoke certificates, for example those on a lost stick
     Revoke(set_up::RevokeArgs),
     #[cfg(feature = "fleet")]
-    /// Run a router, by which stations of several networks find each other
+    /// Run a router that connects stations of several networks
     Router(set_up::RouterArgs),
 }
 
@@ -107,23 +111,25 @@ async fn list(station: &Station, as_json: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What a person reads of a station.
+/// Formats one line about a station.
 fn line(member: &Member) -> String {
     let name = &member.name;
-    let groups = member.about.as_ref().map(|it| it.groups.join(" "));
-    let groups = groups.filter(|it| !it.is_empty()).unwrap_or("-".into());
+    let groups = member.about.as_ref().map(|about| about.groups.join(" "));
+    let groups = groups
+        .filter(|groups| !groups.is_empty())
+        .unwrap_or("-".into());
     format!("{name:20}  {groups:12}  {}", doing(member))
 }
 
-/// What a station does.
+/// Describes the activity of a station.
 fn doing(member: &Member) -> String {
     match &member.presence {
-        Presence::Away => return "away; its own page stops its arm".into(),
+        Presence::Away => return "away; use its own page to stop its arm".into(),
         Presence::Refused { problem } => return format!("refused: {}", problem.detail),
         Presence::Present => {}
     }
     let Some(state) = &member.state else {
-        return "there, and has not told what it does".into();
+        return "present; no state reported yet".into();
     };
     let stop = state.stop.as_ref().map(StopView::text);
     let link = (state.link.phase != LinkPhase::Up).then(|| "no arm".to_owned());
@@ -133,7 +139,7 @@ fn doing(member: &Member) -> String {
         format!("{} ({phase}, {done} %)", job.title)
     });
     let lease = state.lease.as_ref();
-    let lease = lease.map(|it| format!("{} has control", it.name));
+    let lease = lease.map(|lease| format!("{} has control", lease.name));
     let all: Vec<_> = [stop, link, job, lease].into_iter().flatten().collect();
     if all.is_empty() {
         return "free".into();
@@ -148,17 +154,17 @@ async fn stop(
     as_json: bool,
 ) -> Result<(), Failure> {
     let address = station.address_of_running().await?;
-    let to = group.map_or(json!("all"), |it| json!({ "group": it }));
+    let to = group.map_or(json!("all"), |group| json!({ "group": group }));
     let body = json!({ "to": to, "reason": reason });
     let answers: Vec<MemberAnswer> = post(&address, FLEET_STOP, &body).await?;
     let failure = Failure::new(
-        anyhow::anyhow!("not every arm is known to be stopped"),
-        "stop those on their own pages, or with their switches",
+        anyhow::anyhow!("some arms may not be stopped"),
+        "stop the others on their own pages, or with their switches",
     );
     report(&answers, "stopped", as_json, failure)
 }
 
-/// Lets the fleet move again, or one of its arms.
+/// Clears the stop of the fleet, or of one station.
 async fn reset(station: &Station, name: Option<String>, as_json: bool) -> Result<(), Failure> {
     let address = station.address_of_running().await?;
     let answers = match name {
@@ -166,8 +172,8 @@ async fn reset(station: &Station, name: Option<String>, as_json: bool) -> Result
         None => delete(&address, FLEET_STOP).await?,
     };
     let failure = Failure::new(
-        anyhow::anyhow!("not every arm may move again"),
-        "a station that is away learns of a reset of the fleet when it comes back; `dobot fleet` shows what holds the others",
+        anyhow::anyhow!("some arms may not move yet"),
+        "run `dobot fleet` to see why; a station that is away is reset when it returns",
     );
     report(&answers, "may move again", as_json, failure)
 }
@@ -177,7 +183,7 @@ async fn reset_one(address: &StationAddress, name: &str) -> Result<Vec<MemberAns
     Ok(post(address, "/api/v1/fleet/requests", &body).await?)
 }
 
-/// Prints how many stations succeeded and what the others answered; fails with `failure` if there are others.
+/// Prints how many stations succeeded and the answers of the others; fails with `failure` if there are others.
 fn report(
     answers: &[MemberAnswer],
     done: &str,
@@ -187,12 +193,14 @@ fn report(
     if as_json {
         output::json(&answers)?;
     }
-    let (stopped, silent): (Vec<_>, Vec<_>) = answers.iter().partition(|it| it.answer.is_success());
+    let (stopped, silent): (Vec<_>, Vec<_>) = answers
+        .iter()
+        .partition(|member| member.answer.is_success());
     if !as_json {
         output::line(&format!("{} of {} {done}", stopped.len(), answers.len()))?;
-        for it in &silent {
-            let why = it.answer.body["detail"].as_str().unwrap_or("no answer");
-            output::plain_line(&format!("{}: {why}", it.member))?;
+        for member in &silent {
+            let why = member.answer.body["detail"].as_str().unwrap_or("no answer");
+            output::plain_line(&format!("{}: {why}", member.member))?;
         }
     }
     if silent.is_empty() {

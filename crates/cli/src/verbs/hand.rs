@@ -1,4 +1,4 @@
-//! `dobot hand`: go where a hand is (state 8).
+//! `dobot hand`: moves to the position of a hand (state 8).
 
 use dobot_host::StationClient;
 use dobot_wire::{Gesture, Status};
@@ -6,31 +6,33 @@ use dobot_wire::{Gesture, Status};
 use crate::connect::To;
 use crate::control::carry_out_one;
 use crate::failure::Failure;
-use crate::output;
-use crate::verbs::move_::on_off;
+use crate::{output, values};
 
-/// Follow a hand to a place (state 8, gesture)
+/// Follow a hand to a position, as with a hand tracker (state 8)
 #[derive(Debug, clap::Args)]
 #[command(
     allow_negative_numbers = true,
     after_help = "\
 Examples:
-  dobot hand 230 0 40                     to where the hand is
-  dobot hand 230 0 0 --grab on            there, and the hand closes: the pump runs
+  dobot hand 230 0 40             to the position of the hand
+  dobot hand 230 0 0 --grab on    the same, with the hand closed: the pump runs
   dobot hand 0 40 260 --to serial:/dev/ttyUSB0 --dialect firmware-1.1
 
-The unit depends on the dialect. By the specification X, Y and Z are a point in millimetres in the base frame,
-and the arm goes there in a straight line. On an arm as it was sold they are units of the hand tracker: x is
-230 mm and half of X, y is Y, z is half of Z above the lowest place of the tool less 100 mm; a place is averaged
-with the ten packets before it, so one packet leads only part of the way. There a closed hand also closes the
-gripper, and the joint speeds of `dobot set moves` are forgotten: set them again before the next target."
+The unit depends on the dialect. With `specification`, X, Y and Z are a point
+in the base frame, in millimetres, and the arm moves there in a straight line.
+With `firmware-1.1` they are units of the hand tracker: x is 230 mm plus half
+of X, y is Y, and z is half of Z minus 100 mm, above the tool's lowest
+position; a packet is averaged with the ten before it, so that one packet moves
+the arm only part of the way. On such an arm a closed hand also closes the
+gripper, and the joint speeds of `dobot set moves` are lost: set them again
+before the next target."
 )]
 pub(crate) struct Args {
-    /// Where the hand is, in the unit of the dialect
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true)]
+    /// Position of the hand, in the unit of the dialect
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
     place: Vec<f32>,
-    /// Whether the hand is closed: on or off (default: as the pump is)
-    #[arg(long, value_name = "on|off", value_parser = on_off)]
+    /// Closed hand, on or off (default: as the pump)
+    #[arg(long, value_name = "on|off", value_parser = values::on_off)]
     grab: Option<bool>,
     #[command(flatten)]
     to: To,

@@ -1,4 +1,4 @@
-//! `dobot jobs`: drawings and programs that a station keeps.
+//! `dobot jobs`: the jobs of a station, or of an arm without one.
 
 use std::fs;
 use std::io::{IsTerminal, Read, stdin};
@@ -15,28 +15,30 @@ use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow::{self, place};
 use crate::output::{self, clock, time_left};
-use crate::verbs::jog::laser_seconds;
+use crate::values;
 
-/// List, start, pause and cancel jobs: of the station, or of an arm that is used without one
+/// List, start, pause and cancel jobs
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot jobs                             all of them
+  dobot jobs                            list all jobs
   dobot jobs show 4
-  dobot jobs start 4                     start it, or go on with it, and follow it
-  dobot jobs step 4                      do its next step, and pause behind it
-  dobot jobs pause                       the one that runs, with the tool lifted
-  dobot jobs speed 150                   draw it half as fast again as planned
-  dobot jobs height -0.2                 0.2 mm lower than planned: the pen leaves no ink
+  dobot jobs start 4                    start or resume it, and follow it
+  dobot jobs step 4                     run its next step, then pause
+  dobot jobs pause                      pause the running job, with the tool lifted
+  dobot jobs speed 150                  150 % of the planned speed
+  dobot jobs height -0.2                0.2 mm lower, if the pen leaves no ink
   dobot jobs cancel 4
-  dobot jobs again 4                     queue what it does once more
-  dobot jobs move 6 --before 5           or last, without --before
-  dobot jobs forget 4                    one that is over, or has not begun
-  dobot jobs submit program.json         queue a file; `dobot draw` queues a picture
-  dobot jobs --to serial:/dev/ttyUSB0    those of an arm that was used without a station
+  dobot jobs again 4                    queue a copy of it
+  dobot jobs move 6 --before 5          change the order (default: to the end)
+  dobot jobs forget 4                   remove one that is over or not started
+  dobot jobs submit program.json        queue a file
+  dobot jobs --to serial:/dev/ttyUSB0   jobs of an arm that was used without a
+                                        station
 
-Jobs survive the station's end, a crash and a power cut. Whoever starts one needs control of the arm; anybody
-may let go of it again while the job runs, unless it burns.")]
+Jobs survive the end of the station, a crash and a power failure. Starting one
+requires control of the arm; control may be released while the job runs, unless
+it uses the laser. `dobot draw` and `dobot play` create jobs.")]
 pub(crate) struct Args {
     #[command(subcommand)]
     action: Option<Action>,
@@ -51,93 +53,102 @@ pub(crate) struct Args {
 enum Action {
     /// List all jobs
     List,
-    /// Tell about one job
+    /// Show one job
     Show {
-        /// Its number
+        /// Job number
+        #[arg(value_parser = values::whole_from(0))]
         job: u64,
     },
-    /// Start a queued job or go on with a paused one, and follow it; Ctrl-C pauses it
+    /// Start or resume a job and follow it; Ctrl-C pauses it
     Start {
-        /// Its number (default: the one job that waits)
+        /// Job number (default: the only waiting job)
+        #[arg(value_parser = values::whole_from(0))]
         job: Option<u64>,
-        /// Let the laser be switched on for so many seconds: everybody's goggles are on
-        #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+        /// Arm the laser for this many seconds, 1 to 3600; everyone present must wear goggles
+        #[arg(long, value_name = "SECONDS", value_parser = values::laser_seconds)]
         arm_laser: Option<Duration>,
         #[command(flatten)]
         person: Person,
     },
-    /// Do the next step of a queued or paused job, and pause behind it
+    /// Run the next step of a queued or paused job, then pause
     Step {
-        /// Its number
+        /// Job number
+        #[arg(value_parser = values::whole_from(0))]
         job: u64,
         #[command(flatten)]
         person: Person,
     },
-    /// Pause the running job after what the arm has got already
+    /// Pause the running job after its in-flight commands
     Pause,
-    /// Do the job that runs or is paused faster or slower than planned, from its next vector or target on
+    /// Set the speed of the running or paused job, from its next command on
     Speed {
-        /// In percent of the planned speed, 10 to 200; 100 is as planned
-        #[arg(value_name = "PERCENT", allow_negative_numbers = true)]
+        /// Percentage of the planned speed, 10 to 200
+        #[arg(value_name = "PERCENT", allow_negative_numbers = true, value_parser = values::number(10.0..=200.0, "percent"))]
         percent: f64,
     },
-    /// Draw the job that runs or is paused higher or lower than planned, gently
+    /// Set the height of the running or paused job, gradually
     Height {
-        /// How far above the plan, -5 to 5 mm; below 0 is lower, 0 is as planned
-        #[arg(value_name = "MM", allow_negative_numbers = true)]
+        /// Height above the plan, -5 to 5 mm
+        #[arg(value_name = "MM", allow_negative_numbers = true, value_parser = values::number(-5.0..=5.0, "mm"))]
         offset_mm: f64,
     },
-    /// End a job for good
+    /// End a job permanently
     Cancel {
-        /// Its number
+        /// Job number
+        #[arg(value_parser = values::whole_from(0))]
         job: u64,
     },
-    /// Queue what a job does once more, as a new job
+    /// Queue a copy of a job
     Again {
-        /// Its number
+        /// Job number
+        #[arg(value_parser = values::whole_from(0))]
         job: u64,
     },
-    /// Put a queued job before another queued one, or behind all of them
+    /// Move a queued job before another one, or to the end
     Move {
-        /// Its number
+        /// Job number
+        #[arg(value_parser = values::whole_from(0))]
         job: u64,
-        /// The number of the queued job that comes behind it (default: it comes last)
-        #[arg(long, value_name = "JOB")]
+        /// Number of the queued job that is to follow it (default: none, the end of the queue)
+        #[arg(long, value_name = "JOB", value_parser = values::whole_from(0))]
         before: Option<u64>,
     },
-    /// Forget a job that is over, or that has not begun
+    /// Remove a job that is over or not started
     Forget {
-        /// Its number
+        /// Job number
+        #[arg(value_parser = values::whole_from(0))]
         job: u64,
     },
-    /// Queue a job from a JSON file with its title, kind, commands, `lift_mm` and `pauses`
+    /// Queue a job from a JSON file
+    ///
+    /// The file has the keys title, kind, commands, `lift_mm` and pauses.
     Submit {
-        /// The file, or - for standard input
+        /// Job file, or - for standard input
         file: PathBuf,
     },
 }
 
-/// Whether a person confirms what a job waits for.
+/// The confirmation of a person.
 #[derive(Clone, Copy, Debug, clap::Args)]
 struct Person {
-    /// Confirm what the job waits for, such as a new pen, without a terminal; takes an administrator's token
+    /// Confirm what the job waits for, such as a new pen, without a terminal (administrators)
     #[arg(long)]
     as_person: bool,
 }
 
 impl Person {
-    /// Confirms what a job waits for, if a person is there; otherwise the start of the job is refused.
+    /// Confirms what a job waits for if a person is present; otherwise its start is refused.
     async fn confirm(self, station: &mut StationClient, job: u64) -> Result<(), Failure> {
         if self.as_person && station.role() < Role::Admin {
             return Err(Failure::new(
                 anyhow!(
-                    "--as-person takes the role admin; this client has {}",
+                    "--as-person needs the role admin; this client has the role {}",
                     station.role()
                 ),
                 "use an administrator's token, or start the job in a terminal or on the page",
             ));
         }
-        // A virtual arm of this process harms nobody.
+        // A virtual arm in this process is harmless.
         if self.as_person || stdin().is_terminal() || station.virtual_arm().is_some() {
             take_control(station).await?;
             follow::confirm(station, job).await?;
@@ -164,11 +175,11 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
         Action::Step { job, person } => return step(station, args, job, person).await,
         Action::Pause => (Request::PauseJob, "the job is paused".to_owned()),
         Action::Speed { percent } => {
-            let done = "the job goes at another speed".to_owned();
+            let done = "the speed of the job is changed".to_owned();
             (Request::SetJobSpeed { percent }, done)
         }
         Action::Height { offset_mm } => {
-            let done = "the job is drawn at another height".to_owned();
+            let done = "the height of the job is changed".to_owned();
             (Request::SetJobHeight { offset_mm }, done)
         }
         Action::Cancel { job } => (
@@ -177,16 +188,13 @@ async fn act(station: &mut StationClient, args: &Args, action: Action) -> Result
         ),
         Action::Again { job } => (
             Request::QueueAgain { job, key: None },
-            format!("job {job} is queued once more"),
+            format!("a copy of job {job} is queued"),
         ),
         Action::Move { job, before } => (
             Request::MoveJob { job, before },
-            format!("job {job} has another place"),
+            format!("job {job} is moved in the queue"),
         ),
-        Action::Forget { job } => (
-            Request::ForgetJob { job },
-            format!("job {job} is forgotten"),
-        ),
+        Action::Forget { job } => (Request::ForgetJob { job }, format!("job {job} is removed")),
         Action::Submit { file } => {
             let job = read(&file)?;
             (
@@ -207,7 +215,7 @@ async fn list(station: &mut StationClient, as_json: bool) -> Result<(), Failure>
         return Ok(output::json(&jobs)?);
     }
     if jobs.is_empty() {
-        eprintln!("no job yet; `dobot draw picture.svg` makes one");
+        eprintln!("no jobs; `dobot draw picture.svg` creates one");
     }
     for job in &jobs {
         output::line(&line(job))?;
@@ -217,11 +225,11 @@ async fn list(station: &mut StationClient, as_json: bool) -> Result<(), Failure>
 
 async fn show(station: &mut StationClient, job: u64, as_json: bool) -> Result<(), Failure> {
     let jobs = station.jobs().await?;
-    match jobs.iter().find(|it| it.job == job) {
-        Some(job) => tell(job, as_json),
+    match jobs.iter().find(|one| one.job == job) {
+        Some(job) => print(job, as_json),
         None => Err(Failure::new(
             anyhow!("there is no job {job}"),
-            "`dobot jobs` lists the jobs",
+            "run `dobot jobs` to list the jobs",
         )),
     }
 }
@@ -241,10 +249,10 @@ async fn start(
     take_control(station).await?;
     arm_laser(station, laser).await?;
     person.confirm(station, job).await?;
-    // Whoever may burn keeps control.
+    // Control must be kept while the laser may be used.
     let burns = laser.is_some() || control::first_state(station).await?.laser.armed_for_s > 0.0;
     let time = follow::start(station, job, burns, |_| {}).await?;
-    // Nobody knows how long it took where a station was killed in it.
+    // The duration is unknown if a station was killed during the job.
     let took = if time.is_zero() {
         String::new()
     } else {
@@ -253,20 +261,20 @@ async fn start(
     Ok(output::line(&format!("job {job} is done{took}"))?)
 }
 
-/// The job that waits to be started, where there is one and no other.
+/// Returns the only job that waits to be started.
 async fn waiting(station: &mut StationClient) -> Result<u64, Failure> {
     let jobs = station.jobs().await?;
-    let waits = |it: &&JobView| matches!(it.phase, JobPhase::Queued | JobPhase::Paused);
-    let waiting: Vec<u64> = jobs.iter().filter(waits).map(|it| it.job).collect();
+    let waits = |job: &&JobView| matches!(job.phase, JobPhase::Queued | JobPhase::Paused);
+    let waiting: Vec<u64> = jobs.iter().filter(waits).map(|job| job.job).collect();
     match waiting[..] {
         [job] => Ok(job),
         [] => Err(Failure::new(
             anyhow!("no job waits to be started"),
-            "`dobot draw` and `dobot play` make jobs; `dobot jobs` lists them",
+            "create one with `dobot draw` or `dobot play`, or run `dobot jobs` to list all jobs",
         )),
         _ => Err(Failure::new(
             anyhow!("{} jobs wait to be started: {waiting:?}", waiting.len()),
-            "say which one: `dobot jobs start NUMBER`",
+            "name one: `dobot jobs start NUMBER`",
         )),
     }
 }
@@ -283,7 +291,7 @@ async fn step(
     show(station, job, args.json).await
 }
 
-/// Asks, with control of the arm where nobody else has it.
+/// Sends a request; takes control of the arm if that is needed and possible.
 async fn ask(
     station: &mut StationClient,
     request: Request,
@@ -294,7 +302,7 @@ async fn ask(
         request,
         Request::SubmitJob { .. } | Request::QueueAgain { .. }
     ) {
-        // Its way is planned for the arm that is there.
+        // The job is planned for the connected arm.
         control::status(station).await?;
     }
     let reply = match station.request(request.clone()).await {
@@ -305,13 +313,13 @@ async fn ask(
         reply => reply?,
     };
     match reply {
-        Reply::Job { job } => tell(&job, as_json),
+        Reply::Job { job } => print(&job, as_json),
         reply if as_json => Ok(output::json(&reply)?),
         _ => Ok(output::line(done)?),
     }
 }
 
-fn tell(job: &JobView, as_json: bool) -> Result<(), Failure> {
+fn print(job: &JobView, as_json: bool) -> Result<(), Failure> {
     if as_json {
         return Ok(output::json(job)?);
     }
@@ -326,8 +334,11 @@ fn line(job: &JobView) -> String {
     } else {
         time_left(job.left_s)
     };
-    let reason = job.reason.as_ref().map(|it| format!(": {it}"));
-    let place = job.program.as_ref().map(|it| format!(" ({})", place(it)));
+    let reason = job.reason.as_ref().map(|reason| format!(": {reason}"));
+    let place = job
+        .program
+        .as_ref()
+        .map(|program| format!(" ({})", place(program)));
     format!(
         "{:4}  {phase:8} {:6} of {:6}   {left:16} {}{}{}{}",
         job.job,
@@ -340,10 +351,12 @@ fn line(job: &JobView) -> String {
     )
 }
 
-/// ` (150 %, 0.2 mm lower)`, where a person has changed it, or ` (took 1:20 min, planned 1:18 min)`.
+/// Formats changes and durations: ` (150 %, 0.2 mm lower)` or ` (took 1:20 min, planned 1:18 min)`.
 fn adjusted(job: &JobView) -> String {
     let took = job.took_s.map(|took_s| {
-        let planned = job.planned_s.map(|it| format!(", planned {}", clock(it)));
+        let planned = job
+            .planned_s
+            .map(|planned_s| format!(", planned {}", clock(planned_s)));
         format!("took {}{}", clock(took_s), planned.unwrap_or_default())
     });
     let speed = (job.speed_percent != 100.0).then(|| format!("{} %", job.speed_percent));
@@ -360,7 +373,7 @@ fn adjusted(job: &JobView) -> String {
     format!(" ({})", parts.join(", "))
 }
 
-/// The job in a file, or on the standard input.
+/// Reads a job from a file or from standard input.
 pub(super) fn read(file: &Path) -> Result<NewJob, Failure> {
     let text = if file == Path::new("-") {
         let mut text = String::new();
@@ -372,8 +385,8 @@ pub(super) fn read(file: &Path) -> Result<NewJob, Failure> {
     };
     serde_json::from_str(&text).map_err(|error| {
         Failure::new(
-            anyhow!("{} is no job: {error}", file.display()),
-            "a job has title, kind (drawing or program) and commands, each as `dobot decode --json` prints them",
+            anyhow!("{} is not a job: {error}", file.display()),
+            "give it a title, a kind (drawing or program) and commands in the form of `dobot decode --json`",
         )
     })
 }

@@ -1,8 +1,7 @@
-//! `dobot jog`: move one axis for a while, or all of them with keys.
+//! `dobot jog`: moves one axis for a time, or all of them with keys.
 
 use std::time::Duration;
 
-use anyhow::bail;
 use dobot_api::{Button, Jog, JogFrame, Request};
 use dobot_host::StationClient;
 use dobot_wire::Status;
@@ -11,49 +10,58 @@ use crate::connect::To;
 use crate::control::{self, arm_laser, carry_out, check_pose, take_control};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::output;
 use crate::pendant::{self, Drive, PadArgs, Panel, Pendant, check_terminal};
+use crate::{output, values};
 
-/// Move one axis for a while, or all with keys; switch the suction cup or the laser
+/// Move an axis for a time, or all axes with keys; switch pump and laser
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot jog                              with keys, for as long as they are held
-  dobot jog --gamepad /dev/input/js0     and with a gamepad (Linux)
-  dobot jog x+ --for 1.5                 forward for a second and a half
-  dobot jog base- --for 0.5 --speed 20   slowly to the right
+  dobot jog                               with keys, while they are held
+  dobot jog --gamepad /dev/input/js0      also with a gamepad (Linux)
+  dobot jog x+ --for 1.5                  forward for 1.5 s
+  dobot jog base- --for 0.5 --percent 20  slowly to the right
   dobot jog suction-on
-  dobot jog servo+ --frame linear        the servo with the linear jog (state 7)
+  dobot jog servo+ --frame linear         the servo by linear jog (state 7)
 
-The axis is released when the time is over, on Ctrl-C, and when anything goes wrong, also when this program
-is killed. The laser stays off without `--arm-laser`, and where the policy forbids a light that stands
-(`laser.standing`): focus with it allowed.
+The axis stops when the time is over, on Ctrl-C, and if anything fails, even if
+this program is killed. The laser stays off without `--arm-laser`, and if the
+policy forbids it to be on while the arm stands still (`laser.standing`): to
+focus it, use a policy that allows this.
 
-With keys: arrows, page up and page down move along x, y and z (Tab: the joints; a point: steps of 1 and of 0.1 mm or degrees), r and f turn the tool, o and c
-move the gripper, u and j switch the pump, 1 to 9 and 0 are the speed; Space, Esc or s stops the arm, q leaves.
-Most terminals do not tell when a key is let go: there the arm stops when the key repeats no more, after the
-dead-man time of the policy (0.15 s), so the first press is a short step.")]
+Keys: arrows, page up and page down move along x, y and z (Tab: the joints;
+.: steps of 1 and 0.1 mm or degrees), r and f turn the tool, o and c move the
+gripper, u and j switch the pump, 1 to 9 and 0 set the speed; Space, Esc or s
+stops the arm, q quits. Most terminals do not report when a key is released:
+there the arm stops when the key no longer repeats, after the dead-man time of
+the policy (0.15 s), so that the first press is a short step.")]
 pub(crate) struct Args {
-    /// base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
-    /// suction-on suction-off laser-on laser-off; without one, keys of this terminal are the buttons
+    /// Axis or switch: base+ base- rear+ rear- fore+ fore- servo+ servo- gripper+ gripper- x+ x- y+ y- z+ z-,
+    /// suction-on suction-off laser-on laser-off (default: jog with the keyboard)
     button: Option<Button>,
-    /// How long, in seconds
-    #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = seconds, requires = "button")]
+    /// Duration, 0.02 to 60 seconds
+    #[arg(long = "for", value_name = "SECONDS", default_value = "0.5", value_parser = values::seconds(0.02..=60.0), requires = "button")]
     time: Duration,
-    /// With which jog: joint (state 2) or linear (state 7); x, y and z have the linear one alone, base, rear and
-    /// fore the joint one, and the others have both (default: joint)
-    #[arg(long, value_name = "joint|linear", requires = "button")]
+    /// Kind of jog: joint (state 2) or linear (state 7); x, y and z have only linear, base, rear and fore only
+    /// joint, the others both (default: joint)
+    #[arg(
+        long,
+        value_name = "joint|linear",
+        requires = "button",
+        hide_short_help = true
+    )]
     frame: Option<JogFrame>,
-    /// Share of the jog speed, in percent from 1 to 100
+    /// Percentage of the jog speed, 1 to 100
     #[arg(
         long,
         value_name = "PERCENT",
-        default_value_t = 50.0,
+        default_value = "50",
+        value_parser = values::number(1.0..=100.0_f32, "percent"),
         requires = "button"
     )]
-    speed: f32,
-    /// Let the laser be switched on for so many seconds: everybody's goggles are on
-    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds, requires = "button")]
+    percent: f32,
+    /// Arm the laser for this many seconds, 1 to 3600; everyone present must wear goggles
+    #[arg(long, value_name = "SECONDS", value_parser = values::laser_seconds, requires = "button")]
     arm_laser: Option<Duration>,
     #[command(flatten)]
     pad: PadArgs,
@@ -68,24 +76,24 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     if args.button.is_none() {
         check_terminal(
             "`dobot jog` without an axis",
-            "name one: `dobot jog x+ --for 1`",
+            "name an axis: `dobot jog x+ --for 1`",
         )?;
     }
     let jog = async |station: &mut StationClient| match args.button {
         Some(button) => args.press(station, button).await,
-        None => with_keys(station, &args.to, &args.pad, Drive::Jog, |it| it).await,
+        None => with_keys(station, &args.to, &args.pad, Drive::Jog, |pendant| pendant).await,
     };
     let status = args.to.with_arm("jog", jog).await?;
     Ok(output::status(&status, args.json)?)
 }
 
 impl Args {
-    /// A button has to be held, and a switch has not.
+    /// Presses a button: holds an axis, or sets a switch.
     async fn press(&self, station: &mut StationClient, button: Button) -> Result<Status, Failure> {
         let button = button
             .with_frame(self.frame)
-            .map_err(|it| Failure::new(it, "leave `--frame` out"))?;
-        let jog = button.jog(self.speed);
+            .map_err(|error| Failure::usage(error).with_hint("leave out `--frame`"))?;
+        let jog = button.jog(self.percent);
         if button.moves() {
             check_pose(station, self.to.pose_confirmed).await?;
         }
@@ -109,15 +117,15 @@ impl Args {
         let now = control::rest(station).await?;
         if button.moves() && now == before {
             eprintln!(
-                "the arm stands where it stood: this axis is at its end, or the time was over before the arm got the \
-                button; hold it longer, as in `--for 1`"
+                "the arm did not move: the axis is at its limit, or the time was over before the motion began; jog longer, \
+                 for example `--for 1`"
             );
         }
         Ok(now)
     }
 }
 
-/// Lets a person move the arm with keys; `panel` makes what is on the screen of a pendant.
+/// Lets a person move the arm with keys. `panel` creates the screen around the pendant.
 pub(crate) async fn with_keys<P: Panel>(
     station: &mut StationClient,
     to: &To,
@@ -128,16 +136,16 @@ pub(crate) async fn with_keys<P: Panel>(
     let pad = pad.open()?;
     check_pose(station, to.pose_confirmed).await?;
     take_control(station).await?;
-    // The first press moves the arm at once.
+    // The first press then moves the arm immediately.
     control::rest_soon(station).await?;
     pendant::run(station, drive, pad, panel).await?;
     control::rest(station).await
 }
 
-/// Holds a button by saying so again and again, until its time is over or Ctrl-C.
+/// Holds a button by repeated requests, until its time is over or Ctrl-C is pressed.
 async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(), Failure> {
     let mut interrupt = std::pin::pin!(interrupt());
-    // A press waits for the arm to run down; its time is that of the motion.
+    // A press waits for the previous motion to end; the time is that of the motion itself.
     control::rest_soon(station).await?;
     station.request_at_rest(Request::Jog { jog }).await?;
     let until = station.now() + time;
@@ -154,20 +162,5 @@ async fn hold(station: &mut StationClient, jog: Jog, time: Duration) -> Result<(
     Ok(())
 }
 
-fn seconds(text: &str) -> anyhow::Result<Duration> {
-    match text.parse() {
-        Ok(seconds) if (0.02..=60.0).contains(&seconds) => Ok(Duration::from_secs_f64(seconds)),
-        _ => bail!("allowed are 0.02 to 60 seconds"),
-    }
-}
-
-/// For how long a laser may be armed.
-pub(crate) fn laser_seconds(text: &str) -> anyhow::Result<Duration> {
-    match text.parse() {
-        Ok(seconds) if (1.0..=3600.0).contains(&seconds) => Ok(Duration::from_secs_f64(seconds)),
-        _ => bail!("allowed are 1 to 3600 seconds"),
-    }
-}
-
-/// A third of the time after which a station lets a button go.
+/// The period of the requests: a third of the time after which a station releases a button.
 const BEAT: Duration = Duration::from_millis(50);

@@ -1,8 +1,8 @@
-//! `dobot lease`: who has control of the arm.
+//! `dobot lease`: control of the arm.
 
 use std::time::Duration;
 
-use anyhow::{anyhow, bail};
+use anyhow::anyhow;
 use clap::Subcommand;
 use dobot_api::{ClientId, LeaseView, News, Notice, Reply, Request, StationEvent};
 use dobot_host::StationClient;
@@ -14,20 +14,21 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::{self, clock};
 use crate::reach::Station;
-use crate::verbs::jog::laser_seconds;
+use crate::values;
 
-/// Show, take, ask for and give control of the arm
+/// Show, take, request and hand over control of the arm
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot lease                    who has control
-  dobot lease take --for 600     nobody else moves the arm for ten minutes, or until Ctrl-C
-  dobot lease ask                ask for it, wait, and keep it until Ctrl-C
-  dobot lease laser --for 600    keep it, with the laser armed: everybody's goggles are on
-  dobot lease release            an administrator frees it, whoever has it
+  dobot lease                    show who has control
+  dobot lease take --for 600     keep control for ten minutes, or until Ctrl-C
+  dobot lease ask                request control, wait, and keep it until Ctrl-C
+  dobot lease laser --for 600    keep control with the laser armed; wear goggles
+  dobot lease release            free control, whoever has it (administrators)
 
-One client has control at a time, everybody may watch, and anybody may stop the arm. Control ends with the
-client that has it: the verbs that move the arm take it for as long as they run.")]
+One client at a time has control; all clients may watch and may stop the arm.
+Control ends when its client ends. Commands that move the arm take control while
+they run.")]
 pub(crate) struct Args {
     #[command(subcommand)]
     action: Option<Action>,
@@ -42,22 +43,22 @@ pub(crate) struct Args {
 enum Action {
     /// Show who has control
     Show,
-    /// Take control if nobody has it, and keep it until Ctrl-C; Enter gives it to who asks
+    /// Take control if it is free; Enter hands it to a client that asks
     Take {
-        /// For how long at most, in seconds
-        #[arg(long = "for", value_name = "SECONDS", value_parser = seconds)]
+        /// Maximum duration, 1 to 86400 seconds (default: until Ctrl-C)
+        #[arg(long = "for", value_name = "SECONDS", value_parser = values::seconds(1.0..=86_400.0))]
         time: Option<Duration>,
     },
-    /// Ask whoever has control, wait until it is given, and keep it until Ctrl-C
+    /// Request control, wait for it, and keep it until Ctrl-C
     Ask,
-    /// Take control from whoever has it, and keep it until Ctrl-C (administrators)
+    /// Take control from its holder, and keep it until Ctrl-C (administrators)
     Seize,
     /// Free control, whoever has it (administrators)
     Release,
-    /// Take control and let the laser be switched on, until the time is over or Ctrl-C
+    /// Take control and arm the laser, for a time or until Ctrl-C
     Laser {
-        /// For how long, in seconds from 1 to 3600
-        #[arg(long = "for", value_name = "SECONDS", value_parser = laser_seconds)]
+        /// Duration, 1 to 3600 seconds
+        #[arg(long = "for", value_name = "SECONDS", value_parser = values::laser_seconds)]
         time: Duration,
     },
 }
@@ -86,7 +87,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         Action::Laser { time } => {
             take_control(&mut station).await?;
             arm_laser(&mut station, Some(time)).await?;
-            output::line("the laser is armed: goggles on")?;
+            output::line("the laser is armed; wear goggles")?;
             keep(&mut station, Some(time)).await
         }
     }
@@ -109,19 +110,21 @@ fn lines(lease: Option<&LeaseView>, now_s: f64) -> Vec<String> {
     };
     let (name, client, time) = (&lease.name, lease.client.0, clock(now_s - lease.since_s));
     let mut lines = vec![format!("{name} (client {client}) has control, for {time}")];
-    let asks = |it: &dobot_api::Asking| format!("{} (client {}) asks for it", it.name, it.client.0);
+    let asks = |asking: &dobot_api::Asking| {
+        format!("{} (client {}) asks for it", asking.name, asking.client.0)
+    };
     lines.extend(lease.asked_by.iter().map(asks));
     lines
 }
 
-/// Asks for control and waits until it is given.
+/// Requests control and waits until it is granted.
 async fn ask(station: &mut StationClient) -> Result<(), Failure> {
     let me = station.id();
     let reply = station.request(Request::AskLease).await?;
     let Reply::Lease { lease } = reply else {
         return Ok(());
     };
-    if let Some(lease) = lease.filter(|it| it.client != me) {
+    if let Some(lease) = lease.filter(|lease| lease.client != me) {
         output::line(&format!("asked {} (client {})", lease.name, lease.client.0))?;
         wait(station, me).await?;
     }
@@ -140,16 +143,16 @@ async fn wait(station: &mut StationClient, me: ClientId) -> Result<(), Failure> 
         };
         match notice.news {
             News::LeaseTaken { client } if client == me => return Ok(()),
-            // Whoever had it has just let it go.
+            // The holder has just released it.
             News::LeaseFree if take_control(station).await.is_ok() => return Ok(()),
             _ => {}
         }
     }
 }
 
-/// Keeps control until the time is over, Ctrl-C, or somebody gets it.
+/// Keeps control until the time is over, Ctrl-C is pressed, or another client gets it.
 async fn keep(station: &mut StationClient, time: Option<Duration>) -> Result<(), Failure> {
-    output::line("control is yours; Ctrl-C gives it back")?;
+    output::line("you have control; press Ctrl-C to release it")?;
     let me = station.id();
     let mut over = std::pin::pin!(over(time));
     let mut interrupt = std::pin::pin!(interrupt());
@@ -161,7 +164,7 @@ async fn keep(station: &mut StationClient, time: Option<Duration>) -> Result<(),
             Some(()) = lines.recv() => {
                 if let Some(to) = asking.take() {
                     station.request(Request::GrantLease { to }).await?;
-                    return Ok(output::line("given")?);
+                    return Ok(output::line("control was handed over")?);
                 }
                 continue;
             }
@@ -173,19 +176,19 @@ async fn keep(station: &mut StationClient, time: Option<Duration>) -> Result<(),
         };
         if let News::LeaseAsked { client } = notice.news {
             asking = Some(client);
-            output::line(&format!("{}; Enter gives it", notice.text))?;
+            output::line(&format!("{}; press Enter to hand it over", notice.text))?;
         }
         check_kept(&notice, me)?;
     }
     station.request(Request::ReleaseLease).await?;
-    Ok(output::line("control is given back")?)
+    Ok(output::line("control is released")?)
 }
 
 fn check_kept(notice: &Notice, me: ClientId) -> Result<(), Failure> {
     match notice.news {
-        News::LeaseFree => Err(anyhow!("control is lost: {}", notice.text).into()),
+        News::LeaseFree => Err(anyhow!("control was lost: {}", notice.text).into()),
         News::LeaseTaken { client } if client != me => {
-            Err(anyhow!("control is lost: {}", notice.text).into())
+            Err(anyhow!("control was lost: {}", notice.text).into())
         }
         _ => Ok(()),
     }
@@ -198,25 +201,18 @@ async fn over(time: Option<Duration>) {
     }
 }
 
-/// Tells of each line that the person enters.
+/// Receives a message for each line that the person enters.
 fn lines_of_person() -> mpsc::Receiver<()> {
-    let (tell, lines) = mpsc::channel(1);
-    // A read of standard input cannot be given up, so it has a thread of its own.
+    let (sender, lines) = mpsc::channel(1);
+    // A read of standard input cannot be cancelled, so that it has its own thread.
     std::thread::spawn(move || {
         for line in std::io::stdin().lines() {
-            if line.is_err() || tell.blocking_send(()).is_err() {
+            if line.is_err() || sender.blocking_send(()).is_err() {
                 return;
             }
         }
     });
     lines
-}
-
-fn seconds(text: &str) -> anyhow::Result<Duration> {
-    match text.parse() {
-        Ok(seconds) if (1.0..=86_400.0).contains(&seconds) => Ok(Duration::from_secs_f64(seconds)),
-        _ => bail!("allowed are 1 to 86400 seconds"),
-    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! `dobot log`: what was recorded.
+//! `dobot log`: lists and shows recordings.
 
 mod export;
 
@@ -17,56 +17,63 @@ use self::export::Export;
 use crate::failure::Failure;
 use crate::output;
 use crate::reach::folders;
+use crate::values;
 use crate::verbs::decode::{self, Content, Place};
 
-/// List the recordings, or say what one holds
+/// List recordings, or show the contents of one
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot log                              the recordings, oldest first
+  dobot log                               list the recordings, oldest first
   dobot log dobot-2026-11-21T12-30-00Z.mcap
-                                         packets both ways, jobs and events
-  dobot log FILE --from 12 --to 15.5     a few seconds of it
-  dobot log FILE --topic /arm/joints     the joint angles, which are not shown otherwise
-  dobot log FILE --json                  one object a line
+                                          packets in both directions, jobs, events
+  dobot log FILE --since 12 --until 15.5  a few seconds of it
+  dobot log FILE --topic /arm/joints      joint angles, hidden by default
+  dobot log FILE --json                   one object per line
   dobot log FILE --export parquet -o run.parquet
-                                         statuses as a table, commands in run.commands.parquet
+                                          statuses; commands in run.commands.parquet
   dobot log FILE --export lerobot --task 'Draw a square.'
-                                         a dataset that LeRobot loads
+                                          a LeRobot dataset
 
-Times are seconds since the recorder was started. The files open in Foxglove too.")]
+Times are in seconds from the start of the recording. Foxglove opens the files,
+too.")]
 pub(crate) struct Args {
-    /// A recording: a file, or its name in the folder
+    /// Recording: a file, or its name in the folder of recordings
     file: Option<PathBuf>,
     #[command(flatten)]
     shelf: Shelf,
-    /// Leave out what happened before, in seconds
-    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = seconds)]
-    from: f64,
-    /// Leave out what happened after, in seconds
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    to: Option<f64>,
-    /// Show this topic, as in /events; may be given several times
+    /// Start of the range to show, in seconds
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = values::number(0.0..=1e9, "seconds"))]
+    since: f64,
+    /// End of the range to show, in seconds (default: the end of the recording)
+    #[arg(long, value_name = "SECONDS", value_parser = values::number(0.0..=1e9, "seconds"))]
+    until: Option<f64>,
+    /// Topic to show, for example /events; may be repeated
     #[arg(long = "topic", value_name = "TOPIC")]
     topics: Vec<String>,
-    /// In which dialect: specification or firmware-1.1, instead of the one that was recorded
-    #[arg(long, value_name = "DIALECT")]
+    /// Protocol dialect: specification or firmware-1.1 (default: as recorded)
+    #[arg(long, value_name = "DIALECT", hide_short_help = true)]
     dialect: Option<Dialect>,
-    /// Print JSON, one object a line
+    /// Print JSON, one object per line
     #[arg(long)]
     json: bool,
     #[command(flatten)]
     export: Export,
 }
 
-/// Where recordings are.
+/// The folder of recordings.
 #[derive(Clone, Debug, clap::Args)]
 pub(crate) struct Shelf {
-    /// Where recordings are looked for, instead of in the station's folder
-    #[arg(long, value_name = "FOLDER")]
-    folder: Option<PathBuf>,
-    /// Where the station keeps its data
-    #[arg(long, value_name = "FOLDER", conflicts_with = "folder")]
+    /// Folder of recordings (default: in the station's data folder)
+    #[arg(long, value_name = "FOLDER", hide_short_help = true)]
+    recordings: Option<PathBuf>,
+    /// Data folder of the station
+    #[arg(
+        long,
+        value_name = "FOLDER",
+        conflicts_with = "recordings",
+        hide_short_help = true
+    )]
     data: Option<PathBuf>,
 }
 
@@ -76,9 +83,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         Some(file) => {
             let path = args.shelf.find(file)?;
             if args.export.is_asked() {
-                return args.export.run(&path, &args.stretch());
+                return args.export.run(&path, &args.range());
             }
-            // It may be ended meanwhile: then there is more than was looked for.
+            // Read first: the recording may be completed in the meantime.
             let is_being_written = is_being_written(&path);
             let recording = open(&path)?;
             Printer::new(args).print(recording, is_being_written)
@@ -87,9 +94,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 impl Args {
-    fn stretch(&self) -> std::ops::RangeInclusive<Duration> {
-        let end = self.to.map_or(Duration::MAX, Duration::from_secs_f64);
-        Duration::from_secs_f64(self.from)..=end
+    /// The range of time to show.
+    fn range(&self) -> std::ops::RangeInclusive<Duration> {
+        let end = self.until.map_or(Duration::MAX, Duration::from_secs_f64);
+        Duration::from_secs_f64(self.since)..=end
     }
 }
 
@@ -123,13 +131,13 @@ fn list(folder: &Path, as_json: bool) -> Result<(), Failure> {
 
 impl Shelf {
     fn folder(&self) -> Result<PathBuf, Failure> {
-        match &self.folder {
+        match &self.recordings {
             Some(folder) => Ok(folder.clone()),
-            None => folders(self.data.clone()).map(|it| it.recordings()),
+            None => folders(self.data.clone()).map(|folders| folders.recordings()),
         }
     }
 
-    /// The file of that name, here or in the folder.
+    /// Finds a recording by its path, or by its name in the folder.
     pub(crate) fn find(&self, file: &Path) -> Result<PathBuf, Failure> {
         if file.exists() || file.components().count() > 1 {
             return Ok(file.to_owned());
@@ -140,12 +148,8 @@ impl Shelf {
             return Ok(path);
         }
         Err(Failure::new(
-            anyhow!(
-                "there is no file {}, neither here nor in {}",
-                file.display(),
-                folder.display()
-            ),
-            "`dobot log` lists the recordings",
+            anyhow!("no file {} here or in {}", file.display(), folder.display()),
+            "run `dobot log` to list the recordings",
         ))
     }
 }
@@ -155,12 +159,12 @@ pub(crate) fn open(path: &Path) -> Result<Recording, Failure> {
     Recording::open(path).map_err(|error| no_recording(path, error))
 }
 
-/// A failure to open a recording.
+/// Converts a failure to open a recording.
 pub(crate) fn no_recording(path: &Path, error: OpenError) -> Failure {
     let is_other = matches!(error, OpenError::NotMcap);
     let error = anyhow::Error::from(error).context(path.display().to_string());
     if is_other {
-        Failure::new(error, "`dobot decode` reads plain bytes")
+        Failure::new(error, "use `dobot decode` for plain bytes")
     } else {
         error.into()
     }
@@ -188,7 +192,7 @@ impl<'a> Printer<'a> {
             if std::mem::take(&mut is_first) {
                 self.print_head(&recording)?;
             }
-            let about = recording.about().and_then(|it| it.dialect);
+            let about = recording.about().and_then(|about| about.dialect);
             self.print_moment(&moment, self.args.dialect.or(about))?;
         }
         match recording.damage() {
@@ -197,7 +201,7 @@ impl<'a> Printer<'a> {
                 if self.args.json {
                     return Ok(output::json(&json!({ "being_written": true }))?);
                 }
-                let text = "it is still being written; this is what it holds by now";
+                let text = "the recording is still being written; this is what it contains now";
                 Ok(output::line(text)?)
             }
             Some(damage) if self.args.json => {
@@ -212,7 +216,7 @@ impl<'a> Printer<'a> {
         let Some((about, start)) = recording.about().zip(recording.start()) else {
             return Ok(());
         };
-        let dialect = about.dialect.map(|it| it.to_string());
+        let dialect = about.dialect.map(|dialect| dialect.to_string());
         if self.args.json {
             return output::json(&json!({
                 "start": start.to_string(),
@@ -222,19 +226,19 @@ impl<'a> Printer<'a> {
                 "personality": about.personality,
             }));
         }
-        let dialect = dialect.unwrap_or_else(|| "undecided".to_owned());
+        let dialect = dialect.unwrap_or_else(|| "unknown".to_owned());
         let arm = match about.address.as_str() {
             "" => "no arm yet".to_owned(),
             address => format!("arm {address}, dialect {dialect}"),
         };
         output::line(&format!(
-            "recorded by {} from {start} on, {arm}",
+            "recorded by {} from {start}, {arm}",
             about.program
         ))
     }
 
     fn print_moment(&mut self, moment: &Moment, dialect: Option<Dialect>) -> std::io::Result<()> {
-        // The decoders see all bytes, so that they keep their place.
+        // The decoders need all bytes to stay synchronized.
         let contents = match &moment.entry {
             Entry::ToArm(bytes) => self.commands(bytes, dialect),
             Entry::FromArm(bytes) => self.statuses(bytes),
@@ -260,7 +264,7 @@ impl<'a> Printer<'a> {
             Entry::Other(bytes) if self.args.json => {
                 place.json(json!({ "topic": topic, "bytes": bytes.len() }))
             }
-            Entry::Other(bytes) => place.line(&format!("{} bytes", bytes.len())),
+            Entry::Other(bytes) => place.line(&output::count(bytes.len(), "byte")),
             Entry::ToArm(_) | Entry::FromArm(_) => Ok(()),
         }
     }
@@ -268,7 +272,7 @@ impl<'a> Printer<'a> {
     fn commands(&mut self, bytes: &[u8], dialect: Option<Dialect>) -> Vec<Content> {
         let before = self.to_arm.counts().skipped_bytes;
         let packets = self.to_arm.feed(bytes);
-        let contents = packets.map(|it| Content::Command(decode::readings(&it, dialect)));
+        let contents = packets.map(|packet| Content::Command(decode::readings(&packet, dialect)));
         let contents = contents.collect();
         with_skipped(self.to_arm.counts().skipped_bytes - before, contents)
     }
@@ -276,12 +280,12 @@ impl<'a> Printer<'a> {
     fn statuses(&mut self, bytes: &[u8]) -> Vec<Content> {
         let before = self.from_arm.counts().skipped_bytes;
         let frames = self.from_arm.feed(bytes);
-        let contents = frames.filter_map(|it| Status::parse(&it).ok().map(Content::Status));
+        let contents = frames.filter_map(|frame| Status::parse(&frame).ok().map(Content::Status));
         let contents = contents.collect();
         with_skipped(self.from_arm.counts().skipped_bytes - before, contents)
     }
 
-    /// Without a choice everything but what is told by the statuses already.
+    /// Whether an entry is shown; by default all except the details of statuses.
     fn shows(&self, moment: &Moment) -> bool {
         let args = self.args;
         let at_s = moment.at.as_secs_f64();
@@ -289,26 +293,21 @@ impl<'a> Printer<'a> {
         let is_chosen = if args.topics.is_empty() {
             topic == TO_ARM || topic == FROM_ARM || !is_detail(topic)
         } else {
-            args.topics.iter().any(|it| it == topic)
+            args.topics.iter().any(|chosen| chosen == topic)
         };
-        is_chosen && at_s >= args.from && args.to.is_none_or(|to| at_s <= to)
+        is_chosen && at_s >= args.since && args.until.is_none_or(|until| at_s <= until)
     }
 }
 
-/// Bytes that belong to no packet were before the packets that came with them.
+/// Puts skipped bytes before the packets that arrived with them.
 fn with_skipped(skipped: u64, contents: Vec<Content>) -> Vec<Content> {
     let skipped = (skipped > 0).then_some(Content::Skipped(skipped));
     skipped.into_iter().chain(contents).collect()
 }
 
-/// Views of each status.
+/// Whether a topic repeats the contents of statuses.
 fn is_detail(topic: &str) -> bool {
     topic.starts_with("/arm/") || topic == "/tf"
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let seconds = text.parse().ok().filter(|it| (0.0..=1e9).contains(it));
-    seconds.ok_or_else(|| "a time is a number of seconds, 0 or more".to_owned())
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a size for a person")]

@@ -1,4 +1,4 @@
-//! `dobot materials`: the pens that can draw, and the materials that the laser can burn.
+//! `dobot materials`: lists the pens and the materials for the laser.
 
 use std::path::PathBuf;
 
@@ -14,14 +14,14 @@ use crate::verbs::draw::materials;
 #[command(after_help = "\
 Examples:
   dobot materials
-  dobot materials --toml > mine.toml     a file to change; `dobot draw --materials mine.toml` takes it
+  dobot materials --toml > mine.toml     edit it, then `dobot draw --materials mine.toml`
   dobot draw --card 2,5,10,20 --laser cardboard-engrave
-                                         burn a test card that finds the right numbers")]
+                                         burn a test card to find the right speed")]
 pub(crate) struct Args {
-    /// A TOML file with more of them
+    /// TOML file with more pens and materials
     #[arg(long, value_name = "FILE", conflicts_with = "toml")]
     materials: Option<PathBuf>,
-    /// Print the built-in ones as a file, with what each key means
+    /// Print the built-in pens and materials as a TOML file, with a comment for each key
     #[arg(long)]
     toml: bool,
 }
@@ -32,12 +32,12 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         return Ok(());
     }
     for (name, material) in materials(args.materials.as_deref())?.iter() {
-        output::line(&told(name, material))?;
+        output::line(&line(name, material))?;
     }
     Ok(())
 }
 
-fn told(name: &str, material: &Material) -> String {
+fn line(name: &str, material: &Material) -> String {
     let spacing = format!("hatched {} mm apart", material.spacing_mm);
     match material.tool {
         DrawingTool::Pen(pen) => format!(

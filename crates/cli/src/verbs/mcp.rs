@@ -1,4 +1,4 @@
-//! `dobot mcp`: the arm as tools for an agent.
+//! `dobot mcp`: offers the arm to an agent.
 
 use std::path::PathBuf;
 
@@ -12,26 +12,27 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::reach::Station;
 
-/// Give the arm of a station to an agent, as tools of the Model Context Protocol
+/// Offer the station's arm to an agent (Model Context Protocol)
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot mcp                            for the agent that starts it; its standard output belongs to the protocol
-  dobot mcp --may-move                 the agent starts drawings and programs itself, and moves the arm
-  dobot mcp --files ~/drawings         the agent may draw and run what is in this folder
+  dobot mcp                        started by an agent; standard output is reserved
+  dobot mcp --may-move             the agent may start jobs and move the arm
+  dobot mcp --files ~/drawings     the agent may draw and run the files in a folder
   DOBOT_TOKEN=... dobot mcp --station https://lab.example:8642
 
-A station runs beside it: `dobot up`. Over HTTP agents come to the station itself, at http://127.0.0.1:8642/mcp: nothing
-has to be started for that. All of its rules hold, and the laser is never armed. What the agent gives up, or
-leaves under way when it ends, stops the arm.")]
+It needs a running station (`dobot up`). Agents can also connect to the station
+over HTTP, at http://127.0.0.1:8642/mcp, without this command. All rules of the
+station apply, and the laser is never armed. If the agent cancels a request or
+ends during a motion, the arm is stopped.")]
 pub(crate) struct Args {
-    /// Let the agent move the arm and start drawings and programs (default: it queues them, and a person starts each)
+    /// Let the agent move the arm and start jobs (default: it queues jobs, and a person starts each)
     #[arg(long)]
     may_move: bool,
     /// The default
     #[arg(long, hide = true, conflicts_with = "may_move")]
     ask: bool,
-    /// The folder whose files the agent may draw and run
+    /// Folder with files that the agent may draw and run
     #[arg(long, value_name = "FOLDER")]
     files: Option<PathBuf>,
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `dobot model`: the arm as a model for other programs.
+//! `dobot model`: prints a model of the arm for other programs.
 
 use std::path::{Path, PathBuf};
 
@@ -9,26 +9,27 @@ use dobot_safety::Policy;
 use crate::failure::Failure;
 use crate::output;
 
-/// Print the arm as a model for other programs: URDF, MJCF (MuJoCo) or JSON
+/// Print a model of the arm: URDF, MJCF (MuJoCo) or JSON
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot model > dobot_arm.urdf                    the arm with a suction cup, for ROS, RViz and MoveIt
+  dobot model > dobot_arm.urdf                    with a suction cup, for ROS and MoveIt
   dobot model --format mjcf --tool gripper -o .   dobot_arm.xml for MuJoCo
   dobot model --format json --tool pen --length 62
-  dobot model --tool none                         up to the wrist, for a tool of your own
+  dobot model --tool none                         up to the wrist, for another tool
 
-URDF and MJCF are in metres and radians, JSON in mm and degrees. Nobody has measured masses and forces.")]
+URDF and MJCF are in metres and radians, JSON in millimetres and degrees.
+Masses and forces are estimates, not measurements.")]
 pub(crate) struct Args {
-    /// The format
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Urdf)]
     format: Format,
     #[command(flatten)]
     tool: ToolOptions,
-    /// Write to this file, or to `dobot_arm` with the ending of the format in this folder
+    /// Output file, or a folder for a file named `dobot_arm` (default: standard output)
     #[arg(short, long, value_name = "FILE|FOLDER")]
     out: Option<PathBuf>,
-    /// Write over a file that is there
+    /// Overwrite an existing file
     #[arg(long, requires = "out")]
     force: bool,
 }
@@ -56,7 +57,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 impl Format {
-    /// The file that is meant.
+    /// The output file.
     fn file(self, out: &Path) -> PathBuf {
         if !out.is_dir() {
             return out.to_owned();
@@ -70,8 +71,10 @@ impl Format {
 }
 
 fn no_such_tool(error: ToolOptionsError) -> Failure {
-    match error.hint() {
-        Some(hint) => Failure::new(error, hint),
-        None => error.into(),
+    let hint = error.hint();
+    let failure = Failure::usage(error);
+    match hint {
+        Some(hint) => failure.with_hint(hint),
+        None => failure,
     }
 }

@@ -1,4 +1,4 @@
-//! `dobot mouse`: move by a little, as a mouse does (state 1).
+//! `dobot mouse`: moves by a small distance, as with a mouse (state 1).
 
 use dobot_host::StationClient;
 use dobot_wire::{Command, Dialect, MouseMove, Status};
@@ -6,43 +6,44 @@ use dobot_wire::{Command, Dialect, MouseMove, Status};
 use crate::connect::To;
 use crate::control::carry_out_one;
 use crate::failure::Failure;
-use crate::output;
 use crate::pendant::{Drive, Mouse, PadArgs, check_terminal, kept_rotation_deg};
 use crate::verbs::jog::with_keys;
-use crate::verbs::move_::on_off;
+use crate::{output, values};
 
-/// Move by a little, as a mouse does (state 1)
+/// Move by a small distance, as with a mouse (state 1)
 #[derive(Debug, clap::Args)]
 #[command(
     allow_negative_numbers = true,
     after_help = "\
 Examples:
-  dobot mouse 5 0 0                      5 mm forward
-  dobot mouse 0 -2.5 10 --suction on     to the right and up, with the pump on
-  dobot mouse --keys                     with arrows, page up and page down
+  dobot mouse 5 0 0                    5 mm forward
+  dobot mouse 0 -2.5 10 --suction on   to the right and up, with the pump on
+  dobot mouse --keys                   with the arrow keys, page up and page down
   dobot mouse 10 4 0 --to serial:/dev/ttyUSB0 --dialect firmware-1.1
 
-The unit depends on the dialect. By the specification X, Y and Z are millimetres in the base frame: x forward,
-y left, z up. On an arm as it was sold, one unit of X changes the reach by 0.4 mm, one of Y swings the base by
--0.225 degrees, and one of Z lifts by 0.4 mm; the arm averages each packet with up to ten before it. There it
-forgets the joint speeds of `dobot set moves`: set them again before the next target.
+The unit depends on the dialect. With `specification`, X, Y and Z are
+millimetres in the base frame: x forward, y left, z up. With `firmware-1.1`,
+one unit of X changes the reach by 0.4 mm, one of Y turns the base by -0.225
+degrees, and one of Z lifts by 0.4 mm; the arm averages each packet with up to
+ten before it. Such an arm then loses the joint speeds of `dobot set moves`:
+set them again before the next target.
 
-With keys: Space, Esc or s stops the arm, q leaves, 1 to 9 and 0 are the length of a step, up to 5 units. When a
-key is let go, at most two steps are still made."
+Keys: Space, Esc or s stops the arm, q quits, 1 to 9 and 0 set the step size,
+up to 5 units. After a key is released, at most two more steps are made."
 )]
 pub(crate) struct Args {
-    /// How far, in the unit of the dialect
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "keys")]
+    /// Distance, in the unit of the dialect
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "keys", value_parser = values::finite)]
     by: Vec<f32>,
-    /// With keys, for as long as they are held: small steps one after the other
+    /// Move with the keyboard, in small steps while a key is held
     #[arg(long, conflicts_with_all = ["by", "rotation", "suction"])]
     keys: bool,
-    /// How the tool is turned, in degrees (default: it stays); by the specification relative to the base frame,
-    /// on an arm as it was sold the servo's angle
-    #[arg(long, value_name = "DEGREES")]
+    /// Rotation of the tool, in degrees (default: unchanged); relative to the base frame with
+    /// `specification`, the servo's angle with `firmware-1.1`
+    #[arg(long, value_name = "DEGREES", value_parser = values::finite)]
     rotation: Option<f32>,
-    /// The suction cup: on or off (default: it stays)
-    #[arg(long, value_name = "on|off", value_parser = on_off)]
+    /// Suction cup, on or off (default: unchanged)
+    #[arg(long, value_name = "on|off", value_parser = values::on_off)]
     suction: Option<bool>,
     #[command(flatten)]
     pad: PadArgs,
@@ -55,12 +56,12 @@ pub(crate) struct Args {
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     if args.keys {
-        check_terminal("`--keys`", "`dobot mouse X Y Z` moves by so much")?;
+        check_terminal("`--keys`", "use `dobot mouse X Y Z`")?;
     }
     let go = async |station: &mut StationClient| {
         if args.keys {
             let drive = Drive::Mouse(Mouse::new());
-            return with_keys(station, &args.to, &args.pad, drive, |it| it).await;
+            return with_keys(station, &args.to, &args.pad, drive, |pendant| pendant).await;
         }
         let command = |status: &Status, dialect| Ok(args.command(status, dialect));
         carry_out_one(station, &args.to, None, command).await

@@ -1,4 +1,4 @@
-//! `dobot move`: go to a point or to joint angles.
+//! `dobot move`: moves to a point or to joint angles.
 
 use dobot_arm::{Degrees, Joints, Limits, Pose, Position, Tool, Unreachable, inverse};
 use dobot_host::{PathName, StationClient, Target, TargetPlace};
@@ -7,47 +7,50 @@ use dobot_wire::{Command, Status};
 use crate::connect::To;
 use crate::control::carry_out_one;
 use crate::failure::Failure;
-use crate::output;
+use crate::{output, values};
 
-/// Go to a point or to joint angles
+/// Move to a point or to joint angles
 #[derive(Debug, clap::Args)]
 #[command(
     allow_negative_numbers = true,
     after_help = "\
 Examples:
-  dobot move 220 0 30                               to a point, lifted (JUMP)
-  dobot move 220 50 30 --path movl                  to a point, in a straight line
-  dobot move --joints 30 45 40                      base, rear arm and forearm in degrees
-  dobot move 220 0 -20 --suction on --pause 0.5     go, then grab
+  dobot move 220 0 30                             to a point, lifted (JUMP)
+  dobot move 220 50 30 --path movl                to a point, in a straight line
+  dobot move --joints 30 45 40                    base, rear arm and forearm
+  dobot move 220 0 -20 --suction on --pause 0.5   move, then pick up
 
-Points are millimetres in the base frame: x forward, y left, z up from the pivot of the rear arm,
-about 103 mm above the table. Tool, gripper and suction stay as they are unless told otherwise.
-Ctrl-C stops the arm. A move that has begun goes on to its end, for the protocol has no stop."
+Points are in the base frame, in millimetres: x forward, y left, z up from the
+pivot of the rear arm, about 103 mm above the table. Tool, gripper and suction
+stay unchanged unless an option sets them.
+
+Ctrl-C stops the arm. A move in progress runs to its end, because the protocol
+has no stop command."
 )]
 pub(crate) struct Args {
-    /// The point, in millimetres
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "joints")]
+    /// Target point, in mm
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required_unless_present = "joints", value_parser = values::finite)]
     point: Vec<f32>,
-    /// The joint angles instead of a point, in degrees
-    #[arg(long, num_args = 3, value_names = ["BASE", "REAR", "FORE"], conflicts_with_all = ["point", "rotation"])]
+    /// Joint angles instead of a point, in degrees
+    #[arg(long, num_args = 3, value_names = ["BASE", "REAR", "FORE"], conflicts_with_all = ["point", "rotation"], value_parser = values::finite)]
     joints: Option<Vec<f32>>,
-    /// How the tool is turned relative to the base frame, in degrees (default: the servo stays)
-    #[arg(long, value_name = "DEGREES", conflicts_with = "servo")]
+    /// Rotation of the tool relative to the base frame, in degrees (default: the servo stays)
+    #[arg(long, value_name = "DEGREES", conflicts_with = "servo", value_parser = values::finite)]
     rotation: Option<f32>,
-    /// The servo's angle, in degrees (default: it stays)
-    #[arg(long, value_name = "DEGREES")]
+    /// Angle of the servo, in degrees (default: unchanged)
+    #[arg(long, value_name = "DEGREES", value_parser = values::finite)]
     servo: Option<f32>,
-    /// The way there: jump, movl or movj
+    /// Path type: jump, movl (straight line) or movj (joints)
     #[arg(long, default_value = "jump")]
     path: PathName,
-    /// The suction cup, once there: on or off
-    #[arg(long, value_name = "on|off", value_parser = on_off)]
+    /// Suction cup at the target, on or off (default: unchanged)
+    #[arg(long, value_name = "on|off", value_parser = values::on_off)]
     suction: Option<bool>,
-    /// The gripper's angle, once there, in degrees from -90 to 90
-    #[arg(long, value_name = "DEGREES")]
+    /// Angle of the gripper at the target, -90 to 90 degrees (default: unchanged)
+    #[arg(long, value_name = "DEGREES", value_parser = values::number(-90.0..=90.0_f32, "degrees"))]
     gripper: Option<f32>,
-    /// How long to wait there, in seconds
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
+    /// Pause at the target, 0 to 655 seconds
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = values::number(0.0..=655.0_f32, "seconds"))]
     pause: f32,
     #[command(flatten)]
     to: To,
@@ -88,30 +91,21 @@ impl Args {
     }
 }
 
-/// A switch on the command line.
-pub(crate) fn on_off(text: &str) -> Result<bool, &'static str> {
-    match text {
-        "on" => Ok(true),
-        "off" => Ok(false),
-        _ => Err("allowed are on and off"),
-    }
-}
-
 fn three(values: &[f32]) -> [f32; 3] {
     values.try_into().expect("the command line takes three")
 }
 
 fn check(command: &Command) -> Result<(), Unreachable> {
     match command {
-        Command::MoveTo(it) => check_point([it.x_mm, it.y_mm, it.z_mm], it.rotation_deg),
-        Command::MoveJoints(it) => {
-            check_joints([it.base_deg, it.rear_deg, it.fore_deg, it.servo_deg])
+        Command::MoveTo(to) => check_point([to.x_mm, to.y_mm, to.z_mm], to.rotation_deg),
+        Command::MoveJoints(to) => {
+            check_joints([to.base_deg, to.rear_deg, to.fore_deg, to.servo_deg])
         }
         _ => Ok(()),
     }
 }
 
-/// The reach of the tool is not in a status, so what any tool allows is let through.
+/// Checks a point. A status does not contain the tool, so a point within reach of any tool passes.
 fn check_point(point: [f32; 3], rotation_deg: f32) -> Result<(), Unreachable> {
     let [x, y, z] = point.map(f64::from);
     let pose = Pose {
@@ -139,6 +133,6 @@ fn any_tool(check: impl Fn(Tool) -> Result<(), Unreachable>) -> Result<(), Unrea
 fn out_of_reach(error: Unreachable) -> Failure {
     Failure::new(
         anyhow::Error::from(error).context("the target is out of reach"),
-        "nothing was sent; `dobot status` tells where the arm is now",
+        "choose another target; nothing was sent, and `dobot status` shows where the arm is",
     )
 }

@@ -1,4 +1,4 @@
-//! `dobot play`: a taught program, once, often, or until somebody ends it.
+//! `dobot play`: runs a program, once, several times, or until a person ends it.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -9,52 +9,51 @@ use dobot_host::{PlannedFor, Prediction, Rules, StationClient, predict};
 use dobot_teach::{Compiled, Times, check};
 use serde::Serialize;
 
-use crate::connect::{To, speaker};
+use crate::connect::{To, personality_of};
 use crate::control::{self, arm_laser, check_pose, take_control};
 use crate::failure::Failure;
 use crate::follow;
 use crate::output::{self, clock};
-use crate::program_file;
-use crate::verbs::jog::laser_seconds;
+use crate::{program_file, values};
 
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a switch of the command line"
 )]
-/// Play a taught program: check it, say how long it takes, and do it
+/// Run a program: check it, print its duration, and execute it
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot play pick.toml                    with the arm of the station, or with a virtual one
-  dobot play pick.toml --dry-run          check it, and say how long it takes; nothing moves
-  dobot play pick.toml --times 20         twenty cycles
-  dobot play pick.toml --forever          until Ctrl-C or `dobot jobs cancel`
-  dobot play pick.toml --from 4           from its fourth step on
-  dobot play pick.toml --step             its first step; `dobot jobs step` does the next one
+  dobot play pick.toml              on the station's arm, or on a virtual one
+  dobot play pick.toml --dry-run    check it and print its duration; nothing moves
+  dobot play pick.toml --times 20   20 cycles
+  dobot play pick.toml --forever    until Ctrl-C or `dobot jobs cancel`
+  dobot play pick.toml --from 4     start at the fourth step
+  dobot play pick.toml --step       one step; `dobot jobs step` runs the next one
   dobot play pick.toml --to serial:/dev/ttyUSB0
 
-The program becomes a job, which survives a crash and a power cut: `dobot jobs` shows its step and cycle, pauses
-it, and makes it faster or slower.")]
+The program becomes a job, which survives a crash and a power failure.
+`dobot jobs` shows its step and cycle, pauses it, and changes its speed.")]
 pub(crate) struct Args {
-    /// The program: a TOML file, or PlayBackPoints.xml or a .play file of the vendor's program
+    /// Program: a TOML file, PlayBackPoints.xml or a .play file
     program: PathBuf,
-    /// How often it is done; without this as often as the program itself says
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "forever")]
+    /// Number of cycles (default: as in the program)
+    #[arg(long, value_name = "N", value_parser = values::whole_from(1), conflicts_with = "forever")]
     times: Option<u64>,
-    /// Begin with this step, as `dobot check` and `dobot jobs` count them from 1
-    #[arg(long, value_name = "STEP", value_parser = clap::value_parser!(u64).range(1..))]
+    /// Start at this step, counted from 1 as in `dobot check` and `dobot jobs`
+    #[arg(long, value_name = "STEP", value_parser = values::whole_from(1))]
     from: Option<u64>,
-    /// Do it until a person ends it
+    /// Repeat until a person ends it
     #[arg(long)]
     forever: bool,
-    /// Do the first step only, and pause behind it
+    /// Run only the first step, then pause
     #[arg(long, conflicts_with = "dry_run")]
     step: bool,
-    /// Check it and say how long it takes; nothing moves
+    /// Simulate only: check the program and print its duration
     #[arg(long)]
     dry_run: bool,
-    /// Let the laser be switched on for so many seconds: everybody's goggles are on
-    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds)]
+    /// Arm the laser for this many seconds, 1 to 3600; everyone present must wear goggles
+    #[arg(long, value_name = "SECONDS", value_parser = values::laser_seconds)]
     arm_laser: Option<Duration>,
     /// Print JSON
     #[arg(long)]
@@ -64,11 +63,11 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    // What is wrong with it is told before any arm is touched.
+    // Report problems of the program before connecting to an arm.
     let rules = Rules::of(&args.to.policy()?);
     let planned = Planned::new(&args, &PlannedFor::any(rules.into(), args.to.dialect))?;
     if args.dry_run {
-        return planned.tell(args.json);
+        return planned.print(args.json);
     }
     let play = async |station: &mut StationClient| play(station, &args, planned).await;
     args.to.with_arm("play", play).await
@@ -85,9 +84,9 @@ async fn play(
         planned = Planned::new(args, &arm)?;
     }
     if !args.json {
-        planned.tell(false)?;
+        planned.print(false)?;
     }
-    // Nothing is queued that cannot be started.
+    // Take control first, so that a queued job can be started.
     take_control(station).await?;
     arm_laser(station, args.arm_laser).await?;
     let title = planned.job.title.clone();
@@ -108,10 +107,10 @@ async fn play(
     Ok(output::line(&format!("{title} is done, in {took}"))?)
 }
 
-/// A program that was checked.
+/// A checked program.
 struct Planned {
     job: NewJob,
-    /// What the twin took.
+    /// The prediction of the twin.
     prediction: Prediction,
 }
 
@@ -130,33 +129,34 @@ impl Planned {
         let problems: Vec<String> = report.problems.iter().map(ToString::to_string).collect();
         if !problems.is_empty() {
             let (file, count) = (args.program.display(), problems.len());
-            return Err(anyhow!("{file} has {count} problems:\n{}", problems.join("\n")).into());
+            let count = output::count(count, "problem");
+            return Err(anyhow!("{file} has {count}:\n{}", problems.join("\n")).into());
         }
         let job = compiled.job();
         let prediction = predict(
             &job,
             policy,
-            speaker(arm.dialect()),
+            personality_of(arm.dialect()),
             arm.calibration.as_ref(),
         );
-        let prediction = prediction.map_err(|error| anyhow!("on the twin: {error}"))?;
+        let prediction = prediction.map_err(|error| anyhow!("in the simulation: {error}"))?;
         Ok(Self { job, prediction })
     }
 
-    /// How long it takes.
-    fn tell(&self, as_json: bool) -> Result<(), Failure> {
+    /// Prints the duration.
+    fn print(&self, as_json: bool) -> Result<(), Failure> {
         let times = self.times();
         if as_json {
             return Ok(output::json(&times)?);
         }
         let cycle = times
             .cycle_s
-            .map(|it| format!("a cycle takes {}", clock(it)));
+            .map(|cycle_s| format!("a cycle takes {}", clock(cycle_s)));
         let total = match times.total_s {
-            Some(it) => format!("{} in all", clock(it)),
+            Some(total_s) => format!("{} in total", clock(total_s)),
             None => "until a person ends it".to_owned(),
         };
-        let steps = format!("{} steps", self.job.program.steps.len());
+        let steps = output::count(self.job.program.steps.len(), "step");
         let parts: Vec<String> = [Some(steps), cycle, Some(total)]
             .into_iter()
             .flatten()
@@ -168,10 +168,10 @@ impl Planned {
         ))?)
     }
 
-    /// How long each step takes the first time, in seconds.
+    /// The duration of each step in the first cycle, in seconds.
     fn steps_s(&self) -> Vec<f64> {
         let until_s = &self.prediction.until_s;
-        let over = |command: usize| command.checked_sub(1).map_or(0.0, |it| until_s[it]);
+        let over = |command: usize| command.checked_sub(1).map_or(0.0, |last| until_s[last]);
         let firsts = self.job.program.steps.iter().copied();
         let ends = firsts.clone().skip(1).chain([until_s.len()]);
         let times = firsts.zip(ends);
@@ -183,9 +183,9 @@ impl Planned {
         let cycle_s = self.prediction.cycle_s;
         let total_s = match self.job.program.repeat {
             None => Some(first_s),
-            #[expect(clippy::cast_precision_loss, reason = "nobody waits for 2^53 cycles")]
+            #[expect(clippy::cast_precision_loss, reason = "2^53 cycles never end")]
             Some(JobRepeat { times, .. }) => times
-                .map(|it| it.saturating_sub(1) as f64)
+                .map(|times| times.saturating_sub(1) as f64)
                 .map(|more| first_s + cycle_s.unwrap_or(0.0) * more),
         };
         DryRunTimes {
@@ -199,18 +199,18 @@ impl Planned {
     }
 }
 
-/// How long a program takes on the twin.
+/// The durations of a program on the twin.
 #[derive(Debug, Serialize)]
 struct DryRunTimes {
     steps: usize,
-    /// How long each step takes the first time.
+    /// The duration of each step in the first cycle.
     steps_s: Vec<f64>,
     commands: usize,
-    /// All of it once.
+    /// The duration of the first cycle.
     first_s: f64,
-    /// A cycle that follows another one.
+    /// The duration of each further cycle.
     cycle_s: Option<f64>,
-    /// None where it goes on until a person ends it.
+    /// The total duration; `None` if a person has to end it.
     total_s: Option<f64>,
 }
 
@@ -220,19 +220,20 @@ struct Done {
     took_s: f64,
 }
 
-/// How often it is to be done, where the arguments say it.
+/// The number of cycles that the arguments ask for.
 fn times(args: &Args) -> Option<Times> {
     let count = args.times.map(Times::Count);
     count.or_else(|| args.forever.then_some(Times::Forever))
 }
 
-/// The rest of a program from a step on, counted from 1.
+/// Returns a program from a step on, counted from 1.
 fn from_step(program: &Compiled, step: u64, file: &Path) -> Result<Compiled, Failure> {
     let rest = usize::try_from(step - 1)
         .ok()
-        .and_then(|it| program.from_step(it));
+        .and_then(|index| program.from_step(index));
     rest.ok_or_else(|| {
         let (file, steps) = (file.display(), program.steps.len());
-        anyhow!("{file} has {steps} steps, and --from is {step}").into()
+        let steps = output::count(steps, "step");
+        Failure::usage(anyhow!("{file} has {steps}, and --from is {step}"))
     })
 }

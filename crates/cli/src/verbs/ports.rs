@@ -1,4 +1,4 @@
-//! `dobot ports`: the serial ports of this machine.
+//! `dobot ports`: lists the serial ports of this machine.
 
 use crate::failure::Failure;
 use crate::output;
@@ -10,7 +10,7 @@ Examples:
   dobot ports
   dobot ports --json
 
-No port is opened, so no arm is reset.")]
+No port is opened, so that no arm is reset.")]
 pub(crate) struct Args {
     /// Print JSON
     #[arg(long)]
@@ -26,7 +26,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             .collect();
         output::json(&ports)?;
     } else if ports.is_empty() {
-        eprintln!("no serial port; is the arm plugged in? `dobot arm` serves a virtual one");
+        eprintln!(
+            "no serial ports; check that the arm is plugged in, or serve a virtual one with `dobot arm`"
+        );
     } else {
         for port in ports {
             let device = port.device.unwrap_or_default();

@@ -1,4 +1,4 @@
-//! `dobot replay`: serve a recording as a virtual arm.
+//! `dobot replay`: serves a recording as a virtual arm.
 
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -15,31 +15,32 @@ use tokio::time::{Instant, sleep_until, timeout};
 
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::output;
 use crate::verbs::decode;
 use crate::verbs::log::{Shelf, no_recording, open};
+use crate::{output, values};
 
-/// Play a recording back as a virtual arm, and compare what its client sends
+/// Serve a recording as a virtual arm, and compare what its client sends
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot replay dobot-2026-11-21T12-30-00Z.mcap     on TCP 127.0.0.1:5555
-  dobot replay FILE --tcp 127.0.0.1:0 --speed 10   on a free port, ten times as fast
+  dobot replay dobot-2026-11-21T12-30-00Z.mcap      on tcp:127.0.0.1:5555
+  dobot replay FILE --tcp 127.0.0.1:0 --time-factor 10
+                                                    on a free port, ten times as fast
 
-It sends what the arm sent, at the times at which it did, to its first client, and ends with it.
-Each packet that the client sends is compared with what was recorded: if all are the same it succeeds,
-so that a recording of something that went wrong is a test.")]
+The first client receives what the arm sent, at the recorded times. Each packet
+that it sends is compared with the recording. The exit code is 0 if all packets
+match, so that a recording of a failure can serve as a test.")]
 pub(crate) struct Args {
-    /// A recording: a file, or its name in the folder
+    /// Recording: a file, or its name in the folder of recordings
     file: PathBuf,
     #[command(flatten)]
     shelf: Shelf,
-    /// Where to serve; port 0 takes a free one
-    #[arg(long, value_name = "HOST:PORT", default_value_t = dobot_sim::DEFAULT_TCP)]
+    /// TCP address to serve on; port 0 picks a free port
+    #[arg(long, value_name = "HOST:PORT", default_value_t = dobot_sim::DEFAULT_TCP, value_parser = values::socket_address)]
     tcp: SocketAddr,
-    /// How fast time passes: 0.1 to 1000 times as fast as a clock
-    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = speed)]
-    speed: f64,
+    /// Replay speed, 0.1 to 1000 times real time
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = values::number(0.1..=1000.0, "times real time"))]
+    time_factor: f64,
     /// Print JSON, one object
     #[arg(long)]
     json: bool,
@@ -50,21 +51,21 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     let path = args.shelf.find(&args.file)?;
     let mut recording = open(&path)?;
     recording.next();
-    let dialect = recording.about().and_then(|it| it.dialect);
+    let dialect = recording.about().and_then(|about| about.dialect);
     let replay = Replay::open(&path).map_err(|error| no_recording(&path, error))?;
     let listener = TcpListener::bind(args.tcp).await.map_err(|error| {
         Failure::new(
             anyhow::Error::from(error).context(format!("cannot serve on {}", args.tcp)),
-            "`--tcp 127.0.0.1:0` takes a free port",
+            "use `--tcp 127.0.0.1:0` for a free port",
         )
     })?;
     output::line(&format!(
-        "tcp:{}   {}, played back to its first client",
+        "tcp:{}   {}, replayed to the first client",
         listener.local_addr()?,
         path.display()
     ))?;
     tokio::select! {
-        served = serve(&listener, replay.clone(), args.speed) => served?,
+        served = serve(&listener, replay.clone(), args.time_factor) => served?,
         () = interrupt => return Err(anyhow!("interrupted").into()),
     }
     conclude(&replay.report(), dialect, args.json)
@@ -74,7 +75,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
 async fn serve(listener: &TcpListener, mut replay: Replay, speed: f64) -> std::io::Result<()> {
     let (mut client, from) = listener.accept().await?;
     eprintln!("connected: {from}");
-    // Small packets at once; without it they are only later.
+    // Best effort: without it small packets are only delayed.
     let _ = client.set_nodelay(true);
     let start = Instant::now();
     let mut incoming = Vec::new();
@@ -92,12 +93,12 @@ async fn serve(listener: &TcpListener, mut replay: Replay, speed: f64) -> std::i
             return Ok(());
         }
     }
-    eprintln!("the recording is over");
+    eprintln!("end of the recording");
     part(&mut client, &mut replay).await;
     Ok(())
 }
 
-/// Takes what the client still sends, once it was told that no more comes.
+/// Reads what the client still sends after the end of the recording.
 async fn part(client: &mut TcpStream, replay: &mut Replay) {
     let _ = client.shutdown().await;
     let mut incoming = Vec::new();
@@ -110,10 +111,10 @@ async fn part(client: &mut TcpStream, replay: &mut Replay) {
     .await;
 }
 
-/// Lets time pass: what the arm sent up to now.
+/// Advances the replay, and returns what the arm sent until now.
 fn due(replay: &mut Replay, now: Duration) -> Vec<u8> {
     let mut bytes = Vec::new();
-    while replay.poll_wakeup().is_some_and(|it| it <= now) {
+    while replay.poll_wakeup().is_some_and(|wakeup| wakeup <= now) {
         replay.receive(now, &mut bytes);
     }
     replay.receive(now, &mut bytes);
@@ -126,7 +127,7 @@ fn conclude(report: &Report, dialect: Option<Dialect>, as_json: bool) -> Result<
         let shown: Vec<_> = report
             .differences
             .iter()
-            .map(|it| json_of(it, dialect))
+            .map(|difference| json_of(difference, dialect))
             .collect();
         output::json(&json!({
             "same": report.same,
@@ -138,24 +139,27 @@ fn conclude(report: &Report, dialect: Option<Dialect>, as_json: bool) -> Result<
             "damage": report.damage.as_ref().map(ToString::to_string),
         }))?;
     } else {
-        tell(report, dialect)?;
+        print(report, dialect)?;
     }
     if report.is_same() {
         return Ok(());
     }
     let error = if differences == 0 {
         anyhow!(
-            "the client sent {} bytes that belong to no packet; recorded were {}",
-            report.noise_bytes,
+            "the client sent {} outside packets; the recording has {}",
+            output::count(report.noise_bytes, "byte"),
             report.recorded_noise_bytes
         )
     } else {
-        anyhow!("{differences} packets were not sent as recorded")
+        anyhow!(
+            "{} not sent as recorded",
+            output::many(differences, "packet was", "packets were")
+        )
     };
     Err(error.into())
 }
 
-fn tell(report: &Report, dialect: Option<Dialect>) -> std::io::Result<()> {
+fn print(report: &Report, dialect: Option<Dialect>) -> std::io::Result<()> {
     for difference in &report.differences {
         output::line(&format!(
             "{:10.3}  sent      {}",
@@ -175,22 +179,24 @@ fn tell(report: &Report, dialect: Option<Dialect>) -> std::io::Result<()> {
         output::line(&format!("the file is damaged: {damage}"))?;
     }
     output::line(&format!(
-        "{} packets as recorded, at most {:.3} s earlier or later",
-        report.same,
+        "{} as recorded, at most {:.3} s early or late",
+        output::count(report.same, "packet"),
         report.furthest_apart.as_secs_f64()
     ))
 }
 
-/// What a packet says, in the first dialect in which it says anything.
+/// Describes a packet in the first dialect in which it is a command.
 fn meaning(packet: Option<[u8; 42]>, dialect: Option<Dialect>) -> String {
     let Some(bytes) = packet else {
         return "nothing".to_owned();
     };
-    let packet = Packet::from_bytes(&bytes).expect("the decoder gives nothing else");
+    let packet = Packet::from_bytes(&bytes).expect("the decoder returns only whole packets");
     let readings = decode::readings(&packet, dialect);
-    let reading = readings.iter().find_map(|it| it.command.as_ref().ok());
+    let reading = readings
+        .iter()
+        .find_map(|reading| reading.command.as_ref().ok());
     reading.map_or_else(
-        || format!("what is no command: {bytes:02x?}"),
+        || format!("not a command: {bytes:02x?}"),
         |command| format!("{}  {}", decode::kind(command), output::fields(command)),
     )
 }
@@ -198,17 +204,10 @@ fn meaning(packet: Option<[u8; 42]>, dialect: Option<Dialect>) -> String {
 fn json_of(difference: &Difference, dialect: Option<Dialect>) -> Value {
     json!({
         "at_s": difference.at.as_secs_f64(),
-        "sent": difference.sent.map(|it| meaning(Some(it), dialect)),
-        "recorded": difference.recorded.map(|it| meaning(Some(it), dialect)),
+        "sent": difference.sent.map(|packet| meaning(Some(packet), dialect)),
+        "recorded": difference.recorded.map(|packet| meaning(Some(packet), dialect)),
     })
 }
 
-fn speed(text: &str) -> Result<f64, String> {
-    let speed = text.parse().ok().filter(|it| (0.1..=1000.0).contains(it));
-    speed.ok_or_else(|| {
-        "allowed is a number from 0.1 to 1000, as many times as fast as a clock".to_owned()
-    })
-}
-
-/// A client has so long to read, and to leave when the recording is over.
+/// The time that a client has to read, and to leave at the end of the recording.
 const PATIENCE: Duration = Duration::from_secs(1);

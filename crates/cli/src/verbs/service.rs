@@ -1,7 +1,8 @@
-//! `dobot service`: the station as a service that the system keeps running.
+//! `dobot service`: runs the station as a system service.
 
 mod unit;
 
+use std::ffi::OsString;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -11,19 +12,21 @@ use clap::Subcommand;
 
 use self::unit::{Scope, ServiceManager, Unit};
 use crate::failure::Failure;
-use crate::output;
+use crate::{command_line, output, renamed};
 
-/// Let the system keep the station running: start it anew when it is killed or stands still
+/// Run the station as a system service, restarted if it crashes or hangs
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot service install -- --arm serial:/dev/ttyUSB0     for this person; behind -- what `dobot up` is told
-  sudo dobot service install --system                    for the machine, from its start on
+  dobot service install -- --arm serial:/dev/ttyUSB0
+                                             for this user; options of `dobot up`
+                                             follow --
+  sudo dobot service install --system        for the machine, from boot
   dobot service status
   dobot service remove
 
-A station that is started anew switches the laser off before anything else. The watchdog of the one that was killed has
-done that already, so the arm waits for neither.")]
+A restarted station first switches the laser off. The watchdog of a killed
+station has already done so by then.")]
 pub(crate) struct Args {
     #[command(subcommand)]
     action: Action,
@@ -31,32 +34,32 @@ pub(crate) struct Args {
 
 #[derive(Debug, Subcommand)]
 enum Action {
-    /// Write the service's file, and start it where the system's manager of services runs
+    /// Install the service, and start it if the service manager runs
     Install {
         #[command(flatten)]
-        whose: Whose,
-        /// Where the station keeps its data
+        scope: ScopeArgs,
+        /// Data folder of the station
         #[arg(long, value_name = "FOLDER")]
         data: Option<PathBuf>,
-        /// What `dobot up` is told
+        /// Options of `dobot up`
         #[arg(last = true, value_name = "ARGUMENT")]
         up: Vec<String>,
     },
-    /// Stop the service, and remove its file
+    /// Stop the service and remove it
     Remove {
         #[command(flatten)]
-        whose: Whose,
+        scope: ScopeArgs,
     },
-    /// Tell whether it is installed, and whether it runs
+    /// Show whether the service is installed and running
     Status {
         #[command(flatten)]
-        whose: Whose,
+        scope: ScopeArgs,
     },
 }
 
 #[derive(Clone, Copy, Debug, clap::Args)]
-struct Whose {
-    /// For this person: it runs while that person is logged in (the default)
+struct ScopeArgs {
+    /// For this user, while logged in (default)
     #[arg(long, conflicts_with = "system")]
     user: bool,
     /// For the machine
@@ -64,7 +67,7 @@ struct Whose {
     system: bool,
 }
 
-impl Whose {
+impl ScopeArgs {
     const fn scope(self) -> Scope {
         if self.system {
             Scope::System
@@ -76,9 +79,9 @@ impl Whose {
 
 pub(crate) fn run(args: Args) -> Result<(), Failure> {
     match args.action {
-        Action::Install { whose, data, up } => install(whose.scope(), data, up),
-        Action::Remove { whose } => remove(whose.scope()),
-        Action::Status { whose } => status(whose.scope()),
+        Action::Install { scope, data, up } => install(scope.scope(), data, up),
+        Action::Remove { scope } => remove(scope.scope()),
+        Action::Status { scope } => status(scope.scope()),
     }
 }
 
@@ -88,7 +91,7 @@ fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), F
     let file = file(scope)?;
     let unit = Unit {
         scope,
-        program: std::env::current_exe().context("this program cannot be found")?,
+        program: std::env::current_exe().context("cannot find the file of this program")?,
         arguments: up,
         data: data.map(std::path::absolute).transpose()?,
     };
@@ -99,31 +102,32 @@ fn install(scope: Scope, data: Option<PathBuf>, up: Vec<String>) -> Result<(), F
     output::line(&format!("installed {}", file.display()))?;
     carry_out("start it", &ServiceManager::HERE.enable(scope, &file))?;
     if scope == Scope::User && ServiceManager::HERE == ServiceManager::Systemd {
-        output::line("it ends when you log out, unless `loginctl enable-linger` says otherwise")?;
+        output::line("it ends when you log out; `loginctl enable-linger` keeps it running")?;
     }
     Ok(())
 }
 
-/// The log of a service is for programs, unless it is wanted otherwise.
+/// Adds the JSON log format unless a format is given.
 fn with_log(mut up: Vec<String>) -> Vec<String> {
-    if !up.iter().any(|it| it.starts_with("--log-format")) {
+    if !up.iter().any(|word| word.starts_with("--log-format")) {
         up.splice(0..0, ["--log-format", "json"].map(str::to_owned));
     }
     up
 }
 
-/// What `dobot up` would not understand would only show when the service does not start.
+/// Checks the options of `dobot up`, which would otherwise fail only when the service starts.
 fn check_up(up: &[String]) -> Result<(), Failure> {
-    let words = ["dobot", "up"].into_iter().map(str::to_owned);
-    let checked = crate::check(words.chain(up.iter().cloned()));
-    checked.map_err(|error| {
+    let words = ["dobot", "up"].into_iter().map(OsString::from);
+    let mut words: Vec<OsString> = words.chain(up.iter().map(OsString::from)).collect();
+    for hint in renamed::replace(&mut words) {
+        eprintln!("hint: {hint}");
+    }
+    command_line::parse(words).map(drop).map_err(|error| {
         let text = error.to_string();
         let line = text.lines().next().unwrap_or_default();
         let line = line.trim_start_matches("error: ").to_owned();
-        Failure::new(
-            anyhow!("`dobot up`: {line}"),
-            "`dobot up --help` tells what it can be told",
-        )
+        Failure::usage(anyhow!("`dobot up`: {line}"))
+            .with_hint("run `dobot up --help` for its options")
     })
 }
 
@@ -141,7 +145,7 @@ fn status(scope: Scope) -> Result<(), Failure> {
     let ask = ServiceManager::HERE.ask(scope);
     if !runs_here() {
         output::line(&format!(
-            "nothing on this machine keeps services running now; where it does: {}",
+            "no service manager runs on this machine now; on one that has it, run: {}",
             ask.join(" ")
         ))?;
         return Ok(());
@@ -158,7 +162,7 @@ fn status(scope: Scope) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Runs commands where services are kept running now, and tells them where not.
+/// Runs commands if a service manager runs, and otherwise prints them.
 fn carry_out(what: &str, commands: &[Vec<String>]) -> Result<(), Failure> {
     for words in commands {
         let text = words.join(" ");
@@ -171,7 +175,7 @@ fn carry_out(what: &str, commands: &[Vec<String>]) -> Result<(), Failure> {
             let error = anyhow!("`{text}` failed: {status}");
             return Err(Failure::new(
                 error,
-                "`dobot service status` tells how far it came",
+                "run `dobot service status` to see its state",
             ));
         }
         output::line(&format!("done: {text}"))?;
@@ -185,7 +189,7 @@ fn command(words: &[String]) -> Command {
     command
 }
 
-/// Whether what keeps services runs on this machine now: in a container it mostly does not.
+/// Whether a service manager runs on this machine; in a container it usually does not.
 fn runs_here() -> bool {
     match ServiceManager::HERE {
         ServiceManager::Systemd => Path::new("/run/systemd/system").is_dir(),
@@ -194,14 +198,14 @@ fn runs_here() -> bool {
 }
 
 fn file(scope: Scope) -> Result<PathBuf, Failure> {
-    let home = std::env::home_dir().filter(|it| it.is_absolute());
+    let home = std::env::home_dir().filter(|home| home.is_absolute());
     let home = match (scope, home) {
         (_, Some(home)) => home,
         (Scope::System, None) => PathBuf::from("/"),
         (Scope::User, None) => {
             return Err(Failure::new(
-                anyhow!("this person has no home folder"),
-                "`dobot service install --system` installs it for the machine",
+                anyhow!("this user has no home folder"),
+                "install it for the machine: `dobot service install --system`",
             ));
         }
     };
@@ -217,8 +221,8 @@ fn installed(scope: Scope) -> Result<PathBuf, Failure> {
     }
     let option = scope.option();
     Err(Failure::new(
-        anyhow!("no service is installed: there is no {}", file.display()),
-        format!("`dobot service install {option}`"),
+        anyhow!("no service is installed: {} does not exist", file.display()),
+        format!("install it with `dobot service install {option}`"),
     ))
 }
 
@@ -228,7 +232,7 @@ fn not_written(file: &Path, scope: Scope, error: std::io::Error) -> Failure {
     match scope {
         Scope::System if denied => Failure::new(
             error,
-            "the machine's services belong to root: `sudo dobot service ... --system`, or `--user`",
+            "run `sudo dobot service ... --system`, or use `--user`; services of the machine belong to root",
         ),
         _ => error.into(),
     }

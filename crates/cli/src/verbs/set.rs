@@ -1,4 +1,4 @@
-//! `dobot set`: configuration (states 9 and 10).
+//! `dobot set`: configures the arm (states 9 and 10).
 
 use clap::Subcommand;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -9,28 +9,29 @@ use dobot_wire::{Command, Configuration, PlaybackAdjustment};
 use crate::connect::To;
 use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
-use crate::output;
+use crate::{output, values};
 
-/// Configure the arm
+/// Configure the arm: tool, speeds, accelerations, angles (states 9, 10)
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   dobot set tool laser --to serial:/dev/ttyUSB0
-  dobot set writing --acceleration 200 --to serial:/dev/ttyUSB0
-  dobot set percent --speed 50 --acceleration 50 --dialect firmware-1.1 --to serial:/dev/ttyUSB0
+  dobot set writing --acceleration 200
+  dobot set percent --speed-percent 50 --acceleration-percent 50
 
-An arm takes all values of a group at once and cannot be asked for them: those that are not given get the
-values shown in `dobot set GROUP --help`. An arm forgets them when it is switched off.")]
+An arm receives all values of a group together and cannot report them: values
+that are not given are set to the defaults in `dobot set GROUP --help`. The arm
+forgets them when it is switched off.")]
 pub(crate) struct Args {
     #[command(subcommand)]
     group: Group,
     #[command(flatten)]
-    to: Way,
+    to: CommonArgs,
 }
 
-/// `--to` and `--dialect`, before or behind the group.
+/// The options of all groups, before or after the group.
 #[derive(Clone, Debug, clap::Args)]
-struct Way {
+struct CommonArgs {
     #[command(flatten)]
     to: To,
     /// Print the last status as JSON
@@ -40,89 +41,91 @@ struct Way {
 
 #[derive(Clone, Debug, Subcommand)]
 enum Group {
-    /// The end effector (state 9, mode 4)
+    /// Set the end effector (state 9, mode 4)
     Tool {
-        /// What is mounted
+        /// Mounted tool
         #[arg(value_parser = tool())]
         tool: Tool,
     },
-    /// Speeds of jogging (state 9, mode 0)
+    /// Set the jog speeds (state 9, mode 0)
     Jog {
         /// Joint speed at 100 %, in degrees/s
-        #[arg(long, default_value_t = 15.0)]
+        #[arg(long, value_name = "DEG/S", default_value = "15", value_parser = values::positive)]
         joint_speed: f32,
-        /// Joint acceleration, in degrees/s²
-        #[arg(long, default_value_t = 50.0)]
+        /// Joint acceleration at 100 %, in degrees/s²
+        #[arg(long, value_name = "DEG/S2", default_value = "50", value_parser = values::positive)]
         joint_acceleration: f32,
-        /// Servo speed, in degrees/s
-        #[arg(long, default_value_t = 30.0)]
+        /// Servo speed at 100 %, in degrees/s
+        #[arg(long, value_name = "DEG/S", default_value = "30", value_parser = values::positive)]
         servo_speed: f32,
-        /// Servo acceleration, in degrees/s²
-        #[arg(long, default_value_t = 50.0)]
+        /// Servo acceleration at 100 %, in degrees/s²
+        #[arg(long, value_name = "DEG/S2", default_value = "50", value_parser = values::positive)]
         servo_acceleration: f32,
-        /// Linear speed, in mm/s
-        #[arg(long, default_value_t = 60.0)]
+        /// Linear speed at 100 %, in mm/s
+        #[arg(long, value_name = "MM/S", default_value = "60", value_parser = values::positive)]
         linear_speed: f32,
-        /// Linear acceleration, in mm/s²
-        #[arg(long, default_value_t = 60.0)]
+        /// Linear acceleration at 100 %, in mm/s²
+        #[arg(long, value_name = "MM/S2", default_value = "60", value_parser = values::positive)]
         linear_acceleration: f32,
     },
-    /// Speeds of moves, default pause and height of a JUMP (state 9, mode 1)
+    /// Set the speeds, default pause and JUMP height of moves (state 9, mode 1)
     Moves {
         /// Joint speed at 100 %, in degrees/s
-        #[arg(long, default_value_t = 200.0)]
+        #[arg(long, value_name = "DEG/S", default_value = "200", value_parser = values::positive)]
         joint_speed: f32,
-        /// Joint acceleration, in degrees/s²
-        #[arg(long, default_value_t = 200.0)]
+        /// Joint acceleration at 100 %, in degrees/s²
+        #[arg(long, value_name = "DEG/S2", default_value = "200", value_parser = values::positive)]
         joint_acceleration: f32,
-        /// Servo speed, in degrees/s
-        #[arg(long, default_value_t = 200.0)]
+        /// Servo speed at 100 %, in degrees/s
+        #[arg(long, value_name = "DEG/S", default_value = "200", value_parser = values::positive)]
         servo_speed: f32,
-        /// Servo acceleration, in degrees/s²
-        #[arg(long, default_value_t = 200.0)]
+        /// Servo acceleration at 100 %, in degrees/s²
+        #[arg(long, value_name = "DEG/S2", default_value = "200", value_parser = values::positive)]
         servo_acceleration: f32,
-        /// Linear speed, in mm/s
-        #[arg(long, default_value_t = 100.0)]
+        /// Linear speed at 100 %, in mm/s
+        #[arg(long, value_name = "MM/S", default_value = "100", value_parser = values::positive)]
         linear_speed: f32,
-        /// Linear acceleration, in mm/s²
-        #[arg(long, default_value_t = 200.0)]
+        /// Linear acceleration at 100 %, in mm/s²
+        #[arg(long, value_name = "MM/S2", default_value = "200", value_parser = values::positive)]
         linear_acceleration: f32,
-        /// Default pause, in seconds; stock arms ignore it
-        #[arg(long, default_value_t = 0.0)]
+        /// Default pause, 0 to 655 seconds; ignored by arms as sold
+        #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = values::number(0.0..=655.0_f32, "seconds"))]
         pause: f32,
         /// Height of a JUMP, in mm
-        #[arg(long, default_value_t = 20.0)]
+        #[arg(long, value_name = "MM", default_value = "20", value_parser = values::non_negative)]
         jump_height: f32,
     },
-    /// Acceleration of writing (state 9, mode 2)
+    /// Set the writing acceleration (state 9, mode 2)
     Writing {
-        /// In mm/s²
-        #[arg(long, default_value_t = 100.0)]
+        /// Acceleration, in mm/s²
+        #[arg(long, value_name = "MM/S2", default_value = "100", value_parser = values::positive)]
         acceleration: f32,
     },
-    /// Tell the arm the angles at which it stands (state 9, mode 3); the base becomes 0
+    /// Tell the arm its current joint angles (state 9, mode 3); the base becomes 0
     #[command(allow_negative_numbers = true)]
     Angles {
-        /// Rear arm, in degrees from the vertical
+        /// Angle of the rear arm, in degrees from the vertical
+        #[arg(value_parser = values::finite)]
         rear: f32,
-        /// Forearm, in degrees below the horizontal
+        /// Angle of the forearm, in degrees below the horizontal
+        #[arg(value_parser = values::finite)]
         fore: f32,
     },
-    /// Percentages of the speeds and accelerations of moves (state 10)
+    /// Set the percentages of speeds and accelerations (state 10)
     Percent {
-        /// Speed, in percent
-        #[arg(long, default_value_t = 50.0)]
-        speed: f32,
-        /// Acceleration, in percent
-        #[arg(long, default_value_t = 50.0)]
-        acceleration: f32,
-        /// Jog speed, in percent; stock arms ignore it
-        #[arg(long, default_value_t = 100.0)]
-        teach: f32,
+        /// Speed of moves, above 0 to 100 percent
+        #[arg(long, value_name = "PERCENT", default_value = "50", value_parser = values::percent)]
+        speed_percent: f32,
+        /// Acceleration of moves, above 0 to 100 percent
+        #[arg(long, value_name = "PERCENT", default_value = "50", value_parser = values::percent)]
+        acceleration_percent: f32,
+        /// Jog speed, above 0 to 100 percent; ignored by arms as sold
+        #[arg(long, value_name = "PERCENT", default_value = "100", value_parser = values::percent)]
+        jog_percent: f32,
     },
 }
 
-/// A tool by its name.
+/// Returns a parser of tool names.
 fn tool() -> impl TypedValueParser<Value = Tool> {
     let names = PossibleValuesParser::new(Tool::ALL.map(Tool::option));
     names.map(|name| Tool::named(&name).expect("each of the names is that of a tool"))
@@ -191,13 +194,13 @@ fn command(group: &Group) -> Command {
         }
         .into(),
         Group::Percent {
-            speed,
-            acceleration,
-            teach,
+            speed_percent,
+            acceleration_percent,
+            jog_percent,
         } => PlaybackAdjustment {
-            speed_percent: speed,
-            acceleration_percent: acceleration,
-            teach_speed_percent: teach,
+            speed_percent,
+            acceleration_percent,
+            teach_speed_percent: jog_percent,
         }
         .into(),
     }

@@ -1,4 +1,4 @@
-//! `dobot simulate`: run a script in virtual time.
+//! `dobot simulate`: runs a script in virtual time.
 
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -11,37 +11,39 @@ use dobot_sim::{
 };
 
 use crate::failure::Failure;
-use crate::output;
+use crate::{output, values};
 
 /// Run a script in virtual time, and write what the arm did
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot simulate square.script                                   a summary
-  dobot simulate square.script --plot square.svg                 path, joints and speeds as a picture
+  dobot simulate square.script                      a summary
+  dobot simulate square.script --plot square.svg    path, joints and speeds
   dobot simulate square.script --personality firmware-1.1 --trace square.csv
   echo 'credit 3 0 240 0 0 0 0 2 0 0' | dobot simulate - --trace -
-  dobot simulate square.script --strict                          fails if a packet was refused
+  dobot simulate square.script --strict             fail if a packet is refused
 
-A line of a script is one packet, `T f1 f2 ... f10`: T is when its first byte starts, in milliseconds,
-or `credit` for when the next status has arrived; the ten floats are those of the protocol. Besides
-there are `!end MS`, `!pose REAR FORE`, `!port usb|bt`, `raw T BYTES`, `voice T TEXT` and `# comments`.
---trace OUT.csv writes the statuses to OUT.csv, every control tick to OUT.ticks.csv, and what the arm
-printed on its other port, if it did, to OUT.other_port.txt.")]
+Each line of a script is one packet, `T f1 f2 ... f10`. T is the time of its
+first byte in milliseconds, or `credit` for the arrival of the next status; the
+ten floats are those of the protocol. Other lines are `!end MS`, `!pose REAR
+FORE`, `!port usb|bt`, `raw T BYTES`, `voice T TEXT` and `# comment`.
+
+--trace OUT.csv writes the statuses to OUT.csv, each control tick to
+OUT.ticks.csv, and the output of the arm's other port, if any, to
+OUT.other_port.txt.")]
 pub(crate) struct Args {
-    /// The script, or - for standard input
+    /// Script file, or - for standard input
     script: PathBuf,
-    /// How the controller behaves: specification, or firmware-1.1 for an arm as it was sold
+    /// Behaviour of the controller: specification, or firmware-1.1 for an arm as sold
     #[arg(long, value_name = "PERSONALITY", default_value_t)]
     personality: Personality,
-    /// Write the statuses as CSV to a file that ends in .csv, with the ticks beside it; - for
-    /// standard output
+    /// Write the statuses to a CSV file, and the ticks to one beside it; - for standard output
     #[arg(long, value_name = "OUT.csv", value_parser = trace_file)]
     trace: Option<PathBuf>,
-    /// Draw path, joints and speeds, to a file that ends in .svg
-    #[arg(long, value_name = "OUT.svg", value_parser = plot_file)]
+    /// Draw path, joints and speeds in an SVG file
+    #[arg(long, value_name = "OUT.svg", value_parser = values::svg_file)]
     plot: Option<PathBuf>,
-    /// Fail where the controller refused a packet or hung, or a line was still to be sent: for CI
+    /// Fail if the controller refuses a packet or hangs, or if a line was not sent
     #[arg(long)]
     strict: bool,
 }
@@ -77,16 +79,18 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if args.strict && refused + unsent > 0 {
         return Err(Failure::new(
             anyhow!(
-                "{refused} packets were refused, and {unsent} lines were not sent; --strict allows none"
+                "{} refused and {} not sent; --strict allows none",
+                output::many(refused, "packet was", "packets were"),
+                output::many(unsent, "line was", "lines were")
             ),
-            "a line that is to be refused belongs in a script of its own; `!end MS` gives the rest more time",
+            "remove lines that are refused, or allow more time with `!end MS`",
         ));
     }
     Ok(())
 }
 
 impl Args {
-    /// What came of the script; snapshots only where they are drawn.
+    /// Runs the script; takes snapshots only for a plot.
     fn simulate(&self, script: &Script) -> Result<(Simulation, Vec<Snapshot>), SimulateError> {
         let mut snapshots = Vec::new();
         let simulation = if self.plot.is_some() {
@@ -100,12 +104,12 @@ impl Args {
     }
 }
 
-/// What stands above a picture: a folder says nothing there.
+/// The title of a plot: the name of the script without its folder.
 fn title(script: &Path) -> String {
     let name = script.file_name().filter(|_| !is_dash(script));
     name.map_or_else(
         || "script".to_owned(),
-        |it| it.to_string_lossy().into_owned(),
+        |name| name.to_string_lossy().into_owned(),
     )
 }
 
@@ -114,18 +118,14 @@ fn is_dash(file: &Path) -> bool {
 }
 
 fn trace_file(text: &str) -> Result<PathBuf, String> {
-    if text == "-" || Path::new(text).extension().is_some_and(|it| it == "csv") {
+    if text == "-"
+        || Path::new(text)
+            .extension()
+            .is_some_and(|extension| extension == "csv")
+    {
         Ok(text.into())
     } else {
-        Err("it ends in neither `.csv` nor is it `-`".to_owned())
-    }
-}
-
-fn plot_file(text: &str) -> Result<PathBuf, String> {
-    if Path::new(text).extension().is_some_and(|it| it == "svg") {
-        Ok(text.into())
-    } else {
-        Err("it does not end in `.svg`".to_owned())
+        Err("expected a file name that ends in .csv, or -".to_owned())
     }
 }
 
@@ -145,7 +145,7 @@ fn parse(bytes: &[u8], name: &str) -> anyhow::Result<Script> {
         let (before, rest) = bytes.split_at(error.valid_up_to());
         let line = before.split(|&it| it == b'\n').count();
         anyhow!(
-            "{name}:{line}: byte {:02X} is no text; allowed is UTF-8",
+            "{name}:{line}: byte {:02X} is not text; expected UTF-8",
             rest[0]
         )
     })?;
@@ -155,7 +155,7 @@ fn parse(bytes: &[u8], name: &str) -> anyhow::Result<Script> {
 fn cannot_run(error: SimulateError) -> Failure {
     match error {
         SimulateError::NoBluetooth { .. } => {
-            Failure::new(error, "`--personality firmware-1.1` has that port")
+            Failure::usage(error).with_hint("use `--personality firmware-1.1`, which has that port")
         }
         _ => error.into(),
     }
@@ -165,8 +165,8 @@ fn write(file: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     std::fs::write(file, bytes).with_context(|| format!("cannot write {}", file.display()))
 }
 
-/// Writes the files of a trace. Text of the other port that an earlier run has left is removed
-/// where this one has none.
+/// Writes the files of a trace. Removes the text of the other port of an earlier run if this run has
+/// none.
 fn write_trace(trace: &Trace, file: &Path) -> anyhow::Result<()> {
     if is_dash(file) {
         std::io::stdout().write_all(&trace.statuses_csv())?;
@@ -186,20 +186,21 @@ fn write_trace(trace: &Trace, file: &Path) -> anyhow::Result<()> {
     }
 }
 
-fn summary(name: &str, personality: Personality, lines: usize, it: &Simulation) -> String {
-    let seconds = it.end.as_secs_f64();
+fn summary(name: &str, personality: Personality, lines: usize, simulation: &Simulation) -> String {
+    let seconds = simulation.end.as_secs_f64();
     [
-        format!("{name}: {seconds:.2} s of an arm that behaves as {personality}"),
-        format!("lines sent   {} of {lines}", lines - it.unsent),
-        format!("statuses     {}", it.trace.statuses.len()),
+        format!("{name}: {seconds:.2} s of a {personality} arm"),
+        format!("lines sent   {} of {lines}", lines - simulation.unsent),
+        format!("statuses     {}", simulation.trace.statuses.len()),
         format!(
             "last status  {}",
-            it.trace
+            simulation
+                .trace
                 .statuses
                 .last()
                 .map_or_else(|| "none".to_owned(), place)
         ),
-        format!("refused      {}", it.refused.len()),
+        format!("refused      {}", simulation.refused.len()),
     ]
     .join("\n")
 }
@@ -212,25 +213,25 @@ fn place(status: &TracedStatus) -> String {
     )
 }
 
-/// What a person should know about a run: a line each.
-fn warnings(lines: usize, it: &Simulation) -> Vec<String> {
-    let mut warnings: Vec<_> = it
+/// Returns the warnings about a run, one line each.
+fn warnings(lines: usize, simulation: &Simulation) -> Vec<String> {
+    let mut warnings: Vec<_> = simulation
         .refused
         .iter()
-        .take(TOLD)
+        .take(MAX_SHOWN)
         .map(|(at, refused)| format!("at {} ms: {refused}", at.as_millis()))
         .collect();
-    if it.refused.len() > TOLD {
-        warnings.push(format!("and {} more", it.refused.len() - TOLD));
+    if simulation.refused.len() > MAX_SHOWN {
+        warnings.push(format!("and {} more", simulation.refused.len() - MAX_SHOWN));
     }
-    if it.unsent > 0 {
+    if simulation.unsent > 0 {
         warnings.push(format!(
-            "at the end {} of {lines} lines were still to be sent",
-            it.unsent
+            "{} of {lines} lines were not sent before the end",
+            simulation.unsent
         ));
     }
     warnings
 }
 
-/// Of so many refusals the text is told.
-const TOLD: usize = 10;
+/// The maximum number of refusals that are shown.
+const MAX_SHOWN: usize = 10;

@@ -1,8 +1,8 @@
-//! `dobot slots`: whose time it is at the arm, and when.
+//! `dobot slots`: time slots of students at the arm.
 
 use std::time::Duration;
 
-use anyhow::{Context, bail};
+use anyhow::{anyhow, bail};
 use dobot_api::{Reply, Request, TimeSlot};
 use dobot_host::StationClient;
 
@@ -10,32 +10,33 @@ use crate::failure::Failure;
 use crate::output::{self, clock};
 use crate::reach::Station;
 
-/// Show whose time it is at the arm, give students their time one after the other, or clear it all
+/// Show, set or clear the time slots of students at the arm
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot slots                              whose time it is, and who comes next
-  dobot slots --each 15m Anna Ben Chen     15 minutes for each, one after the other, from now on
+  dobot slots                              show the current slot and the next ones
+  dobot slots --each 15m Anna Ben Chen     15 minutes each, in this order, from now
   dobot slots --each 10m --start 5m --group red Anna Ben
-  dobot slots --clear                      the arm is everyone's
+  dobot slots --clear                      free the arm for everyone
 
-While somebody's time goes on, only that one and administrators have control; who else has it loses it, and a job that
-runs is paused. New slots take the place of all before. A person is known by the name of his token, or with one that was
-made with `--shared` by the name that he says.")]
+During a slot only its student and administrators can have control; another
+client that has control loses it, and a running job is paused. New slots replace
+all earlier ones. A student is identified by the name of the token, or, with a
+token made with `--shared`, by the name that the client states.")]
 pub(crate) struct Args {
-    /// Whose time it is, in this order
+    /// Students in the order of their slots
     #[arg(requires = "each", value_name = "NAME")]
     students: Vec<String>,
-    /// How long each has the arm, as in 15m, 90s or 1h
+    /// Length of each slot, 1s to 24h, for example 15m, 90s or 1h
     #[arg(long, value_name = "TIME", value_parser = time, requires = "students")]
     each: Option<Duration>,
-    /// When the first one begins, from now on
+    /// Time until the first slot, 1s to 24h (default: now)
     #[arg(long, value_name = "TIME", value_parser = time, requires = "each")]
     start: Option<Duration>,
-    /// The group of all of them
+    /// Group of all students
     #[arg(long, value_name = "NAME", requires = "each")]
     group: Option<String>,
-    /// End all slots
+    /// Remove all slots
     #[arg(long, conflicts_with = "each")]
     clear: bool,
     #[command(flatten)]
@@ -64,7 +65,7 @@ async fn ask(station: &mut StationClient, request: Request) -> Result<Vec<TimeSl
     }
 }
 
-/// A slot for each, one after the other.
+/// Creates consecutive slots.
 fn in_turn(
     students: &[String],
     each: Duration,
@@ -91,7 +92,7 @@ fn show(slots: &[TimeSlot], as_json: bool) -> Result<(), Failure> {
         return Ok(output::json(&slots)?);
     }
     if slots.is_empty() {
-        output::line("no time slots: the arm is everyone's")?;
+        output::line("no time slots; the arm is free for everyone")?;
     }
     for slot in slots {
         output::line(&line(slot))?;
@@ -102,7 +103,7 @@ fn show(slots: &[TimeSlot], as_json: bool) -> Result<(), Failure> {
 fn line(slot: &TimeSlot) -> String {
     let (starts, lasts) = (slot.starts_in_s, slot.ends_in_s - slot.starts_in_s);
     let when = if starts <= 0.0 {
-        format!("now, for another {}", clock(lasts))
+        format!("now, {} left", clock(lasts))
     } else {
         format!("in {}, for {}", clock(starts), clock(lasts))
     };
@@ -112,16 +113,16 @@ fn line(slot: &TimeSlot) -> String {
     }
 }
 
-/// Reads a time such as `15m`; a number alone is in seconds.
+/// Parses a time such as `15m`; a plain number is in seconds.
 fn time(text: &str) -> anyhow::Result<Duration> {
-    let allowed = "allowed is 1s to 24h, as in 15m, 90s or 1h";
+    let allowed = "expected 1s to 24h, as in 15m, 90s or 1h";
     let (number, unit_s) = match text.chars().next_back() {
         Some('s') => (&text[..text.len() - 1], 1.0),
         Some('m') => (&text[..text.len() - 1], 60.0),
         Some('h') => (&text[..text.len() - 1], 3600.0),
         _ => (text, 1.0),
     };
-    let seconds = number.parse::<f64>().context(allowed)? * unit_s;
+    let seconds = number.parse::<f64>().map_err(|_| anyhow!("{allowed}"))? * unit_s;
     if !(1.0..=TimeSlot::LONGEST_S).contains(&seconds) {
         bail!("{allowed}");
     }

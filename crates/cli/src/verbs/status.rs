@@ -1,4 +1,4 @@
-//! `dobot status`: what the arm tells, live.
+//! `dobot status`: shows the arm's pose and state, live.
 
 use std::io::{IsTerminal, Write};
 
@@ -8,26 +8,26 @@ use crate::connect::To;
 use crate::control;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
-use crate::output;
+use crate::{output, values};
 
-/// Show what the arm tells, live
+/// Show the arm's pose and state, live
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot status                                             through the running station
+  dobot status                            the arm of the running station
   dobot status --to serial:/dev/ttyUSB0
-  dobot status --to tcp:localhost:5555 --json --count 10
+  dobot status --json --count 10          ten statuses as JSON
 
-Nothing is sent to the arm but that its laser is to be off. A virtual arm in this process stands still, so
-one status of it is shown.")]
+Nothing is sent to the arm except a command that switches its laser off. Of a
+virtual arm in this process, one status is shown: it does not move.")]
 pub(crate) struct Args {
     #[command(flatten)]
     to: To,
-    /// Print JSON, one object a line
+    /// Print JSON, one object per line
     #[arg(long)]
     json: bool,
-    /// Stop after so many statuses (a real arm sends 12.5 per second)
-    #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
+    /// Number of statuses to show (default: until Ctrl-C); a real arm sends 12.5 per second
+    #[arg(long, value_name = "N", value_parser = values::whole_from(1))]
     count: Option<u64>,
 }
 

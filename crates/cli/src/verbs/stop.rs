@@ -1,4 +1,4 @@
-//! `dobot stop`: stop the arm, or let it move again.
+//! `dobot stop`: stops the arm, or clears a stop.
 
 use anyhow::anyhow;
 use dobot_api::{Reply, Request};
@@ -7,21 +7,22 @@ use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
 
-/// Stop the arm, from anywhere, whoever has control; or let it move again
+/// Stop the arm, whoever has control, or clear a stop
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   dobot stop
   dobot stop --reason \"the pen is broken\"
-  dobot stop --reset                      a person has looked: it may move again
+  dobot stop --reset                        clear the stop after looking at the arm
 
-The laser goes off first, and nothing more is sent. What the arm is at it may have to finish: the
-protocol has no stop of its own. It stays stopped until somebody resets that.")]
+The laser goes off first, and nothing more is sent. The arm may have to finish
+its current motion: the protocol has no stop command. The stop stays set until
+it is cleared.")]
 pub(crate) struct Args {
-    /// Why, for those who find the arm stopped
+    /// Reason, shown to others who find the arm stopped
     #[arg(long, value_name = "TEXT")]
     reason: Option<String>,
-    /// Let the arm move again after a stop: a person has looked at it
+    /// Clear the stop; a person must have looked at the arm
     #[arg(long, conflicts_with = "reason")]
     reset: bool,
     #[command(flatten)]
@@ -29,7 +30,12 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let mut station = args.station.client("stop").await?;
+    let station = args.station.client("stop").await;
+    let mut station = if args.reset {
+        station?
+    } else {
+        station.map_err(unreached)?
+    };
     if args.reset {
         station.request_at_rest(Request::ResetStop).await?;
         return Ok(output::line("the arm may move again")?);
@@ -42,13 +48,23 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         } => {
             return Err(Failure::new(
                 anyhow!("no link to the arm: the stop was NOT DELIVERED"),
-                "switch the arm off by hand; the stop is sent as soon as the link is back",
+                "switch the arm off by hand; the stop is sent when the link is back",
             ));
         }
         Reply::Stopping { rests_within_s, .. } => {
-            format!("the arm is stopped; it rests within {rests_within_s:.2} s")
+            format!("the arm is stopped; it comes to rest within {rests_within_s:.2} s")
         }
         _ => "the arm is stopped".to_owned(),
     };
     Ok(output::line(&text)?)
+}
+
+/// Points to the arm's own switch: a station that is not reached stops nothing.
+fn unreached(failure: Failure) -> Failure {
+    let hint = "if the arm moves, switch it off by hand";
+    let hint = match failure.hint() {
+        Some(other) => format!("{hint}; {other}"),
+        None => hint.to_owned(),
+    };
+    failure.with_hint(hint)
 }

@@ -1,4 +1,4 @@
-//! `dobot token`: who may do what over the network.
+//! `dobot token`: access tokens of the station.
 
 use std::path::{Path, PathBuf};
 
@@ -11,53 +11,56 @@ use crate::failure::Failure;
 use crate::output;
 use crate::reach::folders;
 
-/// Make, list and remove the tokens by which a station knows its clients
+/// Create, list and remove access tokens of the station
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot token add control plotter      a token for a client that moves the arm
-  dobot token add queue agent          ... for one that queues drawings and programs, which a person starts
-  dobot token add watch hall-screen    ... and for one that only watches (it may stop the arm, as anybody may)
-  dobot token add control teacher --same-as teacher.txt      the one that another station has made
-  dobot token add control class --shared     for a whole class: time slots go by the name that each one says
+  dobot token add control plotter      for a client that moves the arm
+  dobot token add queue agent          for one that queues jobs for a person to start
+  dobot token add watch hall-screen    for one that only watches (and may stop)
+  dobot token add control teacher --same-as teacher.txt
+                                       a token that another station created
+  dobot token add control class --shared
+                                       for a class: time slots use stated names
   dobot token list
   dobot token remove plotter
 
-A token is shown once, when it is made; the station keeps its digest only, and takes to changes at once. On the
-other machine it goes into the environment variable DOBOT_TOKEN. Programs on the station's own machine need none.")]
+A token is shown only when it is created; the station keeps only its digest.
+Changes take effect immediately. On the other machine, put it in the environment
+variable DOBOT_TOKEN. Programs on the station's machine need no token.")]
 pub(crate) struct Args {
     #[command(subcommand)]
     action: Action,
-    /// Where the station keeps its data
-    #[arg(long, value_name = "FOLDER", global = true)]
+    /// Data folder of the station
+    #[arg(long, value_name = "FOLDER", global = true, hide_short_help = true)]
     data: Option<PathBuf>,
 }
 
 #[derive(Clone, Debug, Subcommand)]
 enum Action {
-    /// Make a token and show it, this once
+    /// Create a token and show it once
     Add {
-        /// What its holder may do: watch, queue, control or admin
+        /// Role: watch, queue, control or admin
         role: Role,
-        /// Who it is for
+        /// Name of the client or person
         name: String,
-        /// It is for several people: time slots know each by what he calls himself, and not by the token's name
+        /// Shared by several people: time slots use the name that each client states
         #[arg(long)]
         shared: bool,
-        /// The token that another station has made, in a file, or on standard input with -
+        /// File with a token that another station created, or - for standard input
         #[arg(long, value_name = "FILE")]
         same_as: Option<PathBuf>,
     },
-    /// List the tokens, without showing them
+    /// List names and roles, without the tokens
     List,
-    /// Remove a token: its holder is not known any more
+    /// Remove a token; its clients lose access immediately
     Remove {
-        /// Who it was for
+        /// Name of the client or person
         name: String,
     },
 }
 
-/// The token in a file.
+/// Reads the token in a file.
 fn known(file: &Path) -> Result<Token, Failure> {
     let text = if file == Path::new("-") {
         std::io::read_to_string(std::io::stdin())

@@ -1,4 +1,4 @@
-//! `dobot up`: the station.
+//! `dobot up`: starts the station.
 
 mod browser;
 mod fleet;
@@ -33,87 +33,110 @@ use crate::interrupt::interrupt;
 use crate::logging::LogFormat;
 use crate::output::{self, clock};
 use crate::reach::{client_name, folders};
-use crate::stderr;
+use crate::{stderr, values};
 
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a switch of the command line"
 )]
-/// Start the station: the one program that owns the arm, for all others (`dobot` alone does it, too)
+/// Start the station: the program that owns the arm (`dobot` alone does, too)
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot up                                    the arm that is plugged in, or a virtual one
+  dobot up                               the arm that is plugged in, or a virtual one
   dobot up --arm serial:/dev/ttyUSB0 --dialect firmware-1.1
   dobot up --virtual --personality firmware-1.1
-  dobot up --http 0.0.0.0:8642                for the whole network: with TLS, and tokens of `dobot token`
-  dobot up --pty /tmp/dobot                   a virtual serial port, too, for old programs
-  dobot up --fleet --name desk-3              one of several stations of this machine (docs/fleet.md)
+  dobot up --http 0.0.0.0:8642           for the network: TLS and access tokens
+  dobot up --pty /tmp/dobot              with a virtual serial port for old programs
+  dobot up --fleet --name desk-3         one of several stations on this machine
 
-The other verbs go through the station as long as it runs. Ctrl-C ends it: the laser goes off, and the arm comes
-to rest. A job that was not over can be gone on with after the next start.")]
+The other commands go through the station while it runs. Ctrl-C ends it: the
+laser goes off, and the arm comes to rest. An unfinished job can be resumed
+after the next start. `dobot token` creates access tokens; docs/fleet.md
+describes fleets.")]
 pub(crate) struct Args {
     /// The arm's address.
     #[arg(
         long,
         value_name = "ADDRESS",
-        help = "The arm's address: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT (default: the one that is found, or a virtual one)"
+        help = "Address of the arm: virtual:, serial:PORT[@BAUD] or tcp:HOST:PORT (default: search for one, otherwise a virtual arm)"
     )]
     arm: Option<Address>,
-    /// A virtual arm, even if one is plugged in
+    /// Use a virtual arm even if a real one is plugged in
     #[arg(long = "virtual", conflicts_with = "arm")]
     is_virtual: bool,
-    /// How a virtual arm behaves: specification, or firmware-1.1 as the arms that were sold do
+    /// Behaviour of a virtual arm: specification, or firmware-1.1 for an arm as sold
     #[arg(long, value_name = "PERSONALITY", default_value = "specification")]
     personality: Personality,
-    /// How fast time passes for a virtual arm: 0.1 to 1000 times as fast as a clock
-    #[arg(long, value_name = "FACTOR", default_value = "1")]
-    speed: Speed,
-    /// What the arm understands: specification, or firmware-1.1 for an arm as it was sold
+    /// Simulation speed of a virtual arm, 0.1 to 1000 times real time
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        default_value = "1",
+        hide_short_help = true
+    )]
+    time_factor: Speed,
+    /// Protocol dialect of the arm: specification, or firmware-1.1 for an arm as sold
     #[arg(long, value_name = "DIALECT")]
     dialect: Option<Dialect>,
-    /// The safety policy, a TOML file (default: the policy that `dobot policy` shows)
+    /// Safety policy, a TOML file (default: as printed by `dobot policy`)
     #[arg(long, value_name = "FILE")]
     policy: Option<PathBuf>,
-    /// Where jobs, recordings and tokens are kept
+    /// Data folder of the station: jobs, recordings and tokens
     #[arg(long, value_name = "FOLDER")]
     data: Option<PathBuf>,
-    /// Where page and API are served; port 0 takes a free one
-    #[arg(long, value_name = "HOST:PORT", default_value_t = DEFAULT_HTTP)]
+    /// Address of page and API; port 0 picks a free port
+    #[arg(long, value_name = "HOST:PORT", default_value_t = DEFAULT_HTTP, value_parser = values::socket_address)]
     http: SocketAddr,
-    /// Where raw packets are served over TCP, or off; port 0 takes a free one (default: 127.0.0.1:5555; off with
-    /// --token-required, for raw packets know no tokens)
+    /// Address for raw packets over TCP, or off; port 0 picks a free port (default: 127.0.0.1:5555; off with
+    /// --token-required, because raw packets carry no token)
     #[arg(long, value_name = "HOST:PORT|off", value_parser = raw)]
     raw: Option<Raw>,
-    /// Serve raw packets on a virtual serial port, too, with a symbolic link to it at LINK
+    /// Serve raw packets also on a virtual serial port, with a symbolic link to it at LINK
     #[cfg(unix)]
     #[arg(long, value_name = "LINK")]
     pty: Option<PathBuf>,
-    /// Let Foxglove look on, on this machine; port 0 takes a free one [with no value: 127.0.0.1:8765]
-    #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, require_equals = true, default_missing_value = "127.0.0.1:8765")]
+    /// Address for Foxglove, for watching only; port 0 picks a free port [without a value: 127.0.0.1:8765]
+    #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, require_equals = true, default_missing_value = "127.0.0.1:8765", value_parser = values::socket_address, hide_short_help = true)]
     foxglove: Option<SocketAddr>,
-    /// The certificate of page and API, a PEM file (default: one that the station makes for itself)
-    #[arg(long, value_name = "FILE", requires = "tls_key")]
+    /// Certificate of page and API, a PEM file (default: self-signed)
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "tls_key",
+        hide_short_help = true
+    )]
     tls_cert: Option<PathBuf>,
-    /// The certificate's private key, a PEM file
-    #[arg(long, value_name = "FILE", requires = "tls_cert")]
+    /// Private key of the certificate, a PEM file
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "tls_cert",
+        hide_short_help = true
+    )]
     tls_key: Option<PathBuf>,
-    /// A name by which others reach this machine, as in lab-pc.local; may be given several times
+    /// Name by which others reach this machine, for example lab-pc.local; may be repeated
     #[arg(long = "name", value_name = "NAME")]
     names: Vec<String>,
     #[command(flatten)]
     fleet: JoinArgs,
-    /// Ask for a token on this machine, too
+    /// Require an access token on this machine, too
     #[arg(long)]
     token_required: bool,
-    /// Open the page in the desktop's browser (default: at the first start in a terminal of a desktop)
-    #[arg(long, overrides_with = "no_open")]
+    /// Open the page in a browser (default: at the first start in a terminal of a desktop)
+    #[arg(long, overrides_with = "no_open", hide_short_help = true)]
     open: bool,
     /// Do not open the page in a browser
     #[arg(long, overrides_with = "open")]
     no_open: bool,
-    /// How the log on standard error is written; the environment variable `RUST_LOG` tells how much
-    #[arg(long, value_name = "FORMAT", value_enum, default_value_t)]
+    /// Format of the log on standard error; the environment variable `RUST_LOG` sets its level
+    #[arg(
+        long,
+        value_name = "FORMAT",
+        value_enum,
+        default_value_t,
+        hide_short_help = true
+    )]
     pub(crate) log_format: LogFormat,
 }
 
@@ -136,7 +159,7 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         }
     };
     let mut welcome = welcome(&station, args.personality, data);
-    welcome.fleet = fleet.told();
+    welcome.fleet = fleet.name();
     if args.token_required && args.raw.is_none() {
         welcome.notes.push(NO_RAW.to_owned());
     }
@@ -145,17 +168,17 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
         LogFormat::Json => welcome.log(),
     }
     if opens && let Err(error) = open::that_detached(station.url()) {
-        log.tell(&format!("no browser could be opened: {error}"));
+        log.report(&format!("no browser could be opened: {error}"));
     }
     let service_manager = ServiceManager::of_environment();
     service_manager.tell(Notification::Ready);
     tokio::select! {
-        () = tell(notices, log) => {}
+        () = print_notices(notices, log) => {}
         () = &mut interrupt => {}
     }
     service_manager.tell(Notification::Stopping);
-    log.tell("ending: the laser goes off, and the arm comes to rest");
-    // The others still see how it comes to rest.
+    log.report("stopping: the laser goes off, and the arm comes to rest");
+    // The other stations still see the arm come to rest.
     let ended = async {
         let ended = station.end().await;
         fleet.leave().await;
@@ -167,12 +190,12 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     }
 }
 
-/// Starts the station, if there is no other one. A station that lives answers at once; the arm waits
-/// no longer than that for its laser to be switched off.
+/// Starts the station unless another one runs. A running station answers quickly; the laser of the arm
+/// is switched off after that time even without an answer.
 async fn start(config: Config, log: LogFormat) -> Result<Station, Failure> {
     let folders = config.folders.clone();
     let mut alone = std::pin::pin!(check_alone(&folders));
-    let known = tokio::time::timeout(AT_ONCE, &mut alone).await;
+    let known = tokio::time::timeout(PROMPT, &mut alone).await;
     let is_known = known.is_ok();
     let unreadable = match known.unwrap_or(Ok(())) {
         Ok(()) => None,
@@ -180,10 +203,10 @@ async fn start(config: Config, log: LogFormat) -> Result<Station, Failure> {
         Err(NotAlone::Unreadable(failure)) => Some(failure),
     };
     if config.arm.is_none() {
-        log.tell("looking for an arm");
+        log.report("looking for an arm");
     }
     let approach = config.approach().await.map_err(no_start)?;
-    // The laser is off by now, whatever is wrong with the data.
+    // The laser is off by now, even if the data cannot be read.
     if let Some(failure) = unreadable {
         return Err(failure);
     }
@@ -198,7 +221,7 @@ impl Args {
         Ok(Config {
             arm: self.address(),
             personality: self.personality,
-            speed: self.speed,
+            speed: self.time_factor,
             dialect: self.dialect,
             policy: self.policy.clone(),
             http: self.http,
@@ -218,7 +241,7 @@ impl Args {
         })
     }
 
-    /// Whether the page is opened in a browser. To be asked before the station begins to keep something.
+    /// Whether the page is opened in a browser; to be called before the station creates its data folder.
     fn opens_page(&self, folders: &Folders) -> bool {
         match (self.open, self.no_open) {
             (true, _) => true,
@@ -227,7 +250,7 @@ impl Args {
         }
     }
 
-    /// The arm that is named; otherwise the station looks for one.
+    /// The address of the arm, if an option gives it.
     fn address(&self) -> Option<Address> {
         let address = self.is_virtual.then_some(Address::Virtual);
         address.or_else(|| self.arm.clone())
@@ -241,11 +264,11 @@ impl Args {
     }
 }
 
-/// Why another station may have the arm.
+/// The reason why another station may own the arm.
 enum NotAlone {
-    /// One runs.
+    /// Another station runs.
     Running(Failure),
-    /// Whether one runs cannot be read.
+    /// The file that names the running station cannot be read.
     Unreadable(Failure),
 }
 
@@ -257,44 +280,46 @@ impl From<NotAlone> for Failure {
     }
 }
 
-/// Two stations would quarrel about the arm.
+/// Checks that no other station runs.
 async fn check_alone(folders: &Folders) -> Result<(), NotAlone> {
     let running = running(folders).map_err(|error| NotAlone::Unreadable(error.into()))?;
     let Some(other) = running else {
         return Ok(());
     };
-    // One that was killed could not take back that it runs.
+    // A station that was killed leaves its file behind.
     if Remote::connect(&other, &client_name("up")).await.is_err() {
         return Ok(());
     }
     Err(NotAlone::Running(Failure::new(
-        anyhow!("a station runs already at {other}"),
-        "`dobot watch` shows it; another one beside it needs a folder and ports of its own: \
+        anyhow!("a station already runs at {other}"),
+        "`dobot watch` shows it; to run a second one, give it its own folder and ports: \
          `--data FOLDER --http 127.0.0.1:0 --raw 127.0.0.1:0`",
     )))
 }
 
 fn welcome(station: &Station, personality: Personality, data: String) -> Welcome {
     let arm = match station.arm() {
-        Some(Address::Virtual) => format!("a virtual one, {personality}"),
+        Some(Address::Virtual) => format!("virtual, {personality}"),
         Some(address) => address.to_string(),
-        None => "not there yet; `dobot watch` tells what the station waits for".to_owned(),
+        None => "not connected; `dobot watch` shows why".to_owned(),
     };
     Welcome {
         page: station.url().to_owned(),
         fingerprint: station.fingerprint().map(str::to_owned),
         arm,
-        raw: station.raw().map(|it| format!("tcp:{it}")),
-        foxglove: station.foxglove().map(|it| format!("ws://{it}")),
-        pty: station.pty().map(|it| format!("serial:{}", it.display())),
+        raw: station.raw().map(|address| format!("tcp:{address}")),
+        foxglove: station.foxglove().map(|address| format!("ws://{address}")),
+        pty: station
+            .pty()
+            .map(|path| format!("serial:{}", path.display())),
         fleet: None,
         data,
         notes: station.notes().to_vec(),
     }
 }
 
-/// Tells what happens, until the station ends by itself.
-async fn tell(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
+/// Prints notices until the station ends by itself.
+async fn print_notices(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
     let shown = log.shows_notices();
     loop {
         match notices.recv().await {
@@ -302,7 +327,7 @@ async fn tell(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
             Ok(notice) => stderr::line(&format!("{:>10}  {}", clock(notice.at_s), notice.text)),
             Err(RecvError::Lagged(_)) if !shown => {}
             Err(RecvError::Lagged(missed)) => {
-                stderr::line(&format!("{missed} notices were not shown"));
+                stderr::line(&format!("{} not shown", output::count(missed, "notice")));
             }
             Err(RecvError::Closed) => return,
         }
@@ -312,18 +337,18 @@ async fn tell(mut notices: Receiver<Arc<Notice>>, log: LogFormat) {
 fn no_start(error: StartError) -> Failure {
     let hint = match &error {
         StartError::Raw(RawPortError::InUse { .. }) => {
-            "`--raw 127.0.0.1:0` takes a free port, `--raw off` does without"
+            "use `--raw 127.0.0.1:0` for a free port, or `--raw off`"
         }
         #[cfg(feature = "full")]
         StartError::Foxglove(FoxglovePortError::Listen { .. }) => {
-            "another program may have the port; `--foxglove=127.0.0.1:0` takes a free one"
+            "use `--foxglove=127.0.0.1:0` for a free port; another program may use this one"
         }
         StartError::Http(ServeError::Bind { source, .. }) if is_taken(source) => {
-            "another program has the port; `--http 127.0.0.1:0` takes a free one"
+            "use `--http 127.0.0.1:0` for a free port; another program uses this one"
         }
         StartError::Http(ServeError::NoTokens(_)) => "`dobot token add admin NAME`",
         StartError::PolicyFile { .. } | StartError::Policy { .. } => {
-            "`dobot policy check FILE` tells all about it"
+            "run `dobot policy check FILE` for details"
         }
         _ => return error.into(),
     };
@@ -334,12 +359,12 @@ fn is_taken(error: &std::io::Error) -> bool {
     error.kind() == ErrorKind::AddrInUse
 }
 
-/// So soon a station of this machine answers that lives.
-const AT_ONCE: Duration = Duration::from_millis(300);
+/// The time in which a running station of this machine answers.
+const PROMPT: Duration = Duration::from_millis(300);
 
-const NO_RAW: &str = "raw packets are not served, for they know no tokens; `--raw 127.0.0.1:5555` serves them to everybody on this machine";
+const NO_RAW: &str = "raw packets are not served, because they carry no token; `--raw 127.0.0.1:5555` serves them to every program on this machine";
 
-/// Where raw packets are served, if they are.
+/// The address for raw packets, or none.
 #[derive(Clone, Copy, Debug)]
 struct Raw(Option<SocketAddr>);
 
@@ -347,8 +372,8 @@ fn raw(text: &str) -> Result<Raw, &'static str> {
     if text == "off" {
         return Ok(Raw(None));
     }
-    let address = text.parse().map_err(
-        |_| "allowed are HOST:PORT with a number for a host, as in 127.0.0.1:5555, and off",
-    );
-    address.map(|it| Raw(Some(it)))
+    let address = text
+        .parse()
+        .map_err(|_| "expected HOST:PORT with a numeric host, as in 127.0.0.1:5555, or off");
+    address.map(|address| Raw(Some(address)))
 }

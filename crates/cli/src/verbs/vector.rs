@@ -1,4 +1,4 @@
-//! `dobot vector`: one straight line as a drawing has them (state 4).
+//! `dobot vector`: draws one straight line (state 4).
 
 use std::time::Duration;
 
@@ -8,42 +8,42 @@ use dobot_wire::WriteVector;
 use crate::connect::To;
 use crate::control::carry_out_one;
 use crate::failure::Failure;
-use crate::output;
-use crate::verbs::jog::laser_seconds;
+use crate::{output, values};
 
-/// Draw one straight line with pen or laser (state 4)
+/// Draw one straight line with a pen or the laser (state 4)
 #[derive(Debug, clap::Args)]
 #[command(
     allow_negative_numbers = true,
     after_help = "\
 Examples:
-  dobot vector 0 20 0                          20 mm to the left
-  dobot vector 10 0 0 --speed 15               slowly forward
-  dobot vector 0 0 5 --end-speed 20            up, and not down to rest at the end
-  dobot vector 0 20 0 --laser --arm-laser 60   a burnt line: everybody's goggles are on
+  dobot vector 0 20 0                         20 mm to the left
+  dobot vector 10 0 0 --speed 15              slowly forward
+  dobot vector 0 0 5 --end-speed 20           up, without a stop at the end
+  dobot vector 0 20 0 --burn --arm-laser 60   a burnt line; wear goggles
 
-X, Y and Z are millimetres from where the arm stands: x forward, y left, z up, whatever the dialect. A speed at
-the end is for vectors that follow at once; behind the last one an arm stops suddenly. `dobot draw` plans speeds
-for whole drawings."
+X, Y and Z are a distance from the current position, in millimetres, in every
+dialect: x forward, y left, z up. Use an end speed only if another vector
+follows immediately: after the last one the arm stops abruptly. `dobot draw`
+plans the speeds of whole drawings."
 )]
 pub(crate) struct Args {
-    /// How far, in millimetres
-    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true)]
+    /// Distance, in mm
+    #[arg(num_args = 3, value_names = ["X", "Y", "Z"], required = true, value_parser = values::finite)]
     by: Vec<f32>,
-    /// The largest speed on the way, in mm/s
-    #[arg(long, value_name = "MM/S", default_value_t = 20.0)]
+    /// Maximum speed, in mm/s
+    #[arg(long, value_name = "MM/S", default_value = "20", value_parser = values::positive)]
     speed: f32,
-    /// The speed at the start, in mm/s
-    #[arg(long, value_name = "MM/S", default_value_t = 0.0)]
+    /// Speed at the start, in mm/s
+    #[arg(long, value_name = "MM/S", default_value = "0", value_parser = values::non_negative)]
     start_speed: f32,
-    /// The speed at the end, in mm/s
-    #[arg(long, value_name = "MM/S", default_value_t = 0.0)]
+    /// Speed at the end, in mm/s
+    #[arg(long, value_name = "MM/S", default_value = "0", value_parser = values::non_negative)]
     end_speed: f32,
-    /// With the laser, which is on
+    /// Burn the line with the laser
     #[arg(long)]
-    laser: bool,
-    /// Let the laser be switched on for so many seconds: everybody's goggles are on
-    #[arg(long, value_name = "SECONDS", value_parser = laser_seconds, requires = "laser")]
+    burn: bool,
+    /// Arm the laser for this many seconds, 1 to 3600; everyone present must wear goggles
+    #[arg(long, value_name = "SECONDS", value_parser = values::laser_seconds, requires = "burn")]
     arm_laser: Option<Duration>,
     #[command(flatten)]
     to: To,
@@ -68,6 +68,6 @@ impl Args {
             end_speed_mm_s: self.end_speed,
             ..WriteVector::by(self.by[0], self.by[1], self.by[2], self.speed)
         };
-        if self.laser { stroke.burning() } else { stroke }
+        if self.burn { stroke.burning() } else { stroke }
     }
 }

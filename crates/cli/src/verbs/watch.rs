@@ -19,15 +19,15 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::reach::{Station, client_name};
 
-/// Watch the station: arm, link, job, control and what happens; stop the arm with a key
+/// Watch arm, link, job, control and events; stop the arm with a key
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
   dobot watch
   dobot watch --station https://lab.example:8642 --fingerprint 5e:aa:...
 
-Keys: s or space stops the arm, r lets it move again (y confirms), q leaves.
-When the station goes away, the dashboard waits for it to come back.")]
+Keys: s or space stops the arm, r clears the stop (y confirms), q quits.
+If the station goes away, the dashboard waits for it to return.")]
 pub(crate) struct Args {
     #[command(flatten)]
     station: Station,
@@ -37,29 +37,29 @@ pub(crate) async fn run(args: Args) -> Result<(), Failure> {
     if !std::io::stdout().is_terminal() {
         return Err(Failure::new(
             anyhow!("the dashboard needs a terminal"),
-            "`dobot status --json` tells where the arm is to a program",
+            "use `dobot status --json` in a program",
         ));
     }
     let address = args.station.address_of_running().await?;
-    // A station that is not there at all is told as by any other verb.
-    let come = connect(&address).await?;
-    // From here on a panic restores the terminal, too.
+    // An unreachable station is reported as by every other verb.
+    let connected = connect(&address).await?;
+    // From here on, a panic also restores the terminal.
     let terminal = ratatui::try_init()?;
-    let left = Watch::new(terminal, address).run(come).await;
+    let left = Watch::new(terminal, address).run(connected).await;
     ratatui::restore();
     left
 }
 
-/// A station, and what happened there lately.
-struct Come {
+/// A connection to a station, and its recent notices.
+struct Connected {
     remote: Remote,
     notices: Vec<Notice>,
 }
 
-async fn connect(address: &StationAddress) -> Result<Come, ConnectError> {
+async fn connect(address: &StationAddress) -> Result<Connected, ConnectError> {
     let remote = Remote::connect(address, &client_name("watch")).await?;
     let notices = fetch(address, "/api/v1/notices").await?;
-    Ok(Come { remote, notices })
+    Ok(Connected { remote, notices })
 }
 
 /// The dashboard on a terminal.
@@ -70,11 +70,11 @@ struct Watch {
     view: View,
 }
 
-/// What a key asks for.
+/// The action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum KeyAction {
     Stop,
-    /// The person wants to be asked whether the arm may move again.
+    /// Show the question whether to clear the stop.
     Ask,
     Reset,
     Nothing,
@@ -94,39 +94,39 @@ impl Watch {
         }
     }
 
-    /// Until the person leaves; a station that goes away is waited for.
-    async fn run(mut self, come: Come) -> Result<(), Failure> {
+    /// Runs until the person quits; reconnects to a station that goes away.
+    async fn run(mut self, connected: Connected) -> Result<(), Failure> {
         let mut interrupt = std::pin::pin!(interrupt());
-        let mut remote = Some(self.take(come));
+        let mut remote = Some(self.accept(connected));
         loop {
             self.terminal.draw(|frame| draw(frame, &self.view))?;
-            let is_there = remote.is_some();
+            let is_connected = remote.is_some();
             tokio::select! {
-                heard = hear(&mut remote) => self.handle_heard(&mut remote, heard),
+                event = next_event(&mut remote) => self.handle_event(&mut remote, event),
                 key = self.keys.next() => {
                     let Some(key) = key.transpose()? else { return Ok(()) };
                     match action_of(&key, self.view.asks) {
                         KeyAction::Quit => return Ok(()),
-                        action => self.grant(&mut remote, action).await,
+                        action => self.perform(&mut remote, action).await,
                     }
                 }
-                back = come_back(&self.address, is_there) => remote = Some(self.take(back)),
+                back = reconnect(&self.address, is_connected) => remote = Some(self.accept(back)),
                 () = &mut interrupt => return Ok(()),
             }
         }
     }
 
-    fn take(&mut self, come: Come) -> Remote {
-        self.view.handle_history(come.notices);
-        come.remote
+    fn accept(&mut self, connected: Connected) -> Remote {
+        self.view.handle_history(connected.notices);
+        connected.remote
     }
 
-    fn handle_heard(
+    fn handle_event(
         &mut self,
         remote: &mut Option<Remote>,
-        heard: Result<StationEvent, RemoteError>,
+        event: Result<StationEvent, RemoteError>,
     ) {
-        match heard {
+        match event {
             Ok(StationEvent::State(state)) => {
                 self.view.state = Some(*state);
                 self.view.lost = None;
@@ -141,18 +141,18 @@ impl Watch {
         self.view.lost = Some(error.to_string());
     }
 
-    /// Does what a key asks for.
-    async fn grant(&mut self, remote: &mut Option<Remote>, action: KeyAction) {
+    /// Carries out the action of a key.
+    async fn perform(&mut self, remote: &mut Option<Remote>, action: KeyAction) {
         self.view.asks = action == KeyAction::Ask;
         let request = match action {
             KeyAction::Stop => Request::Stop {
-                reason: Some("a key of `dobot watch` was pressed".into()),
+                reason: Some("a key was pressed in `dobot watch`".into()),
             },
             KeyAction::Reset => Request::ResetStop,
             KeyAction::Ask | KeyAction::Nothing | KeyAction::Quit => return,
         };
         let Some(station) = remote else {
-            self.view.answer = Some("not sent: there is no station".into());
+            self.view.answer = Some("not sent: no station".into());
             return;
         };
         self.view.answer = match station.request(request).await {
@@ -160,34 +160,34 @@ impl Watch {
             Err(error @ RemoteError::Refused(_)) => Some(error.to_string()),
             Err(error) => {
                 self.lose(remote, &error);
-                Some("not heard".into())
+                Some("no answer".into())
             }
         };
     }
 }
 
-/// What the station tells next; nothing while there is none.
-async fn hear(remote: &mut Option<Remote>) -> Result<StationEvent, RemoteError> {
+/// Waits for the next event of the station; forever while there is none.
+async fn next_event(remote: &mut Option<Remote>) -> Result<StationEvent, RemoteError> {
     match remote {
         Some(remote) => remote.next().await,
         None => std::future::pending().await,
     }
 }
 
-/// The station, when it is there again.
-async fn come_back(address: &StationAddress, is_there: bool) -> Come {
-    if is_there {
+/// Reconnects to the station once it is back.
+async fn reconnect(address: &StationAddress, is_connected: bool) -> Connected {
+    if is_connected {
         std::future::pending::<()>().await;
     }
     loop {
         tokio::time::sleep(PAUSE).await;
-        if let Ok(come) = connect(address).await {
-            return come;
+        if let Ok(connected) = connect(address).await {
+            return connected;
         }
     }
 }
 
-/// What a key means, depending on whether a question was asked.
+/// Maps a key to its action, depending on whether a question is shown.
 fn action_of(event: &Event, asks: bool) -> KeyAction {
     let key = match event {
         Event::Key(key) if key.kind != KeyEventKind::Release => key,

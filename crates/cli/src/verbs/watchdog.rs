@@ -1,4 +1,4 @@
-//! `dobot watchdog`: a station starts it, nobody else.
+//! `dobot watchdog`: started only by a station.
 
 use std::io::{IsTerminal, stdin};
 use std::path::PathBuf;
@@ -8,23 +8,23 @@ use anyhow::anyhow;
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 
-/// Guard an arm in case its station is killed or stands still: standard input is the heartbeat, standard output the port
+/// Guard the arm in case its station is killed or hangs
+///
+/// Started by a station. Standard input is the heartbeat, standard output the port.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Args {
-    /// Where it leaves what it did
+    /// File for its report
     #[arg(long, value_name = "FILE")]
     note: PathBuf,
 }
 
-/// Watches over the arm until the station says goodbye. Ctrl-C, and the request to end that a system
-/// sends to all of a service's processes, are for the station: it says goodbye then.
+/// Guards the arm until the station ends properly. Ignores Ctrl-C and the termination signal that the
+/// system sends to all processes of a service: the station handles them and then ends the watchdog.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if stdin().is_terminal() {
         return Err(Failure::new(
-            anyhow!(
-                "standard input is a terminal; a watchdog is told by its station that it lives"
-            ),
-            "`dobot up` starts one for its arm",
+            anyhow!("standard input is a terminal; expected the heartbeat of a station"),
+            "run `dobot up`, which starts a watchdog for its arm",
         ));
     }
     let runtime = tokio::runtime::Builder::new_current_thread()

@@ -1,4 +1,4 @@
-//! `dobot world`: what is around a virtual arm.
+//! `dobot world`: shows the objects around a virtual arm.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -13,24 +13,24 @@ use tokio::net::TcpStream;
 use tokio::time::timeout;
 
 use crate::failure::Failure;
-use crate::output;
+use crate::{output, values};
 
-/// Tell what is around a virtual arm: its paper, its objects and what its tool did to them
+/// Show the objects around a virtual arm
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot arm --world scene.toml          serve an arm in a world, in another terminal
-  dobot world                           what there is
-  dobot world --picture world.svg       its picture
-  dobot world --json                    all of it, for programs
+  dobot arm --world scene.toml        serve an arm with objects, in another terminal
+  dobot world                         show its paper, objects, strokes and events
+  dobot world --picture world.svg     draw a picture
+  dobot world --json                  print everything as JSON
 
-examples/scenes/ has some scenes to begin with.")]
+examples/scenes/ contains scenes to start with.")]
 pub(crate) struct Args {
-    /// Where the arm tells its world: what `dobot arm --world` printed
+    /// Address of the arm's surroundings, as printed by `dobot arm --world`
     #[arg(long, value_name = "HOST:PORT", default_value_t = DEFAULT_WORLD.to_string())]
-    from: String,
-    /// Make a picture, in a file that ends in .svg
-    #[arg(long, value_name = "FILE", value_parser = svg_file)]
+    address: String,
+    /// Draw a picture in an SVG file
+    #[arg(long, value_name = "FILE", value_parser = values::svg_file)]
     picture: Option<PathBuf>,
     /// Print the whole state as JSON
     #[arg(long)]
@@ -38,7 +38,7 @@ pub(crate) struct Args {
 }
 
 pub(crate) async fn run(args: Args) -> Result<(), Failure> {
-    let state = ask(&args.from).await?;
+    let state = fetch(&args.address).await?;
     if let Some(file) = &args.picture {
         fs::write(file, state.picture())
             .with_context(|| format!("cannot write {}", file.display()))?;
@@ -62,54 +62,49 @@ pub(crate) fn read_scene(file: &Path) -> Result<Scene, Failure> {
         let missing = error.kind() == ErrorKind::NotFound;
         let error = anyhow::Error::from(error).context(format!("cannot read {}", file.display()));
         if missing {
-            Failure::new(
-                error,
-                "give the name of a scene file; examples/scenes/ has some",
-            )
+            Failure::new(error, "name a scene file; examples/scenes/ contains some")
         } else {
             error.into()
         }
     })?;
     let text = String::from_utf8(bytes)
-        .map_err(|_| anyhow!("{} is not text, so it is no scene", file.display()))?;
+        .map_err(|_| anyhow!("{} is not a scene: expected UTF-8 text", file.display()))?;
     Ok(Scene::parse(&text).with_context(|| file.display().to_string())?)
 }
 
-async fn ask(from: &str) -> Result<WorldState, Failure> {
-    let document = timeout(PATIENCE, read(from)).await.map_err(|_| {
+/// Reads the state of the surroundings.
+async fn fetch(address: &str) -> Result<WorldState, Failure> {
+    let document = timeout(PATIENCE, read(address)).await.map_err(|_| {
         Failure::new(
-            anyhow!(
-                "nobody at {from} tells of a world within {} s",
-                PATIENCE.as_secs()
-            ),
+            anyhow!("no answer from {address} within {} s", PATIENCE.as_secs()),
             NOT_THE_ARM,
         )
     })?;
     let document = document.map_err(|error| {
         let refused = error.kind() == ErrorKind::ConnectionRefused;
-        let error = anyhow::Error::from(error).context(format!("cannot ask {from}"));
+        let error = anyhow::Error::from(error).context(format!("cannot connect to {address}"));
         if refused {
-            Failure::new(error, "`dobot arm --world SCENE` serves an arm in a world")
+            Failure::new(error, "start one with `dobot arm --world SCENE`")
         } else {
             error.into()
         }
     })?;
     serde_json::from_slice(&document).map_err(|_| {
         Failure::new(
-            anyhow!("what {from} tells is not the state of a world"),
+            anyhow!("the answer from {address} is not the state of a world"),
             NOT_THE_ARM,
         )
     })
 }
 
-async fn read(from: &str) -> std::io::Result<Vec<u8>> {
-    let stream = TcpStream::connect(from).await?;
+async fn read(address: &str) -> std::io::Result<Vec<u8>> {
+    let stream = TcpStream::connect(address).await?;
     let mut document = Vec::new();
     stream.take(LONGEST).read_to_end(&mut document).await?;
     Ok(document)
 }
 
-/// The state for a person, a line for each thing.
+/// Formats the state, with one line for each object.
 fn summary(state: &WorldState) -> Vec<String> {
     let mut lines = vec![fact("time", &format!("{:.2} s", state.time_s))];
     if let Some(arm) = &state.arm {
@@ -129,43 +124,35 @@ fn summary(state: &WorldState) -> Vec<String> {
         }
         _ => {}
     }
-    lines.extend(state.objects.iter().map(|it| object(it, state)));
-    lines.extend(state.events.iter().map(|it| fact("event", &it.to_string())));
+    lines.extend(state.objects.iter().map(|one| object(one, state)));
+    lines.extend(
+        state
+            .events
+            .iter()
+            .map(|event| fact("event", &event.to_string())),
+    );
     lines
 }
 
-fn object(it: &Object, state: &WorldState) -> String {
-    let held = if state.held.contains(&it.name) {
+fn object(object: &Object, state: &WorldState) -> String {
+    let held = if state.held.contains(&object.name) {
         ", held"
     } else {
         ""
     };
     let place = format!(
         "x {:.2}  y {:.2} mm  turn {:.2}°, {:.2} mm above the table{held}",
-        it.at_mm.x, it.at_mm.y, it.turn_deg, it.bottom_mm
+        object.at_mm.x, object.at_mm.y, object.turn_deg, object.bottom_mm
     );
-    fact(&it.name, &place)
+    fact(&object.name, &place)
 }
 
 fn fact(name: &str, value: &str) -> String {
     format!("{name:<18} {value}")
 }
 
-fn svg_file(text: &str) -> Result<PathBuf, String> {
-    let file = PathBuf::from(text);
-    let svg = file
-        .extension()
-        .is_some_and(|it| it.eq_ignore_ascii_case("svg"));
-    if svg {
-        Ok(file)
-    } else {
-        Err("allowed are names that end in .svg".into())
-    }
-}
-
-const NOT_THE_ARM: &str =
-    "`dobot arm --world SCENE` prints where its world is told; its arm is at another port";
-/// How long an arm may take to tell.
+const NOT_THE_ARM: &str = "use the address of the surroundings that `dobot arm --world SCENE` prints; the arm itself has another port";
+/// The time limit of an answer.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Longer than any world: 256 MiB.
+/// The maximum size of an answer: 256 MiB.
 const LONGEST: u64 = 256 << 20;

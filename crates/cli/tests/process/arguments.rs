@@ -102,13 +102,13 @@ fn what_is_no_fault_speed_or_pose_is_told_with_what_is_allowed() {
         ),
         (&["--fault", "drop=200%"], &["`200%`", "up to 100 %"]),
         (&["--fault", "close@12s"], &["close@12s", "@12s..15s"]),
-        (&["--speed", "0"], &["`0`", "0.1 to 1000", "max"]),
+        (&["--time-factor", "0"], &["`0`", "0.1 to 1000", "max"]),
         (&["--pose", "45"], &["two angles", "45,45"]),
         (&["--pose", "45,200"], &["-10 to 95"]),
         (&["--port", "lpt"], &["usb or bluetooth"]),
         (&["--personality", "klingon"], &["firmware-1.1"]),
         (&["--dialect", "firmware-1.1"], &["--dialect"]),
-        (&["--count", "0"], &["1..=10000"]),
+        (&["--count", "0"], &["1 to 10000"]),
         (&["--seed", "many"], &["many"]),
     ] {
         dobot(&[&["arm"], arguments].concat()).fails(2, parts);
@@ -124,7 +124,7 @@ fn more_arms_than_ports_are_refused() {
 #[test]
 fn a_virtual_arm_stands_in_its_power_up_pose() {
     let outcome = dobot(&["status", "--json"]).succeeds();
-    assert!(outcome.stderr.contains("a virtual arm of this process"));
+    assert!(outcome.stderr.contains("a virtual arm in this process"));
     let status = json(&outcome.stdout);
     assert!(near(&status["rear_deg"], 45.0) && near(&status["fore_deg"], 45.0));
     // 135 sin 45 + 160 cos 45 + 55.07
@@ -181,7 +181,7 @@ fn a_target_out_of_reach_is_refused_with_how_far_and_which_limit() {
     dobot(&["move", "400", "0", "30"]).fails(1, &["out of reach", "too far", "nothing was sent"]);
     dobot(&["move", "--joints", "0", "90", "60"])
         .fails(1, &["rear arm angle is 90°", "5° too much"]);
-    dobot(&["move", "nan", "0", "30"]).fails(1, &["x is NaN"]);
+    dobot(&["move", "nan", "0", "30"]).fails(2, &["'nan'", "finite number"]);
 }
 
 #[test]
@@ -200,7 +200,7 @@ fn a_jog_moves_its_axis_and_comes_to_rest() {
 fn a_jog_that_did_not_move_the_arm_says_so() {
     // The gripper is at its end already.
     let jog = dobot(&["jog", "gripper-", "--for", "0.1"]).succeeds();
-    assert!(jog.stderr.contains("stands where it stood"), "{jog:?}");
+    assert!(jog.stderr.contains("did not move"), "{jog:?}");
 }
 
 #[test]
@@ -220,8 +220,9 @@ fn a_tool_and_angles_can_be_set() {
 
 #[test]
 fn a_setting_that_would_hang_an_arm_is_not_sent() {
-    dobot(&["set", "writing", "--acceleration", "0"]).fails(1, &["float 3", "Table 3.9"]);
-    dobot(&["set", "percent", "--speed", "101"]).fails(1, &["percent"]);
+    dobot(&["set", "writing", "--acceleration", "0"]).fails(2, &["--acceleration", "above 0"]);
+    dobot(&["set", "percent", "--speed-percent", "101"])
+        .fails(2, &["--speed-percent", "up to 100 percent"]);
 }
 
 #[test]
@@ -235,6 +236,7 @@ fn without_a_station_its_verbs_say_how_to_start_one() {
     for arguments in [&["stop"][..], &["jobs"], &["jobs", "pause"], &["lease"]] {
         dobot(arguments).fails(1, &["no station runs", "dobot up"]);
     }
+    dobot(&["stop"]).fails(1, &["switch it off by hand"]);
 }
 
 #[test]
@@ -286,4 +288,51 @@ fn shells_get_their_completions_and_readers_their_manual() {
 #[test]
 fn a_dashboard_without_a_terminal_is_refused() {
     dobot(&["watch"]).fails(1, &["needs a terminal", "dobot status --json"]);
+}
+
+#[test]
+fn errors_are_json_objects_where_json_is_wanted() {
+    for (arguments, code, error, hint) in [
+        (
+            &["stop", "--station", "localhost"][..],
+            1,
+            "localhost",
+            "hint",
+        ),
+        (&["jobs", "--json"], 1, "no station runs", "dobot up"),
+        (
+            &["jog", "x+", "--for", "-1", "--json"],
+            2,
+            "0.02 to 60 seconds",
+            "--help",
+        ),
+        (&["set", "tool", "lasre", "--json"], 2, "lasre", "'laser'"),
+    ] {
+        let outcome = dobot(arguments);
+        assert_eq!(outcome.code, Some(code), "{outcome:?}");
+        assert_eq!(outcome.stdout, "");
+        if !arguments.contains(&"--json") {
+            assert!(outcome.stderr.contains("error: "), "{outcome:?}");
+            continue;
+        }
+        let object = json(outcome.stderr.trim());
+        assert_eq!(object["exit_code"], code, "{object}");
+        let text = |key: &str| object[key].as_str().expect("a text").to_owned();
+        assert!(text("error").contains(error), "{object}");
+        assert!(text("hint").contains(hint), "{object}");
+    }
+}
+
+#[test]
+fn an_old_option_is_accepted_with_a_hint() {
+    let jog = dobot(&["jog", "base+", "--for", "0.1", "--speed", "50"]).succeeds();
+    assert!(
+        jog.stderr.contains("hint: `--speed` is now `--percent`"),
+        "{jog:?}"
+    );
+    let test = [
+        "policy", "test", "200", "0", "0", "--from", "200", "50", "0",
+    ];
+    let test = dobot(&test).succeeds();
+    assert!(test.stderr.contains("`--start-point`"), "{test:?}");
 }

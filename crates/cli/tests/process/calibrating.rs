@@ -31,7 +31,7 @@ fn the_sheet_is_drawn_and_a_scaled_print_is_refused() {
     let file = folder.path().join("arm.toml");
     let file = file.to_str().expect("the path is text");
     dobot(&["calibrate", file, "--bar", "194", "--to", "virtual:"])
-        .fails(1, &["the bar is 194 mm long", "97.0 %"]);
+        .fails(2, &["the bar is 194 mm long", "97.0 %"]);
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn a_drawing_follows_a_calibration() {
     let name = file.to_str().expect("the path is text");
     let harbour = example("harbour.svg");
     let draw = ["draw", &harbour, "--to", "virtual:", "--calibration", name];
-    dobot(&draw).fails(1, &["arm.toml", "is not there", "dobot calibrate"]);
+    dobot(&draw).fails(1, &["arm.toml", "does not exist", "dobot calibrate"]);
     fs::write(&file, KNOWN).expect("there is room");
     dobot(&draw).succeeds();
     fs::write(&file, KNOWN.replace("-4.0", "-74.0")).expect("there is room");

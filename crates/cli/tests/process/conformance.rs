@@ -23,7 +23,7 @@ fn both_personalities_conform_and_the_report_tells_them_apart() {
             "--personality",
             personality,
             "--traps",
-            "--laser",
+            "--with-laser",
         ];
         let (outcome, folder) = conformance(&arguments);
         let outcome = outcome.succeeds();
@@ -47,7 +47,7 @@ fn a_report_is_overwritten_and_nothing_else_is() {
     dobot(&arguments).succeeds();
     dobot(&arguments).succeeds();
     fs::write(&file, "my diary").expect("there is room");
-    dobot(&arguments).fails(1, &["mine.md is there already", "--report"]);
+    dobot(&arguments).fails(1, &["mine.md exists", "--report"]);
     assert_eq!(fs::read_to_string(&file).expect("it is there"), "my diary");
 }
 
@@ -56,7 +56,7 @@ fn an_arm_at_a_port_is_not_moved_unless_somebody_agrees() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
     let address = format!("tcp:{}", listener.local_addr().expect("it is bound"));
     let (outcome, folder) = conformance(&[&address]);
-    outcome.fails(1, &["nobody is here to agree", "--yes"]);
+    outcome.fails(1, &["no terminal", "--yes"]);
     assert!(!folder.path().join("conformance.md").exists());
 }
 
@@ -78,5 +78,5 @@ fn a_personality_is_for_a_virtual_arm_only() {
         "specification",
     ];
     let (outcome, _folder) = conformance(&arguments);
-    outcome.fails(1, &["--personality is for virtual: only", "leave it away"]);
+    outcome.fails(2, &["--personality is only for virtual:", "leave out"]);
 }

@@ -19,5 +19,5 @@ fn a_recording_is_exported_as_a_dataset() {
         outcome.stdout.contains("episodes 1, frames 5"),
         "{outcome:?}"
     );
-    dobot(&export).fails(1, &["exists", "hint: `-o`"]);
+    dobot(&export).fails(1, &["exists", "hint: name a new folder with `-o`"]);
 }

@@ -85,8 +85,8 @@ fn what_holds_no_packet_is_an_error() {
     dobot(&["decode", "a5 00 5a"]).fails(1, &["no packet in 3 bytes", "42 bytes"]);
     dobot(&["decode", "a5 0"]).fails(1, &["3 hex digits"]);
     dobot(&["decode", "hello"]).fails(1, &["line 1: `hello` is not hex digits", "xxd"]);
-    dobot(&["decode", "no-such-file.bin"]).fails(1, &["there is no file no-such-file.bin"]);
-    dobot_reading(&["decode", "-"], b"").fails(1, &["no bytes"]);
+    dobot(&["decode", "no-such-file.bin"]).fails(1, &["no file no-such-file.bin"]);
+    dobot_reading(&["decode", "-"], b"").fails(1, &["the input is empty"]);
 }
 
 /// A packet as hex digits.
@@ -124,16 +124,16 @@ fn both_directions_in_one_file_are_told_apart_packet_by_packet() {
 fn a_status_of_an_arm_that_has_lost_its_pose_is_shown() {
     let nan = f32::NAN;
     let lost = packet([nan, nan, nan, nan, 0.0, nan, nan, 0.0, 0.0, 0.0]);
-    let text = dobot(&["decode", "--from", "arm", &lost]).succeeds();
+    let text = dobot(&["decode", "--sender", "arm", &lost]).succeeds();
     for part in [
-        "status whose pose is lost (NaN)",
+        "status with a lost pose (NaN)",
         "x NaN mm",
         "base 0°",
         "suction off",
     ] {
         assert!(text.stdout.contains(part), "{part}: {text:?}");
     }
-    let json = dobot(&["decode", "--from", "arm", &lost, "--json"]).succeeds();
+    let json = dobot(&["decode", "--sender", "arm", &lost, "--json"]).succeeds();
     let json: Value = serde_json::from_str(&json.stdout).expect("it is JSON");
     assert_eq!(json["pose_lost"], true);
     assert_eq!(json["status"]["x_mm"], Value::Null);
@@ -143,7 +143,7 @@ fn a_status_of_an_arm_that_has_lost_its_pose_is_shown() {
 fn what_a_stock_arm_takes_against_the_tables_is_said() {
     let stock = dobot(&["decode", &sliders(), "--dialect", "firmware-1.1"]).succeeds();
     let expected = "not allowed: float 5 (teaching speed) is 0; Table 3.9 allows above 0 to 100 (percent); \
-                    a stock arm takes it";
+                    an arm as sold executes it";
     assert!(stock.stdout.contains(expected), "{stock:?}");
     let other = dobot(&["decode", &sliders(), "--dialect", "specification"]).succeeds();
     assert!(!other.stdout.contains("takes it"), "{other:?}");

@@ -27,7 +27,7 @@ fn a_station_that_ends_as_it_should_has_said_all_itself() {
     bench.confirm();
     station.is_interrupted();
     // Until here a busy machine may have kept the station waiting, and the watchdog has spoken.
-    line_with("ending: the laser goes off", &mut errors);
+    line_with("stopping: the laser goes off", &mut errors);
     assert_eq!(station.ends(), Some(0));
     let mut rest = String::new();
     errors.read_to_string(&mut rest).expect("it is text");

@@ -47,9 +47,9 @@ fn without_a_person_a_real_arm_moves_and_burns_nothing_that_nobody_has_allowed()
     let mut arm = fast_arm(&["--tcp", "127.0.0.1:0"]);
     let address = arm.address();
     let to = ["--to", &address, "--dialect", "specification"];
-    let burn = ["draw", &example("square.svg"), "--frame", "--laser"];
+    let burn = ["draw", &example("square.svg"), "--outline", "--laser"];
     dobot(&[&burn[..], &["plywood-engrave"], &to].concat())
-        .fails(1, &["nobody is there to be asked", "leave `--frame` out"]);
+        .fails(1, &["no terminal", "leave out `--outline`"]);
     for moving in [
         &["move", "220", "0", "20"][..],
         &["jog", "base+"],

@@ -73,7 +73,7 @@ fn a_station_tells_a_person_what_happens_and_logs_nothing_unless_it_is_asked() {
     let (mut station, errors) = Going::with_errors(up);
     station.reads("Ctrl-C");
     let log = stopped_and_ended(station, &folder, errors);
-    assert!(log.contains("ending: the laser goes off"), "{log}");
+    assert!(log.contains("stopping: the laser goes off"), "{log}");
     for level in ["INFO", "WARN", "DEBUG"] {
         assert!(!log.contains(level), "{log}");
     }

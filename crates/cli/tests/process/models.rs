@@ -43,7 +43,7 @@ fn a_folder_gets_a_file_and_a_file_that_is_there_is_kept() {
         let file = folder.path().join(name);
         assert_eq!(fs::read_to_string(&file).expect("it is there"), printed);
         fs::write(&file, "mine").expect("there is room");
-        dobot(&arguments).fails(1, &[name, "exists", "hint: `--force`"]);
+        dobot(&arguments).fails(1, &[name, "exists", "hint: overwrite it with `--force`"]);
         assert_eq!(fs::read_to_string(&file).expect("it is there"), "mine");
         dobot(&[&arguments[..], &["--force"]].concat()).succeeds();
         assert_eq!(fs::read_to_string(&file).expect("it is there"), printed);
@@ -53,11 +53,11 @@ fn a_folder_gets_a_file_and_a_file_that_is_there_is_kept() {
 #[test]
 fn a_length_that_makes_no_sense_is_refused() {
     for length in ["0", "19.99", "201", "nan", "inf"] {
-        let outcome = dobot(&["model", "--length", length]).fails(1, &["20 to 200 mm"]);
+        let outcome = dobot(&["model", "--length", length]).fails(2, &["20 to 200 mm"]);
         assert_eq!(outcome.stdout, "");
     }
-    dobot(&["model", "--length=-40"]).fails(1, &["-40 mm", "20 to 200 mm"]);
-    dobot(&["model", "--tool", "none", "--length", "40"]).fails(1, &["without a tool", "hint: "]);
+    dobot(&["model", "--length=-40"]).fails(2, &["-40 mm", "20 to 200 mm"]);
+    dobot(&["model", "--tool", "none", "--length", "40"]).fails(2, &["without a tool", "hint: "]);
     dobot(&["model", "--tool", "camera"]).fails(2, &["gripper"]);
     dobot(&["model", "--format", "sdf"]).fails(2, &["mjcf"]);
 }

@@ -25,7 +25,7 @@ fn a_stop_by_key_holds_the_arm_until_the_person_lets_it_move_again() {
     bench.terminal.shows("STOPPED");
     bench.terminal.shows("at rest)");
     bench.terminal.types("r");
-    bench.terminal.shows("let the arm move again?");
+    bench.terminal.shows("clear the stop?");
     bench.terminal.types("y");
     bench.terminal.shows("at rest");
     bench.jogs_forward();

@@ -169,7 +169,7 @@ fn a_program_is_played_from_one_of_its_steps_on() {
     let rest = json(&[&play[..], &["--from", "2"]].concat());
     assert!(number(&rest["total_s"]) < number(&whole["total_s"]));
     let beyond = dobot(&[&play[..], &["--from", "99"]].concat());
-    beyond.fails(1, &["4 steps", "--from is 99"]);
+    beyond.fails(2, &["4 steps", "--from is 99"]);
 }
 
 /// The numbers of a file of the vendor's program, in their order.

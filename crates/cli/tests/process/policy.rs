@@ -22,7 +22,7 @@ fn the_default_is_printed_with_its_comments_and_is_a_good_file() {
     assert!(shown.stdout.contains("# degrees"), "{shown:?}");
     let (_folder, name) = file(&shown.stdout);
     let outcome = dobot(&["policy", "check", &name]).succeeds();
-    assert!(outcome.stdout.contains("is a good policy"), "{outcome:?}");
+    assert!(outcome.stdout.contains("is a valid policy"), "{outcome:?}");
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn what_is_wrong_with_a_file_is_told_with_its_line() {
     );
     let (_folder, name) = file("[joints]\nelbow_deg = [0, 1]\n");
     dobot(&["policy", "check", &name]).fails(1, &["line 2", "elbow_deg", "base_deg"]);
-    dobot(&["policy", "check", "no-such.toml"]).fails(1, &["no-such.toml cannot be read"]);
+    dobot(&["policy", "check", "no-such.toml"]).fails(1, &["cannot read the policy no-such.toml"]);
 }
 
 #[test]
@@ -63,7 +63,7 @@ fn the_schema_is_json() {
 
 fn asked(path: &str, policy: &str) -> Outcome {
     let (_folder, name) = file(policy);
-    let from = ["--from", "200", "-100", "0"];
+    let from = ["--start-point", "200", "-100", "0"];
     let rest = ["--path", path, "--policy", &name];
     dobot(&[&["policy", "test", "200", "100", "0"][..], &from, &rest].concat())
 }
@@ -86,7 +86,15 @@ fn a_move_can_be_asked_about_before_it_is_made() {
         ],
     );
     dobot(&[
-        "policy", "test", "200", "0", "-90", "--from", "200", "0", "0",
+        "policy",
+        "test",
+        "200",
+        "0",
+        "-90",
+        "--start-point",
+        "200",
+        "0",
+        "0",
     ])
     .fails(
         1,
@@ -96,8 +104,28 @@ fn a_move_can_be_asked_about_before_it_is_made() {
 
 #[test]
 fn a_question_without_a_place_is_a_matter_of_usage() {
-    dobot(&["policy", "test", "200", "0", "0"]).fails(2, &["--from"]);
-    dobot(&["policy", "test", "200", "0", "--from", "200", "0", "0"]).fails(2, &["3 values"]);
-    dobot(&["policy", "test", "200", "0", "0", "--from", "900", "0", "0"])
-        .fails(1, &["cannot stand at x 900 y 0 z 0 mm"]);
+    dobot(&["policy", "test", "200", "0", "0"]).fails(2, &["--start-point"]);
+    dobot(&[
+        "policy",
+        "test",
+        "200",
+        "0",
+        "--start-point",
+        "200",
+        "0",
+        "0",
+    ])
+    .fails(2, &["3 values"]);
+    dobot(&[
+        "policy",
+        "test",
+        "200",
+        "0",
+        "0",
+        "--start-point",
+        "900",
+        "0",
+        "0",
+    ])
+    .fails(1, &["cannot reach x 900 y 0 z 0 mm"]);
 }

@@ -61,7 +61,7 @@ pub(crate) fn text(path: &Path) -> &str {
 #[test]
 fn the_recordings_of_a_folder_are_listed_and_found_by_their_names() {
     let (folder, file) = recording();
-    let in_folder = ["--folder", text(folder.path())];
+    let in_folder = ["--recordings", text(folder.path())];
     let outcome = dobot(&[&["log"][..], &in_folder].concat()).succeeds();
     assert!(
         outcome.stdout.starts_with("2026-11-21T12:30:01Z"),
@@ -74,7 +74,7 @@ fn the_recordings_of_a_folder_are_listed_and_found_by_their_names() {
     let name = "dobot-2026-11-21T12-30-01Z.mcap";
     dobot(&[&["log", name][..], &in_folder].concat()).succeeds();
     dobot(&[&["log", "other.mcap"][..], &in_folder].concat())
-        .fails(1, &["no file other.mcap", "`dobot log` lists"]);
+        .fails(1, &["no file other.mcap", "run `dobot log`"]);
 }
 
 #[test]
@@ -105,7 +105,14 @@ fn packets_are_told_with_their_times_and_events_too() {
 #[test]
 fn a_part_of_a_recording_is_chosen_by_time_and_topic() {
     let (_folder, file) = recording();
-    let chosen = ["--from", "1.05", "--to", "1.1", "--topic", "/wire/to_arm"];
+    let chosen = [
+        "--since",
+        "1.05",
+        "--until",
+        "1.1",
+        "--topic",
+        "/wire/to_arm",
+    ];
     let outcome = dobot(&[&["log", text(&file), "--json"][..], &chosen].concat()).succeeds();
     let lines: Vec<Value> = outcome
         .stdout
@@ -148,7 +155,7 @@ fn a_recording_that_is_being_written_is_told_as_such() {
         }
         std::thread::yield_now();
     };
-    let in_folder = ["log", "--folder", text(folder.path())];
+    let in_folder = ["log", "--recordings", text(folder.path())];
     let listed = dobot(&in_folder).succeeds();
     assert!(listed.stdout.contains("being written"), "{listed:?}");
     let listed = dobot(&[&in_folder[..], &["--json"]].concat()).succeeds();
@@ -157,7 +164,7 @@ fn a_recording_that_is_being_written_is_told_as_such() {
         "{listed:?}"
     );
     let outcome = dobot(&["log", text(&file)]).succeeds();
-    let expected = "it is still being written; this is what it holds by now";
+    let expected = "the recording is still being written; this is what it contains now";
     assert!(outcome.stdout.contains(expected), "{outcome:?}");
     assert!(!outcome.stdout.contains("damaged"), "{outcome:?}");
     let outcome = dobot(&["log", text(&file), "--json"]).succeeds();
@@ -178,8 +185,8 @@ fn what_is_no_recording_is_told() {
     for verb in ["log", "replay"] {
         dobot(&[verb, text(&file)]).fails(1, &["capture.bin", "no recording", "dobot decode"]);
     }
-    dobot(&["log", text(&file), "--from", "noon"]).fails(2, &["a number of seconds"]);
-    dobot(&["replay", text(&file), "--speed", "0"]).fails(2, &["0.1 to 1000"]);
+    dobot(&["log", text(&file), "--since", "noon"]).fails(2, &["0 to 1000000000 seconds"]);
+    dobot(&["replay", text(&file), "--time-factor", "0"]).fails(2, &["0.1 to 1000"]);
 }
 
 /// Replays a recording to a client that sends these bytes after the first status, and reads to the
@@ -190,7 +197,7 @@ fn replayed(file: &Path, bytes: &[u8]) -> (Outcome, Vec<u8>) {
         text(file),
         "--tcp",
         "127.0.0.1:0",
-        "--speed",
+        "--time-factor",
         "10",
     ])
     .stdout(Stdio::piped())
@@ -261,7 +268,7 @@ pub(crate) fn export_tables(form: &str) {
     assert!(out(&format!("run.commands.{form}")).exists());
     // What is there is kept, unless it is said otherwise.
     std::fs::write(&statuses, "mine").expect("there is room");
-    dobot(&export).fails(1, &["exists", "hint: `--force`"]);
+    dobot(&export).fails(1, &["exists", "hint: overwrite it with `--force`"]);
     assert_eq!(std::fs::read(&statuses).expect("it is there"), b"mine");
     dobot(&[&export[..], &["--force"]].concat()).succeeds();
     assert_ne!(std::fs::read(&statuses).expect("it is there"), b"mine");
@@ -289,8 +296,8 @@ fn what_cannot_be_exported_is_told_and_nothing_is_written() {
             .concat(),
         )
     };
-    export(&file, &["--from", "100"]).fails(1, &["holds no packet", "hint: `dobot log"]);
-    export(&file, &["--task", "Turn."]).fails(1, &["--task", "only a dataset"]);
+    export(&file, &["--since", "100"]).fails(1, &["contains no packet", "hint: run `dobot log"]);
+    export(&file, &["--task", "Turn."]).fails(2, &["--task", "only a dataset"]);
     export(&file, &["--json"]).fails(2, &["--json"]);
     let other = folder.path().join("other.mcap");
     std::fs::write(&other, "no recording").expect("there is room");

@@ -64,7 +64,7 @@ fn verify(file: &Path) {
 fn a_service_that_could_not_start_is_not_installed() {
     let home = tempfile::tempdir().expect("there is room");
     let install = ["install", "--", "--arm", "usb:"];
-    run(&mut service(home.path(), &install), b"").fails(1, &["dobot up", "usb:"]);
+    run(&mut service(home.path(), &install), b"").fails(2, &["dobot up", "usb:"]);
     assert!(!home.path().join(".config").exists());
     dobot(&["service", "install", "--user", "--system"]).fails(2, &["--system"]);
 }

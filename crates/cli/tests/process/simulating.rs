@@ -80,7 +80,7 @@ fn without_files_a_summary_says_what_happened() {
     }
     for part in [
         "at 160 ms: a command was refused",
-        "1 of 2 lines were still to be sent",
+        "1 of 2 lines were not sent",
     ] {
         assert!(outcome.stderr.contains(part), "{part}: {outcome:?}");
     }
@@ -114,7 +114,7 @@ fn what_cannot_be_read_or_run_is_an_error() {
         &[
             "`!port bt`",
             "specification",
-            "hint: `--personality firmware-1.1`",
+            "hint: use `--personality firmware-1.1`",
         ],
     );
     for arguments in [
@@ -135,7 +135,7 @@ fn a_script_whose_packets_are_refused_fails_where_that_is_asked_for() {
     let ended = dobot_reading(&["simulate", "-", "--strict"], refused);
     ended.fails(
         1,
-        &["1 packets were refused, and 0 lines were not sent", "hint"],
+        &["1 packet was refused and 0 lines were not sent", "hint"],
     );
     let good = b"credit 3 0 240 0 0 0 0 2 0 0";
     dobot_reading(&["simulate", "-", "--strict"], good).succeeds();

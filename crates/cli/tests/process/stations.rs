@@ -87,7 +87,7 @@ fn settings_and_switches_go_through_the_station() {
 fn one_program_has_control_and_anybody_may_stop() {
     let up = Up::new(&[]);
     let mut holder = Going::new(up.command(&["lease", "take"]));
-    holder.reads("control is yours");
+    holder.reads("you have control");
     assert!(
         up.dobot(&["lease"])
             .succeeds()
@@ -108,23 +108,23 @@ fn one_program_has_control_and_anybody_may_stop() {
 fn control_that_is_asked_for_comes_when_its_holder_ends() {
     let up = Up::new(&[]);
     let mut holder = Going::new(up.command(&["lease", "take"]));
-    holder.reads("control is yours");
+    holder.reads("you have control");
     let mut next = Going::new(up.command(&["lease", "ask"]));
     next.reads("asked dobot lease");
     holder.reads("asks for control");
     drop(holder);
-    next.reads("control is yours");
+    next.reads("you have control");
 }
 
 #[test]
 fn students_get_their_time_one_after_the_other_and_all_of_it_is_cleared() {
     let up = Up::new(&[]);
     let told = |arguments: &[&str]| up.dobot(arguments).succeeds().stdout;
-    let free = "no time slots: the arm is everyone's\n";
+    let free = "no time slots; the arm is free for everyone\n";
     assert_eq!(told(&["slots"]), free);
     assert_eq!(
         told(&["slots", "--each", "15m", "--group", "red", "Anna", "Ben"]),
-        "Anna (red)  now, for another 15:00 min\nBen (red)  in 15:00 min, for 15:00 min\n"
+        "Anna (red)  now, 15:00 min left\nBen (red)  in 15:00 min, for 15:00 min\n"
     );
     let slots = up.json(&["slots"]);
     assert_eq!(slots[1]["student"], "Ben", "{slots}");
@@ -274,7 +274,7 @@ fn an_interrupted_laser_is_off_and_what_goes_on_with_it_arms_it_again() {
         "{told}"
     );
     assert!(
-        told.contains("`dobot jobs start 1 --arm-laser SECONDS` goes on with it"),
+        told.contains("resume it with `dobot jobs start 1 --arm-laser SECONDS`"),
         "{told}"
     );
     up.dobot(&["jobs", "start", "1", "--arm-laser", "600"])
@@ -289,7 +289,7 @@ fn jobs_are_queued_from_files_and_cancelled() {
     let file = job.to_str().expect("the path is text");
     std::fs::write(&job, "{\"title\": \"home\"}").expect("there is room");
     up.dobot(&["jobs", "submit", file])
-        .fails(1, &["is no job", "kind"]);
+        .fails(1, &["is not a job", "kind"]);
     std::fs::write(&job, HOME).expect("there is room");
     let queued = up.json(&["jobs", "submit", file]);
     assert_eq!(queued["phase"], "queued", "{queued}");
@@ -328,14 +328,17 @@ fn another_dialect_or_policy_than_the_stations_is_refused() {
 fn a_detection_tells_the_dialect_and_what_shows_it() {
     let up = Up::new(&["--personality", "firmware-1.1"]);
     let told = up.dobot(&["detect"]).succeeds().stdout;
-    assert!(told.contains("the arm speaks firmware-1.1"), "{told}");
+    assert!(
+        told.contains("the dialect of the arm is firmware-1.1"),
+        "{told}"
+    );
 }
 
 #[test]
 fn a_second_station_of_the_same_person_is_refused() {
     let up = Up::new(&[]);
     up.dobot(&["up", "--virtual", "--http", "127.0.0.1:0"])
-        .fails(1, &["runs already", &up.page, "dobot watch"]);
+        .fails(1, &["already runs", &up.page, "dobot watch"]);
 }
 
 #[test]

@@ -318,7 +318,7 @@ impl DrawingArm {
 
     /// What it has drawn.
     fn ink(&self) -> Vec<Stroke> {
-        let state = dobot(&["world", "--json", "--from", &self.world]).succeeds();
+        let state = dobot(&["world", "--json", "--address", &self.world]).succeeds();
         strokes(&read_json(&state.stdout)["strokes"], "points_mm")
     }
 }

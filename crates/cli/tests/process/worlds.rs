@@ -21,7 +21,7 @@ struct Inhabited {
 impl Inhabited {
     fn new(scene: &str) -> Self {
         let ports = ["--tcp", "127.0.0.1:0", "--world-port", "127.0.0.1:0"];
-        let arm = ["arm", "--speed", FAST, "--world", scene];
+        let arm = ["arm", "--time-factor", FAST, "--world", scene];
         let (mut served, told) = Going::with_errors(command(&[&arm[..], &ports].concat()));
         let (arm, world) = (served.address(), served.address());
         Self {
@@ -44,7 +44,7 @@ impl Inhabited {
     }
 
     fn state(&self) -> serde_json::Value {
-        let outcome = dobot(&["world", "--json", "--from", &self.world]).succeeds();
+        let outcome = dobot(&["world", "--json", "--address", &self.world]).succeeds();
         serde_json::from_str(&outcome.stdout).expect("it is JSON")
     }
 
@@ -72,7 +72,7 @@ fn what_is_drawn_over_tcp_is_ink_in_the_world_and_on_its_picture() {
     let folder = tempfile::tempdir().expect("there is room");
     let picture = folder.path().join("world.svg");
     let picture = picture.to_str().expect("the path is text");
-    let outcome = dobot(&["world", "--picture", picture, "--from", &arm.world]).succeeds();
+    let outcome = dobot(&["world", "--picture", picture, "--address", &arm.world]).succeeds();
     assert!(
         outcome.stdout.contains("strokes            1"),
         "{outcome:?}"
@@ -153,6 +153,6 @@ fn a_world_port_that_is_taken_and_one_where_no_world_is_told_are_told() {
     ])
     .fails(1, &["cannot serve on", &taken, "--world-port 127.0.0.1:0"]);
     thread::spawn(move || drop(listener.accept()));
-    dobot(&["world", "--from", &taken]).fails(1, &["is not the state of a world"]);
+    dobot(&["world", "--address", &taken]).fails(1, &["is not the state of a world"]);
     dobot(&["world", "--picture", "world.jpg"]).fails(2, &["end in .svg"]);
 }

@@ -20,7 +20,7 @@ pub(crate) fn real_time_arm(arguments: &[&str]) -> Going {
 
 /// `dobot arm` that only has to arrive.
 pub(crate) fn fast_arm(arguments: &[&str]) -> Going {
-    real_time_arm(&[&["--speed", FAST], arguments].concat())
+    real_time_arm(&[&["--time-factor", FAST], arguments].concat())
 }
 
 /// An arm behind a wire that records the packets.

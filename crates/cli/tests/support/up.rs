@@ -29,7 +29,7 @@ impl Up {
 
     /// The speed of its arm, as a multiple of real time.
     pub(crate) fn at_speed(speed: &str, arguments: &[&str]) -> Self {
-        Self::with_arm(&["--virtual", "--speed", speed], arguments)
+        Self::with_arm(&["--virtual", "--time-factor", speed], arguments)
     }
 
     /// A station that is started with these arguments for its arm.
@@ -40,7 +40,7 @@ impl Up {
 
     /// Another station with the data of this one, which has ended, and a virtual arm.
     pub(crate) fn again(self) -> Self {
-        Self::in_folder(self.folder, &["--virtual", "--speed", FAST], &[])
+        Self::in_folder(self.folder, &["--virtual", "--time-factor", FAST], &[])
     }
 
     fn in_folder(folder: TempDir, arm: &[&str], arguments: &[&str]) -> Self {

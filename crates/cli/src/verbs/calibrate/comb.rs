@@ -1,4 +1,4 @@
-//! `dobot calibrate --comb`: how slack a joint is, read from lines that the arm draws.
+//! `dobot calibrate --comb`: measures the backlash of a joint with lines that the arm draws.
 
 use std::io::IsTerminal;
 use std::path::Path;
@@ -11,13 +11,13 @@ use dobot_draw::known_paper;
 use dobot_geometry::Point;
 use dobot_host::StationClient;
 
-use super::{hold, keep};
+use super::{apply, save};
 use crate::connect::To;
 use crate::control::{check_pose, take_control};
 use crate::failure::Failure;
 use crate::{follow, output};
 
-/// A joint, by its name on the command line.
+/// A joint on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum CombOf {
     /// The base
@@ -37,7 +37,7 @@ impl CombOf {
         }
     }
 
-    const fn slack(self, known: &mut CalibrationFile) -> &mut f64 {
+    const fn backlash(self, known: &mut CalibrationFile) -> &mut f64 {
         let backlash = &mut known.backlash;
         match self {
             Self::Base => &mut backlash.base,
@@ -47,17 +47,17 @@ impl CombOf {
     }
 }
 
-/// Which pair of lines meets: a number from 0 on, halves between two.
+/// Parses the pair of lines that meets: a number from 0, or a half between two.
 pub(crate) fn pair(text: &str) -> anyhow::Result<f64> {
     let most = f64::from(COMB_PAIRS - 1);
     match text.trim().parse() {
         Ok(pair) if (0.0..=most).contains(&pair) => Ok(pair),
-        _ => bail!("allowed are 0 to {most}, as in 6 or 6.5"),
+        _ => bail!("expected 0 to {most}, as in 6 or 6.5"),
     }
 }
 
-/// Draws the comb of a joint, and keeps what a person reads from it.
-pub(super) async fn read_slack(
+/// Draws the comb of a joint, and saves the backlash that a person reads from it.
+pub(super) async fn measure_backlash(
     station: &mut StationClient,
     to: &To,
     file: &Path,
@@ -66,21 +66,24 @@ pub(super) async fn read_slack(
 ) -> Result<(), Failure> {
     let Some(paper) = &known.paper else {
         return Err(Failure::new(
-            anyhow!("{} does not say where the paper lies", file.display()),
-            "touch the points of the sheet first: `dobot calibrate` finds it",
+            anyhow!(
+                "{} does not contain the position of the paper",
+                file.display()
+            ),
+            "touch the points of the sheet first with `dobot calibrate`",
         ));
     };
     let paper = known_paper(paper)?;
     if !std::io::stdin().is_terminal() {
         return Err(Failure::new(
-            anyhow!("nobody is there to read which lines meet"),
+            anyhow!("reading which lines meet needs a terminal"),
             "run it in a terminal",
         ));
     }
     check_pose(station, to.pose_confirmed).await?;
-    // The lines are told without what is to be found.
-    *of.slack(&mut known) = 0.0;
-    hold(station, Some(known.clone())).await?;
+    // The lines are drawn without compensation of the backlash.
+    *of.backlash(&mut known) = 0.0;
+    apply(station, Some(known.clone())).await?;
     take_control(station).await?;
     let commands = comb(
         of.joint(),
@@ -91,19 +94,19 @@ pub(super) async fn read_slack(
     .map_err(|error| anyhow!("the comb is out of reach: {error}"))?;
     draw(station, commands).await?;
     output::line(&format!(
-        "Count the pairs of lines from 0: at the right end for the base, at the near end for the arms. \
+        "Count the pairs of lines from 0: from the right end for the base, from the near end for the arms. \
          Which pair meets, 0 to {}? Halves are allowed.",
         COMB_PAIRS - 1
     ))?;
-    let pair = asked().await?;
-    *of.slack(&mut known) = pair * COMB_STEP_DEG;
-    keep(file, &known)?;
+    let pair = read_pair().await?;
+    *of.backlash(&mut known) = pair * COMB_STEP_DEG;
+    save(file, &known)?;
     output::line(&format!(
         "{}: {:.3} degrees of backlash",
         file.display(),
         pair * COMB_STEP_DEG
     ))?;
-    hold(station, Some(known)).await
+    apply(station, Some(known)).await
 }
 
 async fn draw(
@@ -122,17 +125,17 @@ async fn draw(
         .request_at_rest(Request::SubmitJob { job, key: None })
         .await?;
     let Reply::Job { job } = reply else {
-        return Err(anyhow!("the station answers {reply:?} to a new job").into());
+        return Err(anyhow!("unexpected answer of the station to a new job: {reply:?}").into());
     };
     follow::start(station, job.job, false, |_| {}).await?;
     Ok(())
 }
 
-/// What a person enters, until it is a pair.
-async fn asked() -> Result<f64, Failure> {
+/// Reads lines until one is a pair.
+async fn read_pair() -> Result<f64, Failure> {
     loop {
         let Some(line) = crate::control::line_entered().await else {
-            return Err(anyhow!("nothing was entered, so nothing is kept").into());
+            return Err(anyhow!("nothing was entered; nothing was saved").into());
         };
         match pair(&line) {
             Ok(pair) => return Ok(pair),

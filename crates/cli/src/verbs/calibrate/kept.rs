@@ -1,4 +1,4 @@
-//! What is kept of an arm: shown first, then written, with what was known before beside it.
+//! Saving of a calibration: shown first, then written, with the previous one beside it.
 
 use std::collections::VecDeque;
 use std::io;
@@ -9,13 +9,13 @@ use dobot_calibrate::{read_calibration, write_calibration};
 
 use super::{before, named};
 
-/// Keeps a calibration in a file once it was shown.
+/// Saves a calibration in a file after it was shown.
 #[derive(Debug)]
 pub(super) struct Kept {
-    /// What was known of the arm before.
+    /// The previous calibration.
     pub(super) known: Option<CalibrationFile>,
     file: PathBuf,
-    /// What was shown and waits for the second key.
+    /// The calibration that was shown and waits for the second key.
     shown: Option<CalibrationFile>,
     files: VecDeque<(PathBuf, String)>,
 }
@@ -30,19 +30,17 @@ impl Kept {
         }
     }
 
-    /// A person did something else: what was shown has to be shown again.
+    /// Handles another key: the calibration must be shown again.
     pub(super) fn forget_shown(&mut self) {
         self.shown = None;
     }
 
-    /// What was shown is kept; what was not is shown first, in the words that come back.
-    pub(super) fn keep(&mut self, found: CalibrationFile) -> Option<String> {
+    /// Saves a calibration that was shown; otherwise shows it, and returns a text for the person.
+    pub(super) fn save(&mut self, found: CalibrationFile) -> Option<String> {
         let found = named(found, &self.file);
         if self.shown.take().as_ref() != Some(&found) {
             self.shown = Some(found);
-            return Some(
-                "this is what would be kept; w again keeps it, any other key does not".into(),
-            );
+            return Some("press w again to save this calibration, any other key to cancel".into());
         }
         if let Some(known) = &self.known {
             let text = write_calibration(known);
@@ -53,7 +51,7 @@ impl Kept {
         None
     }
 
-    /// A file that is to be written beside the calibration.
+    /// Adds a file to be written beside the calibration.
     pub(super) fn write(&mut self, file: PathBuf, text: String) {
         self.files.push_front((file, text));
     }
@@ -62,18 +60,18 @@ impl Kept {
         self.files.pop_front()
     }
 
-    /// Takes what came of writing this text; tells the person.
+    /// Handles the result of writing a file; returns a text for the person.
     pub(super) fn handle_saved(&mut self, text: &str, saved: io::Result<()>) -> Option<String> {
         match saved {
             Ok(()) if self.files.is_empty() => {
                 self.known = read_calibration(text).ok();
-                Some(format!("kept in {}", self.file.display()))
+                Some(format!("saved in {}", self.file.display()))
             }
             Ok(()) => None,
             Err(error) => {
-                // Without the one before it nothing is replaced.
+                // Without a copy of the previous one nothing is replaced.
                 self.files.clear();
-                Some(format!("not kept: {error}"))
+                Some(format!("not saved: {error}"))
             }
         }
     }

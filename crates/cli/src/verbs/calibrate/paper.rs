@@ -1,4 +1,4 @@
-//! Touching the paper: how it lies, and how it is bent.
+//! Touching the paper: its plane and its shape.
 
 use std::io;
 use std::path::PathBuf;
@@ -14,25 +14,26 @@ use ratatui::text::Line;
 use super::kept::Kept;
 use super::screen;
 use super::toucher::{TouchKey, touch_key};
+use crate::output;
 use crate::pendant::{Panel, Pendant};
 
 /// Lets a person touch the paper.
 #[derive(Debug)]
 pub(crate) struct PaperToucher {
     pendant: Pendant,
-    /// The true places, in mm.
+    /// The calibrated positions, in mm.
     touched: Vec<[f64; 3]>,
-    /// How many of the suggested places were left out.
+    /// The number of skipped suggestions.
     skipped: usize,
-    /// What the touches tell now.
+    /// The result of the touches.
     outcome: Result<TouchedPaper, PaperTouchError>,
-    /// The arm, whose paper is looked for.
+    /// The calibration of the arm.
     arm: CalibrationFile,
     kept: Kept,
 }
 
 impl PaperToucher {
-    /// Keeps what is found in a file, beside all else that is known of the arm.
+    /// Creates it; the result is saved in a file with the rest of the calibration.
     pub(crate) fn new(pendant: Pendant, file: PathBuf, known: Option<CalibrationFile>) -> Self {
         Self {
             pendant,
@@ -45,8 +46,8 @@ impl PaperToucher {
     }
 
     fn handle_key(&mut self, key: TouchKey) {
-        self.pendant.let_go();
-        if key != TouchKey::Keep {
+        self.pendant.release();
+        if key != TouchKey::Save {
             self.kept.forget_shown();
         }
         match key {
@@ -55,42 +56,43 @@ impl PaperToucher {
                     self.touched.push(place);
                     self.judge();
                 }
-                Err(why) => self.pendant.tell(format!("not touched: {why}")),
+                Err(why) => self.pendant.show(format!("not touched: {why}")),
             },
             TouchKey::Undo if self.touched.pop().is_some() => self.judge(),
-            TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
+            TouchKey::Undo => self.pendant.show("no point is touched yet".into()),
             TouchKey::Skip => self.skipped += 1,
-            TouchKey::Keep => self.keep(),
+            TouchKey::Save => self.save(),
             TouchKey::Block => self
                 .pendant
-                .tell("the paper itself is touched, not a block".into()),
+                .show("a block cannot be used on the paper".into()),
         }
     }
 
-    /// Where the arm rests, if that can be believed.
+    /// The position of an arm at rest with a confirmed pose.
     fn place(&self) -> Result<[f64; 3], &'static str> {
         let status = self
             .pendant
-            .resting("the pose is not trusted; press r, look, and press y")?;
+            .resting("the pose is not confirmed; press r, look, and press y")?;
         Ok([status.x_mm, status.y_mm, status.z_mm].map(f64::from))
     }
 
     fn judge(&mut self) {
         self.outcome = paper(&self.touched);
         let touched = self.touched.len();
-        self.pendant.tell(format!("{touched} touched"));
+        self.pendant
+            .show(format!("{} touched", output::count(touched, "point")));
     }
 
-    fn keep(&mut self) {
-        let told = match &self.outcome {
-            Ok(found) => self.kept.keep(CalibrationFile {
+    fn save(&mut self) {
+        let text = match &self.outcome {
+            Ok(found) => self.kept.save(CalibrationFile {
                 paper: Some(found.paper.clone()),
                 ..self.arm.clone()
             }),
-            Err(why) => Some(format!("nothing to keep: {why}")),
+            Err(why) => Some(format!("nothing to save: {why}")),
         };
-        if let Some(text) = told {
-            self.pendant.tell(text);
+        if let Some(text) = text {
+            self.pendant.show(text);
         }
     }
 
@@ -98,7 +100,7 @@ impl PaperToucher {
         let next = self.touched.len() + self.skipped;
         let [x_mm, y_mm] = SHEET_POINTS[next % SHEET_POINTS.len()];
         let text = format!(
-            "touch the paper near {x_mm}, {y_mm}, from above ({} touched; 3 tell a plane, 9 how it is bent)",
+            "touch the paper near {x_mm}, {y_mm}, from above ({} touched; 3 give a plane, 9 its shape)",
             self.touched.len()
         );
         let mut lines = vec![Line::from(text).bold()];
@@ -121,17 +123,17 @@ fn result(found: &TouchedPaper) -> [Line<'static>; 3] {
     let is_bent = !found.paper.heights.is_empty();
     [
         Line::from(format!(
-            "the paper: z {:.2} mm at the base's axis, steep by {:.2} degrees",
+            "paper: z {:.2} mm at the axis of the base, slope {:.2} degrees",
             found.paper.z_mm, found.slope_deg
         )),
-        Line::from(format!("higher than its plane, mm: {}", away.join("  "))),
+        Line::from(format!("height above the plane, mm: {}", away.join("  "))),
         if is_bent {
             Line::from(format!(
-                "bent by {:.2} mm; what is drawn follows it",
+                "bent by {:.2} mm; drawings follow it",
                 found.bent_mm()
             ))
         } else {
-            Line::from("a plane; further touches tell whether it is one").dim()
+            Line::from("a plane; touch more points to check it").dim()
         },
     ]
 }
@@ -168,8 +170,9 @@ impl Panel for PaperToucher {
         if is_lost && !self.touched.is_empty() {
             self.touched.clear();
             self.judge();
-            let text = "the arm was reset: its base counts anew, and all touches are forgotten; touch the paper again";
-            self.pendant.tell(text.into());
+            let text =
+                "the arm was reset, so that all touches are discarded; touch the paper again";
+            self.pendant.show(text.into());
         }
     }
 
@@ -178,8 +181,8 @@ impl Panel for PaperToucher {
     }
 
     fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
-        if let Some(told) = self.kept.handle_saved(&text, saved) {
-            self.pendant.tell(told);
+        if let Some(text) = self.kept.handle_saved(&text, saved) {
+            self.pendant.show(text);
         }
     }
 }

@@ -11,18 +11,24 @@ use super::toucher::Toucher;
 use crate::pendant::{Pendant, alarm, answer, held, key_line, move_lines};
 use crate::verbs::watch::panels;
 
-/// Draws everything.
-pub(super) fn draw(frame: &mut Frame, it: &Toucher) {
+/// Draws the screen.
+pub(super) fn draw(frame: &mut Frame, toucher: &Toucher) {
     let more = [("b", "on the block")];
-    draw_touching(frame, &it.pendant, "calibration", lines(it), &more);
+    draw_touching(
+        frame,
+        &toucher.pendant,
+        "calibration",
+        lines(toucher),
+        &more,
+    );
 }
 
-/// Draws a procedure in which a person touches something: the arm, what the touches tell, the keys.
+/// Draws the screen of a procedure with touches: the arm, the result, the keys.
 pub(super) fn draw_touching(
     frame: &mut Frame,
     pendant: &Pendant,
     title: &'static str,
-    told: Vec<Line<'static>>,
+    result: Vec<Line<'static>>,
     more_keys: &[(&'static str, &'static str)],
 ) {
     let rows = [
@@ -39,31 +45,31 @@ pub(super) fn draw_touching(
     if let Some(state) = pendant.state() {
         panels::arm(frame, arm, state);
     }
-    panels::panel(frame, touches, title, told);
+    panels::panel(frame, touches, title, result);
     let mut help = move_lines(pendant);
     let keys_of_touching = [
         ("Enter", "touched"),
         ("n", "skip"),
         ("z", "undo"),
-        ("w", "show, keep"),
-        ("q", "leave"),
+        ("w", "show, save"),
+        ("q", "quit"),
     ];
     help.push(key_line(&[&keys_of_touching, more_keys].concat()));
     panels::panel(frame, keys, "keys", help);
     frame.render_widget(answer(pendant), bottom);
 }
 
-fn lines(it: &Toucher) -> Vec<Line<'static>> {
-    let (number, [x_mm, y_mm]) = it.procedure.next_point();
-    let top = if it.on_block {
-        format!("the block of {} mm on ", it.height_mm())
+fn lines(toucher: &Toucher) -> Vec<Line<'static>> {
+    let (number, [x_mm, y_mm]) = toucher.procedure.next_point();
+    let top = if toucher.on_block {
+        format!("the block of {} mm on ", toucher.height_mm())
     } else {
         String::new()
     };
     let next = format!("touch {top}point {number} ({x_mm}, {y_mm}), from the right and from above");
     let mut lines = vec![Line::from(next).bold()];
-    match &it.outcome {
-        Ok(fit) => lines.extend(result(fit, it.kept.known.as_ref())),
+    match &toucher.outcome {
+        Ok(fit) => lines.extend(result(fit, toucher.kept.known.as_ref())),
         Err(why) => {
             let texts = wrapped(&why.to_string());
             lines.extend(texts.into_iter().map(Line::from));
@@ -80,7 +86,7 @@ fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
     let away: Vec<String> = away.collect();
     let arm = &fit.arm;
     let mut lines = vec![
-        Line::from(format!("away, mm: {}", away.join("  "))),
+        Line::from(format!("error, mm: {}", away.join("  "))),
         Line::from(format!(
             "zeros: base {:.2}  rear {:.2}  fore {:.2} deg   tool: out {:.1}  left {:.1} mm",
             arm.base_deg, arm.rear_deg, arm.fore_deg, arm.reach_mm, arm.left_mm
@@ -89,37 +95,37 @@ fn result(fit: &Fit, known: Option<&CalibrationFile>) -> Vec<Line<'static>> {
     ];
     if let Some(known) = known {
         lines.push(Line::from(format!(
-            "since the last time: base {:+.2}  rear {:+.2}  fore {:+.2} deg",
+            "change: base {:+.2}  rear {:+.2}  fore {:+.2} deg",
             arm.base_deg - known.zeros.base,
             arm.rear_deg - known.zeros.rear,
             arm.fore_deg - known.zeros.fore
         )));
     }
     if let Some(unsure) = fit.unsure.first() {
-        let more = fit.advice.map_or(String::new(), |it| {
-            let [x_mm, y_mm] = it.place_mm;
-            let block = if it.height_mm > 0.0 {
-                format!("a block of about {} mm on ", it.height_mm)
+        let more = fit.advice.map_or(String::new(), |advice| {
+            let [x_mm, y_mm] = advice.place_mm;
+            let block = if advice.height_mm > 0.0 {
+                format!("a block of about {} mm on ", advice.height_mm)
             } else {
                 String::new()
             };
-            format!("; {block}{x_mm}, {y_mm} would tell most")
+            format!("; best next point: {block}{x_mm}, {y_mm}")
         });
         let Unsure { what, by, unit } = unsure;
-        lines.push(Line::from(format!("{what} is known to {by:.1} {unit}{more}")).dim());
+        lines.push(Line::from(format!("uncertain: {what} (±{by:.1} {unit}){more}")).dim());
     }
     lines
 }
 
 fn trust(fit: &Fit) -> Line<'static> {
-    let expected = format!("places will be right to {:.2} mm", fit.expected_mm);
+    let expected = format!("expected error {:.2} mm", fit.expected_mm);
     match (fit.trust, fit.left_out) {
         (Trust::Good, _) => Line::from(format!("good: {expected}")).green(),
         (Trust::Unchecked, _) => Line::from(format!(
-            "{expected}, if no touch is wrong; six and more would tell"
+            "{expected} if no touch is wrong; touch six points or more to check"
         )),
         (Trust::Doubtful, Some(index)) => Line::from(format!(
-            "touch {} contradicts the others and is left out: z back to it, or leave it so",
+            "touch {} contradicts the others and is ignored; press z to undo back to it, or keep it so",
             index + 1
         ))
         .yellow(),
@@ -131,11 +137,11 @@ fn trust(fit: &Fit) -> Line<'static> {
     }
 }
 
-/// A long text in lines that fit on the screen.
+/// Wraps a text at the width of the screen.
 pub(super) fn wrapped(text: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split(' ') {
-        let last = lines.last_mut().expect("there is one");
+        let last = lines.last_mut().expect("there is at least one line");
         if !last.is_empty() && last.chars().count() + word.chars().count() >= WIDTH {
             lines.push(word.to_owned());
         } else {

@@ -1,4 +1,4 @@
-//! `dobot calibrate --test`: how well an arm finds the same place again, as ISO 9283 defines it.
+//! `dobot calibrate --test`: measures the repeatability of an arm (ISO 9283).
 
 use std::io::IsTerminal;
 
@@ -13,21 +13,21 @@ use crate::control::{self, carry_out, check_pose, line_entered, take_control};
 use crate::failure::Failure;
 use crate::output;
 
-/// How often a test goes to its place.
+/// Parses the number of moves of a test.
 pub(crate) fn times(text: &str) -> anyhow::Result<u32> {
     match text.parse() {
         Ok(times) if (2..=100).contains(&times) => Ok(times),
-        _ => bail!("allowed are 2 to 100; ISO 9283 has 30"),
+        _ => bail!("expected 2 to 100; ISO 9283 uses 30"),
     }
 }
 
-/// Goes to the middle of the sheet again and again, each time from another side, and tells how far apart it comes.
-/// Of a virtual arm in this process it is known where it is; at a real one a person reads a gauge.
+/// Moves to the middle of the sheet repeatedly from different sides, and prints the repeatability. The position of a
+/// virtual arm in this process is known; with a real one a person reads a gauge.
 pub(super) async fn test(station: &mut StationClient, to: &To, times: u32) -> Result<(), Failure> {
-    let is_seen = station.virtual_arm().is_some();
-    if !is_seen && !std::io::stdin().is_terminal() {
+    let is_known = station.virtual_arm().is_some();
+    if !is_known && !std::io::stdin().is_terminal() {
         return Err(Failure::new(
-            anyhow!("nobody is there to read the gauge"),
+            anyhow!("reading the gauge needs a terminal"),
             "run it in a terminal",
         ));
     }
@@ -36,10 +36,10 @@ pub(super) async fn test(station: &mut StationClient, to: &To, times: u32) -> Re
     let z_mm = f64::from(control::status(station).await?.z_mm);
     let [x_mm, y_mm] = SHEET_POINTS[0];
     let place = Position::new(x_mm, y_mm, z_mm);
-    if !is_seen {
+    if !is_known {
         output::line(&format!(
-            "The tip goes to {x_mm}, {y_mm} at this height, {times} times, each time from another side. Set a gauge there; \
-             enter what it reads each time, in millimetres: one number, or x, y and z."
+            "The tip moves to {x_mm}, {y_mm} at this height {times} times, from different sides. Place a gauge there, and \
+             enter its reading each time, in millimetres: one number, or x, y and z."
         ))?;
     }
     let mut attained = Vec::new();
@@ -47,12 +47,12 @@ pub(super) async fn test(station: &mut StationClient, to: &To, times: u32) -> Re
         carry_out(station, line(beside(place, time)).into()).await?;
         carry_out(station, line(place).into()).await?;
         control::rest(station).await?;
-        attained.push(match seen(station) {
+        attained.push(match true_position(station) {
             Some(place) => place,
             None => read(time + 1).await?,
         });
     }
-    let found = repeatability(&attained).ok_or_else(|| anyhow!("one place alone tells nothing"))?;
+    let found = repeatability(&attained).ok_or_else(|| anyhow!("one position is not enough"))?;
     let Repeatability {
         mean_mm,
         spread_mm,
@@ -67,7 +67,7 @@ fn line(to: Position) -> MoveTo {
     MoveTo::to(single(to.x.0), single(to.y.0), single(to.z.0)).with_mode(MovingMode::MovL)
 }
 
-/// A place beside and above, on another side each time.
+/// A position beside and above, on a different side each time.
 fn beside(place: Position, time: u32) -> Position {
     let (sin, cos) = (f64::from(time) * SIDES_DEG).to_radians().sin_cos();
     place
@@ -78,31 +78,31 @@ fn beside(place: Position, time: u32) -> Position {
         )
 }
 
-/// Where the tip of a virtual arm really is.
-fn seen(station: &StationClient) -> Option<[f64; 3]> {
+/// The true position of a virtual arm's tip.
+fn true_position(station: &StationClient) -> Option<[f64; 3]> {
     let arm = station.virtual_arm()?;
     let joints = arm.mechanics().joints_at(arm.now());
     let at = dobot_arm::forward(&joints, Tool::SuctionCup).position;
     Some([at.x.0, at.y.0, at.z.0])
 }
 
-/// What a person reads.
+/// Reads the gauge from the person.
 async fn read(time: u32) -> Result<[f64; 3], Failure> {
     loop {
-        output::line(&format!("{time}: what does the gauge read?"))?;
+        output::line(&format!("{time}: reading of the gauge?"))?;
         let Some(line) = line_entered().await else {
             return Err(anyhow!("nothing was entered").into());
         };
         match reading(&line) {
             Some(place) => return Ok(place),
-            None => output::line("expected are one number, or three, in millimetres")?,
+            None => output::line("expected one number or three, in millimetres")?,
         }
     }
 }
 
 fn reading(line: &str) -> Option<[f64; 3]> {
     let words = line.split([' ', ',', '\t']).map(str::trim);
-    let numbers: Option<Vec<f64>> = words.filter(|it| !it.is_empty()).map(number).collect();
+    let numbers: Option<Vec<f64>> = words.filter(|word| !word.is_empty()).map(number).collect();
     match *numbers? {
         [along] => Some([along, 0.0, 0.0]),
         [x, y, z] => Some([x, y, z]),
@@ -111,10 +111,10 @@ fn reading(line: &str) -> Option<[f64; 3]> {
 }
 
 fn number(word: &str) -> Option<f64> {
-    word.parse().ok().filter(|it: &f64| it.abs() < 1000.0)
+    word.parse().ok().filter(|mm: &f64| mm.abs() < 1000.0)
 }
 
-/// Between one side and the next: no two of the first hundred are the same.
+/// The angle between two sides, so that the first hundred sides all differ.
 const SIDES_DEG: f64 = 137.508;
 const BESIDE_MM: f64 = 20.0;
 const ABOVE_MM: f64 = 5.0;

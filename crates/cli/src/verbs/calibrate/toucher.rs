@@ -1,4 +1,4 @@
-//! Calibrating as an engine: the pendant, the touches, and what they tell.
+//! Calibration as an engine: the pendant, the touches and their result.
 
 use std::io;
 use std::path::PathBuf;
@@ -12,6 +12,7 @@ use ratatui::Frame;
 
 use super::kept::Kept;
 use super::screen;
+use crate::output;
 use crate::pendant::{Panel, Pendant};
 
 /// Lets a person touch the points of the sheet.
@@ -19,22 +20,25 @@ use crate::pendant::{Panel, Pendant};
 pub(crate) struct Toucher {
     pub(super) pendant: Pendant,
     pub(super) procedure: Procedure,
-    /// What the touches tell now.
+    /// The result of the touches.
     pub(super) outcome: Result<Fit, FitError>,
     pub(super) kept: Kept,
     backlash: Backlash,
     picture: Option<PathBuf>,
-    /// How high the block is that a person has, in mm.
+    /// The height of the block, in mm.
     block_mm: Option<f64>,
-    /// Whether it stands on the next point.
+    /// Whether the block is on the next point.
     pub(super) on_block: bool,
 }
 
 impl Toucher {
-    /// Keeps what is found in a file, beside what was known before.
+    /// Creates it; the result is saved in a file, with the previous calibration beside it.
     pub(super) fn new(pendant: Pendant, file: PathBuf, known: Option<CalibrationFile>) -> Self {
         let procedure = Procedure::new(Tool::SuctionCup);
-        let backlash = known.as_ref().map(|it| it.backlash).unwrap_or_default();
+        let backlash = known
+            .as_ref()
+            .map(|known| known.backlash)
+            .unwrap_or_default();
         Self {
             pendant,
             outcome: procedure.outcome(),
@@ -47,7 +51,7 @@ impl Toucher {
         }
     }
 
-    /// Base, rear arm and forearm are so slack, in degrees, if that is said; else as was known before.
+    /// Sets the backlash of base, rear arm and forearm, in degrees; by default as in the previous calibration.
     pub(super) fn with_backlash(mut self, backlash_deg: Option<[f64; 3]>) -> Self {
         if let Some([base, rear, fore]) = backlash_deg {
             self.backlash = Backlash { base, rear, fore };
@@ -55,61 +59,61 @@ impl Toucher {
         self
     }
 
-    /// Writes how well the touches agree into a picture, when the result is kept.
+    /// Sets the file of a picture of the errors, written when the result is saved.
     pub(super) fn with_picture(mut self, picture: Option<PathBuf>) -> Self {
         self.picture = picture;
         self
     }
 
-    /// A person has a block to put on points, so high in mm.
+    /// Sets the height of a block to put on points, in mm.
     pub(super) const fn with_block(mut self, height_mm: Option<f64>) -> Self {
         self.block_mm = height_mm;
         self
     }
 
-    /// How high above the paper the next touch is, in mm.
+    /// The height of the next touch above the paper, in mm.
     pub(super) fn height_mm(&self) -> f64 {
         self.block_mm.filter(|_| self.on_block).unwrap_or(0.0)
     }
 
-    /// The block is put on the next point, or taken away.
-    fn turn_to_block(&mut self) {
+    /// Puts the block on the next point, or takes it away.
+    fn toggle_block(&mut self) {
         if self.block_mm.is_none() {
-            let text = "how high is the block? leave with q, and say it: --block 40";
-            return self.pendant.tell(text.into());
+            let text = "the height of the block is unknown; quit, and give it: --block 40";
+            return self.pendant.show(text.into());
         }
         self.on_block = !self.on_block;
     }
 
     fn handle_key(&mut self, key: TouchKey) {
-        self.pendant.let_go();
-        if key != TouchKey::Keep {
+        self.pendant.release();
+        if key != TouchKey::Save {
             self.kept.forget_shown();
         }
         match key {
             TouchKey::Touch => match self.joints() {
-                Ok(told) => {
-                    self.procedure.touch(told, self.height_mm());
+                Ok(joints) => {
+                    self.procedure.touch(joints, self.height_mm());
                     self.on_block = false;
                     self.judge();
                 }
-                Err(why) => self.pendant.tell(format!("not touched: {why}")),
+                Err(why) => self.pendant.show(format!("not touched: {why}")),
             },
             TouchKey::Undo if self.procedure.undo() => self.judge(),
-            TouchKey::Undo => self.pendant.tell("nothing is touched yet".into()),
+            TouchKey::Undo => self.pendant.show("no point is touched yet".into()),
             TouchKey::Skip => self.procedure.skip(),
-            TouchKey::Keep => self.keep(),
-            TouchKey::Block => self.turn_to_block(),
+            TouchKey::Save => self.save(),
+            TouchKey::Block => self.toggle_block(),
         }
     }
 
-    /// The joint angles that the arm states, if it rests and they can be believed.
+    /// The reported joint angles of an arm at rest with a confirmed pose.
     fn joints(&self) -> Result<Joints, &'static str> {
-        let untrusted = "the pose is not trusted; press r, look, and press y";
+        let untrusted = "the pose is not confirmed; press r, look, and press y";
         let status = self.pendant.resting(untrusted)?;
-        // An arm that is calibrated already says something else itself.
-        let arm = self.pendant.state().and_then(|it| it.arm.as_ref());
-        let status = arm.and_then(|it| it.told.as_ref()).unwrap_or(status);
+        // The raw angles of an arm that is already calibrated.
+        let arm = self.pendant.state().and_then(|state| state.arm.as_ref());
+        let status = arm.and_then(|arm| arm.told.as_ref()).unwrap_or(status);
         Ok(Joints::new(
             status.base_deg.into(),
             status.rear_deg.into(),
@@ -121,24 +125,25 @@ impl Toucher {
     fn judge(&mut self) {
         self.outcome = self.procedure.outcome();
         let touched = self.procedure.touches().len();
-        self.pendant.tell(format!("{touched} touched"));
+        self.pendant
+            .show(format!("{} touched", output::count(touched, "point")));
     }
 
-    /// What was shown is kept; what was not is shown first.
-    fn keep(&mut self) {
-        let told = match &self.outcome {
+    /// Saves a result that was shown, otherwise shows it.
+    fn save(&mut self) {
+        let text = match &self.outcome {
             Ok(fit) => {
-                let told = self.kept.keep(found(fit, self.backlash));
-                if let Some(picture) = self.picture.clone().filter(|_| told.is_none()) {
-                    let text = residuals_svg(self.procedure.touches(), fit);
-                    self.kept.write(picture, text);
+                let text = self.kept.save(found(fit, self.backlash));
+                if let Some(picture) = self.picture.clone().filter(|_| text.is_none()) {
+                    let svg = residuals_svg(self.procedure.touches(), fit);
+                    self.kept.write(picture, svg);
                 }
-                told
+                text
             }
-            Err(why) => Some(format!("nothing to keep: {why}")),
+            Err(why) => Some(format!("nothing to save: {why}")),
         };
-        if let Some(text) = told {
-            self.pendant.tell(text);
+        if let Some(text) = text {
+            self.pendant.show(text);
         }
     }
 }
@@ -174,8 +179,8 @@ impl Panel for Toucher {
         self.pendant.handle_state(state);
         if is_lost && self.procedure.begin_anew() > 0 {
             self.judge();
-            let text = "the arm was reset: its base counts anew, and all touches are forgotten; touch point 1 again";
-            self.pendant.tell(text.into());
+            let text = "the arm was reset, so that all touches are discarded; touch point 1 again";
+            self.pendant.show(text.into());
         }
     }
 
@@ -184,28 +189,28 @@ impl Panel for Toucher {
     }
 
     fn handle_saved(&mut self, text: String, saved: io::Result<()>) {
-        if let Some(told) = self.kept.handle_saved(&text, saved) {
-            self.pendant.tell(told);
+        if let Some(text) = self.kept.handle_saved(&text, saved) {
+            self.pendant.show(text);
         }
     }
 }
 
-/// What a key means for the procedure.
+/// The action of a key in the procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TouchKey {
-    /// The tip is on the point.
+    /// Record the point under the tip.
     Touch,
-    /// The arm does not get to the point.
+    /// Skip the point, which is out of reach.
     Skip,
-    /// The last touch is taken back.
+    /// Undo the last touch.
     Undo,
-    /// The result is shown, then kept.
-    Keep,
-    /// A block stands on the point, or no more.
+    /// Show the result, then save it.
+    Save,
+    /// Put the block on the point, or take it away.
     Block,
 }
 
-/// The meaning of a key; `None` where it is one of the pendant.
+/// Returns the action of a key; `None` for a key of the pendant.
 pub(super) fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
     if key.modifiers.contains(KeyModifiers::CONTROL) {
         return None;
@@ -214,7 +219,7 @@ pub(super) fn touch_key(key: &KeyEvent) -> Option<TouchKey> {
         KeyCode::Enter => Some(TouchKey::Touch),
         KeyCode::Char('n') => Some(TouchKey::Skip),
         KeyCode::Char('z') => Some(TouchKey::Undo),
-        KeyCode::Char('w') => Some(TouchKey::Keep),
+        KeyCode::Char('w') => Some(TouchKey::Save),
         KeyCode::Char('b') => Some(TouchKey::Block),
         _ => None,
     }

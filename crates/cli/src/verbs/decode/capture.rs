@@ -1,4 +1,4 @@
-//! Captures of a network: pcap and pcapng files with TCP connections.
+//! Network captures: pcap and pcapng files with TCP connections.
 
 mod file;
 mod flow;
@@ -14,8 +14,9 @@ use self::flow::Flow;
 use self::segment::{NoSegment, Segment, segment};
 use super::content::Place;
 use super::input::{Input, Stream};
+use crate::output;
 
-/// Reads a capture; `None` where the bytes are none.
+/// Reads a capture; `None` if the bytes are none.
 pub(super) fn read(bytes: &[u8]) -> Option<anyhow::Result<Input>> {
     let file = file::read(bytes)?;
     Some(file.map(|file| input(&file)))
@@ -24,11 +25,11 @@ pub(super) fn read(bytes: &[u8]) -> Option<anyhow::Result<Input>> {
 fn input(file: &File) -> Input {
     let start_ns = file.frames.iter().find_map(|frame| frame.at_ns);
     let mut flows = Flows::default();
-    let mut left_out = LeftOut::default();
+    let mut ignored = Ignored::default();
     for (order, frame) in file.frames.iter().enumerate() {
         match segment(frame.link, frame.data) {
-            Ok(segment) => flows.take(order, &place(frame, &segment, start_ns), &segment),
-            Err(reason) => left_out.count(reason),
+            Ok(segment) => flows.add(order, &place(frame, &segment, start_ns), &segment),
+            Err(reason) => ignored.count(reason),
         }
     }
     let streams = flows.all.into_iter().map(|flow| Stream {
@@ -37,10 +38,10 @@ fn input(file: &File) -> Input {
     let streams: Vec<_> = streams.filter(|stream| !stream.parts.is_empty()).collect();
     let start = start_ns
         .and_then(time)
-        .map(|it| format!("times are seconds since {it}"));
+        .map(|start| format!("times are in seconds since {start}"));
     Input {
         format: file.format.to_owned(),
-        notes: [start, left_out.note(), file.damage.clone()]
+        notes: [start, ignored.note(), file.damage.clone()]
             .into_iter()
             .flatten()
             .collect(),
@@ -48,7 +49,7 @@ fn input(file: &File) -> Input {
     }
 }
 
-/// When a frame was captured, and which way it went.
+/// The time and the direction of a frame.
 fn place(frame: &Frame, segment: &Segment, start_ns: Option<i128>) -> Place {
     let at_s = frame
         .at_ns
@@ -75,16 +76,16 @@ fn time(ns: i128) -> Option<jiff::Timestamp> {
     jiff::Timestamp::from_nanosecond(ns).ok()
 }
 
-/// The ways of all connections, in the order in which they begin.
+/// The directions of all connections, in the order of their starts.
 #[derive(Default)]
 struct Flows {
     all: Vec<Flow>,
-    /// The latest one between two ends.
+    /// The latest flow between two ends.
     latest: HashMap<(SocketAddr, SocketAddr), usize>,
 }
 
 impl Flows {
-    fn take(&mut self, order: usize, place: &Place, segment: &Segment) {
+    fn add(&mut self, order: usize, place: &Place, segment: &Segment) {
         let ends = (segment.from, segment.to);
         let known = self.latest.get(&ends).copied();
         let index = known.filter(|index| !self.all[*index].is_over_with(segment));
@@ -93,19 +94,19 @@ impl Flows {
             self.all.len() - 1
         });
         self.latest.insert(ends, index);
-        self.all[index].take(order, place, segment);
+        self.all[index].add(order, place, segment);
     }
 }
 
-/// What is in a capture and is not read.
+/// The packets of a capture that are ignored.
 #[derive(Default)]
-struct LeftOut {
+struct Ignored {
     others: usize,
-    /// Frames of a kind of network that is not known, and the last such kind.
+    /// The number of frames with an unknown link type, and the last such type.
     unknown: Option<(usize, u32)>,
 }
 
-impl LeftOut {
+impl Ignored {
     fn count(&mut self, reason: NoSegment) {
         match reason {
             NoSegment::Other => self.others += 1,
@@ -117,15 +118,21 @@ impl LeftOut {
     }
 
     fn note(&self) -> Option<String> {
-        let others = (self.others > 0).then(|| format!("{} that are not TCP", self.others));
-        let unknown = self.unknown.map(|(count, link)| {
-            format!(
-                "{count} of link type {link}; Ethernet, Linux cooked, loopback and raw IP are read"
+        let others = (self.others > 0).then(|| {
+            output::many(
+                self.others,
+                "packet other than TCP",
+                "packets other than TCP",
             )
         });
-        let left_out: Vec<_> = others.into_iter().chain(unknown).collect();
-        (!left_out.is_empty())
-            .then(|| format!("left out: packets of the network, {}", left_out.join(", ")))
+        let unknown = self.unknown.map(|(count, link)| {
+            format!(
+                "{} of link type {link} (supported are Ethernet, Linux cooked, loopback and raw IP)",
+                output::count(count, "packet")
+            )
+        });
+        let ignored: Vec<_> = others.into_iter().chain(unknown).collect();
+        (!ignored.is_empty()).then(|| format!("ignored: {}", ignored.join(", ")))
     }
 }
 

@@ -1,4 +1,4 @@
-//! What a stretch of bytes is, as text and as JSON.
+//! The content of a range of bytes, as text and as JSON.
 
 use dobot_wire::{Command, Dialect, Packet, ParseError, Status};
 use serde_json::{Value, json};
@@ -6,52 +6,52 @@ use serde_json::{Value, json};
 use super::stock;
 use crate::output;
 
-/// What a stretch of bytes is.
+/// The content of a range of bytes.
 #[derive(Debug)]
 pub(crate) enum Content {
     /// A status of the arm.
     Status(Status),
-    /// A status with something that a client would not trust.
+    /// A status that a client would not accept.
     OddStatus(Status, Oddity),
-    /// What a packet of a client says, in each of the dialects asked for.
+    /// A packet of a client, read in each requested dialect.
     Command(Vec<Reading>),
-    /// So many bytes that belong to no packet.
+    /// A number of bytes outside packets.
     Skipped(u64),
-    /// So many bytes that were sent, and are not there.
+    /// A number of bytes that were sent but are missing.
     Gap(u64),
 }
 
-/// What is odd about a status.
+/// The oddity of a status.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Oddity {
     /// The pose has become NaN (note N34).
     PoseLost,
-    /// Its numbers have few decimals: position and angles agree no better.
+    /// Rounded values: position and angles match only approximately.
     Rounded {
-        /// How far the position is off the angles.
+        /// The distance between the position and that of the angles.
         off_mm: f64,
     },
-    /// Position and angles do not agree (note N22), or a number is one that no arm tells.
+    /// Position and angles do not match (note N22), or a value is one that no arm reports.
     Damaged,
 }
 
-/// What a packet of a client says in a dialect.
+/// A packet of a client in a dialect.
 #[derive(Debug)]
 pub(crate) struct Reading {
     pub(crate) dialect: Dialect,
     pub(crate) command: Result<Command, ParseError>,
-    /// Whether a stock arm carries it out though it is not allowed.
+    /// Whether an arm as sold executes it although it is not allowed.
     pub(crate) stock_takes: bool,
 }
 
-/// Where in a stream or in time something is: as text, and as fields of its JSON.
+/// A position in a stream or in time, as text and as JSON fields.
 #[derive(Clone, Debug)]
 pub(crate) struct Place {
     pub(crate) text: String,
     pub(crate) fields: Vec<(&'static str, Value)>,
 }
 
-/// What a packet says: once where all dialects agree.
+/// Reads a packet in each dialect; returns one reading if all agree.
 pub(crate) fn readings(packet: &Packet, dialect: Option<Dialect>) -> Vec<Reading> {
     let read = |dialect: Dialect| {
         let command = Command::parse(packet, &dialect);
@@ -76,7 +76,7 @@ pub(crate) fn readings(packet: &Packet, dialect: Option<Dialect>) -> Vec<Reading
     }
 }
 
-/// Prints what something is, and where.
+/// Prints a content and its place.
 pub(crate) fn show(place: &Place, content: &Content, as_json: bool) -> std::io::Result<()> {
     match content {
         Content::Command(readings) => readings
@@ -91,20 +91,27 @@ fn text(content: &Content) -> String {
     match content {
         Content::Status(status) => format!("status  {}", output::fields(status)),
         Content::OddStatus(status, oddity) => {
-            let told = output::fields(status);
+            let fields = output::fields(status);
             match oddity {
-                Oddity::PoseLost => format!("status whose pose is lost (NaN)  {told}"),
+                Oddity::PoseLost => format!("status with a lost pose (NaN)  {fields}"),
                 Oddity::Rounded { off_mm } => {
-                    format!("status, rounded: {off_mm:.2} mm off its angles  {told}")
+                    format!("status, rounded: {off_mm:.2} mm off its angles  {fields}")
                 }
                 Oddity::Damaged => {
-                    format!("damaged status that no client trusts (note N22)  {told}")
+                    format!("damaged status, rejected by clients (note N22)  {fields}")
                 }
             }
         }
         Content::Command(_) => String::new(),
-        Content::Skipped(bytes) => format!("skipped {bytes} bytes that belong to no packet"),
-        Content::Gap(bytes) => format!("{bytes} bytes are missing here"),
+        Content::Skipped(bytes) => {
+            format!("skipped {} outside packets", output::count(bytes, "byte"))
+        }
+        Content::Gap(bytes) => {
+            format!(
+                "{} missing here",
+                output::many(bytes, "byte is", "bytes are")
+            )
+        }
     }
 }
 
@@ -154,7 +161,7 @@ fn show_reading(
         (Err(error), true) => place.json(json!({ "dialect": name, "error": error.to_string() })),
         (Err(error), false) => {
             let taken = if *stock_takes {
-                "; a stock arm takes it"
+                "; an arm as sold executes it"
             } else {
                 ""
             };
@@ -164,12 +171,12 @@ fn show_reading(
 }
 
 impl Place {
-    /// Prints a line behind the place.
+    /// Prints the place and a line.
     pub(crate) fn line(&self, text: &str) -> std::io::Result<()> {
         output::line(&format!("{}  {text}", self.text))
     }
 
-    /// Prints the fields of an object behind those of the place.
+    /// Prints the fields of the place and of an object.
     pub(crate) fn json(&self, mut content: Value) -> std::io::Result<()> {
         let named = |(name, value): &(&str, Value)| ((*name).to_owned(), value.clone());
         let mut fields: serde_json::Map<_, _> = self.fields.iter().map(named).collect();

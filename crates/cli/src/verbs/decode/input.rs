@@ -1,48 +1,49 @@
-//! What is decoded: in which format it was, and in which directions it went.
+//! The input to decode: its format and its streams.
 
 use serde_json::json;
 
 use super::content::Place;
+use crate::output;
 
-/// What was read.
+/// The input.
 #[derive(Debug)]
 pub(super) struct Input {
-    /// The format that it was in.
+    /// The detected format.
     pub(super) format: String,
-    /// What else a person has to know about it.
+    /// Remarks for the person.
     pub(super) notes: Vec<String>,
-    /// What went each way; all in one where that is not known.
+    /// One stream for each direction, or one for all if the directions are unknown.
     pub(super) streams: Vec<Stream>,
 }
 
-/// What went one way.
+/// The bytes of one direction.
 #[derive(Debug, Default)]
 pub(super) struct Stream {
     pub(super) parts: Vec<Part>,
 }
 
-/// Bytes that followed each other without a gap.
+/// Bytes without a gap.
 #[derive(Debug, Default)]
 pub(super) struct Part {
-    /// How many bytes are missing before them.
+    /// The number of missing bytes before them.
     pub(super) gap: u64,
     pub(super) bytes: Vec<u8>,
-    /// When they came, where that is known: in the order of their bytes.
+    /// The arrivals, if known, in the order of the bytes.
     pub(super) chunks: Vec<Chunk>,
 }
 
-/// Bytes that came at once.
+/// Bytes that arrived together.
 #[derive(Debug)]
 pub(super) struct Chunk {
-    /// Where they begin in their part.
+    /// The offset in the part.
     pub(super) begin: usize,
-    /// Which they are of all chunks, both ways.
+    /// The index among the chunks of both directions.
     pub(super) order: usize,
     pub(super) place: Place,
 }
 
 impl Input {
-    /// Bytes of which nothing else is known.
+    /// Creates an input of plain bytes.
     pub(super) fn plain(format: impl Into<String>, bytes: Vec<u8>) -> Self {
         let part = Part {
             bytes,
@@ -55,15 +56,20 @@ impl Input {
         }
     }
 
-    /// What a person has to know about what was read: the format, unless it is one of the plain ones,
-    /// and the notes.
+    /// The remarks for the person: the format, unless it is a plain one, and the notes.
     pub(super) fn notes(&self) -> impl Iterator<Item = String> {
         let is_plain = self.format == HEX_DIGITS || self.format == BINARY;
-        let format = (!is_plain).then(|| format!("read as {}: {} bytes", self.format, self.len()));
+        let format = (!is_plain).then(|| {
+            format!(
+                "read as {}: {}",
+                self.format,
+                output::count(self.len(), "byte")
+            )
+        });
         format.into_iter().chain(self.notes.iter().cloned())
     }
 
-    /// How many bytes were read.
+    /// The number of bytes.
     pub(super) fn len(&self) -> usize {
         let parts = self.streams.iter().flat_map(|stream| &stream.parts);
         parts.map(|part| part.bytes.len()).sum()
@@ -71,8 +77,7 @@ impl Input {
 }
 
 impl Part {
-    /// Where a stretch of bytes is, with its place in the order of all: when its last byte came, or else
-    /// its offset.
+    /// The order and the place of a range of bytes: the arrival of its last byte, or its offset.
     pub(super) fn place(&self, offset: usize, last: usize) -> (usize, Place) {
         let behind = self.chunks.partition_point(|chunk| chunk.begin <= last);
         match self.chunks[..behind].last() {
@@ -91,6 +96,6 @@ impl Place {
     }
 }
 
-/// Formats that need no remark.
+/// Plain formats.
 pub(super) const BINARY: &str = "binary";
 pub(super) const HEX_DIGITS: &str = "hex digits";

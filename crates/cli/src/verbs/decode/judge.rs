@@ -1,31 +1,30 @@
-//! What each stretch of bytes is: packet by packet, whoever sent it.
+//! Identification of packets in bytes, one by one, from either sender.
 
 use dobot_session::plausible;
 use dobot_wire::{Command, Decoder, Dialect, Frame, PACKET_LEN, Packet, Status};
 
-use super::From;
+use super::SenderOption;
 use super::content::{Content, Oddity, readings};
 use super::rounded::rounded;
 
-/// What a stretch of bytes is.
+/// A range of bytes and its content.
 #[derive(Debug)]
 pub(super) struct Piece {
-    /// Where it begins.
+    /// The offset of the first byte.
     pub(super) offset: usize,
-    /// How many bytes it is.
+    /// The number of bytes.
     pub(super) len: usize,
     pub(super) content: Content,
 }
 
-/// Says what bytes are. They begin with a packet if they are `in_step`; otherwise perhaps in the
-/// middle of one.
+/// Splits bytes into packets and other bytes. They start with a packet if they are `in_step`; otherwise
+/// possibly in the middle of one.
 ///
-/// A packet that makes sense is taken wherever it is found, and stands for itself: what is beside it
-/// does not matter. One that makes none is taken only where the packet before ended, and only if none
-/// that makes more sense begins inside of it.
+/// A packet with plausible contents is accepted at any offset. Another one is accepted only right after
+/// a packet, and only if no more plausible packet starts inside it.
 pub(super) fn pieces(
     bytes: &[u8],
-    from: From,
+    from: SenderOption,
     dialect: Option<Dialect>,
     in_step: bool,
 ) -> Vec<Piece> {
@@ -56,27 +55,27 @@ pub(super) fn pieces(
     pieces
 }
 
-/// How much a window of 42 bytes looks like a packet.
+/// The confidence that a window of 42 bytes is a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Confidence {
-    /// Not at all.
+    /// No packet.
     No,
-    /// It begins and ends like one.
+    /// First and last byte of a packet.
     Delimited,
-    /// Its numbers have a size that somebody sends.
+    /// Numbers in a plausible range.
     Believable,
-    /// A command that is allowed, or a status whose position agrees with its angles.
+    /// An allowed command, or a status whose position matches its angles.
     Sure,
 }
 
-/// Who sends packets.
+/// The sender of a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sender {
     Client,
     Arm,
 }
 
-/// How a window looks as a packet of either sender.
+/// The confidence in a window as a packet of each sender.
 #[derive(Clone, Copy, Debug)]
 struct View {
     client: Confidence,
@@ -84,17 +83,17 @@ struct View {
 }
 
 impl View {
-    fn of(window: &[u8; PACKET_LEN], from: From) -> Self {
-        let unless = |it: From, trust: fn(&[u8; PACKET_LEN]) -> Confidence| {
-            if from == it {
+    fn of(window: &[u8; PACKET_LEN], from: SenderOption) -> Self {
+        let unless = |other: SenderOption, trust: fn(&[u8; PACKET_LEN]) -> Confidence| {
+            if from == other {
                 Confidence::No
             } else {
                 trust(window)
             }
         };
         Self {
-            client: unless(From::Arm, as_command),
-            arm: unless(From::Client, as_status),
+            client: unless(SenderOption::Arm, as_command),
+            arm: unless(SenderOption::Client, as_status),
         }
     }
 
@@ -102,8 +101,8 @@ impl View {
         self.client.max(self.arm)
     }
 
-    /// Whose packet it is. One that makes no sense is most likely a packet of who sent all the
-    /// others, if that was one.
+    /// The sender of the packet. An implausible packet is attributed to the sender of all other packets,
+    /// if they have the same one.
     fn sender(self, window: &[u8; PACKET_LEN], prevailing: Option<Sender>) -> Sender {
         if self.client != self.arm {
             return if self.client > self.arm {
@@ -116,7 +115,7 @@ impl View {
             return Sender::Arm;
         }
         prevailing.unwrap_or_else(|| {
-            let has_state = Frame::from_bytes(window).is_none_or(|it| is_near_a_state(&it));
+            let has_state = Frame::from_bytes(window).is_none_or(|frame| is_near_a_state(&frame));
             if has_state {
                 Sender::Client
             } else {
@@ -126,14 +125,14 @@ impl View {
     }
 }
 
-/// A window that is taken for a packet.
+/// A window that is accepted as a packet.
 struct Found<'a> {
     offset: usize,
     window: &'a [u8; PACKET_LEN],
     view: View,
 }
 
-fn find(bytes: &[u8], from: From, mut in_step: bool) -> Vec<Found<'_>> {
+fn find(bytes: &[u8], from: SenderOption, mut in_step: bool) -> Vec<Found<'_>> {
     let view_at = |offset: usize| {
         let window = bytes.get(offset..)?.first_chunk()?;
         Some((window, View::of(window, from)))
@@ -147,7 +146,7 @@ fn find(bytes: &[u8], from: From, mut in_step: bool) -> Vec<Found<'_>> {
         } else {
             Confidence::Believable
         };
-        let is_better = |inside| view_at(inside).is_some_and(|(_, it)| it.trust() > trust);
+        let is_better = |inside| view_at(inside).is_some_and(|(_, view)| view.trust() > trust);
         in_step = trust >= least
             && (trust == Confidence::Sure || !(offset + 1..offset + PACKET_LEN).any(is_better));
         if in_step {
@@ -162,16 +161,16 @@ fn find(bytes: &[u8], from: From, mut in_step: bool) -> Vec<Found<'_>> {
     found
 }
 
-/// Who sent all packets that make sense, if that was one.
+/// The sender of all plausible packets, if they have the same one.
 fn prevailing(found: &[Found]) -> Option<Sender> {
     let views = || {
         found
             .iter()
-            .map(|it| it.view)
-            .filter(|it| it.trust() >= Confidence::Believable)
+            .map(|found| found.view)
+            .filter(|view| view.trust() >= Confidence::Believable)
     };
-    let by_client = views().any(|it| it.client > it.arm);
-    let by_arm = views().any(|it| it.client <= it.arm);
+    let by_client = views().any(|view| view.client > view.arm);
+    let by_arm = views().any(|view| view.client <= view.arm);
     match (by_client, by_arm) {
         (true, false) => Some(Sender::Client),
         (false, true) => Some(Sender::Arm),
@@ -179,7 +178,7 @@ fn prevailing(found: &[Found]) -> Option<Sender> {
     }
 }
 
-/// Notes the bytes between two packets.
+/// Adds the bytes between two packets.
 fn skip(pieces: &mut Vec<Piece>, from: usize, to: usize) {
     if from < to {
         pieces.push(Piece {
@@ -215,11 +214,11 @@ fn status(frame: &Frame, trust: Confidence) -> Content {
         Some(off_mm) if trust >= Confidence::Believable => Oddity::Rounded { off_mm },
         _ => Oddity::Damaged,
     };
-    Content::OddStatus(told(frame), oddity)
+    Content::OddStatus(unchecked_status(frame), oddity)
 }
 
-/// A status as it was told, whatever it is worth.
-fn told(frame: &Frame) -> Status {
+/// Reads a status without any check.
+fn unchecked_status(frame: &Frame) -> Status {
     let [
         x_mm,
         y_mm,
@@ -251,7 +250,7 @@ fn as_status(window: &[u8; PACKET_LEN]) -> Confidence {
         return Confidence::No;
     };
     if frame.floats() == Frame::ZERO.floats() {
-        return Confidence::Delimited; // It agrees with the first message over Bluetooth (note N38), and says nothing.
+        return Confidence::Delimited; // Matches the first message over Bluetooth (note N38), but proves nothing.
     }
     if is_status(window, plausible) {
         return Confidence::Sure;
@@ -273,7 +272,7 @@ fn as_command(window: &[u8; PACKET_LEN]) -> Confidence {
     {
         return Confidence::Believable;
     }
-    // A byte of noise brings a decoder out of step: then it trusts only what is believable (N24).
+    // After a byte of noise a decoder accepts only plausible packets (note N24).
     let mut out_of_step = Decoder::commands();
     out_of_step.feed(&[0]).for_each(drop);
     if out_of_step.feed(window).count() > 0 {
@@ -291,12 +290,12 @@ fn as_command(window: &[u8; PACKET_LEN]) -> Confidence {
     }
 }
 
-/// Whether a client that looks this closely trusts a window (note N22).
+/// Whether a client with this check accepts a window as a status (note N22).
 fn is_status(window: &[u8; PACKET_LEN], plausible: fn(&Frame) -> bool) -> bool {
     Decoder::statuses(plausible).feed(window).count() > 0
 }
 
-/// Whether it is a status of an arm whose pose is no number any more (note N34).
+/// Whether a frame is a status of an arm whose pose became NaN (note N34).
 fn is_pose_lost(frame: &Frame) -> bool {
     let lost = |n: &usize| frame.float(*n).is_nan();
     let rest = (1..=8)
@@ -305,7 +304,7 @@ fn is_pose_lost(frame: &Frame) -> bool {
     (1..=8).any(|n| lost(&n)) && is_status(&rest.to_bytes(), |_| true)
 }
 
-/// Whether float 1 may be meant for a state: X of a status is hardly ever a small whole number.
+/// Whether float 1 may be a state: X of a status is rarely a small whole number.
 fn is_near_a_state(frame: &Frame) -> bool {
     let state = frame.float(1);
     (0.0..=20.0).contains(&state) && state.fract() == 0.0
@@ -323,7 +322,7 @@ mod tests {
 
     /// What is found: `c` a command, `r` one that is refused, `s` a status, `d` a damaged one, `n` one
     /// whose pose is lost, `~` a rounded one, `-` bytes that belong to no packet.
-    fn kinds(bytes: &[u8], from: From) -> String {
+    fn kinds(bytes: &[u8], from: SenderOption) -> String {
         let kind = |piece: Piece| match piece.content {
             Content::Status(_) => 's',
             Content::OddStatus(_, Oddity::PoseLost) => 'n',
@@ -364,16 +363,16 @@ mod tests {
         let mut bytes = joined(&[STATUS; 75]);
         bytes[40 * 42 + 3] ^= 0x40;
         let expected = format!("{}d{}", "s".repeat(40), "s".repeat(34));
-        assert_eq!(kinds(&bytes, From::Auto), expected);
-        assert_eq!(kinds(&bytes, From::Arm), expected);
+        assert_eq!(kinds(&bytes, SenderOption::Auto), expected);
+        assert_eq!(kinds(&bytes, SenderOption::Arm), expected);
     }
 
     #[test]
     fn each_packet_of_a_file_with_both_directions_is_what_it_is() {
         let bytes = joined(&[STATUS, MOVE, STATUS, BAD_MOVE, STATUS, STATUS]);
-        assert_eq!(kinds(&bytes, From::Auto), "scsrss");
+        assert_eq!(kinds(&bytes, SenderOption::Auto), "scsrss");
         let noisy = [&bytes[..84], &[0xA5, 0x17, 0x00], &bytes[84..]].concat();
-        assert_eq!(kinds(&noisy, From::Auto), "sc-srss");
+        assert_eq!(kinds(&noisy, SenderOption::Auto), "sc-srss");
     }
 
     #[test]
@@ -382,22 +381,22 @@ mod tests {
         let one = [190.9, -124.0, 53.4, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
         let none = [191.0, -124.0, 53.0, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
         assert_eq!(
-            kinds(&joined(&[one, none, STATUS, MOVE]), From::Auto),
+            kinds(&joined(&[one, none, STATUS, MOVE]), SenderOption::Auto),
             "~~sc"
         );
-        assert_eq!(kinds(&joined(&[one, none]), From::Arm), "~~");
+        assert_eq!(kinds(&joined(&[one, none]), SenderOption::Arm), "~~");
         // An X of 11 mm instead of 191 is no state 11 among them.
         let damaged = [11.0, -124.0, 53.0, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
-        assert_eq!(kinds(&joined(&[none, damaged]), From::Auto), "~d");
+        assert_eq!(kinds(&joined(&[none, damaged]), SenderOption::Auto), "~d");
         let off = [200.9, -124.0, 53.4, -33.0, -33.0, 14.0, 29.0, 0.0, 1.0, 0.0];
-        assert_eq!(kinds(&joined(&[one, off]), From::Auto), "~d");
+        assert_eq!(kinds(&joined(&[one, off]), SenderOption::Auto), "~d");
     }
 
     #[test]
     fn a_status_without_a_pose_is_a_status() {
         let nan = f32::NAN;
         let lost = [nan, nan, nan, -33.0, -33.0, nan, nan, 0.0, 1.0, 0.0];
-        for from in [From::Auto, From::Arm] {
+        for from in [SenderOption::Auto, SenderOption::Arm] {
             assert_eq!(kinds(&joined(&[lost]), from), "n");
             assert_eq!(kinds(&joined(&[STATUS, lost, lost]), from), "snn");
             let joined_late = [&[0x17, 0x5A][..], &joined(&[lost, lost])].concat();
@@ -408,26 +407,29 @@ mod tests {
     #[test]
     fn a_packet_that_makes_no_sense_is_one_of_who_sent_the_others() {
         let nonsense = [1.5, 0.0, 200.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        assert_eq!(kinds(&joined(&[MOVE, nonsense]), From::Auto), "cr");
-        assert_eq!(kinds(&joined(&[STATUS, nonsense]), From::Auto), "sd");
-        assert_eq!(kinds(&joined(&[nonsense]), From::Client), "r");
+        assert_eq!(kinds(&joined(&[MOVE, nonsense]), SenderOption::Auto), "cr");
+        assert_eq!(
+            kinds(&joined(&[STATUS, nonsense]), SenderOption::Auto),
+            "sd"
+        );
+        assert_eq!(kinds(&joined(&[nonsense]), SenderOption::Client), "r");
         // State 0 alone.
-        assert_eq!(kinds(&joined(&[[0.0; 10]]), From::Auto), "r");
+        assert_eq!(kinds(&joined(&[[0.0; 10]]), SenderOption::Auto), "r");
     }
 
     #[test]
     fn a_packet_that_was_cut_short_does_not_swallow_the_next() {
         let cut = &packet(MOVE)[..30];
         let bytes = [cut, &joined(&[STATUS, MOVE])].concat();
-        assert_eq!(kinds(&bytes, From::Auto), "-sc");
-        assert_eq!(kinds(&bytes, From::Client), "-c");
+        assert_eq!(kinds(&bytes, SenderOption::Auto), "-sc");
+        assert_eq!(kinds(&bytes, SenderOption::Client), "-c");
     }
 
     #[test]
     fn a_stream_joined_in_the_middle_is_found_again() {
         let bytes = joined(&[STATUS, STATUS, MOVE]);
         for cut in 1..42 {
-            assert_eq!(kinds(&bytes[cut..], From::Auto), "-sc", "cut {cut}");
+            assert_eq!(kinds(&bytes[cut..], SenderOption::Auto), "-sc", "cut {cut}");
         }
     }
 
@@ -447,7 +449,7 @@ mod tests {
             in_step: bool,
         ) {
             let bytes = [joined(&[MOVE, STATUS][..good.min(2)]), bytes].concat();
-            for from in [From::Auto, From::Arm, From::Client] {
+            for from in [SenderOption::Auto, SenderOption::Arm, SenderOption::Client] {
                 let mut end = 0;
                 for piece in pieces(&bytes, from, None, in_step) {
                     proptest::prop_assert_eq!(piece.offset, end);

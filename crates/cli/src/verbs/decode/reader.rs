@@ -1,4 +1,4 @@
-//! Reads what is to be decoded, whatever format it is in.
+//! Reading the input to decode in any format.
 
 use std::io::Read;
 use std::path::Path;
@@ -31,14 +31,14 @@ fn of_arguments(input: &[String]) -> Result<Input, Failure> {
     let is_name = matches!(input, [name] if name.contains(['.', '/']));
     text::read(&input.join(" ")).map_err(|error| {
         if is_name {
-            Failure::from(anyhow!("there is no file {}", input[0]))
+            Failure::from(anyhow!("no file {}", input[0]))
         } else {
             not_read(error)
         }
     })
 }
 
-/// Finds out what bytes hold: a capture, text, or the packets themselves.
+/// Detects the format of bytes: a capture, text or binary packets.
 pub(super) fn of_bytes(bytes: Vec<u8>) -> Result<Input, Failure> {
     if let Some(input) = capture::read(&bytes) {
         return Ok(input?);
@@ -49,10 +49,10 @@ pub(super) fn of_bytes(bytes: Vec<u8>) -> Result<Input, Failure> {
     }
 }
 
-/// The text that a file holds, if it is one: packets hold bytes that no text has.
+/// Returns the text of a file, unless it contains bytes that no text has.
 fn as_text(bytes: &[u8]) -> Option<&str> {
     let text = std::str::from_utf8(bytes).ok()?;
-    let is_control = |it: char| it.is_control() && !matches!(it, '\t' | '\r' | '\n');
+    let is_control = |letter: char| letter.is_control() && !matches!(letter, '\t' | '\r' | '\n');
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     (!text.contains(is_control)).then_some(text)
 }
@@ -60,7 +60,7 @@ fn as_text(bytes: &[u8]) -> Option<&str> {
 fn not_read(error: anyhow::Error) -> Failure {
     Failure::new(
         error,
-        "tried were hex digits, Python bytes, lists of numbers, xxd, hexdump -C, od -t x1 and socat -x; \
-         `dobot decode --help` shows them",
+        "use hex digits, Python bytes, lists of numbers, or output of xxd, hexdump -C, od -t x1 or socat -x; \
+         `dobot decode --help` describes the formats",
     )
 }

@@ -1,37 +1,37 @@
-//! Statuses with rounded values, as text logs hold them.
+//! Statuses with rounded values, as in text logs.
 
 use dobot_arm::{Joints, Tool, forward};
 use dobot_wire::Frame;
 
-/// How far the position of a status is off its angles, in millimetres, if that comes of rounding alone:
-/// no further than the decimals of its angles and of its position explain.
+/// Returns the distance between the position of a status and that of its angles, in mm, if rounding to the
+/// decimals of its values explains it.
 pub(super) fn rounded(frame: &Frame) -> Option<f64> {
     let float = |n| f64::from(frame.float(n));
     let step = |numbers: [usize; 4]| {
         let decimals = numbers.map(|n| decimals(float(n)));
         let most = decimals
             .into_iter()
-            .try_fold(0, |most, it| Some(it?.max(most)));
+            .try_fold(0, |most, decimals| Some(decimals?.max(most)));
         most.map_or(0.0, |most| 0.1_f64.powi(most))
     };
-    let (told_step, angle_step) = (step([1, 2, 3, 4]), step([5, 6, 7, 8]));
+    let (place_step, angle_step) = (step([1, 2, 3, 4]), step([5, 6, 7, 8]));
     let [base, rear, fore, servo] = [5, 6, 7, 8].map(float);
     let turned = (float(4) - base - servo).abs();
     let off_mm = Tool::END_EFFECTORS
         .map(|tool| forward(&Joints::new(base, rear, fore, servo), tool).position)
-        .map(|it| [float(1) - it.x.0, float(2) - it.y.0, float(3) - it.z.0])
+        .map(|at| [float(1) - at.x.0, float(2) - at.y.0, float(3) - at.z.0])
         .map(|off| {
             off.into_iter()
-                .fold(0.0, |most: f64, it| most.max(it.abs()))
+                .fold(0.0, |most: f64, mm| most.max(mm.abs()))
         })
         .into_iter()
         .fold(f64::INFINITY, f64::min);
-    let fits = off_mm <= EXACT + 0.5 * told_step + MM_PER_STEP * angle_step
-        && turned <= EXACT + 0.5 * told_step + angle_step;
+    let fits = off_mm <= EXACT + 0.5 * place_step + MM_PER_STEP * angle_step
+        && turned <= EXACT + 0.5 * place_step + angle_step;
     fits.then_some(off_mm)
 }
 
-/// The decimals that a value has, up to three; `None` if it has more, as a calculated one does.
+/// The number of decimals of a value, up to three; `None` if it has more, like a calculated value.
 fn decimals(value: f64) -> Option<i32> {
     (0..=3).find(|decimals| {
         let shifted = value * 10_f64.powi(*decimals);
@@ -39,14 +39,14 @@ fn decimals(value: f64) -> Option<i32> {
     })
 }
 
-/// How exactly a status agrees that is not rounded (note N22): millimetres or degrees.
+/// The tolerance of a status that is not rounded (note N22), in mm or degrees.
 const EXACT: f64 = 0.01;
 
-/// How far half a degree in the base, the rear arm and the forearm moves the tool at most: 2.8 mm at
-/// the longest reach, 1.2 and 1.4 mm.
+/// The maximum motion of the tool for half a degree of base, rear arm and forearm: 2.8 mm at the longest
+/// reach, 1.2 and 1.4 mm.
 const MM_PER_STEP: f64 = 5.4;
 
-/// A value that came as a single-precision number is that exact.
+/// The relative precision of a single-precision number.
 const SINGLE_PRECISION: f64 = 1e-7;
 
 #[cfg(test)]

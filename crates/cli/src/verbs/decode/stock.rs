@@ -1,9 +1,9 @@
-//! What a stock arm takes though the tables do not allow it.
+//! Packets that an arm as sold executes although the tables do not allow them.
 
 use dobot_wire::{Command, Dialect, Frame, Leniency, Packet};
 
-/// Whether a stock arm carries out a packet that is not allowed (note N34): harmlessly or not, without
-/// hanging and without losing its pose (note N51).
+/// Whether an arm as sold executes a packet that is not allowed (note N34), without hanging and without
+/// losing its pose (note N51).
 pub(super) fn takes(packet: &Packet) -> bool {
     let Packet::Frame(mut frame) = *packet else {
         return false;
@@ -12,7 +12,7 @@ pub(super) fn takes(packet: &Packet) -> bool {
         return true;
     }
     frame = frame.with(1, frame.float(1).trunc());
-    // Each turn repairs one float, so that what is wrong behind it is seen too.
+    // Each round corrects one float, so that errors after it are also found.
     for _ in 0..10 {
         let Err(error) = Command::parse(&frame.into(), &Dialect::FIRMWARE_1_1) else {
             return true;
@@ -27,7 +27,7 @@ pub(super) fn takes(packet: &Packet) -> bool {
 
 /// State 15 (note N25).
 const SMOOTH_JOINTS: f32 = 15.0;
-/// It is allowed for whatever a stock arm takes from there.
+/// Settings in force that allow all values that an arm as sold accepts.
 const SOMETHING_IN_FORCE: Frame = Frame::ZERO
     .with(3, 1.0)
     .with(4, 1.0)

@@ -1,4 +1,4 @@
-//! Bytes that are written down as text.
+//! Bytes as text.
 
 mod digits;
 mod dump;
@@ -9,11 +9,11 @@ mod socat;
 use super::input::Input;
 use data_encoding::HEXLOWER_PERMISSIVE;
 
-/// Reads bytes from a text, whatever way they are written.
+/// Reads bytes from a text in any of the formats.
 ///
 /// # Errors
 ///
-/// Where the text is in none of the formats, and what is wrong there.
+/// If the text has none of the formats.
 pub(super) fn read(text: &str) -> anyhow::Result<Input> {
     if let Some(input) = socat::read(text) {
         return input;
@@ -24,31 +24,31 @@ pub(super) fn read(text: &str) -> anyhow::Result<Input> {
     Ok(Input::plain(format, bytes))
 }
 
-/// Bytes, and the format in which they were written.
+/// Bytes and their text format.
 #[derive(Debug, PartialEq)]
 struct Bytes {
     format: &'static str,
     bytes: Vec<u8>,
 }
 
-/// Whether a text is what programs have around bytes: names, brackets and signs.
+/// Whether a text contains only code around bytes: names, brackets and signs.
 fn is_code(text: &str) -> bool {
-    let is_sign = |it: char| it.is_whitespace() || "()[]{},;:+=>*".contains(it);
+    let is_sign = |letter: char| letter.is_whitespace() || "()[]{},;:+=>*".contains(letter);
     text.split(is_sign).all(|word| {
         word.chars()
-            .all(|it| it.is_alphanumeric() || "_.".contains(it))
+            .all(|letter| letter.is_alphanumeric() || "_.".contains(letter))
     })
 }
 
-/// Two hex digits, or one.
+/// Parses one or two hex digits.
 fn hex_byte(digits: &str) -> Option<u8> {
-    let is_hex = digits.len() <= 2 && digits.bytes().all(|it| it.is_ascii_hexdigit());
+    let is_hex = digits.len() <= 2 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
     is_hex
         .then(|| u8::from_str_radix(digits, 16).ok())
         .flatten()
 }
 
-/// Hex digits, two for each byte.
+/// Parses hex digits, two for each byte.
 fn hex_bytes(digits: &str) -> Option<Vec<u8>> {
     HEXLOWER_PERMISSIVE.decode(digits.as_bytes()).ok()
 }

@@ -1,4 +1,4 @@
-//! The options of `dobot draw`.
+//! The arguments of `dobot draw`.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -9,30 +9,40 @@ use dobot_import::Format;
 use super::defaults::{self, Defaults};
 use crate::connect::To;
 use crate::drawing_options::DrawingOptions;
-use crate::verbs::jog::laser_seconds;
+use crate::renamed::draw_option;
+use crate::values::{extension, laser_seconds};
 
-/// Draw a file, a picture or a text, or burn it with the laser
+/// Draw a file, a picture or a text with a pen or the laser
 #[derive(Debug, clap::Args)]
 #[command(
     allow_negative_numbers = true,
     after_help = after_help()
 )]
 pub(crate) struct Args {
-    /// The file, or - for standard input; several go on one sheet, each where it is on its own page
+    /// Files, or - for standard input; several files share one sheet, each at its position on its own page
     #[arg(value_name = "FILE", required_unless_present_any = ["text", "card"], conflicts_with = "card")]
     pub(crate) files: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) options: DrawingOptions,
-    #[command(flatten, next_help_heading = "Run")]
+    #[command(flatten)]
     pub(crate) to: To,
-    /// A TOML file with more pens and materials; `dobot materials` prints those that are known
-    #[arg(long, value_name = "FILE", help_heading = "Pen")]
+    /// TOML file with more pens and materials; `dobot materials` lists the built-in ones
+    #[arg(
+        long,
+        value_name = "FILE",
+        help_heading = "Pen",
+        hide_short_help = true
+    )]
     pub(crate) materials: Option<PathBuf>,
-    /// Draw where the sheet of a calibration says, with an arm of which `dobot calibrate` found what is
-    /// wrong; the paper lies where it was touched, unless told otherwise
-    #[arg(long, value_name = "ARM.toml", help_heading = "Paper")]
+    /// Calibration file of the arm: draw on its sheet, or on the paper that was touched, with its errors corrected
+    #[arg(
+        long,
+        value_name = "ARM.toml",
+        help_heading = "Paper",
+        hide_short_help = true
+    )]
     pub(crate) calibration: Option<PathBuf>,
-    /// Let the laser be switched on for so many seconds: everybody's goggles are on
+    /// Arm the laser for this many seconds, 1 to 3600; everyone present must wear goggles
     #[arg(
         long,
         value_name = "SECONDS",
@@ -41,21 +51,27 @@ pub(crate) struct Args {
         requires = "laser"
     )]
     pub(crate) arm_laser: Option<Duration>,
-    /// First go around the drawing, pen up and laser off, to see where it will be
+    /// Trace the bounding rectangle of the drawing first, with pen up and laser off, and ask before drawing
     #[arg(long, help_heading = "Run")]
-    pub(crate) frame: bool,
-    /// Move nothing: a virtual arm tells what it would be
+    pub(crate) outline: bool,
+    /// Simulate only: report time, ink and reach without moving the arm
     #[arg(long, help_heading = "Run")]
     pub(crate) dry_run: bool,
-    /// A TOML file with options for every drawing, as in pen = "marker"; what the command line gives wins (default:
-    /// draw.toml in the data folder, if there is one)
-    #[arg(long, value_name = "FILE", help_heading = "Run")]
+    /// TOML file with default options, for example pen = "marker"; the command line takes precedence (default:
+    /// draw.toml in the data folder, if it exists)
+    #[arg(
+        long,
+        value_name = "FILE",
+        help_heading = "Run",
+        hide_short_help = true
+    )]
     pub(crate) defaults: Option<PathBuf>,
-    /// Leave that file out, or these options of it: several with commas between them
+    /// Ignore that file, or these of its options, separated by commas
     #[arg(
         long,
         value_name = "OPTION",
         help_heading = "Run",
+        hide_short_help = true,
         value_parser = default_option,
         num_args = 0..,
         require_equals = true,
@@ -65,29 +81,29 @@ pub(crate) struct Args {
     pub(crate) no_defaults: Option<Vec<String>>,
     #[command(flatten)]
     pub(crate) result: Results,
-    /// The file of defaults that these options come from, beside the command line.
+    /// The file of defaults that these options come from, in addition to the command line.
     #[arg(skip)]
     pub(crate) from_file: Option<Defaults>,
 }
 
-/// What comes out.
+/// Output files and the report.
 #[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Run")]
+#[command(next_help_heading = "Output")]
 pub(crate) struct Results {
-    /// Make a picture of the commanded and the drawn path, in a file that ends in .svg or .png
+    /// Save a picture of the commanded and the drawn path, a .svg or .png file
     #[arg(long, value_name = "FILE", value_parser = picture_file)]
     pub(crate) picture: Option<PathBuf>,
-    /// Write the strokes in their order for other programs, in a file that ends in .svg, .gcode, .plt or .json
+    /// Export the ordered strokes for other programs, a .svg, .gcode, .plt or .json file
     #[arg(long, value_name = "FILE", value_parser = export_file, conflicts_with = "calibration")]
     pub(crate) export: Option<PathBuf>,
-    /// Colour the drawn path in the picture by how far it is from the wanted one
-    #[arg(long, requires = "picture")]
+    /// Colour the drawn path in the picture by its error
+    #[arg(long, requires = "picture", hide_short_help = true)]
     pub(crate) errors: bool,
-    /// Show all that the arm reaches in the picture, not only the paper
-    #[arg(long, requires = "picture")]
+    /// Show the whole reach of the arm in the picture, not only the paper
+    #[arg(long, requires = "picture", hide_short_help = true)]
     pub(crate) whole_reach: bool,
-    /// Write what happens when, as JSON, for programs that show it
-    #[arg(long, value_name = "FILE")]
+    /// Write the timeline of the drawing as JSON, for programs that display it
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
     pub(crate) timeline: Option<PathBuf>,
     /// Print the report as JSON
     #[arg(long)]
@@ -99,20 +115,22 @@ fn after_help() -> String {
     let pictures = Format::names(Format::is_picture, "and");
     format!(
         "{EXAMPLES}
-It draws files in these formats: {drawings}, and pictures: {pictures}.
-- reads standard input, and gzip is unpacked. A picture fills the drawing area; what is larger than it goes where
-the arm reaches all of it, or is made to fit; --scale insists. --paper-size puts the page of the file on a sheet.
-{AREA}"
+Formats of drawings:
+  {drawings}
+Formats of pictures:
+  {pictures}
+Files may be compressed with gzip. {AREA}"
     )
 }
 
-/// An option that a file of defaults may have, or all of them.
+/// Parses an option that a file of defaults may have, or `all`.
 fn default_option(text: &str) -> Result<String, String> {
-    let is_it = |it: &clap::Arg| it.get_long() == Some(text);
-    if text == ALL_DEFAULTS || defaults::known().iter().any(is_it) {
-        return Ok(text.to_owned());
+    let text = draw_option(text).0;
+    let has_name = |arg: &clap::Arg| arg.get_long() == Some(&text);
+    if text == ALL_DEFAULTS || defaults::known().iter().any(has_name) {
+        return Ok(text);
     }
-    Err("allowed are options that a file of defaults may have, without their dashes".to_owned())
+    Err("expected options of a file of defaults, without dashes".to_owned())
 }
 
 fn export_file(text: &str) -> Result<PathBuf, String> {
@@ -121,53 +139,54 @@ fn export_file(text: &str) -> Result<PathBuf, String> {
     Ok(file)
 }
 
-/// The kind of file that its name asks for.
+/// Returns the export format for a file name.
 pub(crate) fn export_format(file: &Path) -> Result<ExportFormat, &'static str> {
-    let ending = file.extension().and_then(|it| it.to_str());
-    ending.unwrap_or_default().parse()
+    let extension = file.extension().and_then(|extension| extension.to_str());
+    extension.unwrap_or_default().parse()
 }
 
 fn picture_file(text: &str) -> Result<PathBuf, String> {
-    let file = PathBuf::from(text);
-    let ending = file
-        .extension()
-        .and_then(|it| it.to_str())
-        .map(str::to_ascii_lowercase);
-    match ending.as_deref() {
-        Some("svg" | "png") => Ok(file),
-        _ => Err("allowed are names that end in .svg or .png".into()),
+    match extension(text).as_deref() {
+        Some("svg" | "png") => Ok(text.into()),
+        _ => Err("expected a file name that ends in .svg or .png".into()),
     }
 }
 
-/// What leaves all defaults out.
+/// The name for all defaults.
 pub(super) const ALL_DEFAULTS: &str = "all";
 
 const EXAMPLES: &str = "\
 Examples:
-  dobot draw picture.svg                                 through the running station, if there is one
+  dobot draw picture.svg                              on the station's arm
   dobot draw photo.jpg --to virtual: --picture drawn.png
-                                                         a virtual arm draws, as fast as it can be calculated
+                                                      on a virtual arm, simulated
   dobot draw --text 'Hello, arm' --font script --height 20
-                                                         a text, in letters of single lines
-  dobot draw photo.jpg --shade stipple --dry-run         what it would be: time, ink, reach; nothing moves
-  dobot draw plan.dxf --fit --rotate 90 --margin 10      as large as the drawing area allows, turned
-  dobot draw flag.svg --layers color --hatch 1           a pen for each colour, areas hatched 1 mm apart
-  dobot draw sign.svg --laser plywood-engrave --frame    go around it with the laser off, then burn
-  dobot draw map.svg route.svg --text Tour               one sheet: each where it is on its page, a text below
-  dobot draw a.svg b.svg c.dxf --grid 3x1                one sheet: side by side
-  dobot draw page.svg --paper-size a5 --landscape        the page where it is on the sheet
+                                                      a text in single-line letters
+  dobot draw photo.jpg --shade stipple --dry-run      only report time, ink and reach
+  dobot draw plan.dxf --fit --rotate 90 --margin 10   as large as possible, rotated
+  dobot draw flag.svg --layers color --hatch 1        one pen per colour, areas hatched
+  dobot draw sign.svg --laser plywood-engrave --outline
+                                                      trace the outline, then burn
+  dobot draw map.svg route.svg --text Tour            two files on one sheet, a text
+  dobot draw a.svg b.svg c.dxf --grid 3x1             three files side by side
+  dobot draw page.svg --paper-size a5 --landscape     a page on a sheet of paper
   dobot draw parts.svg --laser cardboard-cut --kerf 0.2 --tabs 3
-                                                         cut out, inside first, held by tabs
-  dobot draw long.svg --from 40%                         the rest of a drawing
+                                                      cut out, held by tabs
+  dobot draw long.svg --from 40%                      the rest of a drawing
 ";
 
-const AREA: &str = "
-The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100. Seen from behind the
-arm the picture lies upright. On a real arm bring the pen down to the paper first (`dobot jog z-`): unless --pen-down or
---paper says otherwise, it draws at the height at which it stands. Ctrl-C lifts the pen and says how far it got.
+const AREA: &str = "A picture fills the drawing area. A larger
+drawing is placed where the arm reaches all of it, or is scaled down; --scale
+prevents that. --paper-size places the page of the file on a sheet.
 
-When a station runs, the drawing becomes a job of it: Ctrl-C pauses it, and `dobot jobs start` goes on with it;
-`dobot jobs speed` and `dobot jobs height` change it while it is drawn.";
+The drawing area is 200 mm wide and 120 mm deep: x 150 to 270, y -100 to 100.
+Seen from behind the arm, the picture is upright. With a real arm, lower the pen
+to the paper first (`dobot jog z-`): without --pen-down or --paper it draws at
+the current height. Ctrl-C lifts the pen and reports the progress.
+
+If a station runs, the drawing becomes one of its jobs: Ctrl-C pauses it, and
+`dobot jobs start` resumes it; `dobot jobs speed` and `dobot jobs height` adjust
+it while it is drawn.";
 
 #[cfg(test)]
 mod tests {

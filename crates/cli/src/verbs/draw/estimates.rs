@@ -1,5 +1,4 @@
-//! How long drawings took and how long they were to take: kept, so that a person can see how far
-//! estimates are to be trusted.
+//! A log of estimated and actual durations of drawings, to judge the estimates.
 
 use std::fs::OpenOptions;
 use std::io::Write;
@@ -21,7 +20,7 @@ struct EstimateLine<'a> {
     error_percent: f64,
 }
 
-/// Adds a line to `estimates.jsonl` in the data folder, where a drawing was estimated and made.
+/// Appends a line to `estimates.jsonl` in the data folder for a drawing that was estimated and made.
 pub(super) fn keep(title: &str, times: Times) -> Result<(), Failure> {
     let (Some(estimated), Some(took), Some(error_percent)) =
         (times.estimated, times.took, times.error_percent())

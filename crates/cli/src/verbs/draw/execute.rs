@@ -1,4 +1,4 @@
-//! A plan on its way to an arm, as a job.
+//! Execution of a plan as a job.
 
 use std::io::IsTerminal;
 use std::time::Duration;
@@ -16,16 +16,16 @@ use crate::failure::Failure;
 use crate::follow;
 use crate::interrupt::interrupt;
 
-/// Where the statuses saw the tool, and how long it took or why it did not get to the end.
+/// The outcome of a plan: its duration or failure, and the reported positions.
 pub(super) struct Executed {
     pub(super) outcome: Result<Duration, Failure>,
-    /// How long all of it was to take by the motion model, in seconds, the way to its start
-    /// included; absent where it was not taken.
+    /// The duration by the motion model, in seconds, including the way to the start; `None` if it was not
+    /// executed.
     pub(super) planned_s: Option<f64>,
     pub(super) seen: Vec<dobot_arm::Position>,
 }
 
-/// What would not burn is told before anything moves or is queued.
+/// Checks that the laser is armed for a plan that burns, before anything moves or is queued.
 pub(super) async fn check_laser(
     station: &mut StationClient,
     plan: &Plan,
@@ -38,11 +38,11 @@ pub(super) async fn check_laser(
     }
     Err(Failure::new(
         anyhow!("the laser is disarmed"),
-        "put the goggles on, then let `dobot draw` burn for a while: `--arm-laser SECONDS`",
+        "put on goggles, then arm the laser with `--arm-laser SECONDS`",
     ))
 }
 
-/// Makes a job of a plan, starts it and follows it.
+/// Submits a plan as a job, starts it and follows it.
 pub(super) async fn execute(
     station: &mut StationClient,
     plan: &Plan,
@@ -54,7 +54,9 @@ pub(super) async fn execute(
     let see = |state: &State| {
         seen.extend(state.arm.as_ref().map(|arm| position(&arm.status)));
     };
-    let planned_s = way_s(station, plan).await.map(|it| it + plan.duration_s());
+    let planned_s = way_s(station, plan)
+        .await
+        .map(|way_s| way_s + plan.duration_s());
     let outcome = match submit(station, plan, title, armed_for).await {
         Ok(job) => {
             let outcome = follow::start_shown(station, job, plan.burns(), bar, see).await;
@@ -72,7 +74,7 @@ pub(super) async fn execute(
     }
 }
 
-/// How long the way to the plan's start takes from where the arm stands, in seconds.
+/// The duration of the way from the arm's position to the start of the plan, in seconds.
 async fn way_s(station: &mut StationClient, plan: &Plan) -> Option<f64> {
     let (arm, dialect) = control::arm(station).await.ok()?;
     let model = Model::new(dialect?, &arm.status);
@@ -86,14 +88,14 @@ async fn submit(
     title: &str,
     armed_for: Option<Duration>,
 ) -> Result<u64, Failure> {
-    // Nothing is queued that cannot be started.
+    // Take control first, so that a queued job can be started.
     take_control(station).await?;
     arm_laser(station, armed_for).await?;
     let submitted = station.submit(drawing_job(plan, title)).await;
     submitted.map_err(refused)
 }
 
-/// Nobody changes a command of a drawing.
+/// Adds a hint to a refused drawing.
 fn refused(error: RemoteError) -> Failure {
     if error.kind() != Some(problem_kinds::BAD_JOB.name) {
         return error.into();
@@ -102,58 +104,60 @@ fn refused(error: RemoteError) -> Failure {
         RemoteError::Refused(problem) => problem.rule.clone(),
         _ => None,
     };
-    let helps = rule.map_or(
-        "another `--speed`, place or size (`--at`, `--fit`, `--scale`)",
-        |it| what_helps(&it),
+    let remedy = rule.map_or(
+        "try another `--speed`, position or size (`--at`, `--fit`, `--scale`)",
+        |rule| remedy(&rule),
     );
-    Failure::new(error, format!("{helps}; `dobot policy` shows the rules"))
+    Failure::new(error, format!("{remedy}; `dobot policy` shows the rules"))
 }
 
-/// What of a drawing has to be otherwise, where this rule of the policy refuses it.
-fn what_helps(rule: &str) -> &'static str {
+/// The remedy for a drawing that a rule of the policy refuses.
+fn remedy(rule: &str) -> &'static str {
     match rule.split_once('.') {
-        Some(("acceleration", _)) => "another `--acceleration`",
+        Some(("acceleration", _)) => "try another `--acceleration`",
         Some(("laser", "least_speed")) => {
-            "another `--speed`, or a material that is burned at another one (`dobot materials`); corners and short lines that are slower at any speed need a larger `--tolerance` or `--scale`"
+            "try another `--speed`, or a material with another one (`dobot materials`); corners and short lines that are slow at any speed need a larger `--tolerance` or `--scale`"
         }
         Some(("laser", "longest")) => {
-            "a higher `--speed` or `--acceleration`, or a policy with a larger `laser.longest_s` (`--policy`)"
+            "try a higher `--speed` or `--acceleration`, or a policy with a larger `laser.longest_s` (`--policy`)"
         }
         Some(("speed", _)) => {
-            "another `--speed` or `--travel-speed`, or a pen or material with others (`dobot materials`)"
+            "try another `--speed` or `--travel-speed`, or another pen or material (`dobot materials`)"
         }
-        Some(("laser", "allowed" | "standing")) => "a policy that lets the laser burn (`--policy`)",
-        _ => "place it elsewhere or make it smaller (`--at`, `--fit`, `--scale`)",
+        Some(("laser", "allowed" | "standing")) => {
+            "use a policy that allows the laser (`--policy`)"
+        }
+        _ => "move it or make it smaller (`--at`, `--fit`, `--scale`)",
     }
 }
 
-/// Whether a frame has its person; that of a virtual arm in this process needs none.
+/// Checks that a person can answer the question; a virtual arm in this process needs none.
 pub(super) fn check_frame(station: &StationClient) -> Result<(), Failure> {
     if is_harmless(station) || std::io::stdin().is_terminal() {
         return Ok(());
     }
     Err(Failure::new(
-        anyhow!("nobody is there to be asked whether the frame is where the drawing is to be"),
-        "run it in a terminal, with the drawing in a file, or leave `--frame` out",
+        anyhow!("--outline asks whether the position is right, and standard input is no terminal"),
+        "run it in a terminal with the drawing in a file, or leave out `--outline`",
     ))
 }
 
-/// Asks whether the frame that was gone around is the place.
+/// Asks whether the traced outline is at the right position.
 pub(super) async fn ask_about_frame(station: &StationClient) -> Result<(), Failure> {
     if is_harmless(station) && !std::io::stdin().is_terminal() {
         return Ok(());
     }
-    eprintln!("this is where it will be; Ctrl-C leaves it undone");
-    eprintln!("press Enter to go on");
+    eprintln!("this is where it will be drawn");
+    eprintln!("press Enter to continue or Ctrl-C to cancel");
     let agreed = tokio::select! {
         entered = line_entered() => entered.is_some(),
-        // The way around it has taken Ctrl-C from the system.
+        // Ctrl-C no longer ends the process by now.
         () = interrupt() => false,
     };
     if agreed {
         return Ok(());
     }
-    Err(anyhow!("left undone after the frame; nothing was drawn").into())
+    Err(anyhow!("cancelled after the outline; nothing was drawn").into())
 }
 
 const fn is_harmless(station: &StationClient) -> bool {

@@ -1,4 +1,4 @@
-//! What is to be drawn: the bytes of a file or of standard input, as many as a drawing may have.
+//! Input of a drawing: files, standard input, a text or a test card.
 
 use std::fs::File;
 use std::io::{self, ErrorKind};
@@ -10,39 +10,39 @@ use dobot_draw::{DrawingRequest, Materials, Options, Subject};
 use dobot_import::{Source, SourceError};
 
 use super::args::Args;
-use super::defaults::{fitted, told};
+use super::defaults::{fitted, located};
 use crate::bounded;
 use crate::failure::Failure;
 use crate::verbs::calibrate;
 
-/// What the arguments ask for, and those of them that do something for what is drawn.
+/// Reads what is to be drawn, and drops defaults that do not fit it.
 pub(super) fn asked(args: Args) -> Result<(Args, DrawingRequest), Failure> {
     let subject = subject(&args)?;
     let args = fitted(args, &subject)?;
     let materials = materials(args.materials.as_deref())?;
     let calibration = args.calibration.as_deref().map(calibrate::read);
     let asked = DrawingRequest::new(dated(&args.options.0), subject, &materials);
-    let asked = asked.map_err(|error| told(&args, error))?;
+    let asked = asked.map_err(|error| located(&args, error))?;
     let asked = asked.calibrated(calibration.transpose()?);
     Ok((args, asked))
 }
 
 /// The files, and the text or the test card.
 fn subject(args: &Args) -> Result<Subject, Failure> {
-    let standard_inputs = args.files.iter().filter(|it| *it == Path::new("-"));
+    let standard_inputs = args.files.iter().filter(|file| *file == Path::new("-"));
     if standard_inputs.count() > 1 {
         return Err(Failure::new(
-            anyhow!("- is given more than once, and there is one standard input"),
+            anyhow!("- is given more than once; there is only one standard input"),
             "write one of the drawings to a file",
         ));
     }
-    let files = args.files.iter().map(|it| of_file(it));
+    let files = args.files.iter().map(|file| of_file(file));
     let text = Subject::of_text(&args.options.0.what).map(Ok);
     let all = files.chain(text).reduce(|all, next| Ok(all?.and(next?)));
     all.expect("the options ask for one")
 }
 
-/// A test card has the day on it, unless something else is to stand there.
+/// Puts the date on a test card unless it has a label.
 fn dated(options: &Options) -> Options {
     let mut options = options.clone();
     let what = &mut options.what;
@@ -54,7 +54,7 @@ fn dated(options: &Options) -> Options {
     options
 }
 
-/// The materials that are known, and those of a file.
+/// The built-in materials, and those of a file.
 pub(crate) fn materials(file: Option<&Path>) -> Result<Materials, Failure> {
     let known = Materials::built_in();
     let Some(file) = file else {
@@ -74,19 +74,19 @@ fn of_file(file: &Path) -> Result<Subject, Failure> {
         _ => (STANDARD_INPUT.to_owned(), STANDARD_INPUT.into()),
     };
     Subject::of_file(&name, read(file)?).map_err(|error| match error {
-        // It says the name itself.
+        // The error contains the name.
         SourceError::UnknownKind { .. } if path == name => error.into(),
         _ => anyhow::Error::from(error).context(path).into(),
     })
 }
 
-/// Reads a whole file, or standard input where it is `-`; of what is too large, enough for that to be told.
+/// Reads a file, or standard input for `-`, up to the maximum size plus one byte.
 fn read(file: &Path) -> Result<Vec<u8>, Failure> {
     if file == Path::new("-") {
         let read = bounded::bytes(io::stdin().lock(), Source::most_bytes);
         return Ok(read.context("cannot read standard input")?);
     }
-    let read = File::open(file).and_then(|it| bounded::bytes(it, Source::most_bytes));
+    let read = File::open(file).and_then(|file| bounded::bytes(file, Source::most_bytes));
     read.map_err(|error| unread(file, error))
 }
 
@@ -96,7 +96,7 @@ fn unread(file: &Path, error: io::Error) -> Failure {
     if missing {
         return Failure::new(
             error,
-            "give the name of a drawing; examples/drawings/ has some of each kind",
+            "name a drawing; examples/drawings/ contains some of each kind",
         );
     }
     error.into()

@@ -1,4 +1,4 @@
-//! The files that a drawing leaves: whether they can be written is known before it begins.
+//! Output files of a drawing, which are checked before it starts.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -10,10 +10,10 @@ use serde::Serialize;
 use super::args::Args;
 use crate::failure::Failure;
 
-/// Refuses to write over what is read, and two files over each other, under whatever names.
+/// Checks that no output file overwrites an input or another output, even under another name.
 pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
     let Args { result, to, .. } = args;
-    let drawings = args.files.iter().map(|it| ("the drawing", it));
+    let drawings = args.files.iter().map(|file| ("the drawing", file));
     let others = [
         ("--materials", &args.materials),
         ("--defaults", &args.defaults),
@@ -22,7 +22,7 @@ pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
     ];
     let others = others
         .into_iter()
-        .filter_map(|(what, it)| Some((what, it.as_ref()?)));
+        .filter_map(|(what, file)| Some((what, file.as_ref()?)));
     let outputs = [
         ("--picture", &result.picture),
         ("--timeline", &result.timeline),
@@ -30,19 +30,19 @@ pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
     ];
     let mut taken: Vec<(&str, FileIdentity)> = drawings
         .chain(others)
-        .filter_map(|(what, it)| Some((what, FileIdentity::of(it)?)))
+        .filter_map(|(what, file)| Some((what, FileIdentity::of(file)?)))
         .collect();
     for (option, file) in outputs {
         let Some((file, identity)) = file
             .as_ref()
-            .and_then(|it| Some((it, FileIdentity::of(it)?)))
+            .and_then(|file| Some((file, FileIdentity::of(file)?)))
         else {
             continue;
         };
-        if let Some((what, _)) = taken.iter().find(|it| it.1 == identity) {
+        if let Some((what, _)) = taken.iter().find(|other| other.1 == identity) {
             let file = file.display();
             return Err(anyhow!(
-                "{option} would write over {file}, which is {what}, too: give it a name of its own"
+                "{option} would overwrite {file}, which is also {what}; name another file"
             )
             .into());
         }
@@ -51,31 +51,31 @@ pub(super) fn check_apart(args: &Args) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What two names of one file have in common, where it keeps what is written.
+/// The identity of a regular file under all of its names.
 #[derive(Debug, PartialEq, Eq)]
 enum FileIdentity {
-    /// The device and the number of a file there: a hard link is no other file.
+    /// The device and the inode.
     #[cfg(unix)]
     Number(u64, u64),
-    /// One that is not there yet.
+    /// The path of a file that does not exist yet.
     Path(PathBuf),
 }
 
 impl FileIdentity {
     fn of(file: &Path) -> Option<Self> {
         match fs::metadata(file) {
-            Ok(it) if !it.is_file() => None,
+            Ok(metadata) if !metadata.is_file() => None,
             #[cfg(unix)]
-            Ok(it) => {
+            Ok(metadata) => {
                 use std::os::unix::fs::MetadataExt;
-                Some(Self::Number(it.dev(), it.ino()))
+                Some(Self::Number(metadata.dev(), metadata.ino()))
             }
             #[cfg(not(unix))]
             Ok(_) => file.canonicalize().ok().map(Self::Path),
             Err(_) => {
                 let folder = match file.parent()? {
-                    it if it.as_os_str().is_empty() => Path::new("."),
-                    it => it,
+                    parent if parent.as_os_str().is_empty() => Path::new("."),
+                    parent => parent,
                 };
                 let folder = folder.canonicalize().ok()?;
                 Some(Self::Path(folder.join(file.file_name()?)))
@@ -84,21 +84,21 @@ impl FileIdentity {
     }
 }
 
-/// Finds out whether a file can be written, and leaves all as it was.
+/// Checks that a file can be written, without changing it.
 pub(super) fn check_writable(file: &Path) -> Result<(), Failure> {
     let tried = match fs::metadata(file) {
-        // A link to a file that is not there yet makes it.
+        // Writing through a dangling link creates its target.
         Err(_) if file.is_symlink() => Ok(()),
-        // Whoever reads a pipe or terminal would take the try for the end.
-        Ok(it) if !it.is_file() && !it.is_dir() => Ok(()),
+        // A pipe or terminal would take the attempt for its end.
+        Ok(metadata) if !metadata.is_file() && !metadata.is_dir() => Ok(()),
         Ok(_) => OpenOptions::new().append(true).open(file).map(drop),
         Err(_) => try_new(file),
     };
-    told(file, tried)
+    in_context(file, tried)
 }
 
 pub(super) fn write(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    told(file, fs::write(file, bytes))
+    in_context(file, fs::write(file, bytes))
 }
 
 /// Writes a long document piece by piece.
@@ -108,7 +108,7 @@ pub(super) fn write_json(file: &Path, document: &impl Serialize) -> Result<(), F
         serde_json::to_writer(&mut writer, document)?;
         writer.flush()
     };
-    told(file, write())
+    in_context(file, write())
 }
 
 fn try_new(file: &Path) -> io::Result<()> {
@@ -116,7 +116,7 @@ fn try_new(file: &Path) -> io::Result<()> {
     fs::remove_file(file)
 }
 
-fn told(file: &Path, outcome: io::Result<()>) -> Result<(), Failure> {
+fn in_context(file: &Path, outcome: io::Result<()>) -> Result<(), Failure> {
     outcome.with_context(|| format!("cannot write {}", file.display()))?;
     Ok(())
 }

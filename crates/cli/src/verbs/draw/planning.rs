@@ -1,4 +1,4 @@
-//! How far the planning of a drawing is, on a terminal.
+//! The progress of planning on a terminal.
 
 use std::io::{IsTerminal, stderr};
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -9,20 +9,21 @@ use dobot_draw::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::follow::share_style;
+use crate::output;
 
-/// Does a piece of work that tells how far it is. Where that takes longer than a moment, a terminal shows it, and how
-/// long the arm will take where that is long; what it shows is gone before this is over.
+/// Runs work that reports its progress, which a terminal shows if the work takes longer, with the duration of a long
+/// drawing. The progress is cleared at the end.
 pub(super) fn shown<T>(progress: &Progress, shown: Shown, work: impl FnOnce() -> T) -> T {
     if shown == Shown::Nothing || !stderr().is_terminal() {
         return work();
     }
     thread::scope(|scope| {
-        // Gone with the work, even where that panics.
+        // Dropped with the work, even if it panics.
         let (working, over) = channel::<()>();
         scope.spawn(move || {
             let mut screen = Screen {
                 bar: None,
-                tells_hours: shown == Shown::StepsAndHours,
+                shows_hours: shown == Shown::StepsAndHours,
             };
             while over.recv_timeout(PERIOD) == Err(RecvTimeoutError::Timeout) {
                 screen.show(progress);
@@ -35,27 +36,27 @@ pub(super) fn shown<T>(progress: &Progress, shown: Shown, work: impl FnOnce() ->
     })
 }
 
-/// What a terminal is to show.
+/// The contents of the terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shown {
     Nothing,
-    /// What is being done, and how far that is.
+    /// The current step and its progress.
     Steps,
-    /// Also how many hours the arm will take, where nobody has said it yet.
+    /// Also the hours of a long drawing.
     StepsAndHours,
 }
 
-/// What the terminal shows.
+/// The progress on the terminal.
 struct Screen {
     bar: Option<ProgressBar>,
-    /// It is still to be told how long the arm will take.
-    tells_hours: bool,
+    /// Whether the hours are still to be shown.
+    shows_hours: bool,
 }
 
 impl Screen {
     fn show(&mut self, progress: &Progress) {
         let bar = self.bar.get_or_insert_with(|| ProgressBar::new(PARTS));
-        if let Some(line) = untold(&mut self.tells_hours, progress) {
+        if let Some(line) = take_line(&mut self.shows_hours, progress) {
             bar.println(line);
         }
         let step = progress.step();
@@ -80,33 +81,33 @@ impl Screen {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }
-        if let Some(line) = untold(&mut self.tells_hours, progress) {
+        if let Some(line) = take_line(&mut self.shows_hours, progress) {
             eprintln!("{line}");
         }
     }
 }
 
-/// What is to be said of a long drawing, once.
-fn untold(tells_hours: &mut bool, progress: &Progress) -> Option<String> {
+/// Returns the line about a long drawing, once.
+fn take_line(shows_hours: &mut bool, progress: &Progress) -> Option<String> {
     let line = progress
         .roughly_s()
-        .filter(|_| *tells_hours)
+        .filter(|_| *shows_hours)
         .and_then(hours);
-    *tells_hours &= line.is_none();
+    *shows_hours &= line.is_none();
     line
 }
 
-/// What is said of a long drawing before it is planned.
+/// Formats the line about a long drawing.
 fn hours(roughly_s: f64) -> Option<String> {
     let hours = roughly_s / 3600.0;
     (hours > 1.0).then(|| {
         let hours = hours.round();
-        let plural = if hours > 1.0 { "s" } else { "" };
-        format!("about {hours} hour{plural} of drawing, by a rough estimate before it is planned")
+        let hours = output::count(hours, "hour");
+        format!("about {hours} of drawing (rough estimate before planning)")
     })
 }
 
-/// How often it is shown, and what takes no longer is not.
+/// The update period; shorter work shows nothing.
 const PERIOD: Duration = Duration::from_millis(250);
 const PARTS: u64 = 1000;
 

@@ -1,5 +1,4 @@
-//! A virtual arm draws a plan: the estimate of what a real one will do is what this one did, under
-//! the same rules.
+//! Simulation of a plan: a virtual arm draws it under the same rules, as an estimate for a real one.
 
 use std::time::Duration;
 
@@ -14,29 +13,29 @@ use dobot_wire::{Dialect, MoveJoints, MovingMode, Status};
 use indicatif::ProgressBar;
 
 use super::execute::execute;
-use crate::connect::speaker;
+use crate::connect::personality_of;
 use crate::control::{self, carry_out, take_control};
 use crate::failure::Failure;
 use crate::reach::client_name;
 
-/// What a virtual arm did.
+/// The result of a virtual arm.
 #[derive(Debug)]
 pub(super) struct Carried {
     pub(super) estimate: Estimate,
     pub(super) timeline: Timeline,
     pub(super) ink: Vec<InkLine>,
-    /// The wanted path was not drawn there, where that is worse than what was drawn astray.
+    /// The deviation of the drawn path from the wanted one.
     pub(super) deviation: dobot_geometry::Deviation,
 }
 
 impl Carried {
-    /// Reads what the arm recorded; nothing where it never came to the plan's start.
+    /// Evaluates the recording of the arm; `None` if it never reached the start of the plan.
     pub(super) fn of(arm: &VirtualArm, prepared: &Prepared, settings: &Settings) -> Option<Self> {
         let samples: Vec<Sample> = arm.samples().iter().map(sample).collect();
         let wanted = prepared.wanted();
         let trace = Trace::new(&prepared.plan, &settings.paper, &samples, &wanted).ok()?;
         let ink = trace.ink();
-        let drawn: Vec<Stroke> = ink.iter().map(|it| it.stroke.clone()).collect();
+        let drawn: Vec<Stroke> = ink.iter().map(|line| line.stroke.clone()).collect();
         Some(Self {
             estimate: trace.estimate(),
             timeline: trace.timeline(),
@@ -46,7 +45,7 @@ impl Carried {
     }
 }
 
-/// How long a virtual arm took, how long that was to take by the motion model, and what it did.
+/// The duration of a simulation, the duration by the motion model, and the result.
 #[derive(Debug)]
 pub(super) struct Rehearsed {
     pub(super) time: Duration,
@@ -54,8 +53,7 @@ pub(super) struct Rehearsed {
     pub(super) carried: Option<Carried>,
 }
 
-/// Has a virtual arm that speaks this dialect draw the plan, in no time, from where the real one
-/// stands.
+/// Lets a virtual arm with a dialect draw a plan in virtual time, starting where the real one is.
 pub(super) async fn rehearse(
     prepared: &Prepared,
     settings: &Settings,
@@ -64,13 +62,13 @@ pub(super) async fn rehearse(
     from: Option<&Status>,
     bar: &ProgressBar,
 ) -> Result<Rehearsed, Failure> {
-    let power_up = PowerUp::new(speaker(dialect));
+    let power_up = PowerUp::new(personality_of(dialect));
     let name = client_name("draw");
     let mut station = StationClient::with_virtual_arm(power_up, policy, &name);
     control::status(&mut station).await?;
     if let Some(from) = from {
         take_control(&mut station).await?;
-        // Where the policy does not let it stand there, the way from there is left out.
+        // If the policy forbids that position, the way from there is omitted.
         let _ = carry_out(&mut station, standing(from).into()).await;
     }
     let calibration = settings.calibration.clone().map(Box::new);
@@ -83,7 +81,7 @@ pub(super) async fn rehearse(
     Ok(Rehearsed {
         time: executed.outcome?,
         planned_s: executed.planned_s,
-        carried: arm.and_then(|it| Carried::of(it, prepared, settings)),
+        carried: arm.and_then(|arm| Carried::of(arm, prepared, settings)),
     })
 }
 
@@ -92,10 +90,10 @@ const fn standing(at: &Status) -> MoveJoints {
         .with_mode(MovingMode::MovJ)
 }
 
-fn sample(it: &dobot_sim::Sample) -> Sample {
+fn sample(sample: &dobot_sim::Sample) -> Sample {
     Sample {
-        at: it.at,
-        position: it.position,
-        laser: it.laser,
+        at: sample.at,
+        position: sample.position,
+        laser: sample.laser,
     }
 }

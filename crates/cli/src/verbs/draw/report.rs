@@ -1,4 +1,4 @@
-//! The closing report.
+//! The report of a drawing.
 
 use std::time::Duration;
 
@@ -13,51 +13,50 @@ use super::{Drawn, MeasuredFrom};
 use crate::drawing_options::with_option_names;
 use crate::output::{self, clock};
 
-/// The closing report.
+/// The report of a drawing.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
     strokes: usize,
     vectors: usize,
-    /// Pen down or laser on.
+    /// The length with pen down or laser on.
     drawn_mm: f64,
     travelled_mm: f64,
-    /// How much larger than its file says it is.
+    /// The scale relative to the file.
     scale: f64,
-    /// The time that the planned motions take, the way to the paper included.
+    /// The planned duration, including the way to the paper.
     planned_s: f64,
-    /// The time that a virtual arm took; absent where none was asked.
+    /// The duration on a virtual arm, if simulated.
     estimated_s: Option<f64>,
-    /// From the first motion to the last one over; absent where nothing moved or the drawing was
-    /// stopped.
+    /// The actual duration; `None` if nothing moved or the drawing was stopped.
     time_s: Option<f64>,
-    /// How much longer it took than was estimated.
+    /// The excess of the actual duration over the estimate.
     estimate_error_percent: Option<f64>,
-    /// The largest; absent where it was not measured.
+    /// The largest deviation, if measured.
     deviation_mm: Option<f64>,
     deviation_at_mm: Option<[f64; 2]>,
-    /// What the deviation was measured from: a laser's light is in no status.
+    /// The source of the deviation; statuses do not contain the laser.
     measured_from: &'static str,
-    /// What each pass is, where there is more than one.
+    /// The passes, if there is more than one.
     passes: Vec<PassFigures>,
-    /// What is drawn otherwise than the file says.
+    /// Differences from the file.
     warnings: Vec<WarningLine>,
-    /// The ink in the base frame: the least x and y, and the largest.
+    /// The bounds of the ink in the base frame: minimum x and y, maximum x and y.
     ink_mm: [f64; 4],
-    /// The corners of the sheet, from the upper left one on; absent where none was told.
+    /// The corners of the sheet from the upper left one on, if it is known.
     sheet_mm: Option<[[f64; 2]; 4]>,
-    /// How near and how far from its axis the arm reaches the paper; absent where it was not asked.
+    /// The minimum and maximum reach on the paper from the axis of the arm, if known.
     reach_mm: Option<[f64; 2]>,
     layers: Vec<LayerLine>,
-    /// The options that a file of defaults gave; absent where there is no such file.
+    /// The options of a file of defaults, if there is one.
     defaults: Option<DefaultsLine>,
 }
 
 /// A warning.
 #[derive(Debug, Serialize)]
 struct WarningLine {
-    /// The file, where several are drawn.
+    /// The file, if several are drawn.
     file: Option<String>,
-    /// Line and column in the file, where that is known.
+    /// Line and column in the file, if known.
     place: Option<String>,
     what: String,
     instead: String,
@@ -65,41 +64,41 @@ struct WarningLine {
 }
 
 impl WarningLine {
-    fn of(it: &Warning) -> Self {
+    fn of(warning: &Warning) -> Self {
         Self {
-            file: it.file.clone(),
-            place: it.place.map(|it| it.to_string()),
-            what: it.what.clone(),
-            instead: with_option_names(&it.instead),
-            count: it.count,
+            file: warning.file.clone(),
+            place: warning.place.map(|place| place.to_string()),
+            what: warning.what.clone(),
+            instead: with_option_names(&warning.instead),
+            count: warning.count,
         }
     }
 }
 
-/// A layer as it is drawn.
+/// A drawn layer.
 #[derive(Debug, Serialize)]
 struct LayerLine {
     name: String,
     color: Option<[u8; 3]>,
     strokes: usize,
-    /// Of the wanted path, drawn or burned once.
+    /// The length of the wanted path, drawn once.
     length_mm: f64,
 }
 
 impl LayerLine {
-    fn of(it: &Pass) -> Self {
+    fn of(pass: &Pass) -> Self {
         Self {
-            name: it.name.clone(),
-            color: it.color,
-            strokes: it.strokes.len(),
-            length_mm: it.strokes.iter().map(Stroke::length_mm).sum(),
+            name: pass.name.clone(),
+            color: pass.color,
+            strokes: pass.strokes.len(),
+            length_mm: pass.strokes.iter().map(Stroke::length_mm).sum(),
         }
     }
 }
 
 fn ink_mm(prepared: &Prepared) -> [f64; 4] {
-    let strokes = prepared.passes.iter().flat_map(|it| &it.strokes);
-    let ink = bounds(strokes.flat_map(|it| it.points.iter().copied()));
+    let strokes = prepared.passes.iter().flat_map(|pass| &pass.strokes);
+    let ink = bounds(strokes.flat_map(|stroke| stroke.points.iter().copied()));
     [ink.x0, ink.y0, ink.x1, ink.y1]
 }
 
@@ -113,9 +112,9 @@ impl Report {
         defaults: Option<DefaultsLine>,
     ) -> Self {
         let summary = prepared.plan.summary();
-        let measured = drawn.filter(|it| it.is_measured());
+        let measured = drawn.filter(|drawn| drawn.is_measured());
         let worst = measured.map(Drawn::worst);
-        let passes = estimate.map_or_else(Vec::new, |it| it.passes.clone());
+        let passes = estimate.map_or_else(Vec::new, |estimate| estimate.passes.clone());
         Self {
             strokes: summary.strokes,
             vectors: summary.vectors,
@@ -123,11 +122,11 @@ impl Report {
             travelled_mm: summary.travelled_mm,
             scale: prepared.scale,
             planned_s: times.planned_s.unwrap_or(summary.duration_s),
-            estimated_s: times.estimated.map(|it| it.as_secs_f64()),
-            time_s: times.took.map(|it| it.as_secs_f64()),
+            estimated_s: times.estimated.map(|time| time.as_secs_f64()),
+            time_s: times.took.map(|time| time.as_secs_f64()),
             estimate_error_percent: times.error_percent(),
-            deviation_mm: worst.map(|it| it.distance_mm),
-            deviation_at_mm: worst.map(|it| [it.at.x, it.at.y]),
+            deviation_mm: worst.map(|worst| worst.distance_mm),
+            deviation_at_mm: worst.map(|worst| [worst.at.x, worst.at.y]),
             measured_from: match measured {
                 Some(drawn) => match drawn.from {
                     MeasuredFrom::TruePosition => "the arm's true position",
@@ -138,7 +137,7 @@ impl Report {
             },
             warnings: prepared.warnings.iter().map(WarningLine::of).collect(),
             ink_mm: ink_mm(prepared),
-            sheet_mm: sheet.map(|it| it.corners().map(|p| [p.x, p.y])),
+            sheet_mm: sheet.map(|sheet| sheet.corners().map(|p| [p.x, p.y])),
             reach_mm: prepared.reach_mm,
             layers: prepared.passes.iter().map(LayerLine::of).collect(),
             passes,
@@ -195,7 +194,7 @@ impl Report {
         }
     }
 
-    /// What stands below the picture.
+    /// The figures below the picture.
     pub(super) fn figures(&self) -> Vec<(String, String)> {
         let time_s = self.time_s.or(self.estimated_s).unwrap_or(self.planned_s);
         let deviation = self.deviation_mm.map(|mm| format!("{mm:.3} mm"));
@@ -219,18 +218,18 @@ impl Report {
     }
 }
 
-/// How long it was to take, and how long it took.
+/// The planned, estimated and actual durations.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Times {
-    /// By the motion model, in seconds.
+    /// The duration by the motion model, in seconds.
     pub(super) planned_s: Option<f64>,
     pub(super) estimated: Option<Duration>,
     pub(super) took: Option<Duration>,
 }
 
 impl Times {
-    /// How far the estimate was off; nothing where it took less than half of that: then the time of the
-    /// arm does not pass as it does for a real one.
+    /// The error of the estimate; `None` if the drawing took less than half of it: then the time of the arm is
+    /// not real time.
     pub(super) fn error_percent(self) -> Option<f64> {
         let estimated_s = self.estimated?.as_secs_f64();
         let took_s = self.took?.as_secs_f64();
@@ -239,7 +238,7 @@ impl Times {
     }
 }
 
-/// A factor in percent, with at least three digits that count.
+/// Formats a factor in percent with at least three significant digits.
 fn percent(factor: f64) -> String {
     let percent = factor * 100.0;
     let is_short = |&decimals: &i32| percent * 10_f64.powi(decimals) < 99.95;
@@ -265,10 +264,10 @@ fn print_defaults(defaults: &DefaultsLine) -> std::io::Result<()> {
 fn pass_line(pass: &PassFigures) -> String {
     let ink = if pass.tool.burns() { "burned" } else { "drawn" };
     format!(
-        "  {:<16} {} strokes, {} vectors, {:.0} mm {ink}, {}",
+        "  {:<16} {}, {}, {:.0} mm {ink}, {}",
         pass.name,
-        pass.strokes,
-        pass.vectors,
+        output::count(pass.strokes, "stroke"),
+        output::count(pass.vectors, "vector"),
         pass.ink_mm,
         clock(pass.time_s)
     )

@@ -1,4 +1,4 @@
-//! What a fleet is set up with: certificates and a router.
+//! Setup of a fleet: certificates and a router.
 
 use std::path::PathBuf;
 
@@ -8,13 +8,13 @@ use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::{open_files, output};
 
-/// Make certificates.
+/// Arguments of `dobot fleet certificates`.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct Certificates {
-    /// Where the authority is, or is made; the folder of each station is made in it
+    /// Folder of the authority; a folder for each station is created in it
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
-    /// The stations, and the router with the names and addresses by which they connect to it
+    /// Stations, and the router with the names and addresses by which they connect to it
     #[arg(value_name = "NAME[=HOST,...]", required = true)]
     holders: Vec<Holder>,
 }
@@ -29,13 +29,13 @@ impl Certificates {
     }
 }
 
-/// Revoke certificates.
+/// Arguments of `dobot fleet revoke`.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct RevokeArgs {
-    /// Where the authority is
+    /// Folder of the authority
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
-    /// The stations whose certificates count no longer
+    /// Stations whose certificates are revoked
     #[arg(value_name = "NAME", required = true)]
     names: Vec<String>,
 }
@@ -47,20 +47,20 @@ impl RevokeArgs {
         }
         let list = self.folder.join("revoked.txt");
         output::line(&format!(
-            "copy {} to the folder of each station and of the router, and start them again",
+            "copy {} to the folders of all stations and of the router, and restart them",
             list.display()
         ))?;
         Ok(())
     }
 }
 
-/// Run a router.
+/// Arguments of `dobot fleet router`.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct RouterArgs {
-    /// Where stations reach it, as in quic/0.0.0.0:7447; may be given several times
+    /// Address to listen on, for example quic/0.0.0.0:7447; may be repeated
     #[arg(long, value_name = "ADDRESS", default_value = "quic/127.0.0.1:7447")]
     listen: Vec<String>,
-    /// The folder with its certificate; without one it is for this person's stations on this machine
+    /// Folder with the router's certificate (default: only for this person's stations on this machine)
     #[arg(long, value_name = "FOLDER")]
     fleet: Option<PathBuf>,
 }
@@ -76,7 +76,7 @@ impl RouterArgs {
         if let Some(warning) = credentials.warning() {
             output::line(&warning)?;
         }
-        output::line(&format!("the router is at {}", self.listen.join(", ")))?;
+        output::line(&format!("router listening at {}", self.listen.join(", ")))?;
         interrupt().await;
         router.end().await;
         Ok(())

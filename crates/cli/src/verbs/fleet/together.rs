@@ -1,4 +1,4 @@
-//! `dobot fleet together`: one program for several arms.
+//! `dobot fleet together`: a coordinated program for several arms.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,32 +17,35 @@ use dobot_wire::Dialect;
 use tokio::io::{AsyncBufReadExt, BufReader};
 use tokio::sync::mpsc;
 
-use crate::connect::{read_policy, speaker};
+use crate::connect::{personality_of, read_policy};
 use crate::failure::Failure;
 use crate::interrupt::interrupt;
 use crate::output::{self, clock};
 use crate::reach::Station;
 
-/// One program for several arms
+/// Run a coordinated program on several arms, with barriers
 #[derive(Clone, Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot fleet together examples/together/cube.toml --dry-run    when all meet, and who waits; nothing moves
-  DOBOT_TOKEN=$(cat teacher.txt) dobot fleet together examples/together/cube.toml    each station accepts this token
+  dobot fleet together examples/together/cube.toml --dry-run
+                                     simulate: when the arms meet, which ones wait
+  DOBOT_TOKEN=$(cat teacher.txt) dobot fleet together examples/together/cube.toml
+                                     run it; each station must accept this token
 
-The file names the arms and their programs; a step `barrier = \"NAME\"` waits for all that have it. Ctrl-C has all arms hold.
-When one does not go on, those that depend on it hold, and a person decides.")]
+The file names the arms and their programs. A step `barrier = \"NAME\"` waits for
+all arms that have it. Ctrl-C pauses all arms. If one arm cannot continue, those
+that depend on it pause, and a person decides.")]
 pub(super) struct TogetherArgs {
-    /// The program for several arms: a TOML file that names the parts
+    /// Coordinated program, a TOML file that names the parts
     file: PathBuf,
-    /// Rehearse it with virtual arms on one clock: when all meet, and who waits; nothing moves
+    /// Simulate only, with virtual arms on one clock: when the arms meet, which ones wait
     #[arg(long)]
     dry_run: bool,
-    /// The policy of the rehearsal, a TOML file (default: the one that `dobot policy` shows)
+    /// Safety policy of the simulation, a TOML file (default: as printed by `dobot policy`)
     #[arg(long, value_name = "FILE", requires = "dry_run")]
     policy: Option<PathBuf>,
-    /// Which arms the rehearsal has: specification or firmware-1.1
-    #[arg(long, default_value_t = Dialect::FIRMWARE_1_1, requires = "dry_run")]
+    /// Protocol dialect of the simulated arms: specification or firmware-1.1
+    #[arg(long, value_name = "DIALECT", default_value_t = Dialect::FIRMWARE_1_1, requires = "dry_run")]
     dialect: Dialect,
 }
 
@@ -53,31 +56,32 @@ impl TogetherArgs {
         let arm = PlannedFor::any(Rules::of(&policy).into(), Some(self.dialect));
         let parts = read(&self.file, &arm)?;
         if self.dry_run {
-            let told = rehearse(&parts, &policy, speaker(self.dialect))?;
-            return tell(&told, as_json);
+            let rehearsal = rehearse(&parts, &policy, personality_of(self.dialect))?;
+            return print(&rehearsal, as_json);
         }
         let address = station.address_of_running().await?;
         carry_out(&Home::new(address), &parts, as_json).await
     }
 }
 
-/// All parts, in which nothing is wrong.
+/// Reads and checks all parts.
 fn read(file: &Path, arm: &PlannedFor) -> Result<Vec<Part>, Failure> {
     let named = || file.display().to_string();
     let together = Together::from_toml(&text(file)?).with_context(named)?;
     let folder = file.parent().unwrap_or(Path::new(""));
     let parts = together.parts.into_iter();
-    let parts = parts.map(|it| read_part(it.arm, &folder.join(it.program), arm));
+    let parts = parts.map(|part| read_part(part.arm, &folder.join(part.program), arm));
     let parts = parts.collect::<Result<Vec<_>, _>>()?;
     let problems = check(&parts);
     if problems.is_empty() {
         return Ok(parts);
     }
     let (file, count) = (named(), problems.len());
-    Err(anyhow!("{file} has {count} problems:\n{}", problems.join("\n")).into())
+    let count = output::count(count, "problem");
+    Err(anyhow!("{file} has {count}:\n{}", problems.join("\n")).into())
 }
 
-/// A part with all that its station needs for it.
+/// Reads a part with the files that its station needs.
 fn read_part(arm: String, file: &Path, planned: &PlannedFor) -> Result<Part, Failure> {
     let named = || file.display().to_string();
     let folder = file.parent().unwrap_or(Path::new(""));
@@ -89,7 +93,7 @@ fn read_part(arm: String, file: &Path, planned: &PlannedFor) -> Result<Part, Fai
         let bytes = bytes.map_err(|error| format!("cannot read {path}: {error}"))?;
         let text = String::from_utf8(bytes.clone());
         let text = text.map_err(|_| {
-            format!("{path} is not text in UTF-8, and only texts go to a station: draw an SVG")
+            format!("{path} is not UTF-8 text; only text files can be sent to a station, for example SVG")
         })?;
         files.insert(path.to_owned(), text);
         Ok(bytes)
@@ -111,47 +115,50 @@ fn text(file: &Path) -> Result<String, Failure> {
     Ok(read.with_context(|| format!("cannot read {}", file.display()))?)
 }
 
-/// What a rehearsal shows.
-fn tell(told: &Rehearsal, as_json: bool) -> Result<(), Failure> {
+/// Prints the result of a rehearsal.
+fn print(rehearsal: &Rehearsal, as_json: bool) -> Result<(), Failure> {
     if as_json {
-        return Ok(output::json(told)?);
+        return Ok(output::json(rehearsal)?);
     }
-    for it in &told.barriers {
-        let waits = it.waits.iter();
-        let waits = waits.map(|it| format!("{} {}", it.arm, clock(it.waited_s)));
+    for meeting in &rehearsal.barriers {
+        let waits = meeting.waits.iter();
+        let waits = waits.map(|wait| format!("{} {}", wait.arm, clock(wait.waited_s)));
         let waits = waits.collect::<Vec<_>>().join(", ");
-        let (at, barrier) = (clock(it.at_s), &it.barrier);
+        let (at, barrier) = (clock(meeting.at_s), &meeting.barrier);
         output::line(&format!("{at:>10}  all at {barrier:?}; waited: {waits}"))?;
     }
-    for it in &told.parts {
-        let over = it.over_s.map_or("on and on".to_owned(), clock);
-        let waited = clock(it.waited_s);
+    for part in &rehearsal.parts {
+        let over = part.over_s.map_or("endless".to_owned(), clock);
+        let waited = clock(part.waited_s);
         output::line(&format!(
-            "{over:>10}  {} is through, {waited} of it waiting",
-            it.arm
+            "{over:>10}  {} is done, {waited} of it waiting",
+            part.arm
         ))?;
     }
     Ok(())
 }
 
-/// Does it with the arms of the fleet.
+/// Runs the program on the arms of the fleet.
 async fn carry_out(home: &Home, parts: &[Part], as_json: bool) -> Result<(), Failure> {
     let is_attended = std::io::stdin().is_terminal();
     let (sender, orders) = mpsc::channel(8);
     let deciding = tokio::spawn(decide(sender, is_attended));
-    let mut teller = Teller::new(parts, as_json, is_attended);
-    let outcome = run(home, parts, is_attended, orders, |said| teller.say(&said)).await;
+    let mut progress = Progress::new(parts, as_json, is_attended);
+    let outcome = run(home, parts, is_attended, orders, |said| {
+        progress.show(&said)
+    })
+    .await;
     deciding.abort();
     match outcome? {
-        Outcome::Through => teller.sum_up(),
+        Outcome::Through => progress.sum_up(),
         Outcome::Held => Err(Failure::new(
-            anyhow!("not all arms are through"),
-            "their jobs stay paused at their stations: `dobot jobs` lists them there, and `dobot jobs cancel` ends one",
+            anyhow!("not all arms are done"),
+            "run `dobot jobs` at the stations: the jobs of the others are paused there; `dobot jobs cancel` ends one",
         )),
     }
 }
 
-/// What a person decides: by Ctrl-C, and by keys where a terminal is there.
+/// Reads the decisions of a person: Ctrl-C, and keys on a terminal.
 async fn decide(orders: mpsc::Sender<Order>, is_attended: bool) {
     let mut lines = BufReader::new(tokio::io::stdin()).lines();
     let mut is_held = false;
@@ -174,17 +181,17 @@ async fn decide(orders: mpsc::Sender<Order>, is_attended: bool) {
     }
 }
 
-/// Tells a person how it goes.
-struct Teller<'a> {
+/// Prints the progress.
+struct Progress<'a> {
     parts: &'a [Part],
     jobs: Vec<u64>,
     as_json: bool,
     is_attended: bool,
-    /// The farthest that any start was apart.
+    /// The largest time between the starts at a barrier.
     most_ms: f64,
 }
 
-impl<'a> Teller<'a> {
+impl<'a> Progress<'a> {
     const fn new(parts: &'a [Part], as_json: bool, is_attended: bool) -> Self {
         Self {
             parts,
@@ -195,8 +202,8 @@ impl<'a> Teller<'a> {
         }
     }
 
-    /// Output that nobody reads any more does not end what the arms do.
-    fn say(&mut self, said: &Said) {
+    /// Shows an event. A closed standard output does not end the program of the arms.
+    fn show(&mut self, said: &Said) {
         match said {
             Said::Queued(jobs) => self.jobs.clone_from(jobs),
             Said::Started { within_ms, .. } => self.most_ms = self.most_ms.max(*within_ms),
@@ -214,20 +221,21 @@ impl<'a> Teller<'a> {
         match said {
             Said::Queued(jobs) => {
                 let both = self.parts.iter().zip(jobs);
-                let line =
-                    |(it, job): (&Part, &u64)| format!("{}: {} is job {job}", it.arm, it.file);
+                let line = |(part, job): (&Part, &u64)| {
+                    format!("{}: {} is job {job}", part.arm, part.file)
+                };
                 both.map(line).collect()
             }
             Said::Started { barrier, within_ms } => {
-                let all = barrier.as_ref().map_or("all begin".to_owned(), |it| {
-                    format!("all that waited at {it:?} go on")
-                });
-                vec![format!(
-                    "{all}, started within {within_ms:.0} ms of each other"
-                )]
+                let all = barrier
+                    .as_ref()
+                    .map_or("all arms start".to_owned(), |barrier| {
+                        format!("the arms at {barrier:?} continue")
+                    });
+                vec![format!("{all}, within {within_ms:.0} ms of each other")]
             }
             Said::Hindered { part, why } => {
-                vec![format!("{} cannot go on: {why}", self.arm(*part))]
+                vec![format!("{} cannot continue: {why}", self.arm(*part))]
             }
             Said::News(news) => self.news(news),
         }
@@ -242,18 +250,20 @@ impl<'a> Teller<'a> {
             News::WaitsForPerson { part, message } => {
                 let (arm, job) = (self.arm(*part), self.jobs.get(*part).unwrap_or(&0));
                 vec![format!(
-                    "{arm} waits for a person: {message}; `dobot jobs start {job}` at its station goes on"
+                    "{arm} waits for a person: {message}; run `dobot jobs start {job}` at its station to continue"
                 )]
             }
-            News::Done { part } => vec![format!("{} is through", self.arm(*part))],
+            News::Done { part } => vec![format!("{} is done", self.arm(*part))],
             News::Held { part, why, with } => {
-                let with: Vec<_> = with.iter().map(|it| self.arm(*it)).collect();
+                let with: Vec<_> = with.iter().map(|part| self.arm(*part)).collect();
                 let holds = match &with[..] {
-                    [] => "nobody depends on it".to_owned(),
-                    with => format!("{} hold with it", with.join(", ")),
+                    [] => "no other arm depends on it".to_owned(),
+                    [one] => format!("{one} pauses, too"),
+                    with => format!("{} pause, too", with.join(", ")),
                 };
-                let keys = "look at its arm; then g and Enter goes on, e and Enter ends it";
-                let line = format!("{} does not go on: {why}; {holds}", self.arm(*part));
+                let keys =
+                    "look at its arm; then press g and Enter to continue, or e and Enter to end it";
+                let line = format!("{} does not continue: {why}; {holds}", self.arm(*part));
                 let keys = self.is_attended.then(|| keys.to_owned());
                 [line].into_iter().chain(keys).collect()
             }
@@ -269,9 +279,7 @@ impl<'a> Teller<'a> {
             return Ok(());
         }
         let most_ms = self.most_ms;
-        let line = format!(
-            "all are through; they were started within {most_ms:.0} ms of each other at the most"
-        );
+        let line = format!("all arms are done; their starts were at most {most_ms:.0} ms apart");
         Ok(output::line(&line)?)
     }
 }

@@ -1,4 +1,4 @@
-//! `dobot fleet work`: drawings and programs for any arm.
+//! `dobot fleet work`: drawings and programs for any suitable arm.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,18 +14,20 @@ use crate::failure::Failure;
 use crate::output;
 use crate::reach::Station;
 
-/// Drawings and programs for any arm of the fleet
+/// Submit drawings and programs to any suitable arm, and track them
 #[derive(Clone, Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
-  dobot fleet work                               what was submitted here, and what has become of it
-  dobot fleet work draw house.svg --needs pen --needs a5 --student Anna --at 210 0 --pen-down -40
+  dobot fleet work                       list the submitted work and its state
+  dobot fleet work draw house.svg --needs pen --needs a5 --student Anna
   dobot fleet work job program.json --needs gripper
-  dobot fleet work cancel 3f                     the work whose number begins so
-  dobot fleet work give 3f                       it is in doubt, and you have looked: another arm is to do it
+  dobot fleet work cancel 3f             cancel the work requirements ID starts with 3f
+  dobot fleet work give 3f               give doubtful work to another arm
 
-An arm takes it that is free and has all that is needed; `dobot up --fleet --offers pen --takes-work` lets a station take
-work. Each is done once. Where nobody knows whether it was done, it is in doubt and waits for a person.")]
+The first free arm with all that is needed takes the work; a station accepts
+work with `dobot up --fleet --offers pen --takes-work`. Each piece of work is
+done once. If it is unknown whether it was done, it is in doubt and waits for a
+person, who looks at the arm before giving it to another one.")]
 pub(super) struct WorkArgs {
     #[command(subcommand)]
     action: Option<Action>,
@@ -33,52 +35,53 @@ pub(super) struct WorkArgs {
 
 #[derive(Clone, Debug, Subcommand)]
 enum Action {
-    /// List the work
+    /// List the submitted work
     List,
-    /// Submit a drawing; the station that takes it plans it for its own arm
+    /// Submit a drawing; the station that takes it plans it for its arm
     Draw(Box<DrawArgs>),
-    /// Submit a job, a JSON file as `dobot jobs submit` takes it
+    /// Submit a job, a JSON file as for `dobot jobs submit`
     Job {
-        /// The file
+        /// Job file
         file: PathBuf,
         #[command(flatten)]
-        whose: WhoseArgs,
+        requirements: RequirementArgs,
     },
-    /// Cancel work that no arm is at
+    /// Cancel work that no arm is doing
     Cancel {
-        /// Its number, or the beginning of it
+        /// ID of the work, or its first characters
         number: String,
     },
-    /// Give work that is in doubt or has failed to another arm, after a look at the first one: what was drawn there may be
-    /// drawn again
+    /// Give work in doubt, or failed work, to another arm
+    ///
+    /// Look at the first arm before: what it has drawn may be drawn again.
     Give {
-        /// Its number, or the beginning of it
+        /// ID of the work, or its first characters
         number: String,
     },
 }
 
-/// A drawing.
+/// Arguments of a drawing.
 #[derive(Clone, Debug, clap::Args)]
 #[command(allow_negative_numbers = true)]
 struct DrawArgs {
-    /// The file to draw; none for a text or a test card
+    /// File to draw (default: none, for a text or a test card)
     file: Option<PathBuf>,
     #[command(flatten)]
     options: DrawingOptions,
     #[command(flatten)]
-    whose: WhoseArgs,
+    requirements: RequirementArgs,
 }
 
-/// Whose it is, and what it needs.
+/// The student and the requirements of work.
 #[derive(Clone, Debug, clap::Args)]
-struct WhoseArgs {
-    /// What an arm has to have for it, as in pen, laser or a5; may be given several times
+struct RequirementArgs {
+    /// Equipment that the arm must have, for example pen, laser or a5; may be repeated
     #[arg(long, value_name = "WORD")]
     needs: Vec<String>,
-    /// Whose it is (default: the name of the token)
+    /// Name of the student (default: the name of the token)
     #[arg(long, value_name = "NAME")]
     student: Option<String>,
-    /// The group of that one
+    /// Group of the student
     #[arg(long, value_name = "NAME")]
     group: Option<String>,
 }
@@ -91,13 +94,17 @@ impl WorkArgs {
             Action::Draw(args) => {
                 let name = args.file.as_deref().map(name).transpose()?;
                 let file = args.file.as_deref().map(read).transpose()?;
-                let file = file.map(|it| BASE64.encode(&it));
+                let file = file.map(|bytes| BASE64.encode(&bytes));
                 let drawing = json!({ "name": name, "file": file, "options": args.options.0 });
-                vec![args.whose.submit(&address, "drawing", drawing).await?]
+                vec![
+                    args.requirements
+                        .submit(&address, "drawing", drawing)
+                        .await?,
+                ]
             }
-            Action::Job { file, whose } => {
+            Action::Job { file, requirements } => {
                 let job = super::super::jobs::read(&file)?;
-                vec![submit_job(&address, &whose, &job).await?]
+                vec![submit_job(&address, &requirements, &job).await?]
             }
             Action::Cancel { number } => {
                 let work = find(&address, &number).await?;
@@ -122,44 +129,44 @@ impl WorkArgs {
 
 async fn submit_job(
     address: &StationAddress,
-    whose: &WhoseArgs,
+    requirements: &RequirementArgs,
     job: &NewJob,
 ) -> Result<WorkView, Failure> {
-    let job = serde_json::to_value(job).context("a job is written")?;
-    whose.submit(address, "job", job).await
+    let job = serde_json::to_value(job).context("cannot write the job")?;
+    requirements.submit(address, "job", job).await
 }
 
-impl WhoseArgs {
+impl RequirementArgs {
     async fn submit(
         &self,
         address: &StationAddress,
-        what: &str,
-        it: Value,
+        key: &str,
+        work: Value,
     ) -> Result<WorkView, Failure> {
         let mut body = json!({ "needs": self.needs, "student": self.student, "group": self.group });
-        body[what] = it;
+        body[key] = work;
         Ok(post(address, WORK, &body).await?)
     }
 }
 
-/// The number of the work whose number begins so.
+/// Finds the work whose ID starts with a text.
 async fn find(address: &StationAddress, number: &str) -> Result<String, Failure> {
     let all: Vec<WorkView> = fetch(address, WORK).await?;
-    let mut found = all.into_iter().filter(|it| it.id.starts_with(number));
+    let mut found = all.into_iter().filter(|work| work.id.starts_with(number));
     match (found.next(), found.next()) {
         (Some(one), None) => Ok(one.id),
         (None, _) => Err(Failure::new(
-            anyhow!("no work has a number that begins with {number}"),
-            "`dobot fleet work` lists all that was submitted to this station",
+            anyhow!("no work has an ID that starts with {number}"),
+            "run `dobot fleet work` to list the work of this station",
         )),
         (Some(_), Some(_)) => Err(Failure::new(
-            anyhow!("several numbers begin with {number}"),
-            "give more of the number",
+            anyhow!("several IDs start with {number}"),
+            "give more characters of the ID",
         )),
     }
 }
 
-/// What a person reads of some work.
+/// Formats the lines about a piece of work.
 fn lines(work: &WorkView) -> Vec<String> {
     let id: String = work.id.chars().take(8).collect();
     let phase = format!("{:?}", work.phase).to_lowercase();
@@ -168,13 +175,18 @@ fn lines(work: &WorkView) -> Vec<String> {
         let place = place(work, &member.name);
         line = format!("{line} ({place})");
     }
-    let reason = work.reason.iter().map(|it| format!("          {it}"));
-    let before = work.before.iter().map(|it| {
-        let name = &it.member.name;
-        format!("          before, at {name}: {}", it.drawn)
+    let reason = work
+        .reason
+        .iter()
+        .map(|reason| format!("          {reason}"));
+    let before = work.before.iter().map(|before| {
+        let name = &before.member.name;
+        format!("          before, at {name}: {}", before.drawn)
     });
-    let doubt = work.doubt.iter().map(|it| {
-        format!("          IN DOUBT: {it}; look there, then `dobot fleet work give {id}` or wait")
+    let doubt = work.doubt.iter().map(|doubt| {
+        format!(
+            "          IN DOUBT: {doubt}; look there, then run `dobot fleet work give {id}` or wait"
+        )
     });
     [line]
         .into_iter()
@@ -184,7 +196,7 @@ fn lines(work: &WorkView) -> Vec<String> {
         .collect()
 }
 
-/// Where it is.
+/// Describes where the work is.
 fn place(work: &WorkView, member: &str) -> String {
     match &work.job {
         Some(job) if work.phase == WorkPhase::Taken => {
@@ -197,8 +209,10 @@ fn place(work: &WorkView, member: &str) -> String {
 }
 
 fn name(file: &Path) -> Result<String, Failure> {
-    let name = file.file_name().map(|it| it.to_string_lossy().into_owned());
-    name.ok_or_else(|| anyhow!("{} is no file", file.display()).into())
+    let name = file
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned());
+    name.ok_or_else(|| anyhow!("{} is not a file", file.display()).into())
 }
 
 fn read(file: &Path) -> Result<Vec<u8>, Failure> {

@@ -1,4 +1,4 @@
-//! `dobot log FILE --export`: a recording as tables.
+//! `dobot log FILE --export`: exports a recording as tables.
 
 use std::ffi::OsStr;
 use std::io::ErrorKind;
@@ -19,19 +19,20 @@ use super::open;
 use crate::failure::Failure;
 use crate::output;
 
-/// What a recording is made into.
+/// Options of an export.
 #[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "Export")]
 pub(super) struct Export {
-    /// Write it as tables instead: csv or parquet (statuses and commands), or lerobot (a dataset)
+    /// Export tables instead: csv or parquet (statuses and commands), or lerobot (a dataset)
     #[arg(long = "export", value_name = "FORM", value_enum, requires = "file", conflicts_with_all = ["json", "topics", "dialect"])]
     form: Option<Form>,
-    /// Where to, instead of beside you under the name of the recording: a file, or the folder of a dataset
+    /// Output file, or the folder of a dataset (default: named after the recording, in the current folder)
     #[arg(short, long, value_name = "OUT", requires = "form")]
     out: Option<PathBuf>,
-    /// What the arm does, in words, for a dataset
-    #[arg(long, value_name = "TEXT", requires = "form")]
+    /// Task description of a dataset
+    #[arg(long, value_name = "TEXT", requires = "form", hide_short_help = true)]
     task: Option<String>,
-    /// Write over files that are there
+    /// Overwrite existing files
     #[arg(long, requires = "form")]
     force: bool,
 }
@@ -48,81 +49,78 @@ impl Export {
         self.form.is_some()
     }
 
-    /// Writes a stretch of a recording, and says what was written.
-    pub(super) fn run(
-        &self,
-        file: &Path,
-        stretch: &RangeInclusive<Duration>,
-    ) -> Result<(), Failure> {
+    /// Exports a range of a recording, and prints what was written.
+    pub(super) fn run(&self, file: &Path, range: &RangeInclusive<Duration>) -> Result<(), Failure> {
         let Some(form) = self.form else {
             return Ok(());
         };
         self.check(form)?;
-        // Nothing is written for a recording that tells nothing.
-        if !holds_packets(&mut open(file)?, stretch) {
+        // Without packets there is nothing to write.
+        if !holds_packets(&mut open(file)?, range) {
             return Err(Failure::new(
                 anyhow!(
-                    "{} holds no packet in that stretch; there is nothing to export",
+                    "{} contains no packet in that range; there is nothing to export",
                     file.display()
                 ),
-                format!("`dobot log {}` prints what it holds", file.display()),
+                format!("run `dobot log {}` to see its contents", file.display()),
             ));
         }
         let out = self.out.clone().unwrap_or_else(|| form.file(file));
         if is_same(file, &out) {
             return Err(Failure::new(
                 anyhow!(
-                    "{} is the recording itself; it is never written over",
+                    "{} is the recording itself, which is never overwritten",
                     out.display()
                 ),
-                "`-o` names another file",
+                "name another file with `-o`",
             ));
         }
         let mut recording = open(file)?;
-        let told = match form {
-            Form::Csv => self.tables(TableForm::Csv, &mut recording, stretch, &out),
+        let summary = match form {
+            Form::Csv => self.tables(TableForm::Csv, &mut recording, range, &out),
             #[cfg(feature = "full")]
-            Form::Parquet => self.tables(TableForm::Parquet, &mut recording, stretch, &out),
+            Form::Parquet => self.tables(TableForm::Parquet, &mut recording, range, &out),
             #[cfg(feature = "full")]
-            Form::Lerobot => self.dataset(&mut recording, stretch, &out),
+            Form::Lerobot => self.dataset(&mut recording, range, &out),
             #[cfg(not(feature = "full"))]
             Form::Parquet | Form::Lerobot => Err(NotBuilt("Parquet and LeRobot").into()),
         }?;
         if let Some(damage) = recording.damage() {
             eprintln!(
-                "warning: {}: {damage}; what could be read is exported",
+                "warning: {}: {damage}; the readable part is exported",
                 file.display()
             );
         }
-        Ok(output::line(&told)?)
+        Ok(output::line(&summary)?)
     }
 
     fn check(&self, form: Form) -> Result<(), Failure> {
         let (option, why) = match form {
-            Form::Lerobot if self.force => ("--force", "a folder is never written over"),
+            Form::Lerobot if self.force => ("--force", "an existing folder is never overwritten"),
             Form::Csv | Form::Parquet if self.task.is_some() => {
                 ("--task", "only a dataset has a task")
             }
             _ => return Ok(()),
         };
-        Err(anyhow!("{option} is given, but {why}").into())
+        Err(Failure::usage(anyhow!("{option} does not apply: {why}"))
+            .with_hint(format!("leave out `{option}`")))
     }
 
     fn tables(
         &self,
         form: TableForm,
         recording: &mut Recording,
-        stretch: &RangeInclusive<Duration>,
+        range: &RangeInclusive<Duration>,
         out: &Path,
     ) -> Result<String, Failure> {
-        let (written, beside) = export_files(recording, stretch, form, out, self.force)
+        let (written, beside) = export_files(recording, range, form, out, self.force)
             .map_err(|error| no_tables(out, error))?;
         Ok(format!(
-            "{}: {} statuses\n{}: {} commands",
+            "{}: {}\n{}: {}",
             out.display(),
-            written.statuses,
+            output::many(written.statuses, "status", "statuses"),
             beside.display(),
-            written.commands
+            output::count(written.commands, "command")
         ))
     }
 
@@ -130,14 +128,14 @@ impl Export {
     fn dataset(
         &self,
         recording: &mut Recording,
-        stretch: &RangeInclusive<Duration>,
+        range: &RangeInclusive<Duration>,
         out: &Path,
     ) -> Result<String, Failure> {
         let task = self.task.as_deref().unwrap_or(TASK);
-        let dataset = export_lerobot(recording, stretch, out, task)
-            .map_err(|error| no_dataset(out, error))?;
+        let dataset =
+            export_lerobot(recording, range, out, task).map_err(|error| no_dataset(out, error))?;
         Ok(format!(
-            "{}: episodes {}, frames {}, left out since they held a single frame {}",
+            "{}: episodes {}, frames {}, episodes omitted because they have a single frame {}",
             out.display(),
             dataset.episodes,
             dataset.frames,
@@ -146,16 +144,16 @@ impl Export {
     }
 }
 
-/// Whether both are one file.
+/// Whether two paths name the same file.
 fn is_same(one: &Path, other: &Path) -> bool {
-    let [one, other] = [one, other].map(|it| it.canonicalize().ok());
+    let [one, other] = [one, other].map(|path| path.canonicalize().ok());
     one.is_some() && one == other
 }
 
 fn no_tables(out: &Path, error: ExportError) -> Failure {
     match &error {
         ExportError::File { source, .. } if source.kind() == ErrorKind::AlreadyExists => {
-            Failure::new(error, "`--force` writes over it")
+            Failure::new(error, "overwrite it with `--force`")
         }
         ExportError::File { .. } => error.into(),
         _ => anyhow::Error::from(error)
@@ -166,12 +164,13 @@ fn no_tables(out: &Path, error: ExportError) -> Failure {
 
 #[cfg(feature = "full")]
 fn no_dataset(out: &Path, error: ExportError) -> Failure {
-    let exists = matches!(&error, ExportError::Io(it) if it.kind() == ErrorKind::AlreadyExists);
+    let exists =
+        matches!(&error, ExportError::Io(source) if source.kind() == ErrorKind::AlreadyExists);
     let error = anyhow::Error::from(error).context(out.display().to_string());
     if exists {
         Failure::new(
             error,
-            "`-o` names another folder; one that is there is never written over",
+            "name a new folder with `-o`; an existing one is never overwritten",
         )
     } else {
         error.into()
@@ -187,13 +186,13 @@ impl Form {
         }
     }
 
-    /// What is written of a recording where nobody says.
+    /// The default output file for a recording.
     fn file(self, recording: &Path) -> PathBuf {
         let name = recording.file_name().unwrap_or(OsStr::new("recording"));
         Path::new(name).with_extension(self.ending())
     }
 }
 
-/// What the arm does where nobody says.
+/// The default task description.
 #[cfg(feature = "full")]
 const TASK: &str = "Move the arm as in the recording.";

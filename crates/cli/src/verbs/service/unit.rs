@@ -1,17 +1,17 @@
-//! The files that tell a system to keep a station running.
+//! Service files of systemd and launchd.
 
 use std::path::{Path, PathBuf};
 
-/// Whose service it is.
+/// The owner of a service.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scope {
-    /// Of the person who installs it: it runs while that person is logged in, or lingers.
+    /// The user who installs it; it runs while the user is logged in or lingers.
     User,
-    /// Of the machine: it runs from the start on.
+    /// The machine; it runs from boot on.
     System,
 }
 
-/// What keeps services running here.
+/// A service manager.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ServiceManager {
     /// systemd.
@@ -20,19 +20,19 @@ pub(super) enum ServiceManager {
     Launchd,
 }
 
-/// What is to be run.
+/// A service to install.
 #[derive(Clone, Debug)]
 pub(super) struct Unit {
     pub(super) scope: Scope,
     pub(super) program: PathBuf,
-    /// The arguments behind `dobot up`.
+    /// The arguments of `dobot up`.
     pub(super) arguments: Vec<String>,
-    /// Where the station keeps its data; its usual place when absent.
+    /// The data folder; the default one if `None`.
     pub(super) data: Option<PathBuf>,
 }
 
 impl Scope {
-    /// The folder of such files.
+    /// The folder of the service file.
     pub(super) fn folder(self, manager: ServiceManager, home: &Path) -> PathBuf {
         match (manager, self) {
             (ServiceManager::Systemd, Self::System) => "/etc/systemd/system".into(),
@@ -42,7 +42,7 @@ impl Scope {
         }
     }
 
-    /// As the option that says it.
+    /// The command line option.
     pub(super) const fn option(self) -> &'static str {
         match self {
             Self::User => "--user",
@@ -52,14 +52,14 @@ impl Scope {
 }
 
 impl ServiceManager {
-    /// The one of this system.
+    /// The service manager of this system.
     pub(super) const HERE: Self = if cfg!(target_os = "macos") {
         Self::Launchd
     } else {
         Self::Systemd
     };
 
-    /// The name of the file.
+    /// The name of the service file.
     pub(super) const fn file(self) -> &'static str {
         match self {
             Self::Systemd => "dobot.service",
@@ -67,7 +67,7 @@ impl ServiceManager {
         }
     }
 
-    /// The file.
+    /// The text of the service file.
     pub(super) fn text(self, unit: &Unit) -> String {
         match self {
             Self::Systemd => systemd(unit),
@@ -75,7 +75,7 @@ impl ServiceManager {
         }
     }
 
-    /// The commands that start it, now and whenever the person or the machine comes back.
+    /// The commands that start the service now and at each login or boot.
     pub(super) fn enable(self, scope: Scope, file: &Path) -> Vec<Vec<String>> {
         match self {
             Self::Systemd => vec![
@@ -86,7 +86,7 @@ impl ServiceManager {
         }
     }
 
-    /// The commands that stop it for good.
+    /// The commands that stop the service permanently.
     pub(super) fn disable(self, scope: Scope, file: &Path) -> Vec<Vec<String>> {
         match self {
             Self::Systemd => vec![systemctl(scope, &["disable", "--now", "dobot"])],
@@ -94,7 +94,7 @@ impl ServiceManager {
         }
     }
 
-    /// The command that tells whether it runs.
+    /// The command that reports whether the service runs.
     pub(super) fn ask(self, scope: Scope) -> Vec<String> {
         match self {
             Self::Systemd => systemctl(scope, &["is-active", "dobot"]),
@@ -103,8 +103,8 @@ impl ServiceManager {
     }
 }
 
-/// The watchdog of a station that was killed gets the time that it needs: what ends the service asks
-/// all of its processes to end, which the watchdog does when it has spoken, and kills only later.
+/// Returns a unit file. Stopping the service first sends a termination signal to all processes and kills
+/// them only later, so that the watchdog of a killed station has enough time.
 fn systemd(unit: &Unit) -> String {
     let (folder, target) = match (unit.scope, &unit.data) {
         (_, Some(data)) => (environment(&data.display().to_string()), unit.scope),
@@ -120,10 +120,10 @@ fn systemd(unit: &Unit) -> String {
     };
     let program = unit.program.display().to_string();
     let words = [program, "up".to_owned()];
-    let words = words.iter().chain(&unit.arguments).map(|it| quoted(it));
+    let words = words.iter().chain(&unit.arguments).map(|word| quoted(word));
     let command = words.collect::<Vec<_>>().join(" ");
     format!(
-        "# Written by `dobot service install`; `dobot service remove` takes it away.
+        "# Written by `dobot service install`; `dobot service remove` removes it.
 [Unit]
 Description=The station of a Dobot Arm
 StartLimitIntervalSec=0
@@ -150,10 +150,10 @@ fn environment(data: &str) -> String {
     format!("Environment={}\n", quoted(&format!("DOBOT_DATA={data}")))
 }
 
-/// A word as systemd reads it: specifiers and variables are meant as they stand.
+/// Quotes a word for systemd, without specifiers and variables.
 fn quoted(word: &str) -> String {
     let word = word.replace('%', "%%").replace('$', "$$");
-    let plain = |it: char| it.is_ascii_alphanumeric() || "-_./:=@,%+".contains(it);
+    let plain = |letter: char| letter.is_ascii_alphanumeric() || "-_./:=@,%+".contains(letter);
     if !word.is_empty() && word.chars().all(plain) {
         return word;
     }
@@ -165,10 +165,10 @@ fn launchd(unit: &Unit) -> String {
     let program = unit.program.display().to_string();
     let words = [program, "up".to_owned()];
     let words = words.iter().chain(&unit.arguments);
-    let words = words.map(|it| format!("    <string>{}</string>\n", escaped(it)));
+    let words = words.map(|word| format!("    <string>{}</string>\n", escaped(word)));
     let words: String = words.collect();
-    let data = unit.data.as_ref().map_or_else(String::new, |it| {
-        let data = escaped(&it.display().to_string());
+    let data = unit.data.as_ref().map_or_else(String::new, |data| {
+        let data = escaped(&data.display().to_string());
         format!(
             "  <key>EnvironmentVariables</key>\n  <dict>\n    <key>DOBOT_DATA</key>\n    <string>{data}</string>\n  </dict>\n"
         )
@@ -214,7 +214,7 @@ fn launchctl(action: &str, file: &Path) -> Vec<String> {
 }
 
 fn words(words: &[&str]) -> Vec<String> {
-    words.iter().map(|it| (*it).to_owned()).collect()
+    words.iter().map(|word| (*word).to_owned()).collect()
 }
 
 #[cfg(test)]

@@ -1,55 +1,55 @@
-//! What the keys of `dobot teach` mean, beside those of the pendant.
+//! The keys of `dobot teach`, in addition to those of the pendant.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-/// What a key means for the program.
+/// The action of a key on the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TeachKey {
-    /// The point where the arm is, and a step that goes there.
+    /// Add the current point, and a step that moves there.
     Capture,
-    /// The way of the steps that are taught from now on.
+    /// Change the path of new steps.
     NextPath,
-    /// The step before, or the one behind.
+    /// Select the previous or next step.
     Cursor {
-        /// The one behind.
+        /// The next one.
         down: bool,
     },
-    /// The step at the cursor moves.
+    /// Move the selected step.
     Shift {
-        /// Behind the next one.
+        /// After the next one.
         down: bool,
     },
-    /// The step at the cursor goes away.
+    /// Remove the selected step.
     Remove,
-    /// What the last key changed is taken back.
+    /// Undo the last change.
     Undo,
-    /// What was taken back is changed again.
+    /// Redo the last undone change.
     Redo,
-    /// A pause.
+    /// Add a pause.
     Pause,
-    /// The recording of the jogged path begins or ends.
+    /// Start or end the recording of the jogged path.
     Record,
-    /// The pump is switched, here and in the program.
+    /// Switch the pump, also in the program.
     Suction(bool),
-    /// The program is run once, or goes on.
+    /// Run the program once, or resume it.
     Run,
-    /// It is run again and again.
+    /// Run it repeatedly.
     Loop,
-    /// It is run from the step at the cursor on.
+    /// Run it from the selected step on.
     RunFromHere,
-    /// Its next step is done.
+    /// Run its next step.
     Step,
-    /// What runs is paused.
+    /// Pause it.
     PauseJob,
-    /// What runs or is paused ends for good.
+    /// End it.
     CancelJob,
-    /// The program is written to its file.
+    /// Save the program.
     Save,
-    /// The person leaves.
+    /// Quit.
     Quit,
 }
 
-/// The meaning of a key that is pressed; `None` where it is one of the pendant.
+/// Returns the action of a pressed key; `None` for a key of the pendant.
 pub(crate) fn teach_key(key: &KeyEvent) -> Option<TeachKey> {
     if key.modifiers.contains(KeyModifiers::CONTROL) {
         return None;

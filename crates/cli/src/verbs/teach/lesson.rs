@@ -1,4 +1,4 @@
-//! The program that is being taught: what each key changes in it.
+//! The program that is being taught.
 
 use dobot_host::PlannedFor;
 use std::collections::BTreeMap;
@@ -10,11 +10,11 @@ use dobot_teach::{
 };
 use dobot_wire::MovingMode;
 
-/// A program, and the step at which it is being taught.
+/// A program with a cursor and an undo history.
 #[derive(Debug)]
 pub(crate) struct Lesson {
     title: String,
-    /// None until the first point was taught: a program has a step.
+    /// `None` before the first point: a program has at least one step.
     document: Option<ProgramDocument>,
     cursor: usize,
     done: Vec<Done>,
@@ -22,39 +22,39 @@ pub(crate) struct Lesson {
     saved: String,
 }
 
-/// What one key has changed.
+/// The change of one key.
 #[derive(Clone, Copy, Debug)]
 struct Done {
-    /// How many changes of the text that were; none where it began the program.
+    /// The number of edits of the text; 0 if it created the program.
     changes: usize,
-    /// Where the cursor was.
+    /// The cursor before.
     cursor: usize,
 }
 
-/// What was taken back last.
+/// An undone change.
 #[derive(Clone, Debug)]
 struct Undone {
-    /// How many changes of the text that were.
+    /// The number of edits of the text.
     changes: usize,
-    /// The program, where it had begun with that.
+    /// The program, if the change had created it.
     begun: Option<ProgramDocument>,
-    /// Where the cursor was.
+    /// The cursor before.
     cursor: usize,
 }
 
-/// Which part of a program is run.
+/// The part of a program to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// All of it, as it says itself.
+    /// The whole program, as often as it says.
     All,
-    /// All of it again and again, until a person ends it.
+    /// The whole program, until a person ends it.
     Loop,
-    /// From the step at the cursor on.
+    /// From the selected step on.
     FromHere,
 }
 
 impl Lesson {
-    /// A new program.
+    /// Creates a new program.
     pub(crate) const fn new(title: String) -> Self {
         Self {
             title,
@@ -66,11 +66,11 @@ impl Lesson {
         }
     }
 
-    /// Goes on with a program; new steps come behind its last one.
+    /// Reads a program; new steps are added after its last one.
     ///
     /// # Errors
     ///
-    /// [`ProgramError`] where it is none, or cannot be edited.
+    /// [`ProgramError`] if the text is not a program or cannot be edited.
     pub(crate) fn of_text(text: &str) -> Result<Self, ProgramError> {
         let document = ProgramDocument::new(text)?;
         Ok(Self {
@@ -81,35 +81,35 @@ impl Lesson {
         })
     }
 
-    /// The text as it is now; empty before the first point.
+    /// The current text; empty before the first point.
     pub(crate) fn text(&self) -> String {
         self.document
             .as_ref()
             .map_or_else(String::new, ProgramDocument::text)
     }
 
-    /// Whether something was changed since it was saved.
+    /// Whether the program has unsaved changes.
     pub(crate) fn is_changed(&self) -> bool {
         self.text() != self.saved
     }
 
-    /// Takes that this text was saved.
+    /// Handles that a text was saved.
     pub(crate) fn handle_saved(&mut self, text: String) {
         self.saved = text;
     }
 
-    /// The steps, a line for each, as they stand in the text.
+    /// The steps, one line each, as in the text.
     pub(crate) fn lines(&self) -> Vec<String> {
         let steps = self.steps();
-        steps.0.iter().map(|it| line(it.get_ref())).collect()
+        steps.0.iter().map(|step| line(step.get_ref())).collect()
     }
 
-    /// The step at which new ones come behind.
+    /// The selected step, after which new ones are added.
     pub(crate) const fn cursor(&self) -> usize {
         self.cursor
     }
 
-    /// Goes to the step before or behind.
+    /// Selects the previous or next step.
     pub(crate) fn move_cursor(&mut self, down: bool) {
         let last = self.count().saturating_sub(1);
         self.cursor = if down {
@@ -119,7 +119,7 @@ impl Lesson {
         };
     }
 
-    /// Teaches where the arm is: a point, and a step that goes there. Gives the point's name.
+    /// Adds the current position as a point with a step that moves there. Returns the name of the point.
     pub(crate) fn capture(
         &mut self,
         place: &RecordedPlace,
@@ -147,7 +147,7 @@ impl Lesson {
         Ok(name)
     }
 
-    /// Teaches a path that was jogged: straight lines through its places.
+    /// Adds a jogged path as straight lines through its positions.
     pub(crate) fn add_path(&mut self, places: &[RecordedPlace]) -> Result<(), ProgramError> {
         let actions = path_steps(places, self.tool_before());
         if self.document.is_none() {
@@ -165,8 +165,8 @@ impl Lesson {
         })
     }
 
-    /// Teaches that the pump is switched here. It is not taught before the first point, nor where the
-    /// program has it so already; says whether it was.
+    /// Adds a switch of the pump, unless there is no point yet or the program has already switched it.
+    /// Returns whether it was added.
     pub(crate) fn switch_suction(&mut self, on: bool) -> Result<bool, ProgramError> {
         if self.document.is_none() || self.tool_before().suction == on {
             return Ok(false);
@@ -179,12 +179,12 @@ impl Lesson {
         self.insert(Action::Here(here)).map(|()| true)
     }
 
-    /// Teaches that the arm waits here.
+    /// Adds a pause.
     pub(crate) fn pause(&mut self) -> Result<(), ProgramError> {
         self.insert(Action::Here(WAIT))
     }
 
-    /// Takes the step at the cursor away.
+    /// Removes the selected step.
     pub(crate) fn remove(&mut self) -> Result<(), ProgramError> {
         let cursor = self.cursor;
         self.change(|document, _| {
@@ -196,7 +196,7 @@ impl Lesson {
         })
     }
 
-    /// Moves the step at the cursor up or down.
+    /// Moves the selected step up or down.
     pub(crate) fn shift(&mut self, down: bool) -> Result<(), ProgramError> {
         let from = self.cursor;
         let to = if down {
@@ -204,7 +204,7 @@ impl Lesson {
         } else {
             from.checked_sub(1)
         };
-        let Some(to) = to.filter(|it| *it < self.count()) else {
+        let Some(to) = to.filter(|index| *index < self.count()) else {
             return Ok(());
         };
         self.change(|document, _| {
@@ -216,7 +216,7 @@ impl Lesson {
         })
     }
 
-    /// Takes back what the last key has changed; `false` where there is nothing.
+    /// Undoes the change of the last key; returns `false` if there is none.
     pub(crate) fn undo(&mut self) -> bool {
         let Some(done) = self.done.pop() else {
             return false;
@@ -236,7 +236,7 @@ impl Lesson {
         true
     }
 
-    /// Makes again what was taken back last; `false` where there is nothing.
+    /// Redoes the last undone change; returns `false` if there is none.
     pub(crate) fn redo(&mut self) -> bool {
         let Some(undone) = self.undone.pop() else {
             return false;
@@ -255,19 +255,19 @@ impl Lesson {
         true
     }
 
-    /// The job of a part of it; `files` gives the programs that it calls and its drawings. The cursor goes to a step
-    /// that cannot be done.
+    /// Creates the job of a part of the program; `files` provides called programs and drawings. Selects a step that
+    /// cannot be executed.
     ///
     /// # Errors
     ///
-    /// Why it cannot be run, in one line.
+    /// The reason why it cannot be run, in one line.
     pub(crate) fn job(
         &mut self,
         part: Part,
         files: &mut dyn Files,
         arm: &PlannedFor,
     ) -> Result<NewJob, String> {
-        let program = self.program().ok_or("there is no step yet")?;
+        let program = self.program().ok_or("the program has no step yet")?;
         let compiled = match part {
             Part::Loop => compile(&looped(program.clone()), arm, files)?,
             Part::All => compile(&program, arm, files)?,
@@ -276,25 +276,26 @@ impl Lesson {
                     .steps
                     .0
                     .get(self.cursor)
-                    .map(|it| program.line_of(it));
+                    .map(|step| program.line_of(step));
                 let compiled = compile(&program, arm, files)?;
-                let here =
-                    |it: &dobot_teach::CompiledStep| it.file.is_none() && Some(it.line) >= line;
+                let here = |step: &dobot_teach::CompiledStep| {
+                    step.file.is_none() && Some(step.line) >= line
+                };
                 let step = compiled.steps.iter().position(here);
-                let rest = step.and_then(|it| compiled.from_step(it));
-                rest.ok_or("nothing is done from this step on")?
+                let rest = step.and_then(|index| compiled.from_step(index));
+                rest.ok_or("the program does nothing from this step on")?
             }
         };
         let report = check(&compiled, &arm.rules.policy, arm.model());
         if let Some(first) = report.problems.first() {
             let own = program.steps.0.iter();
-            let mut lines = own.map(|it| program.line_of(it));
+            let mut lines = own.map(|step| program.line_of(step));
             if first.file.is_none()
                 && let Some(at) = lines.rposition(|line| line <= first.line)
             {
                 self.cursor = at;
             }
-            return Err(told(first, report.problems.len() - 1));
+            return Err(problem_text(first, report.problems.len() - 1));
         }
         let mut job = compiled.job();
         if job.title.is_empty() {
@@ -308,7 +309,8 @@ impl Lesson {
     }
 
     fn steps(&self) -> Steps {
-        self.program().map_or_else(Steps::default, |it| it.steps)
+        self.program()
+            .map_or_else(Steps::default, |program| program.steps)
     }
 
     fn count(&self) -> usize {
@@ -323,7 +325,7 @@ impl Lesson {
         let mut program = Program::new(actions.clone());
         program.title.clone_from(&self.title);
         if !points.is_empty() {
-            // No step may name a point that is not there yet.
+            // No step may name a point that does not exist yet.
             program.steps = Steps::new(vec![Action::Here(WAIT)]);
         }
         let mut document = ProgramDocument::new(&program.to_toml())?;
@@ -358,7 +360,7 @@ impl Lesson {
         })
     }
 
-    /// Changes the program behind the cursor, as one thing to be undone.
+    /// Edits the program after the cursor, as one change to undo.
     fn change(
         &mut self,
         edit: impl FnOnce(&mut ProgramDocument, usize) -> Result<Edited, ProgramError>,
@@ -379,11 +381,14 @@ impl Lesson {
         Ok(())
     }
 
-    /// A name that no point has.
+    /// An unused name for a point.
     fn free_name(&self) -> String {
-        let points = self.program().map(|it| it.points).unwrap_or_default();
-        let names = (1..=points.len() + 1).map(|it| format!("p{it}"));
-        let mut free = names.filter(|it| !points.contains_key(it));
+        let points = self
+            .program()
+            .map(|program| program.points)
+            .unwrap_or_default();
+        let names = (1..=points.len() + 1).map(|number| format!("p{number}"));
+        let mut free = names.filter(|name| !points.contains_key(name));
         free.next().unwrap_or_default()
     }
 
@@ -391,7 +396,7 @@ impl Lesson {
         self.tool_before().changes_to(place)
     }
 
-    /// How the program leaves the tool behind the cursor.
+    /// The state of the tool after the selected step.
     fn tool_before(&self) -> ToolState {
         let steps = self.steps();
         let until = (self.cursor + 1).min(steps.0.len());
@@ -399,20 +404,20 @@ impl Lesson {
     }
 }
 
-/// What an edit came to: how many changes of the text, and where the cursor is then.
+/// The result of an edit: the number of edits of the text, and the new cursor.
 struct Edited {
     changes: usize,
     cursor: usize,
 }
 
-/// All of a program again and again.
+/// Repeats a whole program forever.
 fn looped(mut program: Program) -> Program {
-    let repeats = |it: &Action| matches!(it, Action::Repeat(Times::Forever, _));
+    let repeats = |action: &Action| matches!(action, Action::Repeat(Times::Forever, _));
     if !program
         .steps
         .0
         .last()
-        .is_some_and(|it| repeats(it.get_ref()))
+        .is_some_and(|step| repeats(step.get_ref()))
     {
         let steps = std::mem::take(&mut program.steps);
         program.steps = Steps::new(vec![Action::Repeat(Times::Forever, steps)]);
@@ -420,8 +425,8 @@ fn looped(mut program: Program) -> Program {
     program
 }
 
-/// The first problem, and how many there are besides.
-fn told(first: &Problem, more: usize) -> String {
+/// Formats the first problem and the number of others.
+fn problem_text(first: &Problem, more: usize) -> String {
     let Problem {
         step,
         message,
@@ -444,7 +449,7 @@ fn nothing_yet() -> ProgramError {
     ProgramError {
         file: None,
         line: None,
-        reason: "there is no step yet; teach a point first".to_owned(),
+        reason: "the program has no step yet; add a point first".to_owned(),
     }
 }
 
@@ -453,12 +458,12 @@ fn line(action: &Action) -> String {
     let text = Program::new(vec![action.clone()]).to_toml();
     let lines = text.lines().map(str::trim);
     let lines: Vec<&str> = lines
-        .filter(|it| !it.is_empty() && *it != "[[steps]]")
+        .filter(|line| !line.is_empty() && *line != "[[steps]]")
         .collect();
     lines.join(", ")
 }
 
-/// How long an arm waits with the pump, in seconds, until it holds or has let go.
+/// The pause after switching the pump, in seconds.
 const GRIP_S: f64 = 0.5;
 const WAIT: Here = Here {
     suction: None,

@@ -1,4 +1,4 @@
-//! The screen of `dobot teach`, as a pure function of what is known and of the terminal's size.
+//! The screen of `dobot teach`, as a pure function of the state and of the terminal's size.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -7,11 +7,12 @@ use ratatui::text::{Line, Span};
 
 use super::teacher::Teacher;
 use crate::follow::place;
+use crate::output;
 use crate::pendant::{alarm, answer, held, key_line, move_lines};
 use crate::verbs::watch::panels;
 
-/// Draws everything.
-pub(crate) fn draw(frame: &mut Frame, it: &Teacher) {
+/// Draws the screen.
+pub(crate) fn draw(frame: &mut Frame, teacher: &Teacher) {
     let rows = [
         Constraint::Length(1),
         Constraint::Length(1),
@@ -21,23 +22,23 @@ pub(crate) fn draw(frame: &mut Frame, it: &Teacher) {
         Constraint::Length(1),
     ];
     let [top, alarm_row, arm, program, keys, bottom] = Layout::vertical(rows).areas(frame.area());
-    frame.render_widget(held(&it.pendant), top);
-    frame.render_widget(alarm(&it.pendant), alarm_row);
-    if let Some(state) = it.pendant.state() {
+    frame.render_widget(held(&teacher.pendant), top);
+    frame.render_widget(alarm(&teacher.pendant), alarm_row);
+    if let Some(state) = teacher.pendant.state() {
         panels::arm(frame, arm, state);
     }
-    program_panel(frame, program, it);
-    panels::panel(frame, keys, "keys", keys_of(it));
-    frame.render_widget(answer(&it.pendant), bottom);
+    program_panel(frame, program, teacher);
+    panels::panel(frame, keys, "keys", keys_of(teacher));
+    frame.render_widget(answer(&teacher.pendant), bottom);
 }
 
-/// The steps around the cursor, below what is going on.
-fn program_panel(frame: &mut Frame, area: Rect, it: &Teacher) {
+/// The state line and the steps around the cursor.
+fn program_panel(frame: &mut Frame, area: Rect, teacher: &Teacher) {
     let rows = usize::from(area.height.saturating_sub(3));
-    let steps = it.lesson.lines();
-    let cursor = it.lesson.cursor();
+    let steps = teacher.lesson.lines();
+    let cursor = teacher.lesson.cursor();
     let skipped = (cursor + 1).saturating_sub(rows);
-    let mut lines = vec![going_on(it)];
+    let mut lines = vec![state_line(teacher)];
     let shown = steps.into_iter().enumerate().skip(skipped).take(rows);
     lines.extend(shown.map(|(index, text)| {
         let text = format!("{} {:3}  {text}", mark(index == cursor), index + 1);
@@ -51,17 +52,23 @@ const fn mark(is_cursor: bool) -> char {
     if is_cursor { '▶' } else { ' ' }
 }
 
-/// The file, the way of the next step, the recording and the job.
-fn going_on(it: &Teacher) -> Line<'static> {
-    let changed = if it.lesson.is_changed() { "*" } else { "" };
+/// The state line: the file, the path of the next step, the recording and the job.
+fn state_line(teacher: &Teacher) -> Line<'static> {
+    let changed = if teacher.lesson.is_changed() { "*" } else { "" };
     let mut spans: Vec<Span> = vec![
-        format!("{}{changed}  ", it.file.display()).into(),
-        format!("next step: {:?}  ", it.path).to_lowercase().dim(),
+        format!("{}{changed}  ", teacher.file.display()).into(),
+        format!("next step: {:?}  ", teacher.path)
+            .to_lowercase()
+            .dim(),
     ];
-    if let Some(places) = it.recorded() {
-        spans.push(format!("RECORDING {places} places  ").red().bold());
+    if let Some(places) = teacher.recorded() {
+        spans.push(
+            format!("RECORDING {}  ", output::count(places, "position"))
+                .red()
+                .bold(),
+        );
     }
-    if let Some(job) = it.job() {
+    if let Some(job) = teacher.job() {
         let phase = format!("{:?}", job.phase).to_lowercase();
         let how_far = job.program.as_ref().map(place).unwrap_or_default();
         spans.push(format!("job {} {phase}: {how_far}", job.job).cyan());
@@ -69,12 +76,12 @@ fn going_on(it: &Teacher) -> Line<'static> {
     Line::from(spans)
 }
 
-fn keys_of(it: &Teacher) -> Vec<Line<'static>> {
-    let mut lines = move_lines(&it.pendant);
+fn keys_of(teacher: &Teacher) -> Vec<Line<'static>> {
+    let mut lines = move_lines(&teacher.pendant);
     lines.extend([
         key_line(&[
-            ("Enter", "teach point"),
-            ("m", "way"),
+            ("Enter", "add point"),
+            ("m", "path"),
             ("u j", "pump on, off"),
             ("t", "pause"),
             ("v", "record"),
@@ -92,7 +99,7 @@ fn keys_of(it: &Teacher) -> Vec<Line<'static>> {
             ("n", "one step"),
             ("p", "pause"),
             ("x", "end"),
-            ("w q", "save, leave"),
+            ("w q", "save, quit"),
         ]),
     ]);
     lines

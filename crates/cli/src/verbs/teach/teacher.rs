@@ -15,6 +15,7 @@ use ratatui::Frame;
 use super::keys::{TeachKey, teach_key};
 use super::lesson::{Lesson, Part};
 use super::screen;
+use crate::output;
 use crate::pendant::{Panel, Pendant};
 use crate::program_file::files_beside;
 
@@ -28,46 +29,46 @@ pub(crate) struct Teacher {
     settings: Settings,
     recording: Option<Vec<RecordedPlace>>,
     captured: Option<RecordedPlace>,
-    job: Option<Taught>,
-    /// What is done with the job that was submitted, once the station has told its number.
+    job: Option<TaughtJob>,
+    /// How the submitted job is started, once the station has replied with its number.
     submitting: Option<JobStart>,
-    /// What starts the job, as soon as the arm rests.
+    /// The request that starts the job as soon as the arm is at rest.
     starting: Option<Request>,
-    /// How often the arm did not rest yet when that was asked.
+    /// The number of refused starts because the arm was still moving.
     tries: u8,
     is_saving: bool,
-    leaves_unsaved: bool,
+    quits_unsaved: bool,
 }
 
-/// What a person has said before.
+/// The settings of the command line.
 #[derive(Debug)]
 pub(crate) struct Settings {
-    /// How far the steps of a jogged path may be from it, in millimetres.
+    /// The maximum deviation of the steps of a jogged path, in mm.
     pub(crate) tolerance_mm: f64,
-    /// What the program may do.
+    /// The rules for the program.
     pub(crate) rules: Arc<Rules>,
-    /// For how long the laser may be on when a program is run that burns.
+    /// The time to arm the laser for a program that burns.
     pub(crate) arm_laser: Option<Duration>,
 }
 
-/// The job of a program, and of which text it was made.
+/// The job of a program, and the text that it was created from.
 #[derive(Debug)]
-struct Taught {
+struct TaughtJob {
     job: u64,
     text: String,
 }
 
-/// How a job is started.
+/// The extent of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum JobStart {
-    /// Until it is over.
+    /// To the end.
     Run,
-    /// For one step.
+    /// One step.
     Step,
 }
 
 impl Teacher {
-    /// Teaches a program that stands, or will stand, in a file.
+    /// Teaches a program in a file, which may not exist yet.
     pub(crate) const fn new(
         pendant: Pendant,
         lesson: Lesson,
@@ -87,43 +88,43 @@ impl Teacher {
             starting: None,
             tries: 0,
             is_saving: false,
-            leaves_unsaved: false,
+            quits_unsaved: false,
         }
     }
 
-    /// How many places of a jogged path were recorded; none where nothing is recorded.
+    /// The number of recorded positions of a jogged path; `None` if nothing is recorded.
     pub(super) fn recorded(&self) -> Option<usize> {
         self.recording.as_ref().map(Vec::len)
     }
 
-    /// The job of the program, as the station tells it.
+    /// The job of the program, as the station reports it.
     pub(super) fn job(&self) -> Option<&JobView> {
         let own = self.job.as_ref()?.job;
         let job = self.pendant.state()?.job.as_ref();
-        job.filter(|it| it.job == own)
+        job.filter(|job| job.job == own)
     }
 
     fn handle_key(&mut self, key: TeachKey) {
-        self.pendant.let_go();
+        self.pendant.release();
         let captured = self.captured.take();
-        let leaves_unsaved = std::mem::take(&mut self.leaves_unsaved);
+        let quits_unsaved = std::mem::take(&mut self.quits_unsaved);
         match key {
             TeachKey::Capture => self.capture(captured),
             TeachKey::NextPath => self.path = next_path(self.path),
             TeachKey::Cursor { down } => self.lesson.move_cursor(down),
             TeachKey::Shift { down } => {
                 let done = self.lesson.shift(down);
-                self.tell_error(done);
+                self.show_error(done);
             }
             TeachKey::Remove => {
                 let done = self.lesson.remove();
-                self.tell_error(done);
+                self.show_error(done);
             }
             TeachKey::Undo => self.undo(),
             TeachKey::Redo => self.redo(),
             TeachKey::Pause => {
                 let done = self.lesson.pause();
-                self.tell_error(done);
+                self.show_error(done);
             }
             TeachKey::Record => self.record(),
             TeachKey::Suction(on) => self.switch_suction(on),
@@ -134,27 +135,27 @@ impl Teacher {
             TeachKey::PauseJob => self.pendant.ask(Request::PauseJob),
             TeachKey::CancelJob => self.cancel(),
             TeachKey::Save => self.is_saving = true,
-            TeachKey::Quit => self.quit(leaves_unsaved),
+            TeachKey::Quit => self.quit(quits_unsaved),
         }
     }
 
-    /// Where the arm rests, if that is known for sure.
+    /// The position of an arm at rest with a confirmed pose.
     fn place(&self) -> Result<RecordedPlace, &'static str> {
-        let untrusted = "the pose is not trusted, and a point taught now would lie elsewhere";
+        let untrusted = "the pose is not confirmed, so that a point taught now would be wrong";
         let status = self.pendant.resting(untrusted)?;
         Ok(RecordedPlace::of(status))
     }
 
-    /// Enter that is held repeats: a place is taught once, until another key is pressed.
+    /// Adds the current position once, even if Enter repeats.
     fn capture(&mut self, before: Option<RecordedPlace>) {
         let place = match self.place() {
             Ok(place) => place,
-            Err(why) => return self.pendant.tell(format!("not taught: {why}")),
+            Err(why) => return self.pendant.show(format!("not taught: {why}")),
         };
         if before != Some(place) {
             match self.lesson.capture(&place, self.path) {
-                Ok(name) => self.pendant.tell(format!("{name} is taught")),
-                Err(error) => self.pendant.tell(error.to_string()),
+                Ok(name) => self.pendant.show(format!("added {name}")),
+                Err(error) => self.pendant.show(error.to_string()),
             }
         }
         self.captured = Some(place);
@@ -162,13 +163,13 @@ impl Teacher {
 
     fn undo(&mut self) {
         if !self.lesson.undo() {
-            self.pendant.tell("there is nothing to undo".into());
+            self.pendant.show("nothing to undo".into());
         }
     }
 
     fn redo(&mut self) {
         if !self.lesson.redo() {
-            self.pendant.tell("there is nothing to redo".into());
+            self.pendant.show("nothing to redo".into());
         }
     }
 
@@ -177,46 +178,46 @@ impl Teacher {
             self.recording = Some(Vec::new());
             return self
                 .pendant
-                .tell("the path is recorded: jog, then v again".into());
+                .show("recording the path: jog, then press v again".into());
         };
         let kept = simplified(&places, self.settings.tolerance_mm);
         if kept.len() < 2 {
             return self
                 .pendant
-                .tell("nothing was jogged, so nothing is taught".into());
+                .show("nothing was jogged; no steps were added".into());
         }
         let text = format!(
-            "{} places became {} steps, within {} mm",
-            places.len(),
-            kept.len(),
+            "{} became {}, within {} mm",
+            output::count(places.len(), "position"),
+            output::count(kept.len(), "step"),
             self.settings.tolerance_mm
         );
         match self.lesson.add_path(&kept) {
-            Ok(()) => self.pendant.tell(text),
-            Err(error) => self.pendant.tell(error.to_string()),
+            Ok(()) => self.pendant.show(text),
+            Err(error) => self.pendant.show(error.to_string()),
         }
     }
 
-    /// The arm does it, and the program from here on too; in a recording the places say it.
+    /// Switches the pump, also in the program; recorded positions contain it.
     fn switch_suction(&mut self, on: bool) {
         self.pendant.switch_suction(on);
         if self.recording.is_none() {
             let done = self.lesson.switch_suction(on).map(|_| ());
-            self.tell_error(done);
+            self.show_error(done);
         }
     }
 
     fn run(&mut self, part: Part, start: JobStart) {
-        let phase = self.job().map(|it| it.phase);
+        let phase = self.job().map(|job| job.phase);
         if phase == Some(JobPhase::Running) {
-            let text = "it runs: p pauses it, x ends it, Space stops the arm";
-            return self.pendant.tell(text.into());
+            let text = "running: p pauses, x ends, Space stops the arm";
+            return self.pendant.show(text.into());
         }
         let text = self.lesson.text();
         if let Some(own) = &self.job
             && phase == Some(JobPhase::Paused)
         {
-            // One that was changed since, or is to begin elsewhere, begins anew.
+            // A changed program, or another start, needs a new job.
             if own.text == text && part == Part::All {
                 return self.pendant.ask(start.request(own.job));
             }
@@ -237,18 +238,18 @@ impl Teacher {
                 self.submitting = Some(start);
                 self.pendant.ask(Request::SubmitJob { job, key: None });
             }
-            Err(why) => self.pendant.tell(format!("not run: {why}")),
+            Err(why) => self.pendant.show(format!("not run: {why}")),
         }
     }
 
-    /// Has the laser armed for a program that burns; says whether the program may run.
+    /// Arms the laser for a program that burns; returns whether the program may run.
     fn arm_laser(&mut self, job: &NewJob) -> bool {
         if !job.commands.iter().any(burns) {
             return true;
         }
-        let Some(for_s) = self.settings.arm_laser.map(|it| it.as_secs_f64()) else {
-            self.pendant.tell(
-                "not run: it burns. Leave, and teach with --arm-laser SECONDS: everybody's goggles are on".into(),
+        let Some(for_s) = self.settings.arm_laser.map(|time| time.as_secs_f64()) else {
+            self.pendant.show(
+                "not run: it uses the laser; quit, put on goggles, and teach with --arm-laser SECONDS".into(),
             );
             return false;
         };
@@ -257,25 +258,25 @@ impl Teacher {
     }
 
     fn cancel(&mut self) {
-        match self.job().map(|it| it.job) {
+        match self.job().map(|job| job.job) {
             Some(job) => self.pendant.ask(Request::CancelJob { job }),
-            None => self.pendant.tell("no program runs".into()),
+            None => self.pendant.show("no program is running".into()),
         }
     }
 
-    fn quit(&mut self, leaves_unsaved: bool) {
-        if self.lesson.is_changed() && !leaves_unsaved {
-            self.leaves_unsaved = true;
-            return self
-                .pendant
-                .tell("the program is not saved: w saves it, q leaves without".into());
+    fn quit(&mut self, quits_unsaved: bool) {
+        if self.lesson.is_changed() && !quits_unsaved {
+            self.quits_unsaved = true;
+            return self.pendant.show(
+                "the program is not saved: press w to save, q to quit without saving".into(),
+            );
         }
         self.pendant.quit();
     }
 
-    fn tell_error(&mut self, done: Result<(), ProgramError>) {
+    fn show_error(&mut self, done: Result<(), ProgramError>) {
         if let Err(error) = done {
-            self.pendant.tell(error.to_string());
+            self.pendant.show(error.to_string());
         }
     }
 }
@@ -288,14 +289,14 @@ impl Panel for Teacher {
     fn handle_event(&mut self, now: Duration, event: &Event) {
         let pressed = |key: &KeyEvent| key.kind != KeyEventKind::Release;
         let key = event.as_key_event().filter(pressed);
-        match key.and_then(|it| teach_key(&it)) {
-            // What is held down is meant once, but for the way through the steps.
+        match key.and_then(|key| teach_key(&key)) {
+            // A held key counts once, except for moving the cursor.
             Some(meaning) if is_meant(key, meaning) => self.handle_key(meaning),
             Some(_) => {}
             None => {
                 if key.is_some() {
                     self.captured = None;
-                    self.leaves_unsaved = false;
+                    self.quits_unsaved = false;
                 }
                 self.pendant.handle_event(now, event);
             }
@@ -305,7 +306,7 @@ impl Panel for Teacher {
     fn handle_state(&mut self, state: State) {
         if let (Some(places), Some(arm)) = (&mut self.recording, &state.arm) {
             let place = RecordedPlace::of(&arm.status);
-            if places.last() != Some(&place) && places.len() < MOST_PLACES {
+            if places.last() != Some(&place) && places.len() < MAX_PLACES {
                 places.push(place);
             }
         }
@@ -314,8 +315,8 @@ impl Panel for Teacher {
         } else if rests(&state)
             && let Some(request) = self.starting.take()
         {
-            // The person who resumes the job has seen what it waits for.
-            if let Some(job) = state.job.as_ref().filter(|it| it.waits_for_person) {
+            // The person who resumes the job has done what it waits for.
+            if let Some(job) = state.job.as_ref().filter(|job| job.waits_for_person) {
                 self.pendant.ask(Request::ConfirmJob { job: job.job });
             }
             self.pendant.ask(request);
@@ -329,7 +330,7 @@ impl Panel for Teacher {
         {
             self.starting = Some(start.request(job.job));
             self.tries = 0;
-            self.job = Some(Taught {
+            self.job = Some(TaughtJob {
                 job: job.job,
                 text: self.lesson.text(),
             });
@@ -339,7 +340,7 @@ impl Panel for Teacher {
 
     fn handle_refused(&mut self, request: &Request, kind: Option<&str>, why: String) {
         let starts = matches!(request, Request::StartJob { .. } | Request::StepJob { .. });
-        if starts && kind == Some("still-moving") && self.tries < MOST_TRIES {
+        if starts && kind == Some("still-moving") && self.tries < MAX_TRIES {
             self.tries += 1;
             self.starting = Some(request.clone());
             return;
@@ -359,12 +360,10 @@ impl Panel for Teacher {
         let name = self.file.display();
         match saved {
             Ok(()) => {
-                self.pendant.tell(format!("{name} is saved"));
+                self.pendant.show(format!("saved {name}"));
                 self.lesson.handle_saved(text);
             }
-            Err(error) => self
-                .pendant
-                .tell(format!("{name} cannot be written: {error}")),
+            Err(error) => self.pendant.show(format!("cannot write {name}: {error}")),
         }
     }
 
@@ -383,7 +382,7 @@ impl JobStart {
 }
 
 fn is_meant(key: Option<KeyEvent>, meaning: TeachKey) -> bool {
-    let repeats = key.is_some_and(|it| it.kind == KeyEventKind::Repeat);
+    let repeats = key.is_some_and(|key| key.kind == KeyEventKind::Repeat);
     !repeats || matches!(meaning, TeachKey::Cursor { .. })
 }
 
@@ -395,16 +394,16 @@ const fn next_path(path: MovingMode) -> MovingMode {
     }
 }
 
-/// Whether nothing is under way, as far as the station has told.
+/// Whether no command is in flight, as far as the station has reported.
 fn rests(state: &State) -> bool {
-    let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+    let moving = state.arm.as_ref().is_some_and(|arm| arm.moving);
     !moving && state.queue.waiting + state.queue.under_way == 0
 }
 
 /// About two seconds of states.
-const MOST_TRIES: u8 = 25;
+const MAX_TRIES: u8 = 25;
 /// An hour of statuses.
-const MOST_PLACES: usize = 45_000;
+const MAX_PLACES: usize = 45_000;
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "tests")]

@@ -1,16 +1,16 @@
-//! Whether there is a desktop, with a person at it, on which a page can be opened.
+//! Detection of a desktop on which the page can be opened.
 
 use std::env::var_os;
 use std::io::IsTerminal;
 
-/// What a process knows of where it runs.
+/// The environment of the process.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surroundings {
-    /// Whether somebody reads at a terminal what is said: a service and a script have none.
+    /// Whether standard output is a terminal; a service and a script have none.
     pub(super) terminal: bool,
-    /// Whether that terminal is at another computer.
+    /// Whether the terminal is at another computer.
     pub(super) remote: bool,
-    /// Whether windows can be shown.
+    /// Whether windows can be opened.
     pub(super) windows: bool,
 }
 
@@ -25,7 +25,7 @@ impl Surroundings {
         }
     }
 
-    /// Whether a person sits before a desktop of this computer.
+    /// Whether a person sits at a desktop of this computer.
     pub(super) const fn have_a_desktop(self) -> bool {
         self.terminal && self.windows && !self.remote
     }

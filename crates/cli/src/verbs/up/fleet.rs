@@ -1,15 +1,17 @@
-//! The fleet that a station joins.
+//! Joining a fleet.
 
 use std::path::PathBuf;
 
 use dobot_station::Station;
 
 use crate::failure::Failure;
+use crate::values;
 
-/// How a station joins a fleet.
+/// Options of a station that joins a fleet.
 #[derive(Debug, Default, clap::Args)]
+#[command(next_help_heading = "Fleet")]
 pub(super) struct JoinArgs {
-    /// Join a fleet of stations under the first --name: those of this person on this machine, or with the certificate in
+    /// Join a fleet under the first --name: this person's stations on this machine, or with the certificate in
     /// FOLDER those of the network
     #[arg(long, value_name = "FOLDER", num_args = 0..=1, require_equals = true)]
     #[expect(
@@ -17,28 +19,32 @@ pub(super) struct JoinArgs {
         reason = "it is given with a folder, without one, or not at all"
     )]
     fleet: Option<Option<PathBuf>>,
-    /// A router by which it joins, as in quic/router.school:7447; may be given several times (default: it looks for the
-    /// others by itself)
-    #[arg(long, value_name = "ADDRESS", requires = "fleet")]
+    /// Router to connect to, for example quic/router.school:7447; may be repeated (default: multicast discovery)
+    #[arg(
+        long,
+        value_name = "ADDRESS",
+        requires = "fleet",
+        hide_short_help = true
+    )]
     connect: Vec<String>,
-    /// A group of the fleet that it belongs to, as in room-2; may be given several times
-    #[arg(long, value_name = "NAME", requires = "fleet")]
+    /// Group of the station, for example room-2; may be repeated
+    #[arg(long, value_name = "NAME", requires = "fleet", hide_short_help = true)]
     group: Vec<String>,
-    /// What it has for work, as in pen, laser or a5; may be given several times
-    #[arg(long, value_name = "WORD", requires = "fleet")]
+    /// Equipment for queued work, for example pen, laser or a5; may be repeated
+    #[arg(long, value_name = "WORD", requires = "fleet", hide_short_help = true)]
     offers: Vec<String>,
-    /// Take work of the fleet: to queue it, so that a person starts it at the arm, or to start it too while nobody has
-    /// control
+    /// Accept jobs from the fleet: `queue` (a person starts them at the arm) or `start` (start them when nobody
+    /// has control) [without a value: queue]
     #[arg(long, value_name = "HOW", requires = "fleet", num_args = 0..=1, require_equals = true,
-        default_missing_value = "queue")]
+        default_missing_value = "queue", hide_short_help = true)]
     takes_work: Option<TakeWork>,
-    /// Give up to so many virtual arms to those of the fleet who have none, each with a page of its own; it takes a station
-    /// whose own arm is a virtual one
-    #[arg(long, value_name = "NUMBER", requires_all = ["fleet", "is_virtual"], value_parser = clap::value_parser!(u16).range(1..=200))]
+    /// Host up to this many virtual arms, 1 to 200, each with its own page, for fleet members without an arm
+    /// (requires --virtual)
+    #[arg(long, value_name = "N", requires_all = ["fleet", "is_virtual"], value_parser = values::number(1..=200_u16, "arms"), hide_short_help = true)]
     virtual_arms: Option<u16>,
 }
 
-/// What a station does with work of its fleet.
+/// How a station handles work of its fleet.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum TakeWork {
     Queue,
@@ -60,7 +66,7 @@ mod joined {
 
     use super::{Failure, JoinArgs, Station, TakeWork};
 
-    /// The station's place in its fleet, if it has one.
+    /// The membership of a station in its fleet, if any.
     #[derive(Debug, Default)]
     pub(in super::super) struct Joined {
         name: Option<String>,
@@ -68,11 +74,11 @@ mod joined {
         arms: Option<VirtualArms>,
     }
 
-    /// A virtual arm that nobody looks at ends after so long: longer than a break between two lessons.
+    /// The time after which an unused virtual arm ends: longer than a break between two lessons.
     const UNUSED: Duration = Duration::from_secs(1800);
 
     impl JoinArgs {
-        /// Joins, if that was asked for.
+        /// Joins a fleet if the options ask for it.
         pub(in super::super) async fn join(
             &self,
             names: &[String],
@@ -85,8 +91,8 @@ mod joined {
             };
             let name = names.first().cloned().ok_or_else(|| {
                 Failure::new(
-                    anyhow!("a station of a fleet has a name"),
-                    "give it one: `--name desk-3`",
+                    anyhow!("a station needs a name to join a fleet"),
+                    "name it: `--name desk-3`",
                 )
             })?;
             let config = FleetConfig {
@@ -129,7 +135,7 @@ mod joined {
                 groups: self.group.clone(),
                 offers: self.offers.clone(),
                 is_virtual: station.arm() == Some(&Address::Virtual),
-                takes_work: self.takes_work.map(|it| match it {
+                takes_work: self.takes_work.map(|how| match how {
                     TakeWork::Queue => TakesWork::Queue,
                     TakeWork::Start => TakesWork::Start,
                 }),
@@ -140,12 +146,12 @@ mod joined {
     }
 
     impl Joined {
-        /// What a person reads.
-        pub(in super::super) fn told(&self) -> Option<String> {
+        /// The name of the station in its fleet.
+        pub(in super::super) fn name(&self) -> Option<String> {
             self.name.clone()
         }
 
-        /// Leaves, if it has joined.
+        /// Leaves the fleet, if the station has joined one.
         pub(in super::super) async fn leave(self) {
             if let Some(arms) = self.arms {
                 arms.end().await;
@@ -166,12 +172,12 @@ mod joined {
 
     use super::{Failure, JoinArgs, Station};
 
-    /// No place in any fleet.
+    /// No membership.
     #[derive(Debug)]
     pub(in super::super) struct Joined;
 
     impl JoinArgs {
-        /// This program joins none.
+        /// Refuses: this program was built without fleets.
         #[expect(clippy::unused_async, reason = "joining waits, where it is built")]
         pub(in super::super) async fn join(
             &self,
@@ -183,7 +189,7 @@ mod joined {
                 Self { fleet: None, .. } => Ok(Joined),
                 Self { .. } => Err(Failure::new(
                     anyhow!("this program was built without fleets"),
-                    "`cargo build --release --features fleet` builds one with them",
+                    "build one with `cargo build --release --features fleet`",
                 )),
             }
         }
@@ -191,7 +197,7 @@ mod joined {
 
     impl Joined {
         #[expect(clippy::unused_self, reason = "as where fleets are built")]
-        pub(in super::super) const fn told(&self) -> Option<String> {
+        pub(in super::super) const fn name(&self) -> Option<String> {
             None
         }
 

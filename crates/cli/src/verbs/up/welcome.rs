@@ -1,32 +1,32 @@
-//! What a person reads when a station has started.
+//! The text at the start of a station.
 
 use crossterm::style::Stylize;
 
-/// What a person reads when a station has started.
+/// The text at the start of a station.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Welcome {
-    /// Where page and API are.
+    /// The address of page and API.
     pub(crate) page: String,
-    /// The digest of the certificate, with TLS.
+    /// The fingerprint of the certificate, with TLS.
     pub(crate) fingerprint: Option<String>,
-    /// Which arm.
+    /// The arm.
     pub(crate) arm: String,
-    /// Where raw packets are served over TCP.
+    /// The TCP address of raw packets.
     pub(crate) raw: Option<String>,
     /// The virtual serial port.
     pub(crate) pty: Option<String>,
-    /// Where Foxglove looks on.
+    /// The address for Foxglove.
     pub(crate) foxglove: Option<String>,
-    /// What it is called in its fleet.
+    /// The name in the fleet.
     pub(crate) fleet: Option<String>,
-    /// Where the station keeps its data.
+    /// The data folder.
     pub(crate) data: String,
-    /// What else a person should know.
+    /// Notes for the person.
     pub(crate) notes: Vec<String>,
 }
 
 impl Welcome {
-    /// The whole text, with colours for a terminal.
+    /// The text, with colours for a terminal.
     pub(crate) fn text(&self, colours: bool) -> String {
         let paint = Paint(colours);
         let facts = self.facts().into_iter().map(|(name, text, remark)| {
@@ -48,7 +48,7 @@ impl Welcome {
         let notes = self
             .notes
             .iter()
-            .map(|it| format!("  {}  {it}", paint.note("note       ")));
+            .map(|note| format!("  {}  {note}", paint.note("note       ")));
         let title = paint.title(concat!(" dobot ", env!("CARGO_PKG_VERSION"), " "));
         let mut lines = vec![title, String::new()];
         lines.extend(facts);
@@ -59,7 +59,7 @@ impl Welcome {
         lines.join("\n")
     }
 
-    /// The same for a log.
+    /// Logs the facts and notes.
     pub(crate) fn log(&self) {
         let Self {
             page,
@@ -98,19 +98,19 @@ impl Welcome {
             fact(
                 "raw packets",
                 &self.raw,
-                "for programs that speak the arm's protocol",
+                "for programs that use the arm's protocol",
             ),
             fact(
                 "serial port",
                 &self.pty,
-                "for programs that speak nothing else",
+                "for programs that need a serial port",
             ),
             fact(
                 "Foxglove",
                 &self.foxglove,
-                "for its Open connection; it looks on",
+                "for its Open connection; watching only",
             ),
-            fact("fleet", &self.fleet, "the board is the page's /fleet"),
+            fact("fleet", &self.fleet, "its board is at /fleet on the page"),
             fact("data", &Some(self.data.clone()), ""),
         ]
         .into_iter()
@@ -124,23 +124,23 @@ struct Paint(bool);
 
 impl Paint {
     fn title(&self, text: &str) -> String {
-        self.when(text, |it| it.reverse().bold().to_string())
+        self.when(text, |text| text.reverse().bold().to_string())
     }
 
     fn strong(&self, text: &str) -> String {
-        self.when(text, |it| it.cyan().bold().to_string())
+        self.when(text, |text| text.cyan().bold().to_string())
     }
 
     fn dim(&self, text: &str) -> String {
-        self.when(text, |it| it.dim().to_string())
+        self.when(text, |text| text.dim().to_string())
     }
 
     fn verb(&self, text: &str) -> String {
-        self.when(text, |it| it.green().to_string())
+        self.when(text, |text| text.green().to_string())
     }
 
     fn note(&self, text: &str) -> String {
-        self.when(text, |it| it.yellow().bold().to_string())
+        self.when(text, |text| text.yellow().bold().to_string())
     }
 
     fn when(&self, text: &str, paint: impl Fn(&str) -> String) -> String {
@@ -152,7 +152,7 @@ impl Paint {
     }
 }
 
-/// What to do next.
+/// Suggested next commands.
 const NEXT: [(&str, &str); 4] = [
     ("dobot watch", "a dashboard, in another terminal"),
     ("dobot draw", "draw a file, a photo or a text"),

@@ -1,4 +1,4 @@
-//! The dashboard, as a pure function of what is known and of the terminal's size.
+//! The dashboard, as a pure function of the state and of the terminal's size.
 
 use std::collections::VecDeque;
 
@@ -11,25 +11,25 @@ use ratatui::widgets::Paragraph;
 
 use super::panels;
 
-/// What the dashboard shows.
+/// The contents of the dashboard.
 #[derive(Debug, Default)]
 pub(crate) struct View {
-    /// Where the station is.
+    /// The address of the station.
     pub(crate) station: String,
-    /// What it told last; absent until it has.
+    /// The last state, if any.
     pub(crate) state: Option<State>,
-    /// What happened lately, the oldest first.
+    /// Recent notices, oldest first.
     pub(crate) notices: VecDeque<Notice>,
-    /// Why nothing is heard of the station, if so.
+    /// The reason why the station is not connected, if it is not.
     pub(crate) lost: Option<String>,
-    /// Whether the person is asked if the arm may move again.
+    /// Whether the question about clearing the stop is shown.
     pub(crate) asks: bool,
-    /// What the station said to the last key.
+    /// The answer of the station to the last key.
     pub(crate) answer: Option<String>,
 }
 
 impl View {
-    /// What happened at a station before it was watched.
+    /// Handles the notices before the connection.
     pub(crate) fn handle_history(&mut self, notices: Vec<Notice>) {
         self.notices.clear();
         for notice in notices {
@@ -37,23 +37,23 @@ impl View {
         }
     }
 
-    /// What happened; what is known already, by the history, is not told again.
+    /// Handles a notice, unless it is in the history.
     pub(crate) fn handle_notice(&mut self, notice: Notice) {
         if self
             .notices
             .back()
-            .is_some_and(|it| it.number >= notice.number)
+            .is_some_and(|last| last.number >= notice.number)
         {
             return;
         }
-        if self.notices.len() == MOST_NOTICES {
+        if self.notices.len() == MAX_NOTICES {
             self.notices.pop_front();
         }
         self.notices.push_back(notice);
     }
 }
 
-/// Draws everything.
+/// Draws the screen.
 pub(crate) fn draw(frame: &mut Frame, view: &View) {
     let rows = [
         Constraint::Length(1),
@@ -84,36 +84,39 @@ fn title(view: &View) -> Paragraph<'_> {
     ];
     if let Some(State { link, dialect, .. }) = &view.state {
         spans.push(link.address.as_deref().unwrap_or("no arm yet").bold());
-        let dialect = dialect.map_or_else(|| "dialect undecided".to_owned(), |it| it.to_string());
+        let dialect = dialect.map_or_else(
+            || "dialect unknown".to_owned(),
+            |dialect| dialect.to_string(),
+        );
         spans.push(format!("  {dialect}").dim());
     }
     Paragraph::new(Line::from(spans))
 }
 
-/// What a person has to know first.
+/// The alarm line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Alarm {
     style: Style,
     text: String,
 }
 
-/// The worst of all that is wrong.
+/// The most important alarm.
 fn alarm_of(view: &View) -> Alarm {
     match (&view.lost, &view.state) {
         (Some(why), _) => {
-            let text = format!("NO STATION: {why}; what is shown is old");
+            let text = format!("NO STATION: {why}; the data is outdated");
             Alarm { style: RED, text }
         }
         (None, state) => alarm_of_state(state.as_ref()),
     }
 }
 
-/// The worst of all that a station tells.
+/// The most important alarm of a station's state.
 pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
     let alarm = |style, text| Alarm { style, text };
     let (red, yellow) = (RED, YELLOW);
     let Some(state) = state else {
-        return alarm(yellow, "waiting for the station's first word".into());
+        return alarm(yellow, "waiting for the first report of the station".into());
     };
     if let Some(stop) = &state.stop {
         let rest = if stop.at_rest {
@@ -129,12 +132,12 @@ pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
     }
     if !state.trust.trusted {
         let reason = state.trust.reason.as_deref().unwrap_or("the arm was reset");
-        return alarm(yellow, format!("the pose is not trusted: {reason}"));
+        return alarm(yellow, format!("the pose is not confirmed: {reason}"));
     }
     if state.laser.on {
         return alarm(yellow, "LASER ON".into());
     }
-    let moving = state.arm.as_ref().is_some_and(|it| it.moving);
+    let moving = state.arm.as_ref().is_some_and(|arm| arm.moving);
     let text = if moving { "moving" } else { "at rest" };
     alarm(Style::new().fg(Color::Green), text.into())
 }
@@ -142,9 +145,9 @@ pub(crate) fn alarm_of_state(state: Option<&State>) -> Alarm {
 fn no_link(state: &State) -> String {
     let phase = match state.link.phase {
         LinkPhase::Searching => "looking for an arm",
-        LinkPhase::Listening => "the port is open, but the arm says nothing",
-        LinkPhase::Lost => "the arm is not heard any more",
-        LinkPhase::Up => "the arm is heard",
+        LinkPhase::Listening => "the port is open, but the arm is silent",
+        LinkPhase::Lost => "the connection to the arm is lost",
+        LinkPhase::Up => "connected",
     };
     match &state.link.problem {
         Some(problem) => format!("{phase}: {problem}"),
@@ -157,17 +160,17 @@ pub(crate) fn bar(alarm: &Alarm) -> Paragraph<'static> {
     Paragraph::new(format!(" {}", alarm.text)).style(alarm.style)
 }
 
-/// The keys, or what there is to say about the last one.
+/// The keys, and the answer to the last one.
 fn keys_of(view: &View) -> Paragraph<'_> {
     if view.asks {
-        return Paragraph::new(" let the arm move again? look at it first   y yes   n no")
+        return Paragraph::new(" clear the stop? look at the arm first   y yes   n no")
             .style(Style::new().reversed());
     }
-    let mut spans: Vec<Span> = [("s", "STOP"), ("r", "let it move again"), ("q", "quit")]
+    let mut spans: Vec<Span> = [("s", "STOP"), ("r", "clear stop"), ("q", "quit")]
         .iter()
         .flat_map(|(key, what)| [format!(" {key} ").reversed(), format!(" {what}  ").into()])
         .collect();
-    spans.extend(view.answer.as_ref().map(|it| it.as_str().yellow()));
+    spans.extend(view.answer.as_ref().map(|answer| answer.as_str().yellow()));
     Paragraph::new(Line::from(spans))
 }
 
@@ -176,8 +179,8 @@ const RED: Style = Style::new()
     .fg(Color::White)
     .add_modifier(Modifier::BOLD);
 const YELLOW: Style = Style::new().bg(Color::Yellow).fg(Color::Black);
-/// More than fit on any screen.
-const MOST_NOTICES: usize = 200;
+/// More than fits on any screen.
+const MAX_NOTICES: usize = 200;
 
 #[cfg(test)]
 mod tests {
@@ -310,7 +313,7 @@ mod tests {
             state.trust.trusted = false;
             state.trust.reason = Some("the arm was reset".into());
         });
-        shows(&reset, &["the pose is not trusted: the arm was reset"]);
+        shows(&reset, &["the pose is not confirmed: the arm was reset"]);
     }
 
     #[test]
@@ -385,14 +388,14 @@ mod tests {
     fn the_dashboard_says_that_what_it_shows_is_old_when_the_station_is_gone() {
         let mut view = view();
         view.lost = Some("the station closed the connection".into());
-        shows(&view, &["NO STATION", "what is shown is old"]);
+        shows(&view, &["NO STATION", "the data is outdated"]);
     }
 
     #[test]
     fn a_person_is_asked_before_the_arm_moves_again() {
         let mut view = view();
         view.asks = true;
-        shows(&view, &["let the arm move again?", "y yes"]);
+        shows(&view, &["clear the stop?", "y yes"]);
     }
 
     #[test]

@@ -17,10 +17,10 @@ use crate::output::{clock, time_left};
 pub(crate) fn arm(frame: &mut Frame, area: Rect, state: &State) {
     let [pose, joints] =
         Layout::horizontal([Constraint::Length(24), Constraint::Min(0)]).areas(area);
-    let status = state.arm.as_ref().map(|it| &it.status);
+    let status = state.arm.as_ref().map(|arm| &arm.status);
     panel(frame, pose, "pose", status.map_or_else(unknown, pose_lines));
     let width = joints.width.saturating_sub(2);
-    let lines = status.map_or_else(unknown, |it| joint_lines(it, width));
+    let lines = status.map_or_else(unknown, |status| joint_lines(status, width));
     panel(frame, joints, "joints", lines);
 }
 
@@ -32,13 +32,13 @@ pub(crate) fn rest(frame: &mut Frame, area: Rect, state: &State) {
     panel(frame, station, "station", station_lines(state));
 }
 
-/// The job, with how far it is.
+/// The job and its progress.
 pub(super) fn job(frame: &mut Frame, area: Rect, job: Option<&JobView>) {
     let block = block("job");
     let inside = block.inner(area);
     frame.render_widget(block, area);
     let Some(job) = job else {
-        frame.render_widget(Paragraph::new("none runs".dim()), inside);
+        frame.render_widget(Paragraph::new("none".dim()), inside);
         return;
     };
     let halves = [Constraint::Length(1), Constraint::Length(1)];
@@ -59,15 +59,15 @@ pub(super) fn job(frame: &mut Frame, area: Rect, job: Option<&JobView>) {
     frame.render_widget(gauge, bar);
 }
 
-/// What happened lately, as much as fits, the newest at the bottom.
+/// Recent notices that fit, the newest one last.
 pub(super) fn notices(frame: &mut Frame, area: Rect, notices: &VecDeque<Notice>) {
     let rows = usize::from(area.height.saturating_sub(2));
     let skipped = notices.len().saturating_sub(rows);
-    let lines = notices.iter().skip(skipped).map(|it| {
-        let at = format!("{:>9}  ", clock(it.at_s));
-        Line::from(vec![at.dim(), it.text.as_str().into()])
+    let lines = notices.iter().skip(skipped).map(|notice| {
+        let at = format!("{:>9}  ", clock(notice.at_s));
+        Line::from(vec![at.dim(), notice.text.as_str().into()])
     });
-    panel(frame, area, "what happened", lines.collect());
+    panel(frame, area, "events", lines.collect());
 }
 
 /// A panel with lines of text.
@@ -83,25 +83,25 @@ fn block(title: &'static str) -> Block<'static> {
 }
 
 fn unknown<'a>() -> Vec<Line<'a>> {
-    vec!["the arm has not told".dim().into()]
+    vec!["no data".dim().into()]
 }
 
-fn pose_lines(it: &Status) -> Vec<Line<'static>> {
+fn pose_lines(status: &Status) -> Vec<Line<'static>> {
     vec![
-        format!("x    {:9.3} mm", it.x_mm).into(),
-        format!("y    {:9.3} mm", it.y_mm).into(),
-        format!("z    {:9.3} mm", it.z_mm).into(),
-        format!("turn {:8.2}°", it.rotation_deg).into(),
+        format!("x    {:9.3} mm", status.x_mm).into(),
+        format!("y    {:9.3} mm", status.y_mm).into(),
+        format!("z    {:9.3} mm", status.z_mm).into(),
+        format!("turn {:8.2}°", status.rotation_deg).into(),
     ]
 }
 
-fn joint_lines(it: &Status, width: u16) -> Vec<Line<'static>> {
+fn joint_lines(status: &Status, width: u16) -> Vec<Line<'static>> {
     let limits = Limits::STOCK;
     [
-        ("base ", it.base_deg, limits.base),
-        ("rear ", it.rear_deg, limits.rear),
-        ("fore ", it.fore_deg, limits.fore),
-        ("servo", it.servo_deg, limits.servo),
+        ("base ", status.base_deg, limits.base),
+        ("rear ", status.rear_deg, limits.rear),
+        ("fore ", status.fore_deg, limits.fore),
+        ("servo", status.servo_deg, limits.servo),
     ]
     .into_iter()
     .map(|(name, deg, range)| joint_line(name, deg.into(), range, usize::from(width)))
@@ -173,7 +173,7 @@ fn tool_lines(state: &State) -> Vec<Line<'static>> {
 
 fn station_lines(state: &State) -> Vec<Line<'static>> {
     let link = &state.link;
-    let latency = link.latency_ms.map(|it| format!(", {it:.0} ms"));
+    let latency = link.latency_ms.map(|ms| format!(", {ms:.0} ms"));
     let queue = &state.queue;
     let fact = |name: &'static str, text: String| Line::from(vec![name.dim(), text.into()]);
     vec![
@@ -181,7 +181,7 @@ fn station_lines(state: &State) -> Vec<Line<'static>> {
         fact(
             "queue   ",
             format!(
-                "{} under way, {} waiting, {} ahead",
+                "{} in flight, {} waiting, {} ahead",
                 queue.under_way,
                 queue.waiting,
                 clock(queue.ahead_s)
@@ -211,7 +211,7 @@ fn control(state: &State) -> String {
     let asking = lease
         .asked_by
         .iter()
-        .map(|it| format!("{} ({})", it.name, it.client.0));
+        .map(|asking| format!("{} ({})", asking.name, asking.client.0));
     let asking: Vec<_> = asking.collect();
     let asked = if asking.is_empty() {
         String::new()
@@ -223,7 +223,7 @@ fn control(state: &State) -> String {
 
 fn job_line(job: &JobView) -> Line<'_> {
     let phase = format!("{:?}", job.phase).to_lowercase();
-    let reason = job.reason.as_ref().map(|it| format!(": {it}"));
+    let reason = job.reason.as_ref().map(|reason| format!(": {reason}"));
     Line::from(vec![
         format!("{} ", job.job).dim(),
         job.title.as_str().bold(),
@@ -231,5 +231,5 @@ fn job_line(job: &JobView) -> Line<'_> {
     ])
 }
 
-/// How near to a limit a joint is shown as near, as a share of its range.
+/// The distance to a limit at which a joint is highlighted, as a fraction of its range.
 const NEAR: f64 = 0.05;

@@ -2,26 +2,26 @@
 
 use anyhow::{Context, anyhow, bail};
 
-/// What a capture holds.
+/// A capture file.
 #[derive(Debug)]
 pub(super) struct File<'a> {
     pub(super) format: &'static str,
     pub(super) frames: Vec<Frame<'a>>,
-    /// Where the file is damaged: what is behind that place was not read.
+    /// The damage of the file, if any; it is read up to there.
     pub(super) damage: Option<String>,
 }
 
-/// What was seen on a network at once.
+/// A captured frame.
 #[derive(Debug)]
 pub(super) struct Frame<'a> {
-    /// The kind of network, by its number in such files.
+    /// The link type.
     pub(super) link: u32,
-    /// When it was seen, in nanoseconds since 1970, if that was noted.
+    /// The time in nanoseconds since 1970, if recorded.
     pub(super) at_ns: Option<i128>,
     pub(super) data: &'a [u8],
 }
 
-/// Reads a capture; `None` where the bytes begin as none.
+/// Reads a capture; `None` if the bytes do not start like one.
 pub(super) fn read(bytes: &[u8]) -> Option<anyhow::Result<File<'_>>> {
     let mut frames = Vec::new();
     let (format, result) = match bytes.first_chunk::<4>()? {
@@ -45,7 +45,7 @@ pub(super) fn read(bytes: &[u8]) -> Option<anyhow::Result<File<'_>>> {
     })
 }
 
-/// Which byte of a number comes first.
+/// The byte order.
 #[derive(Clone, Copy, Debug)]
 enum Order {
     Little,
@@ -58,12 +58,12 @@ fn pcap<'a>(
     ns_per_unit: i128,
     frames: &mut Vec<Frame<'a>>,
 ) -> anyhow::Result<()> {
-    let link = order.long(bytes, 20).context("its header is cut short")? & LINK_BITS;
+    let link = order.long(bytes, 20).context("the header is incomplete")? & LINK_BITS;
     let mut at = 24;
     while at < bytes.len() {
         let head = [0, 4, 8].map(|field| order.long(bytes, at + field));
         let [Some(seconds), Some(units), Some(len)] = head else {
-            bail!("byte {at}: the head of a packet is cut short");
+            bail!("byte {at}: the header of a packet is incomplete");
         };
         let begin = at + 16;
         let data = taken(bytes, begin, len).ok_or_else(|| cut(at, len))?;
@@ -85,29 +85,27 @@ fn pcapng<'a>(bytes: &'a [u8], frames: &mut Vec<Frame<'a>>) -> anyhow::Result<()
     while at < bytes.len() {
         let kind = order
             .long(bytes, at)
-            .with_context(|| format!("byte {at}: a block is cut short"))?;
+            .with_context(|| format!("byte {at}: a block is incomplete"))?;
         if kind == SECTION {
             order = order_of_section(&bytes[at..])
-                .with_context(|| format!("byte {at}: a section says no byte order"))?;
+                .with_context(|| format!("byte {at}: a section has no byte order"))?;
             interfaces.clear();
         }
         let len = order
             .long(bytes, at + 4)
-            .with_context(|| format!("byte {at}: a block is cut short"))?;
+            .with_context(|| format!("byte {at}: a block is incomplete"))?;
         let block = taken(bytes, at, len).filter(|block| block.len() >= 12);
         let block = block.ok_or_else(|| cut(at, len))?;
         let body = &block[8..block.len() - 4];
         match kind {
             INTERFACE => interfaces.push(
                 Interface::of(order, body)
-                    .with_context(|| format!("byte {at}: an interface is cut short"))?,
+                    .with_context(|| format!("byte {at}: an interface is incomplete"))?,
             ),
             PACKET | SIMPLE_PACKET => {
                 let frame = frame(order, &interfaces, kind, body);
                 frames.push(frame.with_context(|| {
-                    format!(
-                        "byte {at}: a packet is cut short, or of an interface that is not there"
-                    )
+                    format!("byte {at}: a packet is incomplete, or its interface does not exist")
                 })?);
             }
             _ => {}
@@ -117,12 +115,12 @@ fn pcapng<'a>(bytes: &'a [u8], frames: &mut Vec<Frame<'a>>) -> anyhow::Result<()
     Ok(())
 }
 
-/// Where packets of a pcapng file were captured.
+/// An interface of a pcapng file.
 struct Interface {
     link: u32,
-    /// Units of time in a second.
+    /// Time units per second.
     units_per_s: u128,
-    /// Packets without a length of their own are cut there; 0 is nowhere.
+    /// The maximum length of packets without their own length; 0 is unlimited.
     longest: u32,
 }
 
@@ -222,12 +220,10 @@ fn taken(bytes: &[u8], begin: usize, len: u32) -> Option<&[u8]> {
 }
 
 fn cut(at: usize, len: u32) -> anyhow::Error {
-    anyhow!(
-        "byte {at}: {len} bytes are announced there, and the file is shorter or they are too few"
-    )
+    anyhow!("byte {at}: the length is {len} bytes, which exceeds the file or is too small")
 }
 
-/// The others hold the length of a checksum.
+/// The bits of the link type; the others are the length of a checksum.
 const LINK_BITS: u32 = 0x0FFF_FFFF;
 const NS_PER_S: i128 = 1_000_000_000;
 /// Blocks of a pcapng file.

@@ -1,4 +1,4 @@
-//! One way of a TCP connection, put together again.
+//! Reassembly of one direction of a TCP connection.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -7,29 +7,29 @@ use super::segment::Segment;
 use crate::verbs::decode::content::Place;
 use crate::verbs::decode::input::{Chunk, Part};
 
-/// One way of a TCP connection.
+/// One direction of a TCP connection.
 #[derive(Debug, Default)]
 pub(super) struct Flow {
-    /// What was sent, by where it begins; no byte is in two of them.
+    /// The pieces by their start; they do not overlap.
     pieces: BTreeMap<i64, Piece>,
-    /// The sequence number of the last segment, and how far its place was from that of the first.
+    /// The sequence number of the last segment, and its distance from the first one.
     last: Option<(u32, i64)>,
-    /// Where the first byte of the connection is, if its begin was captured.
+    /// The position of the first byte, if the start of the connection was captured.
     begin: Option<i64>,
 }
 
-/// Bytes that were sent at once. The end of the connection is one without any.
+/// Bytes that were sent together; empty at the end of the connection.
 #[derive(Debug)]
 struct Piece {
-    /// Which segment of the capture brought it.
+    /// The index of its segment in the capture.
     order: usize,
     place: Place,
     bytes: Vec<u8>,
 }
 
 impl Flow {
-    /// Takes a segment, the `order`-th of the capture. Of bytes that are sent again the first count.
-    pub(super) fn take(&mut self, order: usize, place: &Place, segment: &Segment) {
+    /// Adds a segment, the `order`-th of the capture. The first copy of repeated bytes counts.
+    pub(super) fn add(&mut self, order: usize, place: &Place, segment: &Segment) {
         let at = self.at(segment.sequence);
         self.last = Some((segment.sequence, at));
         let at = at + i64::from(segment.is_first);
@@ -56,13 +56,13 @@ impl Flow {
         }
     }
 
-    /// Whether a segment begins another connection between the same ends.
+    /// Whether a segment starts another connection between the same ends.
     pub(super) fn is_over_with(&self, segment: &Segment) -> bool {
         let begins_again = self.begin != Some(self.at(segment.sequence) + 1);
         segment.is_first && self.last.is_some() && begins_again
     }
 
-    /// The bytes in the order in which they were sent.
+    /// The bytes in the order of sending.
     pub(super) fn parts(self) -> Vec<Part> {
         let mut parts: Vec<Part> = Vec::new();
         let mut end = self
@@ -86,13 +86,13 @@ impl Flow {
         parts
     }
 
-    /// Where a sequence number is: they begin anew behind the greatest.
+    /// The position of a sequence number, which wraps around.
     fn at(&self, sequence: u32) -> i64 {
         let since = |last: u32| i64::from(sequence.wrapping_sub(last).cast_signed());
         self.last.map_or(0, |(last, at)| at + since(last))
     }
 
-    /// Which of so many bytes are new.
+    /// The ranges of new bytes in a segment.
     fn missing(&self, at: i64, len: usize) -> Vec<Range<usize>> {
         let end = offset(at, len);
         let before = self.pieces.range(..=at).next_back();
@@ -107,12 +107,14 @@ impl Flow {
         }
         missing.push(from..end);
         let index = |place: i64| usize::try_from(place - at).unwrap_or(0);
-        let indices = missing.into_iter().map(|it| index(it.start)..index(it.end));
-        indices.filter(|it| !it.is_empty()).collect()
+        let indices = missing
+            .into_iter()
+            .map(|range| index(range.start)..index(range.end));
+        indices.filter(|range| !range.is_empty()).collect()
     }
 }
 
-/// Puts bytes behind those of a part: they are there when all before them are.
+/// Appends bytes to a part; they arrive no earlier than the bytes before them.
 fn push(part: &mut Part, piece: Piece) {
     let begin = part.bytes.len();
     let chunk = match part.chunks.last() {
@@ -159,7 +161,7 @@ mod tests {
                     text.as_bytes()
                 },
             };
-            flow.take(order, &place, &segment);
+            flow.add(order, &place, &segment);
         }
         flow
     }

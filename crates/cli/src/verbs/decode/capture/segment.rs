@@ -1,29 +1,29 @@
-//! The TCP segment in a frame of a network.
+//! The TCP segment in a network frame.
 
 use std::net::{IpAddr, SocketAddr};
 
 use etherparse::{EtherType, LaxNetSlice, LaxSlicedPacket, TransportSlice};
 
-/// What one end of a TCP connection sent at once.
+/// A TCP segment.
 #[derive(Debug)]
 pub(super) struct Segment<'a> {
     pub(super) from: SocketAddr,
     pub(super) to: SocketAddr,
-    /// Where in the stream it is, counted from anywhere.
+    /// The sequence number.
     pub(super) sequence: u32,
-    /// Whether it begins the connection.
+    /// Whether it starts the connection.
     pub(super) is_first: bool,
     /// Whether it ends the connection.
     pub(super) is_last: bool,
     pub(super) bytes: &'a [u8],
 }
 
-/// Why a frame holds no segment.
+/// The reason why a frame contains no segment.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum NoSegment {
-    /// It is something else, or a fragment.
+    /// Another protocol, or a fragment.
     Other,
-    /// It comes from a kind of network that is not known.
+    /// An unknown link type.
     UnknownLink(u32),
 }
 
@@ -44,7 +44,7 @@ fn ip(bytes: &[u8]) -> Option<LaxSlicedPacket<'_>> {
     LaxSlicedPacket::from_ip(bytes).ok()
 }
 
-/// What is behind a header that says what it is.
+/// Parses the contents after a header with an EtherType.
 fn typed(frame: &[u8], type_at: usize, header_len: usize) -> Option<LaxSlicedPacket<'_>> {
     let kind = frame.get(type_at..)?.first_chunk()?;
     let kind = EtherType(u16::from_be_bytes(*kind));

@@ -1,12 +1,13 @@
-//! Hex digits, with whatever stands between them.
+//! Hex digits with or without separators.
 
 use anyhow::{anyhow, bail};
 
 use super::super::input::HEX_DIGITS;
 use super::{Bytes, hex_byte, hex_bytes};
+use crate::output;
 
-/// Reads hex digits: in one row, or with blanks, `:`, `,`, `;`, `-`, `0x` or `\x` between the bytes.
-/// `#` and `//` begin a comment.
+/// Reads hex digits, also with spaces, `:`, `,`, `;`, `-`, `0x` or `\x` between the bytes. `#` and `//`
+/// start a comment.
 pub(super) fn read(text: &str) -> anyhow::Result<Bytes> {
     let text: Vec<_> = text
         .lines()
@@ -26,7 +27,7 @@ pub(super) fn read(text: &str) -> anyhow::Result<Bytes> {
     })
 }
 
-/// Bytes with something between them.
+/// Parses separated bytes.
 fn each(lines: &[String]) -> anyhow::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     for (number, word) in words(lines) {
@@ -41,23 +42,26 @@ fn each(lines: &[String]) -> anyhow::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Digits in one row, with blanks wherever one likes.
+/// Parses digits without separators other than spaces.
 fn row(lines: &[String]) -> anyhow::Result<Vec<u8>> {
     let mut row = String::new();
     for (number, word) in words(lines) {
-        if !word.bytes().all(|it| it.is_ascii_hexdigit()) {
+        if !word.bytes().all(|digit| digit.is_ascii_hexdigit()) {
             return Err(no_digits(number, word));
         }
         row.push_str(word);
     }
     let Some(bytes) = hex_bytes(&row) else {
-        bail!("there are {} hex digits; a byte takes two", row.len());
+        bail!(
+            "found {}; expected two for each byte",
+            output::count(row.len(), "hex digit")
+        );
     };
     Ok(bytes)
 }
 
 fn words(lines: &[String]) -> impl Iterator<Item = (usize, &str)> {
-    let is_between = |it: char| it.is_whitespace() || SEPARATORS.contains(&it);
+    let is_between = |letter: char| letter.is_whitespace() || SEPARATORS.contains(&letter);
     let words = move |(number, line)| {
         let words = str::split(line, is_between).filter(|word| !word.is_empty());
         words.map(move |word| (number, word))
@@ -67,7 +71,7 @@ fn words(lines: &[String]) -> impl Iterator<Item = (usize, &str)> {
 
 fn no_digits(number: usize, word: &str) -> anyhow::Error {
     anyhow!(
-        "line {number}: `{word}` is not hex digits; allowed are 0 to 9 and a to f, two for each byte"
+        "line {number}: `{word}` is not hex digits; expected 0 to 9 and a to f, two for each byte"
     )
 }
 

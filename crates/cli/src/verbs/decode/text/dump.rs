@@ -4,7 +4,7 @@ use anyhow::{anyhow, bail};
 
 use super::{Bytes, hex_bytes};
 
-/// Reads a dump; `None` where the text is none. Rows that `*` stands for are filled in.
+/// Reads a dump; `None` if the text is none. Rows replaced by `*` are filled in.
 pub(super) fn read(text: &str) -> Option<anyhow::Result<Bytes>> {
     let lines = || {
         (1..)
@@ -16,7 +16,7 @@ pub(super) fn read(text: &str) -> Option<anyhow::Result<Bytes>> {
     let rows: anyhow::Result<Vec<_>> = lines()
         .map(|(number, line)| style.row(number, line))
         .collect();
-    // Bytes alone may look like an offset, if the number of their digits is even.
+    // Plain bytes may look like an offset if their number of digits is even.
     let is_certain = style != Style::Od
         || first.find(' ').is_some_and(|len| len % 2 == 1)
         || rows.as_ref().is_ok_and(|rows| rows.len() > 1);
@@ -30,7 +30,7 @@ pub(super) fn read(text: &str) -> Option<anyhow::Result<Bytes>> {
     }))
 }
 
-/// Which program wrote it.
+/// The program that wrote a dump.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Style {
     Xxd,
@@ -45,7 +45,7 @@ enum Row<'a> {
         offset: &'a str,
         bytes: Vec<u8>,
     },
-    /// As the one before, up to the next offset.
+    /// Copies of the previous row, up to the next offset.
     Repeated,
 }
 
@@ -60,7 +60,7 @@ impl Style {
         }
     }
 
-    /// The bases in which offsets may be written, likelier ones first.
+    /// The possible radixes of offsets, the likely ones first.
     const fn radixes(self) -> &'static [u32] {
         match self {
             Self::Xxd | Self::Hexdump => &[16],
@@ -68,10 +68,11 @@ impl Style {
         }
     }
 
-    /// Whether a dump begins with this row.
+    /// Whether a dump of this style may start with a row.
     fn fits(self, line: &str) -> bool {
         let is_offset = |offset: &str| {
-            (6..=12).contains(&offset.len()) && offset.bytes().all(|it| it.is_ascii_hexdigit())
+            (6..=12).contains(&offset.len())
+                && offset.bytes().all(|digit| digit.is_ascii_hexdigit())
         };
         match self {
             Self::Xxd => line
@@ -84,7 +85,7 @@ impl Style {
         }
     }
 
-    /// Puts rows together, with the base in which their offsets fit.
+    /// Joins rows, with the radix that matches their offsets.
     fn assemble(self, rows: &[Row]) -> anyhow::Result<Vec<u8>> {
         let assembled = self.radixes().iter().map(|radix| assemble(rows, *radix));
         let better = |found: anyhow::Result<_>, next: anyhow::Result<_>| {
@@ -118,7 +119,7 @@ impl Style {
             let read = hex_bytes(word).filter(|read| self == Self::Xxd || read.len() == 1);
             bytes.extend(read.ok_or_else(|| {
                 anyhow!(
-                    "line {number}: `{word}` is not what {} holds there: two hex digits a byte",
+                    "line {number}: `{word}` does not fit {}; expected two hex digits for each byte",
                     self.name()
                 )
             })?);
@@ -153,30 +154,32 @@ fn assemble(rows: &[Row], radix: u32) -> anyhow::Result<Vec<u8>> {
         if repeats {
             fill(&mut all, last_len, at.saturating_sub(expected), *number)?;
         } else if at != expected {
-            bail!("line {number}: offset {at:#x}; {expected:#x} follows from the lines before");
+            bail!(
+                "line {number}: offset is {at:#x}; expected {expected:#x} after the lines before"
+            );
         }
         repeats = false;
         last_len = bytes.len();
         all.extend(bytes);
     }
     if repeats {
-        bail!("the dump ends with `*`: the offset behind it is missing");
+        bail!("the dump ends with `*`; expected an offset after it");
     }
     Ok(all)
 }
 
-/// Repeats the last row for so many bytes.
+/// Repeats the last row for a number of bytes.
 fn fill(all: &mut Vec<u8>, row_len: usize, missing: usize, number: usize) -> anyhow::Result<()> {
-    if missing > MOST_REPEATED {
-        bail!("line {number}: `*` stands for {missing} bytes; at most {MOST_REPEATED} are read");
+    if missing > MAX_REPEATED {
+        bail!("line {number}: `*` replaces {missing} bytes; at most {MAX_REPEATED} are allowed");
     }
     let row = all[all.len() - row_len..].to_vec();
     if row.is_empty() {
-        bail!("line {number}: `*` has no line before it");
+        bail!("line {number}: `*` has no previous line");
     }
     all.extend(row.iter().cycle().take(missing));
     Ok(())
 }
 
-/// Nobody looks at more.
-const MOST_REPEATED: usize = 1 << 26;
+/// The maximum number of repeated bytes.
+const MAX_REPEATED: usize = 1 << 26;

@@ -1,10 +1,10 @@
-//! Lists of numbers, as programs print them and hold them.
+//! Lists of numbers in source code or output of programs.
 
 use anyhow::anyhow;
 
 use super::{Bytes, hex_byte, is_code};
 
-/// Reads lists in `[]` or `{}`, and decimal numbers with commas alone; `None` where the text holds none.
+/// Reads lists in `[]` or `{}`, or decimal numbers with commas; `None` if the text has none.
 pub(super) fn read(text: &str) -> Option<anyhow::Result<Bytes>> {
     let lists = if text.contains(['[', '{']) {
         in_brackets(text)?
@@ -20,7 +20,7 @@ pub(super) fn read(text: &str) -> Option<anyhow::Result<Bytes>> {
     }))
 }
 
-/// What stands in brackets, if there is nothing but a program's words around them.
+/// Returns the texts in brackets if only code surrounds them.
 fn in_brackets(text: &str) -> Option<Vec<&str>> {
     let mut lists = Vec::new();
     let mut rest = text;
@@ -28,7 +28,7 @@ fn in_brackets(text: &str) -> Option<Vec<&str>> {
         let inside = &rest[begin + 1..];
         let end = inside.find([']', '}'])?;
         let code = &rest[..begin];
-        // Of brackets in each other the inner ones count.
+        // Of nested brackets the inner ones count.
         let inner = inside[..end].rfind(['[', '{']).map_or(0, |at| at + 1);
         lists.push(&inside[inner..end]);
         rest = &inside[end + 1..];
@@ -45,7 +45,7 @@ fn decimals(text: &str) -> Option<&str> {
         .filter(|number| !number.is_empty())
         .peekable();
     let is_decimal =
-        |number: &str| number.len() <= 3 && number.bytes().all(|it| it.is_ascii_digit());
+        |number: &str| number.len() <= 3 && number.bytes().all(|digit| digit.is_ascii_digit());
     let is_list = text.contains(',')
         && numbers.clone().all(is_decimal)
         && numbers.any(|number| number.len() != 2);
@@ -60,5 +60,5 @@ fn byte(number: &str) -> anyhow::Result<u8> {
         Some(digits) => hex_byte(digits),
         None => number.parse().ok(),
     };
-    byte.ok_or_else(|| anyhow!("`{number}` is not a byte; allowed are 0 to 255 and 0x00 to 0xff"))
+    byte.ok_or_else(|| anyhow!("`{number}` is not a byte; expected 0 to 255 or 0x00 to 0xff"))
 }

@@ -4,7 +4,7 @@ use anyhow::{anyhow, bail};
 
 use super::{Bytes, is_code};
 
-/// Reads all bytes literals of a text; `None` where it holds none.
+/// Reads all bytes literals of a text; `None` if it has none.
 pub(super) fn read(text: &str) -> Option<anyhow::Result<Bytes>> {
     begin_of_literal(text)?;
     Some(literals(text).map(|bytes| Bytes {
@@ -27,7 +27,7 @@ fn literals(text: &str) -> anyhow::Result<Vec<u8>> {
                 None | Some('\n') => bail!("line {line}: the bytes literal has no end"),
                 end if end == quote => break,
                 Some('\\') => bytes.push(escape(&mut inside).ok_or_else(|| unknown(before, line))?),
-                Some(it) if it.is_ascii() => bytes.push(it as u8),
+                Some(letter) if letter.is_ascii() => bytes.push(letter as u8),
                 Some(_) => return Err(unknown(before, line)),
             }
         }
@@ -37,17 +37,17 @@ fn literals(text: &str) -> anyhow::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Where a literal begins: a `b` that ends no word, and a quote.
+/// The start of a literal: a `b` that does not end a word, followed by a quote.
 fn begin_of_literal(text: &str) -> Option<usize> {
     let begins = |at: &usize| {
         let before = text[..*at].chars().next_back();
-        before.is_none_or(|it| !it.is_alphanumeric() && it != '_')
+        before.is_none_or(|letter| !letter.is_alphanumeric() && letter != '_')
             && text[at + 1..].starts_with(['\'', '"'])
     };
     text.match_indices('b').map(|(at, _)| at).find(begins)
 }
 
-/// The byte behind a backslash.
+/// Parses the escape after a backslash.
 fn escape(inside: &mut std::str::Chars) -> Option<u8> {
     let rest = inside.as_str();
     let (radix, begin, len) = match inside.next()? {
@@ -55,17 +55,20 @@ fn escape(inside: &mut std::str::Chars) -> Option<u8> {
         '0'..='7' => (
             8,
             0,
-            rest.chars().take(3).take_while(|it| it.is_digit(8)).count(),
+            rest.chars()
+                .take(3)
+                .take_while(|digit| digit.is_digit(8))
+                .count(),
         ),
         name => {
             return ESCAPES
                 .iter()
-                .find_map(|(it, byte)| (*it == name).then_some(*byte));
+                .find_map(|(letter, byte)| (*letter == name).then_some(*byte));
         }
     };
     let digits = rest.get(begin..begin + len)?;
     *inside = rest[begin + len..].chars();
-    let is_number = digits.chars().all(|it| it.is_digit(radix));
+    let is_number = digits.chars().all(|digit| digit.is_digit(radix));
     is_number
         .then(|| u8::from_str_radix(digits, radix).ok())
         .flatten()
@@ -76,7 +79,7 @@ fn check_code(code: &str, line: usize) -> anyhow::Result<()> {
         return Ok(());
     }
     bail!(
-        "line {line}: `{}` is not bytes; allowed are literals as in b'\\xa5\\x00A'",
+        "line {line}: `{}` is not bytes; expected literals as in b'\\xa5\\x00A'",
         code.trim()
     )
 }
@@ -87,11 +90,11 @@ fn unknown(found: &str, line: usize) -> anyhow::Error {
         .take(if found.starts_with('\\') { 4 } else { 1 })
         .collect();
     anyhow!(
-        "line {line}: `{found}` is not a byte of a bytes literal; allowed are ASCII and escapes as in \\xa5"
+        "line {line}: `{found}` is not a byte of a bytes literal; expected ASCII or escapes as in \\xa5"
     )
 }
 
-/// The line, counted from 1, in which the rest of a text begins.
+/// The line, counted from 1, at which the rest of a text starts.
 fn line_of(text: &str, rest: &str) -> usize {
     let read = &text[..text.len() - rest.len()];
     read.matches('\n').count() + 1

@@ -1,4 +1,4 @@
-//! What `socat -x` prints: both directions, each with its times.
+//! The output of `socat -x`: both directions with times.
 
 use anyhow::bail;
 use serde_json::json;
@@ -7,7 +7,7 @@ use super::super::content::Place;
 use super::super::input::{Chunk, Input, Part, Stream};
 use super::hex_bytes;
 
-/// Reads the output of `socat -x`; `None` where the text is none.
+/// Reads the output of `socat -x`; `None` if the text is none.
 pub(super) fn read(text: &str) -> Option<anyhow::Result<Input>> {
     let is_head = |line: &str| Head::of(line).is_some();
     text.lines().any(is_head).then(|| transfers(text))
@@ -35,7 +35,7 @@ fn transfers(text: &str) -> anyhow::Result<Input> {
         if line.trim().is_empty() || line == "--" || is_message(line) {
             continue;
         }
-        // With -v there is text behind the digits.
+        // With -v, text follows the digits.
         let digits = line.trim_start().split("  ").next().unwrap_or_default();
         let bytes: Option<Vec<_>> = digits.split_whitespace().map(hex_bytes).collect();
         let (Some(bytes), Some(at)) = (bytes, current) else {
@@ -66,7 +66,10 @@ struct Head<'a> {
 
 impl<'a> Head<'a> {
     fn of(line: &'a str) -> Option<Self> {
-        let sign = line.chars().next().filter(|it| matches!(it, '>' | '<'))?;
+        let sign = line
+            .chars()
+            .next()
+            .filter(|sign| matches!(sign, '>' | '<'))?;
         let (at, lengths) = line[1..].split_once("length=")?;
         (lengths.contains("from=") && lengths.contains("to=")).then_some(Self {
             sign,

@@ -1,4 +1,4 @@
-//! One key of a file of defaults, as words of a command line.
+//! A key of a file of defaults, converted to words of a command line.
 
 use std::any::TypeId;
 use std::ffi::OsString;
@@ -6,13 +6,15 @@ use std::path::{Path, PathBuf};
 
 use anyhow::anyhow;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{Arg, ArgAction, Args, Command, CommandFactory, Id, Parser};
+use clap::{Arg, ArgAction, Args, Command, CommandFactory, Id};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::Cli;
+use crate::command_line;
 use crate::drawing_options::DrawingOptions;
 use crate::failure::Failure;
+use crate::renamed::draw_option;
 
 /// A default.
 #[derive(Clone, Debug)]
@@ -20,13 +22,13 @@ pub(super) struct Entry {
     /// Its long name, without dashes.
     pub(super) option: String,
     pub(super) id: Id,
-    /// Where it stands in the file, counted from 1.
+    /// The line in the file, counted from 1.
     pub(super) line: usize,
-    /// The same on a command line.
+    /// The default as words of a command line.
     pub(super) words: Vec<OsString>,
-    /// The options without which it does nothing, with their dashes.
+    /// The options without which it has no effect, with dashes.
     pub(super) needs: Vec<String>,
-    /// Why it is not used; none where it is.
+    /// The reason why it is not used, if it is not.
     pub(super) unused: Option<String>,
 }
 
@@ -36,7 +38,7 @@ impl Entry {
     }
 }
 
-/// The defaults of a file, in its order, each checked for itself.
+/// Reads the defaults of a file in their order, and checks each of them.
 pub(super) fn entries(file: &Path, text: &str) -> Result<Vec<Entry>, Failure> {
     let wrong = |at: usize, reason: &str| {
         let line = line_at(text, at);
@@ -51,8 +53,11 @@ pub(super) fn entries(file: &Path, text: &str) -> Result<Vec<Entry>, Failure> {
     let known = known();
     let folder = file.parent().unwrap_or(Path::new(""));
     let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue<'_>>)| {
-        let (option, at) = (key_text(key), key.span().start);
-        let Some(arg) = known.iter().find(|it| it.get_long() == Some(&option)) else {
+        let ((option, renamed), at) = (draw_option(&key_text(key)), key.span().start);
+        if let Some(hint) = renamed {
+            eprintln!("hint: {}: {hint}", file.display());
+        }
+        let Some(arg) = known.iter().find(|arg| arg.get_long() == Some(&option)) else {
             return Err(Failure::new(wrong(at, &unknown(&option, &known)), KEYS));
         };
         let refused = |allowed: &str| {
@@ -76,44 +81,46 @@ pub(super) fn entries(file: &Path, text: &str) -> Result<Vec<Entry>, Failure> {
     keys.into_iter().map(entry).collect()
 }
 
-/// The options of `draw` that a file may have: those that do not say what is drawn this time.
+/// The options of `draw` that a file may have: all except those that select what is drawn.
 pub(in crate::verbs::draw) fn known() -> Vec<Arg> {
     let options = DrawingOptions::augment_args(Command::new("draw"));
-    let others = ["materials", "frame"];
+    let others = ["materials", "outline"];
     let program = Cli::command();
-    let draw = program.find_subcommand("draw").expect("it is a verb");
+    let draw = program
+        .find_subcommand("draw")
+        .expect("`draw` is a subcommand");
     let others = draw
         .get_arguments()
-        .filter(|it| others.contains(&it.get_id().as_str()));
+        .filter(|arg| others.contains(&arg.get_id().as_str()));
     let is_lasting =
-        |it: &&Arg| !["text", "card", "card_label", "from"].contains(&it.get_id().as_str());
+        |arg: &&Arg| !["text", "card", "card_label", "from"].contains(&arg.get_id().as_str());
     let lasting = options.get_arguments().filter(is_lasting);
     lasting.chain(others).cloned().collect()
 }
 
 fn unknown(option: &str, known: &[Arg]) -> String {
-    let parsed = Cli::try_parse_from(["dobot", "draw", "FILE", &format!("--{option}")]);
+    let parsed = command_line::parse(["dobot", "draw", "FILE", &format!("--{option}")]);
     let suggested = parsed
         .err()
         .and_then(|error| match error.get(ContextKind::SuggestedArg)? {
-            ContextValue::String(it) => it.strip_prefix("--").map(str::to_owned),
+            ContextValue::String(option) => option.strip_prefix("--").map(str::to_owned),
             _ => None,
         });
-    let is_known = |it: &String| known.iter().any(|arg| arg.get_long() == Some(it));
+    let is_known = |option: &String| known.iter().any(|arg| arg.get_long() == Some(option));
     let meant = suggested.filter(is_known);
-    let meant = meant.map_or_else(String::new, |it| format!("; did you mean {it}?"));
-    format!("{option} is no key of a file of defaults{meant}")
+    let meant = meant.map_or_else(String::new, |option| format!("; did you mean {option}?"));
+    format!("{option} is not a key of a file of defaults{meant}")
 }
 
-/// What a value has to be.
+/// The kind of a value.
 struct Kind {
-    /// The option can stand alone.
+    /// Whether the option is allowed without a value.
     alone: bool,
-    /// It takes a value at all.
+    /// Whether it takes values.
     takes: bool,
-    /// It takes so many.
+    /// The number of values.
     count: usize,
-    /// It may be given again and again.
+    /// Whether it may be repeated.
     repeats: bool,
     of: ValueKind,
 }
@@ -123,7 +130,7 @@ enum ValueKind {
     Number,
     Whole,
     Path,
-    /// A text, or a number where that can be read as one.
+    /// A text, or a number that is read as a text.
     Text,
 }
 
@@ -146,15 +153,15 @@ impl Kind {
         let takes = matches!(arg.get_action(), ArgAction::Set | ArgAction::Append);
         let range = arg.get_num_args();
         Self {
-            alone: !takes || range.is_some_and(|it| it.min_values() == 0),
+            alone: !takes || range.is_some_and(|range| range.min_values() == 0),
             takes,
-            count: range.map_or(1, |it| it.max_values()),
+            count: range.map_or(1, |range| range.max_values()),
             repeats: matches!(arg.get_action(), ArgAction::Append),
             of,
         }
     }
 
-    /// The same on a command line; none where it is not allowed.
+    /// Converts a value to words of a command line; `None` if it is not allowed.
     fn words(&self, option: &str, value: &DeValue<'_>, folder: &Path) -> Option<Vec<OsString>> {
         let long = format!("--{option}");
         let joined = |value: OsString| {
@@ -167,13 +174,13 @@ impl Kind {
                 Some(given.then(|| long.into()).into_iter().collect())
             }
             DeValue::Array(all) if self.count > 1 && all.len() == self.count => {
-                let values = all.iter().map(|it| self.value(it.get_ref(), folder));
+                let values = all.iter().map(|one| self.value(one.get_ref(), folder));
                 std::iter::once(Some(long.into())).chain(values).collect()
             }
             DeValue::Array(all) if self.repeats && self.count == 1 => {
                 let values = all
                     .iter()
-                    .map(|it| self.value(it.get_ref(), folder).map(joined));
+                    .map(|one| self.value(one.get_ref(), folder).map(joined));
                 values.collect()
             }
             one if self.takes && self.count == 1 => Some(vec![joined(self.value(one, folder)?)]),
@@ -190,10 +197,10 @@ impl Kind {
                     _ => None,
                 };
             }
-            DeValue::Integer(it) => i64::from_str_radix(it.as_str(), it.radix())
+            DeValue::Integer(number) => i64::from_str_radix(number.as_str(), number.radix())
                 .ok()?
                 .to_string(),
-            DeValue::Float(it) => it.as_str().parse::<f64>().ok()?.to_string(),
+            DeValue::Float(number) => number.as_str().parse::<f64>().ok()?.to_string(),
             _ => return None,
         };
         let allowed = match self.of {
@@ -204,36 +211,34 @@ impl Kind {
         allowed.then(|| number.into())
     }
 
-    /// What is allowed, for a person.
+    /// Describes the allowed values.
     fn allowed(&self) -> String {
         let one = match self.of {
             ValueKind::Number => "a number",
-            ValueKind::Whole => "a whole number from 0 on",
-            ValueKind::Path => "the name of a file in quotation marks",
+            ValueKind::Whole => "a whole number, 0 or more",
+            ValueKind::Path => "a file name in quotation marks",
             ValueKind::Text => "a text in quotation marks",
         };
         match (self.takes, self.alone) {
-            (false, _) => "allowed are true and false".to_owned(),
-            (_, true) => {
-                "allowed are true, false and what stands behind it on a command line".to_owned()
-            }
-            _ if self.count > 1 => format!("allowed are {} numbers in brackets", self.count),
-            _ if self.repeats => format!("allowed is {one}, or several in brackets"),
-            _ => format!("allowed is {one}"),
+            (false, _) => "expected true or false".to_owned(),
+            (_, true) => "expected true, false or the value of the option".to_owned(),
+            _ if self.count > 1 => format!("expected {} numbers in brackets", self.count),
+            _ if self.repeats => format!("expected {one}, or several in brackets"),
+            _ => format!("expected {one}"),
         }
     }
 }
 
-/// The options without which these words do nothing; or what is wrong with their value.
+/// Returns the options without which the words have no effect, or the problem of their value.
 fn needs(words: &[OsString]) -> Result<Vec<String>, String> {
     let program = ["dobot", "draw", "FILE"].map(OsString::from).into_iter();
-    let Err(error) = Cli::try_parse_from(program.chain(words.iter().cloned())) else {
+    let Err(error) = command_line::parse(program.chain(words.iter().cloned())) else {
         return Ok(Vec::new());
     };
     if error.kind() == ErrorKind::MissingRequiredArgument
         && let Some(ContextValue::Strings(missing)) = error.get(ContextKind::InvalidArg)
     {
-        let long = |it: &String| it.split(' ').next().map(str::to_owned);
+        let long = |arg: &String| arg.split(' ').next().map(str::to_owned);
         return Ok(missing.iter().filter_map(long).collect());
     }
     let reason = std::error::Error::source(&error).map(ToString::to_string);
@@ -244,11 +249,11 @@ fn key_text(key: &Spanned<toml::de::DeString<'_>>) -> String {
     key.get_ref().to_string()
 }
 
-/// The line of a place in a text, counted from 1.
+/// The line of an offset in a text, counted from 1.
 fn line_at(text: &str, offset: usize) -> usize {
     let before = text.get(..offset);
     before.map_or(1, |before| before.split('\n').count())
 }
 
-const KEYS: &str = "keys are the long options of `dobot draw --help` that say how it is drawn, where, and with what; \
-    what is drawn stands on the command line";
+const KEYS: &str =
+    "use long options of `dobot draw --help` as keys; what is drawn is given on the command line";
