@@ -73,8 +73,8 @@ function agreed(question) {
   switch (question.about) {
     case "fleet_reset":
       return requests.reset(question.to);
-    case "fleet_give":
-      return void queueRequests.give(question.work);
+    case "fleet_reassign":
+      return void queueRequests.reassign(question.work);
     case "fleet_end_arm":
       return requests.endArm(question.giver, question.name);
     case "fleet_cancel":

@@ -14,7 +14,7 @@ import { problemText, told, toneOfTold, toText } from "./told.js";
 
 /** From when on it is told how old all of this is. */
 const OLD_MS = 2000;
-const SORT_TONES = { working: "good", stopped: "bad", away: "warn", locked: "warn", stuck: "warn" };
+const SORT_TONES = { running: "good", stopped: "bad", offline: "warn", locked: "warn", stuck: "warn" };
 
 /** @param {Context} context */
 export function head(context) {
@@ -23,11 +23,11 @@ export function head(context) {
   return html`
     <h1>${say("fleet")} <small>${board.name ? html`<a href="./" title=${say("fleet.page.own")}>${say("fleet.seen_by", { name: board.name })}</a>` : nothing}</small></h1>
     <div id="count" role="group" aria-label=${say("fleet.sort")}>
-      <span class="chip" data-tone="off" role="status">${say("fleet.there", { there: board.members.filter(isThere).length, all: board.members.length })}</span>
+      <span class="chip" data-tone="off" role="status">${say("fleet.online", { there: board.members.filter(isThere).length, all: board.members.length })}</span>
       ${SORTS.map((sort) => chip(context, sort))}
     </div>
     <div class="sift">
-      <input id="sought" type="text" aria-label=${say("fleet.sought")} placeholder=${say("fleet.sought")} .value=${live(board.sought)} @input=${(/** @type {Event} */ event) => act.send({ type: "sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
+      <input id="sought" type="text" aria-label=${say("fleet.filter")} placeholder=${say("fleet.filter")} .value=${live(board.sought)} @input=${(/** @type {Event} */ event) => act.send({ type: "sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
       ${all.length ? html`
         <select id="group" aria-label=${say("fleet.group")} @change=${(/** @type {Event} */ event) => act.send({ type: "group", group: /** @type {HTMLSelectElement} */ (event.target).value || null })}>
           <option value="" .selected=${live(board.group === null)}>${say("fleet.groups.all")}</option>
@@ -67,7 +67,7 @@ function wanting({ board, say, act }) {
     <form id="arm" @submit=${ask}>
       <label for="arm-name">${say("fleet.arm.text", { giver: from.name })}</label>
       <input id="arm-name" name="name" type="text" maxlength="40" autocomplete="off" autocapitalize="none" spellcheck="false" required placeholder=${say("fleet.arm.name")}>
-      <button id="arm-give" type="submit" class="small strong">${say("fleet.arm.give")}</button>
+      <button id="arm-give" type="submit" class="small strong">${say("fleet.arm.create")}</button>
     </form>`;
 }
 

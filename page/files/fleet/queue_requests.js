@@ -66,7 +66,7 @@ export function createQueueRequests(store, http) {
     /** A person does not want it any more. @param {string} work */
     cancel: (work) => decide(work, "DELETE", `${WORK}/${work}`),
     /** A person has looked at the arm, and another one is to do it. @param {string} work */
-    give: (work) => decide(work, "POST", `${WORK}/${work}/give`),
+    reassign: (work) => decide(work, "POST", `${WORK}/${work}/give`),
   };
 }
 

@@ -54,7 +54,7 @@ function form({ board, say, act }, id, to, members) {
       <label>${say("fleet.slots.names")} <textarea name="names" rows="4" required autocomplete="off" spellcheck="false" placeholder=${say("fleet.slots.example")}></textarea></label>
       <p class="row">
         <label>${say("fleet.slots.minutes")} <input name="minutes" type="number" min="1" max=${MOST_MINUTES} step="1" value=${MINUTES} required></label>
-        <button type="submit" class="small strong" ?disabled=${!members.length}>${say("fleet.slots.give")}</button>
+        <button type="submit" class="small strong" ?disabled=${!members.length}>${say("fleet.slots.set")}</button>
         ${members.some(({ state }) => state?.slots) ? html`<button type="button" class="small" data-act="clear" @click=${() => act.clearSlots(to)}>${say("fleet.slots.clear")}</button>` : nothing}
       </p>
       <p class="quiet">${say(members.length > 1 ? "fleet.slots.hint.turn" : "fleet.slots.hint")}</p>

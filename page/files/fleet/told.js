@@ -32,7 +32,7 @@ export function told(context, asked) {
   const { board: { language }, say } = context;
   const { what, to, answers, problem } = asked;
   if (problem) return html`<strong>${say(`fleet.failed.${what}`)}</strong> ${problemText(problem)} ${what === "stop" ? pages(context, context.board.members.map(({ name }) => name)) : nothing}`;
-  if (!answers) return html`${say(`fleet.asking.${what}`, { to: toText(say, to, language) })}`;
+  if (!answers) return html`${say(`fleet.pending.${what}`, { to: toText(say, to, language) })}`;
   const { done, silent, refused } = outcomeOf(answers);
   const all = answers.length;
   return html`
@@ -45,7 +45,7 @@ export function told(context, asked) {
 function given({ say }, answers) {
   const arms = answers.filter(({ answer }) => !problemOf(answer)).map(({ answer }) => /** @type {import("../state/types.js").Schemas["GivenArm"]} */ (answer.body));
   if (!arms.length) return html`<strong>${say("fleet.failed.give_arm")}</strong>`;
-  return arms.map(({ name, page }) => html`<strong>${say("fleet.arm.given", { name })}</strong> <a id="arm-page" href=${pageIn(page) ?? ""} target="_blank" rel="noreferrer">${say("fleet.page.of", { name })}</a>`);
+  return arms.map(({ name, page }) => html`<strong>${say("fleet.arm.ready", { name })}</strong> <a id="arm-page" href=${pageIn(page) ?? ""} target="_blank" rel="noreferrer">${say("fleet.page.of", { name })}</a>`);
 }
 
 /** The own pages of these stations, as far as they have told them. @param {Context} context @param {readonly string[]} names */

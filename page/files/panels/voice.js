@@ -23,7 +23,7 @@ export function voice({ page, say, act }) {
       </div>
       <form id="say" class="row" @submit=${tell}>
         <input id="say-text" name="text" type="text" maxlength="40" autocomplete="off" required aria-label=${say("voice.text")}>
-        <button type="submit" ?disabled=${why}>${say("voice.say")}</button>
+        <button type="submit" ?disabled=${why}>${say("voice.send")}</button>
       </form>
     </details>`;
 }

@@ -64,7 +64,7 @@ test("a pass without a colour has one that its neighbours have not", () => {
 test("errors have three classes: half of the tolerance, all of it, more", () => {
   const path = { ...timeline.path, error_mm: Float32Array.of(0, 0.025, 0.026, 0.05, 0.051, 3) };
   assert.deepEqual([...lookOfErrors({ ...timeline, path }, 0.05).classes], [0, 0, 1, 1, 2, 2]);
-  assert.deepEqual(errorNames(speak("en"), 0.05), ["off by 0 to 0.025 mm", "to 0.05 mm, the tolerance", "more"]);
+  assert.deepEqual(errorNames(speak("en"), 0.05), ["error 0 to 0.025 mm", "up to 0.05 mm (tolerance)", "larger"]);
 });
 
 test("times are minutes and seconds, and hours where there are any", () => {

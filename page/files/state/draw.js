@@ -70,7 +70,7 @@ export const NO_DRAW = {
  * | { type: "draw_planned", asked: number, title: string, plan: Plan, timeline: import("../preview/timeline.js").Timeline, set: Settings }
  * | { type: "draw_timeline", timeline: import("../preview/timeline.js").Timeline }
  * | { type: "draw_failed", asked: number, problem: Problem }
- * | { type: "draw_given_up" }
+ * | { type: "draw_cancelled" }
  * | { type: "materials", materials: Draw["materials"] }
  * | { type: "formats", formats: Formats }} DrawMessage */
 
@@ -149,7 +149,7 @@ export function reduceDraw(draw, message) {
       return { ...draw, asked: draw.asked + 1, phase: "nothing", file: null, drawing: null, problem: null, planned: null, what: "file", timeline: { timeline: message.timeline } };
     case "draw_failed":
       return message.asked === draw.asked ? { ...draw, phase: "failed", drawing: null, problem: message.problem } : draw;
-    case "draw_given_up":
+    case "draw_cancelled":
       return { ...draw, asked: draw.asked + 1, phase: "failed", problem: null, drawing: null };
     case "hello":
       // A station that began anew knows no drawing.

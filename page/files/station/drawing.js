@@ -78,7 +78,7 @@ export function followDrawing(store, http) {
     if (draw.asked === seen) return;
     seen = draw.asked;
     clearTimeout(timer);
-    if (type === "draw_given_up") forgetAll(null);
+    if (type === "draw_cancelled") forgetAll(null);
     else timer = setTimeout(() => void plan(), PLAN_MS);
   });
 }

@@ -82,7 +82,7 @@ function untrusted({ page, say, act }) {
   if (!page.station?.arm || page.station.trust.trusted) return nothing;
   return html`
     <section id="untrusted" class="banner" data-tone="warn" role="status">
-      <p><strong>${say("pose.not_trusted")}</strong> <span id="untrusted-why">${page.station.trust.reason ?? ""}</span></p>
+      <p><strong>${say("pose.not_confirmed")}</strong> <span id="untrusted-why">${page.station.trust.reason ? `${sentence(page.station.trust.reason)}.` : ""}</span></p>
       <button id="confirm-pose" type="button" @click=${() => act.question({ about: "confirm_pose" })}>${say("pose.confirm")}</button>
     </section>`;
 }
@@ -111,7 +111,7 @@ function problem({ page, say, act }) {
 }
 
 /** @param {Context} context */
-const token = ({ page, say, act, connect }) => (page.connection === "token" ? tokenForm(say, say("token.wanted"), (secret) => act.useToken(secret, connect)) : nothing);
+const token = ({ page, say, act, connect }) => (page.connection === "token" ? tokenForm(say, say("token.required"), (secret) => act.useToken(secret, connect)) : nothing);
 
 /** What a person is asked before something is done. @param {Context} context */
 export const question = ({ page, say, act }) => (page.question ? sure(say, page.question, act.answer) : nothing);

@@ -42,7 +42,7 @@ function control(context) {
       <span id="holder" role="status">${holder}</span>
       ${lease === null || (lease.is_program && !mine) ? html`<button id="take" type="button" class="small" @click=${() => act.ask({ type: "take_lease" })}>${say("control.take")}</button>` : nothing}
       ${mine ? html`<button id="release" type="button" class="small" @click=${() => act.ask({ type: "release_lease" })}>${say("control.release")}</button>` : nothing}
-      ${lease && !mine && !lease.is_program ? html`<button id="ask" type="button" class="small" ?disabled=${asked} @click=${() => act.ask({ type: "ask_lease" })}>${say(asked ? "control.asked" : "control.ask")}</button>` : nothing}
-      ${mine ? lease?.asked_by.map(({ client, name }) => html`<button type="button" class="small strong give" @click=${() => act.ask({ type: "grant_lease", to: client })}>${say("control.give", { name })}</button>`) : nothing}
+      ${lease && !mine && !lease.is_program ? html`<button id="ask" type="button" class="small" ?disabled=${asked} @click=${() => act.ask({ type: "ask_lease" })}>${say(asked ? "control.requested" : "control.request")}</button>` : nothing}
+      ${mine ? lease?.asked_by.map(({ client, name }) => html`<button type="button" class="small strong give" @click=${() => act.ask({ type: "grant_lease", to: client })}>${say("control.hand_over", { name })}</button>`) : nothing}
     </div>`;
 }
