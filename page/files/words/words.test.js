@@ -2,6 +2,8 @@ import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import { test } from "node:test";
 
+import { LESSONS } from "../state/learn.js";
+import { parse } from "../vendor/smol-toml/index.js";
 import { WORDS, clock, languageOf, span, speak } from "./words.js";
 
 const ROOT = new URL("../", import.meta.url);
@@ -27,6 +29,18 @@ test("every text is used", async () => {
   const families = [...source.matchAll(/`([a-z_.]+)\$\{/g)].map((it) => it[1]);
   const unused = Object.keys(WORDS.en).filter((word) => !source.includes(`"${word}"`) && !families.some((it) => word.startsWith(it)));
   assert.deepEqual(unused, []);
+});
+
+test("lessons name the controls as the page does", async () => {
+  for (const lesson of LESSONS) {
+    const { steps } = parse(await readFile(new URL(`lessons/${lesson}.toml`, ROOT), "utf8"));
+    for (const { text } of steps) {
+      for (const [, label] of text.zh.matchAll(/“([^”]+)”/g)) {
+        const keys = Object.keys(WORDS.zh).filter((key) => WORDS.zh[key].replace(/…$/, "") === label);
+        assert.ok(keys.some((key) => text.en.includes(WORDS.en[key].replace(/…$/, ""))), `${lesson}: ${label}`);
+      }
+    }
+  }
 });
 
 test("values stand where the text names them", () => {
