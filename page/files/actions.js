@@ -1,6 +1,6 @@
 // What a person can do on the page: each is a message to the state, a request to the station, or both.
 
-import { rests } from "./state/select.js";
+import { rests } from "./state/selectors.js";
 import { commandOf } from "./station/target.js";
 import { NO_CONNECTION } from "./station/socket.js";
 import { createStop } from "./station/stop.js";

@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
 import { gesture, hand, numbers, words } from "./gestures.mjs";
-import { crowd, job, learner, member, queue, standIn, time } from "./stand_in.mjs";
+import { crowd, job, learner, member, queue, standIn, time } from "./mock_station.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 360, height: 740 } };

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
-import { SILENT, member, standIn, work } from "./stand_in.mjs";
+import { SILENT, member, standIn, work } from "./mock_station.mjs";
 
 const WORK = "/api/v1/fleet/work";
 

@@ -2,21 +2,21 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { stops } from "../hands/stop_button.js";
+import { stops } from "../input/stop_button.js";
 import { TONES } from "../panels/jobs.js";
 import { groupJobs } from "../state/jobs.js";
-import { clock, span } from "../words/words.js";
-import { resetQuestion } from "./foot.js";
+import { clock, span } from "../i18n/i18n.js";
+import { resetQuestion } from "./footer.js";
 import { learnerLine } from "./learners.js";
 import { alarms, isThere, lockOf, pageOf, share } from "./members.js";
 import { ofArm } from "./queue_list.js";
 import { slotsOfArm } from "./slot_form.js";
-import { problemText } from "./told.js";
+import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {import("../state/jobs.js").JobView} JobView */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 
 /** The most finished jobs that are listed. */
 const MOST_FINISHED = 5;

@@ -2,7 +2,7 @@
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Station} Station */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** A student in a lesson. @typedef {Schemas["LearnerView"]} Learner */
 /** A station of the fleet, with what it told last, and the students of whom it was told. @typedef {Omit<Schemas["Member"], "state" | "about"> & { state: Station | null, about: Schemas["MemberAbout"] | null, learners?: readonly Learner[] }} Member */
 /** @typedef {"bad" | "warn" | "good" | "off"} Tone */

@@ -6,11 +6,11 @@ import { sentence } from "../views/banners.js";
 import { share } from "./members.js";
 import { canCancel, canReassign, ofMember, groupWork } from "./queue.js";
 import { submission } from "./submit.js";
-import { problemText } from "./told.js";
+import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./queue.js").WorkView} WorkView */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 
 /** So many that are over, or that one arm could take, are told. */
 const MOST_FINISHED = 20, MOST_SUITABLE = 5;

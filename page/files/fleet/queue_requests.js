@@ -1,6 +1,6 @@
 // Reads the work for any arm that was submitted to the station of this board, and asks for what is to become of it.
 
-import { readDrawing } from "../station/file.js";
+import { readDrawing } from "../station/drawing_file.js";
 import { optionsOf } from "./queue.js";
 
 /** @typedef {import("./fleet.js").Store} Store */

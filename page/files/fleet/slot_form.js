@@ -1,10 +1,10 @@
 // Time slots of one arm or of several: the form to give them, and the lists of who is at which arm when.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 import { isMeant, isThere, recipients } from "./members.js";
 import { deal, namesOf } from "./slots.js";
-import { toText } from "./told.js";
+import { toText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */

@@ -6,7 +6,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Problem} Problem */
-/** @typedef {import("../words/words.js").Language} Language */
+/** @typedef {import("../i18n/i18n.js").Language} Language */
 /** @typedef {import("../state/state.js").Theme} Theme */
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {Schemas["Recipients"]} Recipients */

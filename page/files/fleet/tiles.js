@@ -2,12 +2,12 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { stops } from "../hands/stop_button.js";
+import { stops } from "../input/stop_button.js";
 import { isSamePerson, timeNow } from "../state/slots.js";
-import { clock, span } from "../words/words.js";
+import { clock, span } from "../i18n/i18n.js";
 import { learnerLine } from "./learners.js";
 import { alarms, isStuck, isThere, pageOf, recipients, sections, share, toneOf } from "./members.js";
-import { problemText } from "./told.js";
+import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */

@@ -6,9 +6,9 @@ import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
 import { accepted, formatNames, hasSubject, withFieldNames, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
-import { hindrance, isVirtual } from "../state/select.js";
+import { hindrance, isVirtual } from "../state/selectors.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 import { sheet } from "./sheet.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -52,7 +52,7 @@ function subject({ page, say, act }) {
 
 /** A field for a number. @param {Context} context @param {keyof Settings} name @param {string} unit @param {string} placeholder */
 const field = ({ page, say, act }, name, unit, placeholder) => html`
-  <label><span>${say(/** @type {import("../words/words.js").Word} */ (`draw.${name}`))} <small>${unit}</small></span>
+  <label><span>${say(/** @type {import("../i18n/i18n.js").Word} */ (`draw.${name}`))} <small>${unit}</small></span>
     <input id="draw-${name}" type="text" inputmode="decimal" autocomplete="off" placeholder=${placeholder} aria-invalid=${wrongField(page.draw.set) === name ? "true" : "false"} .value=${live(String(page.draw.set[name]))}
       @input=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: value(event) } })}></label>`;
 

@@ -4,11 +4,11 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { placeFor, groupJobs } from "../state/jobs.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 import { recordings } from "./recordings.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** @typedef {import("../state/jobs.js").JobView} JobView */
 
 export const TONES = { queued: "off", running: "good", paused: "warn", stopped: "off", done: "good", failed: "bad" };

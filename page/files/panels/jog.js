@@ -2,10 +2,10 @@
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** A button: its axis, its name, its way, and where it lies. @typedef {[axis: string, name: string, way: Word, place: string]} Button */
 
 /** @type {readonly Button[]} */

@@ -3,7 +3,7 @@
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { saveAs } from "../parts/save.js";
+import { saveAs } from "../parts/download.js";
 import { exported, line, wanted } from "../state/packets.js";
 import { sentence } from "../views/banners.js";
 

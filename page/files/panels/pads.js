@@ -1,7 +1,7 @@
 // The mouse pad and the hand pad.
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 

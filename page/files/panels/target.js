@@ -3,7 +3,7 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 import { FIELDS, placeOf } from "../state/target.js";
 import { sentence } from "../views/banners.js";
 

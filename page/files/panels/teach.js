@@ -3,12 +3,12 @@
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
-import { hindrance, kept, rowsIn } from "../state/select.js";
+import { hindrance, kept, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
-import { ROW_PX, carry } from "../hands/carry.js";
-import { saveAs } from "../parts/save.js";
+import { ROW_PX, carry } from "../input/row_drag.js";
+import { saveAs } from "../parts/download.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/teach.js").Row} Row */
@@ -100,7 +100,7 @@ function table({ page, say, act }, rows) {
     <p class="unseen" id="teach-moved" role="status">${page.teach.moved ? say("teach.moved", { step: page.teach.moved.to + 1, steps: page.teach.moved.of }) : ""}</p>`;
 }
 
-/** What a row that is carried does. @param {Context["act"]} act @returns {import("../hands/carry.js").Carrying} */
+/** What a row that is carried does. @param {Context["act"]} act @returns {import("../input/row_drag.js").Carrying} */
 const carrying = (act) => ({
   over: (from, to) => act.send({ type: "teach_carried", carried: { from, to } }),
   drop(from, to) {

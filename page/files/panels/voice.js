@@ -1,7 +1,7 @@
 // The words of voice mode, as buttons and as a text.
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 /** What the arm is told in English, in every language of the page. */
 const WORDS = /** @type {const} */ ({ forward: "ahead ten", back: "back ten", left: "left ten", right: "right ten", up: "up ten", down: "down ten", catch: "catch", release: "release" });

@@ -6,7 +6,7 @@ import { packets } from "./packets.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** @typedef {import("../state/history.js").History} History */
 
 /** @param {Context} context */

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { speak } from "../words/words.js";
+import { speak } from "../i18n/i18n.js";
 import { accepted, formatNames, NO_DRAW, reduceDraw, withFieldNames } from "./draw.js";
 
 const FORMATS = /** @type {import("./draw.js").Formats} */ ([

@@ -21,7 +21,7 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /** @typedef {import("./types.js").Near} Near */
 /** @typedef {import("./types.js").Role} Role */
 /** @typedef {import("../stage/view.js").View} View */
-/** @typedef {import("../words/words.js").Language} Language */
+/** @typedef {import("../i18n/i18n.js").Language} Language */
 
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
 /** @typedef {"move" | "draw" | "teach" | "jobs" | "watch" | "set_up"} Tab */

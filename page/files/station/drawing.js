@@ -2,7 +2,7 @@
 
 import { timelineOf } from "../preview/timeline.js";
 import { hasSubject, optionsOf, wrongField } from "../state/draw.js";
-import { readDrawing } from "./file.js";
+import { readDrawing } from "./drawing_file.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */

@@ -2,10 +2,10 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";
-import { isVeryOld, othersTime, silence_ms } from "../state/select.js";
+import { isVeryOld, othersTime, silence_ms } from "../state/selectors.js";
 import { isSamePerson, timeNext, timeNow } from "../state/slots.js";
-import { span } from "../words/words.js";
-import { sure } from "./sure.js";
+import { span } from "../i18n/i18n.js";
+import { sure } from "./confirm.js";
 import { tokenForm } from "./token.js";
 
 /** @typedef {import("./context.js").Context} Context */

@@ -3,7 +3,7 @@
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
 import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointHindrance, touchesOf } from "../../state/calibrate.js";
-import { hindrance } from "../../state/select.js";
+import { hindrance } from "../../state/selectors.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";
 

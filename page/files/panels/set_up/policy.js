@@ -3,7 +3,7 @@
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
 import { unlessFocused } from "../../parts/unless_focused.js";
-import { shownPolicy } from "../../state/select.js";
+import { shownPolicy } from "../../state/selectors.js";
 import { isChanged } from "../../state/set_up.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";

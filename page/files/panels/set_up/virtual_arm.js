@@ -4,7 +4,7 @@ import { html } from "../../vendor/lit-html/lit-html.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
-/** @typedef {import("../../words/words.js").Word} Word */
+/** @typedef {import("../../i18n/i18n.js").Word} Word */
 
 /** What often goes wrong, by name. @type {readonly [Word, string][]} */
 const FAULTS = [

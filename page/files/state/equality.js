@@ -1,6 +1,6 @@
 // Whether two states of the page look the same: a station keeps reporting an arm that rests. Pure.
 
-import { silence_ms } from "./select.js";
+import { silence_ms } from "./selectors.js";
 
 /** @typedef {import("./state.js").Page} Page */
 /** @typedef {import("./types.js").Station} Station */

@@ -1,10 +1,10 @@
 // The foot of the board: STOP for all, and what came of it.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { stops } from "../hands/stop_button.js";
+import { stops } from "../input/stop_button.js";
 import { isMeant, isThere, recipients } from "./members.js";
 import { list } from "./outcome.js";
-import { told, toneOfTold } from "./told.js";
+import { told, toneOfTold } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */

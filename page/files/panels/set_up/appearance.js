@@ -2,9 +2,9 @@
 
 import { html } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
-import { LANGUAGES } from "../../words/words.js";
+import { LANGUAGES } from "../../i18n/i18n.js";
 
-/** @typedef {import("../../words/words.js").Language} Language */
+/** @typedef {import("../../i18n/i18n.js").Language} Language */
 
 /** @type {readonly import("../../state/state.js").Theme[]} */
 const THEMES = ["auto", "light", "dark"];

@@ -1,7 +1,7 @@
 // The things on the table of a virtual arm.
 
 import { CylinderGeometry, Group, Mesh, MeshStandardMaterial } from "../vendor/three/three.js";
-import { rad } from "./links.js";
+import { rad } from "./kinematics.js";
 import { block } from "./solid.js";
 
 /** @typedef {import("./view.js").Thing} Thing */

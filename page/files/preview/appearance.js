@@ -47,12 +47,12 @@ function passColor(color, pass) {
 
 const MOST_LETTERS = 60;
 
-/** What the colours of errors mean. @param {import("../words/words.js").Say} say @param {number} tolerance_mm */
+/** What the colours of errors mean. @param {import("../i18n/i18n.js").Say} say @param {number} tolerance_mm */
 export function errorNames(say, tolerance_mm) {
   return [say("play.error.half", { mm: tolerance_mm / 2 }), say("play.error.whole", { mm: tolerance_mm }), say("play.error.more")];
 }
 
-/** Its name, shortened, or its number. @param {import("../words/words.js").Say} say @param {{name: string, tool: string}} pass @param {number} i */
+/** Its name, shortened, or its number. @param {import("../i18n/i18n.js").Say} say @param {{name: string, tool: string}} pass @param {number} i */
 export function passName(say, { name, tool }, i) {
   const short = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS)}…` : name;
   return (short || say("play.pass.number", { number: i + 1 })) + (tool === "laser" ? ` (${say("play.laser")})` : "");

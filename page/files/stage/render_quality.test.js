@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createLimit, createPace } from "./pace.js";
+import { createLimit, createPace } from "./render_quality.js";
 
 const FINEST = { density: 2, mirrors: true, shadows: true };
 

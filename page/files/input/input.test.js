@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { pushed } from "./gamepad.js";
 import { axisOf, isStop } from "./keys.js";
-import { gesturePacket, mousePacket } from "./pad.js";
+import { gesturePacket, mousePacket } from "./pad_packets.js";
 
 const ARM = { rotation_deg: 12, servo_deg: 8, suction: true };
 const focused = (...selectors) => ({ matches: (list) => selectors.some((it) => list.includes(it)) });

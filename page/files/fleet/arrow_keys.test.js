@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { nextTile } from "./walk.js";
+import { nextTile } from "./arrow_keys.js";
 
 // Three in a row, and two in the next one, which is a section of its own.
 const box = (column, row) => ({ left: column * 100, right: column * 100 + 90, top: row * 80, bottom: row * 80 + 70 });

@@ -2,9 +2,9 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { stops } from "../hands/stop_button.js";
-import { hasControl } from "../state/select.js";
-import { span } from "../words/words.js";
+import { stops } from "../input/stop_button.js";
+import { hasControl } from "../state/selectors.js";
+import { span } from "../i18n/i18n.js";
 
 /** @typedef {import("./context.js").Context} Context */
 /** @typedef {import("../state/types.js").Job} Job */

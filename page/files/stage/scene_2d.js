@@ -1,7 +1,7 @@
 // The stage without WebGL: the arm from above and from the side, on a canvas.
 
-import { forward, inverse, links, rad } from "./links.js";
-import { css, lookOf } from "./look.js";
+import { forward, inverse, links, rad } from "./kinematics.js";
+import { css, lookOf } from "./colors.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */

@@ -5,17 +5,17 @@ import {
 } from "../vendor/three/three.js";
 import { createArm } from "./arm.js";
 import { LENS_DEG, orbit, pan, place, preset, towards, zoom } from "./camera.js";
-import { createKeepOuts, createLimits } from "./fences.js";
-import { createHands } from "./hands.js";
+import { createKeepOuts, createLimits } from "./keep_outs.js";
+import { createHands } from "./pointer_input.js";
 import { createLight, createMirrored } from "./light.js";
 import { createDrawing, createPlanned, createTrail } from "./lines.js";
-import { forward, inverse, rad } from "./links.js";
-import { lookOf } from "./look.js";
+import { forward, inverse, rad } from "./kinematics.js";
+import { lookOf } from "./colors.js";
 import { createMarks } from "./marks.js";
 import { createPaper, createPlane, createTable } from "./paper.js";
 import { createTarget } from "./target.js";
 import { createBeam } from "./tools.js";
-import { createWorld } from "./world.js";
+import { createWorld } from "./objects.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */
@@ -215,7 +215,7 @@ export function createDeep(element, outside, card) {
     turn: (/** @type {number} */ around, /** @type {number} */ up) => look(orbit(camera, around, up)),
     shift: (/** @type {number} */ right, /** @type {number} */ up) => look(pan(camera, right * perPixel(), up * perPixel())),
     near: (/** @type {number} */ times) => look(zoom(camera, times)),
-    /** Mirrors cost the most, then shadows. @param {import("./pace.js").Quality} quality */
+    /** Mirrors cost the most, then shadows. @param {import("./render_quality.js").Quality} quality */
     refine({ mirrors, shadows }) {
       light.sun.castShadow = shadows;
       renderer.shadowMap.needsUpdate = true;

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { EDGE, boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, roundLength, viewOf } from "./look.js";
-import { speak } from "../words/words.js";
+import { EDGE, boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, roundLength, viewOf } from "./appearance.js";
+import { speak } from "../i18n/i18n.js";
 import { readTimeline } from "./timeline.js";
 import { sample } from "./sample.test.js";
 

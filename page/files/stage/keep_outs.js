@@ -3,10 +3,10 @@
 import {
   BoxGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, RingGeometry, SRGBColorSpace, ShaderMaterial,
 } from "../vendor/three/three.js";
-import { forward, links, rad } from "./links.js";
+import { forward, links, rad } from "./kinematics.js";
 import { rgb } from "./paper.js";
 
-/** @typedef {import("./look.js").Look} Look */
+/** @typedef {import("./colors.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Joints} Joints */
 /** @typedef {View["near"]["limits"][number]} Near */

@@ -4,14 +4,14 @@ import { test } from "node:test";
 
 import { LESSONS } from "../state/learn.js";
 import { parse } from "../vendor/smol-toml/index.js";
-import { WORDS, clock, languageOf, span, speak } from "./words.js";
+import { WORDS, clock, languageOf, span, speak } from "./i18n.js";
 
 const ROOT = new URL("../", import.meta.url);
 
 /** The page's own modules, as one text. */
 async function modules() {
   const paths = await readdir(ROOT, { recursive: true });
-  const own = paths.filter((it) => it.endsWith(".js") && !it.endsWith(".test.js") && !it.startsWith("vendor") && it !== "words/en.js" && it !== "words/zh.js");
+  const own = paths.filter((it) => it.endsWith(".js") && !it.endsWith(".test.js") && !it.startsWith("vendor") && it !== "i18n/en.js" && it !== "i18n/zh.js");
   return (await Promise.all(own.map((it) => readFile(new URL(it, ROOT), "utf8")))).join("\n");
 }
 

@@ -1,7 +1,7 @@
 // What a person without an arm sees first: that this one is virtual, and what can be done with it.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { isVirtual } from "../state/select.js";
+import { isVirtual } from "../state/selectors.js";
 
 /** @param {import("./context.js").Context} context */
 export function first({ page, say, act }) {

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { forward, inverse, links } from "./links.js";
+import { forward, inverse, links } from "./kinematics.js";
 import { CUP, LASER } from "./sample.test.js";
 
 const { rear_arm_mm: REAR_MM, forearm_mm: FORE_MM, crank_mm: CRANK_MM } = CUP;

@@ -1,6 +1,6 @@
 // The mouse pad (state 1) and the hand pad (state 8): what a pointer that is held on them sends.
 
-import { createStream, gesturePacket, mousePacket } from "./pad.js";
+import { createStream, gesturePacket, mousePacket } from "./pad_packets.js";
 
 /** @typedef {ReturnType<typeof createPads>} Pads */
 

@@ -2,15 +2,15 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { sure } from "../views/sure.js";
+import { sure } from "../views/confirm.js";
 import { tokenForm } from "../views/token.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 import { SORTS, count, giver, groups, isMeant, isThere, lockOf, nameOf, recipients } from "./members.js";
 import { counts } from "./queue.js";
-import { problemText, told, toneOfTold, toText } from "./told.js";
+import { problemText, told, toneOfTold, toText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 
 /** From when on it is told how old all of this is. */
 const OLD_MS = 2000;

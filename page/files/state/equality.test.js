@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { reduce } from "./reduce.js";
-import { looksSame } from "./same.js";
+import { looksSame } from "./equality.js";
 import { begin } from "./state.js";
 
 const STATION = {

@@ -7,7 +7,7 @@
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {ReturnType<typeof createJog>} JogHands */
 
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 const JOG_MS = 50;
 

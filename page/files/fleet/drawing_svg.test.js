@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { drawingOf } from "./drawing.js";
+import { drawingOf } from "./drawing_svg.js";
 
 const world = (other) => ({ tool: { kind: { type: "pen", width_mm: 0.5 } }, paper: { from_mm: [150, -105], to_mm: [298, 105] }, strokes: [], burns: [], holes: [], ...other });
 

@@ -2,11 +2,11 @@
 
 import { html, render } from "../vendor/lit-html/lit-html.js";
 
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** A question has a title, a text and a yes among the words. @typedef {Extract<Word, `question.${string}.yes`> extends `question.${infer About}.yes` ? About : never} About */
 
 /**
- * @param {import("../words/words.js").Say} say
+ * @param {import("../i18n/i18n.js").Say} say
  * @param {{ about: About, values?: Record<string, string | number> }} question
  * @param {(yes: boolean) => void} answer
  */

@@ -1,8 +1,8 @@
 // The strip at the top: the truth about the arm, always.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { hasControl, isVirtual, laser, othersTime } from "../state/select.js";
-import { clock } from "../words/words.js";
+import { hasControl, isVirtual, laser, othersTime } from "../state/selectors.js";
+import { clock } from "../i18n/i18n.js";
 
 /** @typedef {import("./context.js").Context} Context */
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { areaOf, fineness } from "./sheet.js";
+import { areaOf, fineness } from "./marks_area.js";
 
 const PAPER = { from_mm: [150, -105], to_mm: [298, 105] };
 

@@ -1,6 +1,6 @@
 // What is read from the state in more than one place.
 
-import { linesOf } from "../preview/look.js";
+import { linesOf } from "../preview/appearance.js";
 import { EMPTY } from "../stage/view.js";
 import { recorded } from "./recordings.js";
 import { isSamePerson, timeNow } from "./slots.js";

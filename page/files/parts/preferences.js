@@ -1,8 +1,8 @@
 // What a person wishes of every page of this station, kept in this browser.
 
-import { LANGUAGES } from "../words/words.js";
+import { LANGUAGES } from "../i18n/i18n.js";
 
-/** @typedef {import("../words/words.js").Language} Language */
+/** @typedef {import("../i18n/i18n.js").Language} Language */
 /** @typedef {import("../state/state.js").Theme} Theme */
 /** @typedef {{ language: Language, theme: Theme, greeted: boolean }} Wishes */
 

@@ -8,7 +8,7 @@ import { list, outcomeOf, problemOf } from "./outcome.js";
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./state.js").Asked} Asked */
 /** @typedef {import("../state/types.js").Problem} Problem */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 
 /** A problem as a person reads it. @param {Problem} problem */
 export const problemText = ({ detail, hint }) => `${sentence(detail)}.${hint ? ` ${sentence(hint)}.` : ""}`;
