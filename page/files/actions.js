@@ -1,6 +1,6 @@
 // What a person can do on the page: each is a message to the state, a request to the station, or both.
 
-import { rests } from "./state/select.js";
+import { rests } from "./state/selectors.js";
 import { commandOf } from "./station/target.js";
 import { NO_CONNECTION } from "./station/socket.js";
 import { createStop } from "./station/stop.js";
@@ -98,7 +98,7 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
   }
 
   /** Turns the base of a calibrated arm straight ahead, and once it rests there tells the arm its true angles, unless somebody stops it. */
-  async function tellAngles() {
+  async function sendAngles() {
     const before = stops;
     // From the right, so that the play of the joints is on the side on which they were touched.
     if (!(await moveJoints({ base_deg: -RUN_UP_DEG })) || !(await moveJoints({ base_deg: 0 }))) return;
@@ -148,10 +148,10 @@ export function createActions({ store, socket, http, setUp, calibrate, recording
       case "detect":
         takeIfFree();
         return setUp.detect();
-      case "forget_calibration":
+      case "clear_calibration":
         return calibrate.forget();
-      case "tell_angles":
-        return tellAngles();
+      case "send_angles":
+        return sendAngles();
       case "remove_token":
         return setUp.removeToken(String(values?.name));
       default:

@@ -1,25 +1,25 @@
 // Wires the station, the state, the stage and the views together.
 
 import { createActions } from "./actions.js";
-import { listenToDrops } from "./hands/drop.js";
-import { listenToGamepad } from "./hands/gamepad.js";
-import { createJog } from "./hands/jog.js";
-import { listenToKeys } from "./hands/keys.js";
-import { createPads } from "./hands/pads.js";
+import { listenToDrops } from "./input/file_drop.js";
+import { listenToGamepad } from "./input/gamepad.js";
+import { createJog } from "./input/jog.js";
+import { listenToKeys } from "./input/keys.js";
+import { createPads } from "./input/pads.js";
 import { draw as drawPanelOf } from "./panels/draw.js";
 import { jobs } from "./panels/jobs.js";
 import { move } from "./panels/move.js";
 import { setUp } from "./panels/set_up.js";
 import { teach } from "./panels/teach.js";
 import { watch } from "./panels/watch.js";
-import { isDarkTheme, keepWishes, readWishes } from "./parts/wishes.js";
+import { isDarkTheme, keepWishes, readWishes } from "./parts/preferences.js";
 import { createStage } from "./stage/stage.js";
 import { recorded } from "./state/recordings.js";
-import { looksSame } from "./state/same.js";
-import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/select.js";
+import { looksSame } from "./state/equality.js";
+import { createViewOf, isVeryOld, silence_ms, taughtPlace } from "./state/selectors.js";
 import { begin } from "./state/state.js";
 import { createStore } from "./state/store.js";
-import { followAround } from "./station/around.js";
+import { followAround } from "./station/auxiliary_data.js";
 import { createHttp, takeToken } from "./station/http.js";
 import { createJobs } from "./station/jobs.js";
 import { createLessons } from "./station/lessons.js";
@@ -33,14 +33,14 @@ import { createTeach } from "./station/teach.js";
 import { followTarget } from "./station/target.js";
 import { render } from "./vendor/lit-html/lit-html.js";
 import { banners, question, toasts } from "./views/banners.js";
-import { first } from "./views/first.js";
-import { foot } from "./views/foot.js";
+import { first } from "./views/welcome.js";
+import { foot } from "./views/footer.js";
 import { learn, point } from "./views/learn.js";
 import { cameras, pose } from "./views/pose.js";
-import { strip } from "./views/strip.js";
-import { showQuestion } from "./views/sure.js";
+import { strip } from "./views/status_bar.js";
+import { showQuestion } from "./views/confirm.js";
 import { tabs } from "./views/tabs.js";
-import { languageOf, span, speak } from "./words/words.js";
+import { languageOf, span, speak } from "./i18n/i18n.js";
 
 /** @typedef {import("./state/state.js").Page} Page */
 /** @typedef {import("./views/context.js").Context} Context */
@@ -108,7 +108,7 @@ function drawPanel(context) {
   render(PANELS[tab](context), panel);
 }
 
-/** @param {Page} page @param {import("./words/words.js").Say} say */
+/** @param {Page} page @param {import("./i18n/i18n.js").Say} say */
 function drawStage(page, say) {
   const then = recorded(page.recordings);
   const arm = then ?? page.station?.arm;

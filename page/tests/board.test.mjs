@@ -4,7 +4,7 @@ import { readFile } from "node:fs/promises";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
 import { gesture, hand, numbers, words } from "./gestures.mjs";
-import { crowd, job, learner, member, queue, standIn, time } from "./stand_in.mjs";
+import { crowd, job, learner, member, queue, standIn, time } from "./mock_station.mjs";
 
 const AXE = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 const SIZES = { desktop: { width: 1440, height: 900 }, tablet: { width: 1024, height: 768 }, phone: { width: 360, height: 740 } };
@@ -163,7 +163,7 @@ test("who did not answer a stop is told with the way to his page, and a second p
   await page.waitForSelector(".tile");
   await page.click("#stop");
   await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("1 of 3 stopped."));
-  assert.match(await text(page, "#stop-told"), /1 of 3 stopped\. No answer from desk-3 and desk-7: press STOP on their own pages\. Page of desk-3/);
+  assert.match(await text(page, "#stop-told"), /1 of 3 stopped\. NO ANSWER from desk-3 and desk-7: press STOP on their own pages\. Page of desk-3/);
   // What a station tells of itself leads nowhere but to a page.
   assert.deepEqual(await page.$$eval("a[href^='javascript']", (all) => all.length), 0);
   await page.click("#stop");
@@ -227,12 +227,12 @@ test("eyes on me and a message go to the group that is shown, or to all", async 
   await page.selectOption("#group", "room-2");
   await page.fill("#lesson-text", "Five minutes");
   await page.click("#send");
-  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("1 of 1 told."));
+  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("Sent to 1 of 1."));
   assert.deepEqual(requests().at(-1), { to: { group: "room-2" }, method: "POST", path: "/api/v1/message", body: { text: "Five minutes" } });
   await page.waitForFunction(() => document.querySelector("#lesson-text").value === "");
   assert.match(await page.textContent(".tile[data-member=desk-2] .alarms"), /locked/);
   await page.click("#release");
-  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("1 of 1 released."));
+  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("1 of 1 unlocked."));
   assert.deepEqual(requests().at(-1), { to: { group: "room-2" }, method: "DELETE", path: "/api/v1/lock" });
 });
 
@@ -243,13 +243,13 @@ test("a text and a group show some of the tiles; STOP ALL stops all of them", as
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 2);
   assert.deepEqual(await page.$$eval(".tile .name", (all) => all.map((it) => it.textContent)), ["desk-3", "desk-30"]);
   await page.fill("#sought", "");
-  await page.click("#count [data-sort=away]");
+  await page.click("#count [data-sort=offline]");
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 3);
   assert.equal(await page.locator(".tile[data-presence=present]").count(), 0);
   await page.click("#stop");
   await page.waitForSelector("#stop-told p");
   assert.equal(stops(station)[0].body.to, "all");
-  await page.click("#count [data-sort=away]");
+  await page.click("#count [data-sort=offline]");
   await page.fill("#sought", "no such thing");
   await page.waitForSelector("#none");
 });
@@ -258,11 +258,11 @@ test("who has control is told with for how long, and who asks for it", async () 
   const lease = { client: 2, name: "Anna", is_program: false, since_s: 10 - 95, asked_by: [{ client: 3, name: "Ben" }, { client: 4, name: "Chen" }] };
   const { page } = await open([member("desk-1", { here: true, lease }), member("desk-2")]);
   await page.waitForSelector(".tile");
-  assert.equal(await text(page, ".tile[data-member=desk-1] .who"), "Anna · 2 ask for it");
+  assert.equal(await text(page, ".tile[data-member=desk-1] .who"), "Anna · 2 requesting");
   await page.click(".tile[data-member=desk-1] .name");
   await page.waitForSelector("#details .facts div");
   const facts = await page.$$eval("#details .facts div", (all) => all.map((it) => [it.querySelector("dt").textContent, it.querySelector("dd").textContent]));
-  assert.deepEqual(facts.slice(0, 2), [["Control", "Anna, for 1 min 35 s"], ["Asks for control", "Ben, Chen"]]);
+  assert.deepEqual(facts.slice(0, 2), [["Control", "Anna, for 1 min 35 s"], ["Requests control", "Ben, Chen"]]);
 });
 
 test("whose time it is stands on the tile, beside an administrator who has control meanwhile", async () => {
@@ -284,14 +284,14 @@ test("names are dealt over the arms of a group in turn, are listed there, and ar
   await page.fill("#slots-group [name=names]", "Anna\nBen\n\n Chen ");
   await page.fill("#slots-group [name=minutes]", "10");
   await page.click("#slots-group [type=submit]");
-  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("2 of 2 have their slots."));
+  await page.waitForFunction(() => document.querySelector("#told")?.textContent.includes("2 of 2 have time slots."));
   const slot = (student, starts_in_s) => ({ student, group: "room-1", starts_in_s, ends_in_s: starts_in_s + 600 });
   assert.deepEqual(requests("PUT").map(({ to, body }) => [to, body.slots]), [[{ members: ["desk-1"] }, [slot("Anna", 0), slot("Chen", 600)]], [{ members: ["desk-2"] }, [slot("Ben", 0)]]]);
   await page.waitForFunction(() => document.querySelectorAll("#slots ol li").length === 3);
   assert.equal(await text(page, "#slots ol li:nth-of-type(2)"), "Chen in 10 min 00 s, for 10 min 00 s");
   assert.equal(await page.inputValue("#slots-group [name=names]"), "");
   await page.click("#slots [data-act=clear]");
-  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("2 of 3 are everyone's again."));
+  await page.waitForFunction(() => document.querySelector("#told").textContent.includes("2 of 3 have no time slots now."));
   assert.deepEqual(requests("DELETE").map(({ to }) => to), [{ group: "room-1" }]);
   await page.waitForSelector("#slots ol", { state: "detached" });
   // One at a time lies beside the tiles.
@@ -318,13 +318,13 @@ test("why a station gives no time is told in its own words, and the names stay",
 test("who takes a lesson is on the tile with the step, and who is stuck can be shown alone", async () => {
   const { page } = await open(crowd(12));
   await page.waitForSelector(".tile[data-member=desk-3] .learner");
-  assert.equal(await text(page, ".tile[data-member=desk-3] .learner"), "Mia Tour: five minutes step 4 of 12 for 12 s");
+  assert.equal(await text(page, ".tile[data-member=desk-3] .learner"), "Mia Tour (5 minutes) step 4 of 12 for 12 s");
   assert.match(await page.textContent(".tile[data-member=desk-7] .alarms"), /stuck/);
   assert.equal(await text(page, "#count [data-sort=stuck]"), "1 stuck");
   await page.click("#count [data-sort=stuck]");
   await page.waitForFunction(() => document.querySelectorAll(".tile").length === 1);
   await page.click(".tile[data-member=desk-7] .name");
-  assert.equal(await text(page, "#details .learner"), "Chen Tour: five minutes step 5 of 12 for 7 min 11 s");
+  assert.equal(await text(page, "#details .learner"), "Chen Tour (5 minutes) step 5 of 12 for 7 min 11 s");
 });
 
 for (const [size, viewport] of Object.entries(SIZES)) {

@@ -55,7 +55,7 @@ async function stand(place) {
 
 test("a person finds the zeros of an arm, sees what would be kept, keeps it, and takes it back", async () => {
   await page.click("#tab-set_up");
-  await says("calibrate-known", "as drawn");
+  await says("calibrate-known", "Not calibrated");
   assert.equal(await page.isDisabled("#calibrate-before"), true);
   await page.click("#calibrate-begin");
   await page.fill("#calibrate-bar", "194");
@@ -95,7 +95,7 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   await stand(points_mm[8]);
   await page.click("#calibrate-touch");
   await says("calibrate-touches", "Point 9, 40 mm higher");
-  await says("calibrate-touches", "left out");
+  await says("calibrate-touches", "excluded");
   assert.equal(await page.inputValue("#calibrate-block"), "");
   await page.click("#calibrate-back");
   await says("calibrate-result", "typically");
@@ -103,16 +103,16 @@ test("a person finds the zeros of an arm, sees what would be kept, keeps it, and
   assert.equal(await page.locator("#calibrate-keep").count(), 0);
   await page.click("#calibrate-show");
   await page.click("#calibrate-keep");
-  await says("calibrate-known", "8 touches agreed");
+  await says("calibrate-known", "8 points agreed");
   const { zeros } = (await known()).calibration;
   for (const [joint, wanted] of ZEROS.entries()) assert.ok(Math.abs(Object.values(zeros)[joint] - wanted) < 1.5, JSON.stringify(zeros));
 
   await page.click("#calibrate-forget");
   await page.click("#sure-yes");
-  await says("calibrate-known", "as drawn");
+  await says("calibrate-known", "Not calibrated");
   assert.equal((await known()).calibration, null);
   await page.click("#calibrate-before");
-  await says("calibrate-known", "8 touches agreed");
+  await says("calibrate-known", "8 points agreed");
   assert.deepEqual((await known()).calibration.zeros, zeros);
 });
 
@@ -121,7 +121,7 @@ test("the arm is told its angles with its base straight ahead, and a reset makes
   lease = undefined;
   await page.click("#calibrate-angles");
   await page.click("#sure-yes");
-  await says("calibrate-known", "told its true angles");
+  await says("calibrate-known", "angles were sent");
   await page.waitForFunction(() => Math.abs(Number(document.querySelector("[data-pose=base_deg]").textContent)) < 0.1);
   assert.equal((await bench.ask("api/v1/state")).calibrated.zeros_told, true);
   assert.equal(await page.locator("#calibrate-angles").count(), 0);
@@ -133,7 +133,7 @@ test("the arm is told its angles with its base straight ahead, and a reset makes
   await page.click("#calibrate-touch");
   await says("calibrate-point", "point 2 ");
   await ask("PUT", "api/v1/faults", { faults: ["reset@10ms"], seed: 0 });
-  await says("calibrate-lost", "Forgotten touches: 1");
+  await says("calibrate-lost", "Discarded points: 1");
   await says("calibrate-point", "point 1 ");
   assert.equal(await page.isDisabled("#calibrate-touch"), true);
   await page.click("#calibrate-leave");

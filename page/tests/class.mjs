@@ -97,7 +97,7 @@ async function submit(text, name) {
 
 test("the board shows each station of the three networks", async () => {
   await seen("present");
-  await says("#count .chip", "3 of 3 there");
+  await says("#count .chip", "3 of 3 online");
 });
 
 test("a drawing that is submitted at the board is taken by the arm that has what it needs, and drawn", async () => {
@@ -131,7 +131,7 @@ test("whoever has no arm is given a virtual one by the board, and moves it on a 
   await board.fill("#arm-name", "Chen");
   await board.click("#arm-give");
   await board.waitForSelector(`${tile("chen")}[data-presence=present]`);
-  await says("#count .chip", "4 of 4 there");
+  await says("#count .chip", "4 of 4 online");
   const own = await board.context().newPage();
   await own.goto(await board.getAttribute("#arm-page", "href"));
   await takeAndMove(own);
@@ -183,10 +183,10 @@ test("with the router killed the others are away, what they have is in doubt, an
   await seen("away");
   await board.waitForSelector(`${entry("Ben")}[data-doubtful=true]`);
   assert.match(await board.textContent(`${entry("Ben")} .told-of`), /^Desk-2 cannot be reached; \d+ of \d+ commands were done when it was heard of last, and it may go on\.$/);
-  await says("#queue-open", "1 in doubt");
+  await says("#queue-open", "1 uncertain");
   await board.click("#stop");
   await says("#stop-told", "1 of 3 stopped.");
-  assert.match(await board.textContent("#stop-told"), /No answer from desk-2 and desk-3: press STOP on their own pages\./);
+  assert.match(await board.textContent("#stop-told"), /NO ANSWER from desk-2 and desk-3: press STOP on their own pages\./);
   await state(board, ({ stop }) => stop !== null);
   // The arm that nobody of the fleet reaches is stopped on its own page.
   assert.equal((await student.evaluate(async () => (await fetch("api/v1/state")).json())).stop, null);
@@ -204,11 +204,11 @@ test("with the router back they find each other, the doubt ends by itself, and n
   await board.click("#stop");
   await says("#stop-told", "3 of 3 stopped.");
   // Only those that the board has heard to be stopped are asked about: each tells of itself every second.
-  await says("#reset", "Let 3 move again…");
+  await says("#reset", "Clear stops (3)…");
   // An arm that is not seen at rest is not let go.
   for (const page of [board, student]) await state(page, ({ stop }) => stop?.at_rest === true);
   await board.click("#reset");
   await board.click("#sure-yes");
-  await says("#told", "3 of 3 may move again.");
+  await says("#told", "3 of 3 stops cleared.");
   await state(student, ({ stop }) => stop === null);
 });

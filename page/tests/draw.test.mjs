@@ -46,7 +46,7 @@ async function ink() {
 
 test("a file that is dropped is planned, moved by hand, and drawn where it was put", async () => {
   await drop("square.svg", SVG);
-  await says("It takes");
+  await says("Takes ");
   const box = await page.locator("#sheet-move").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
@@ -55,8 +55,8 @@ test("a file that is dropped is planned, moved by hand, and drawn where it was p
   const [x, y] = [await value("x"), await value("y")];
   assert.ok(y > 10, `dragged to the left, so that Y is more than 0: ${y}`);
   assert.ok(x < 210, `dragged down, so that X is less than before: ${x}`);
-  await says("The station plans it");
-  await says("It takes");
+  await says("Planning…");
+  await says("Takes ");
   await page.click("#draw-start");
   await page.waitForSelector("#job-name:text('square.svg')");
   await page.waitForSelector("#job", { state: "detached", timeout: 60_000 });
@@ -79,7 +79,7 @@ test("a file of 100 MB is refused with what to do, and the page goes on", async 
   });
   await says("huge.png has 100 MB");
   await drop("square.svg", SVG);
-  await says("It takes");
+  await says("Takes ");
 });
 
 test("a place out of reach is told, and the way back is free", async () => {
@@ -87,19 +87,19 @@ test("a place out of reach is told, and the way back is free", async () => {
   await page.waitForSelector("#draw-told[data-tone=bad]");
   assert.ok(await page.isDisabled("#draw-start"));
   await page.fill("#draw-x", "");
-  await says("It takes");
+  await says("Takes ");
 });
 
 test("a plan that takes long is given up, and the statuses come as before meanwhile", async () => {
   const dots = Array.from({ length: 60_000 }, (_, n) => `<path d="M${(n % 245) * 0.4} ${Math.floor(n / 245) * 0.4}h.2" stroke="#${String(n % 1000).padStart(3, "0")}"/>`).join("");
   await drop("long.svg", `<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">${dots}</svg>`);
-  await page.waitForSelector("#draw-give-up");
+  await page.waitForSelector("#draw-cancel");
   await page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /drawings\/\d+$/.test(name)));
   const { link } = await get("state");
   assert.ok(link.statuses_per_s > 11, `${link.statuses_per_s} statuses in a second`);
-  await page.click("#draw-give-up");
-  await says("given up");
+  await page.click("#draw-cancel");
+  await says("Planning cancelled");
   await page.check("input[name=draw-what][value=text]", { force: true });
   await page.fill("#draw-text", "Hello");
-  await says("It takes");
+  await says("Takes ");
 });

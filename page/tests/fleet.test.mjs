@@ -139,7 +139,7 @@ test("each station of the fleet has a tile, in the section of its group, with it
   for (const name of stations.keys()) await page.waitForSelector(`${tile(name)}[data-presence=present]`);
   const sections = await page.$$eval("section.group", (all) => all.map((it) => [it.querySelector("[data-stop-group]").dataset.stopGroup, [...it.querySelectorAll(".name")].map((name) => name.textContent)]));
   assert.deepEqual(sections, [["room-1", ["desk-1", "desk-2"]], ["room-2", ["desk-3"]]]);
-  assert.equal(await page.textContent("#count .chip"), "3 of 3 there");
+  assert.equal(await page.textContent("#count .chip"), "3 of 3 online");
   assert.equal(await page.textContent(`${tile("desk-2")} .who`), "nobody has control");
 });
 
@@ -178,7 +178,7 @@ test("without a token the other stations let nobody more than watch and stop, an
   await page.click("#details-reset");
   await page.click("#sure-yes");
   await page.waitForSelector("#denied");
-  assert.match(await page.textContent("#told"), /0 of 1 may move again\.\s*desk-2: This takes the role control/);
+  assert.match(await page.textContent("#told"), /0 of 1 stops cleared\.\s*desk-2: This takes the role control/);
   assert.notEqual((await ask("desk-2", "api/v1/state")).stop, null);
   await page.fill("#token-field", token);
   await page.click("#token button");
@@ -191,7 +191,7 @@ test("a person lets them move again, one by one or all, after a question", async
   await page.click("#sure-yes");
   await answered("desk-2", "api/v1/state", ({ stop }) => stop === null);
   assert.notEqual((await ask("desk-3", "api/v1/state")).stop, null);
-  await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Let 2 move again…");
+  await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Clear stops (2)…");
   await page.click("#reset");
   await page.click("#sure-yes");
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop === null);
@@ -217,7 +217,7 @@ test("whoever has no arm is given a virtual one, moves it on its own page, and i
   await page.click("#told-close");
   await page.click("#arm-open");
   await page.click(`${tile("zoe-b")} .name`);
-  await page.waitForFunction(() => /Given by\s*desk-1/.test(document.querySelector("#details").textContent));
+  await page.waitForFunction(() => /Host\s*desk-1/.test(document.querySelector("#details").textContent));
   await page.click("#details-end-arm");
   await page.click("#sure-yes");
   await page.waitForSelector(tile("zoe-b"), { state: "detached" });
@@ -231,7 +231,7 @@ test("Escape stops all, and the button of a group stops its arms alone", async (
   assert.equal((await ask("desk-1", "api/v1/state")).stop, null);
   await page.keyboard.press("Escape");
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop !== null);
-  await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Let 3 move again…");
+  await page.waitForFunction(() => document.querySelector("#reset")?.textContent === "Clear stops (3)…");
   await page.click("#reset");
   await page.click("#sure-yes");
   for (const name of stations.keys()) await answered(name, "api/v1/state", ({ stop }) => stop === null);
@@ -279,8 +279,8 @@ test("in a time slot its student alone has the arm, the others see whose it is a
   const [anna, ben, mate] = await Promise.all(["Anna", "Ben", "class"].map((name) => visit("desk-2", `#token=${students[name]}`)));
   for (const it of [ben, mate]) {
     await it.waitForSelector("#slot");
-    assert.match(await it.textContent("#slot"), /It is the time of Anna\.\s+1\d min \d\d s left\. The arm is free in (29|30) min/);
-    assert.equal(await it.textContent("#holder"), "Not your time: nobody has control");
+    assert.match(await it.textContent("#slot"), /This is the time slot of Anna\.\s+1\d min \d\d s left\. The arm is free in (29|30) min/);
+    assert.equal(await it.textContent("#holder"), "Not your time slot: nobody has control");
     assert.equal(await it.locator("#take, #ask").count(), 0, "no button that leads nowhere");
     assert.equal(await it.isDisabled("[data-axis=x_plus]"), true);
   }
@@ -290,7 +290,7 @@ test("in a time slot its student alone has the arm, the others see whose it is a
   for (const it of [ben, mate]) assert.deepEqual(await violations(it), []);
   assert.equal(await mate.evaluate(() => document.documentElement.scrollWidth), 360);
   await anna.waitForSelector("#slot[data-tone=good]");
-  assert.match(await anna.textContent("#slot"), /It is your time\.\s+1\d min \d\d s left\. Then it is the time of Chen\./);
+  assert.match(await anna.textContent("#slot"), /This is your time slot\.\s+1\d min \d\d s left\. Next: Chen\./);
   await anna.click("#take");
   await anna.waitForFunction(() => document.querySelector("#holder").textContent === "You have control.");
   await anna.click("#release");
@@ -361,7 +361,7 @@ test("without the router the others are away, the arm of the board still stops, 
   await answered("desk-1", "api/v1/state", ({ stop }) => stop === null);
   await page.click("#stop");
   await answered("desk-1", "api/v1/state", ({ stop }) => stop !== null);
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("No answer from"));
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("NO ANSWER from"));
   assert.match(await page.textContent("#stop-told"), /1 of \d stopped\./);
   router.child = (await start(["fleet", "router", "--listen", router.at], /the router is at (\S+)/)).child;
   for (const name of ["desk-2", "desk-3"]) await page.waitForSelector(`${tile(name)}[data-presence=present]`);
@@ -372,11 +372,11 @@ test("a station that is killed is grey, and a stop says that it did not answer",
   await end(child, "SIGKILL");
   stations.delete("desk-3");
   await page.waitForSelector(`${tile("desk-3")}[data-presence=away]`);
-  await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-3] .why").textContent === "Its own page stops it");
+  await page.waitForFunction(() => document.querySelector(".tile[data-member=desk-3] .why").textContent === "Stop it on its own page");
   await page.click("#stop");
   await page.waitForFunction(() => /2 of \d stopped\./.test(document.querySelector("#stop-told").textContent));
   const text = await page.textContent("#stop-told");
-  assert.match(text, /No answer from .*desk-3.*: press STOP on their own pages\./);
+  assert.match(text, /NO ANSWER from .*desk-3.*: press STOP on their own pages\./);
   assert.equal(new URL(await page.getAttribute(`${tile("desk-3")} .why a`, "href")).port, new URL(url).port);
 });
 
@@ -392,8 +392,8 @@ test("a board whose station is gone says how old it is, and goes on with the nex
   await end(child, "SIGKILL");
   stations.delete("desk-1");
   await page.waitForSelector("#lost");
-  assert.match(await page.textContent("#lost"), /This board has lost its station/);
+  assert.match(await page.textContent("#lost"), /NO CONNECTION to the station of this board/);
   await page.click("#stop");
-  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("The stop reached no other station."));
+  await page.waitForFunction(() => document.querySelector("#stop-told").textContent.includes("STOP NOT CONFIRMED by any other station."));
   assert.ok(await page.$(`#stop-told a[href^="${new URL(stations.get("desk-2").url).origin}"]`));
 });

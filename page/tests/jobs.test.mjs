@@ -47,7 +47,7 @@ test("a job is started, the arm goes where it says, and it is done again", async
   assert.deepEqual(ys(from), [10, -10]);
   const again = told.packets.length;
   await act(job, "again");
-  await page.waitForFunction(() => document.querySelectorAll("[aria-labelledby=jobs-over] .entry").length === 2);
+  await page.waitForFunction(() => document.querySelectorAll("[aria-labelledby=jobs-finished] .entry").length === 2);
   assert.deepEqual(ys(again), [10, -10]);
   const all = await bench.ask("api/v1/jobs");
   assert.deepEqual(all.map(({ title, phase }) => [title, phase]), [["the second", "queued"], ["the first", "done"], ["the first", "done"]]);
@@ -103,7 +103,7 @@ test("a recording is scrubbed on the stage, says that it is one, and gives the a
   }
   assert.equal(seen[0], 0);
   assert.ok(Math.max(...seen) > 20 && Math.min(...seen) < -20, `${seen}`);
-  assert.match(await page.getAttribute("#stage", "aria-label"), /^A recording of the arm/);
+  assert.match(await page.getAttribute("#stage", "aria-label"), /^Recorded arm/);
   const now = (await bench.ask("api/v1/state")).arm.y_mm;
   await page.click("#recorded-end");
   await page.waitForSelector("#recorded", { state: "detached" });

@@ -35,7 +35,7 @@ async function stand(place) {
 
 test("three touches tell how the paper lies, and it is kept when a person says so", async () => {
   await page.click("#tab-set_up");
-  await says("paper-known", "Nobody has touched");
+  await says("paper-known", "Not measured");
   await page.click("#paper-begin");
   for (const [n, place] of PLACES.entries()) {
     await stand(place);
@@ -45,7 +45,7 @@ test("three touches tell how the paper lies, and it is kept when a person says s
   await says("paper-found", "3.2");
   assert.equal((await bench.ask("api/v1/calibration")).calibration, null);
   await page.click("#paper-keep");
-  await says("paper-known", "slopes by 3.2");
+  await says("paper-known", "slope 3.2");
   const { paper } = (await bench.ask("api/v1/calibration")).calibration;
   assert.ok(Math.abs(paper.slope_x - 1 / 20) < 0.002 && Math.abs(paper.slope_y + 1 / 40) < 0.002, JSON.stringify(paper));
 });
@@ -55,7 +55,7 @@ test("what is drawn then follows the paper", async () => {
   await page.check("#draw-title ~ .segments input[value=text]", { force: true });
   await page.fill("#draw-text", "I");
   await page.waitForSelector("#draw-start:enabled");
-  assert.equal(await page.getAttribute("#draw-down", "placeholder"), "as touched");
+  assert.equal(await page.getAttribute("#draw-down", "placeholder"), "as measured");
   // The plan of the old height holds no longer from the moment on in which the new one is typed.
   const asked = page.waitForResponse((it) => it.request().method() === "POST" && it.url().endsWith("api/v1/drawings"));
   await page.fill("#draw-height", "40");
@@ -75,7 +75,7 @@ test("what is drawn then follows the paper", async () => {
 test("paper that is taken to be level is drawn on as before", async () => {
   await page.click("#tab-set_up");
   await page.click("#paper-forget");
-  await says("paper-known", "Nobody has touched");
+  await says("paper-known", "Not measured");
   await page.click("#tab-draw");
-  await page.waitForFunction(() => document.querySelector("#draw-down") && document.querySelector("#draw-down").placeholder !== "as touched");
+  await page.waitForFunction(() => document.querySelector("#draw-down") && document.querySelector("#draw-down").placeholder !== "as measured");
 });

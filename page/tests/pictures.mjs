@@ -3,7 +3,7 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { open } from "./bench.mjs";
-import { crowd, queue, standIn } from "./stand_in.mjs";
+import { crowd, queue, standIn } from "./mock_station.mjs";
 import { VIEWS, look } from "./views.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/pictures/page/", import.meta.url));

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, afterEach, before, test } from "node:test";
 import { launch, leave, visitor } from "./browser.mjs";
-import { SILENT, member, standIn, work } from "./stand_in.mjs";
+import { SILENT, member, standIn, work } from "./mock_station.mjs";
 
 const WORK = "/api/v1/fleet/work";
 
@@ -56,17 +56,17 @@ test("what is in doubt says why in the station's words, and goes to another arm 
   const answer = ({ path }) => (path.endsWith("/give") ? { body: (submitted[0] = work("a1", "waiting", { before: [{ ...of(1), drawn: "it may have been drawn", is_settled: false }] })) } : undefined);
   const { page, asked } = await open(submitted, answer);
   const give = `${WORK}/${submitted[0].id}/give`;
-  assert.equal(await page.textContent("#queue-open"), "Queue: 1, 1 in doubt");
+  assert.equal(await page.textContent("#queue-open"), "Queue: 1, 1 uncertain");
   assert.equal(await text(page, `${entry("a1")} .told-of`), "Desk-2 cannot be reached; it may have been drawn.");
-  await page.click(`${entry("a1")} [data-act=give]`);
+  await page.click(`${entry("a1")} [data-act=reassign]`);
   assert.match(await text(page, "#sure-text"), /Desk-2 cannot be reached; it may have been drawn\. Look at the paper of desk-2 first/);
   await page.click("#sure-no");
   assert.equal(asked("POST", give).length, 0);
-  await page.click(`${entry("a1")} [data-act=give]`);
+  await page.click(`${entry("a1")} [data-act=reassign]`);
   await page.click("#sure-yes");
   await page.waitForSelector(`${entry("a1")}[data-phase=waiting]`);
   assert.equal(asked("POST", give).length, 1);
-  assert.equal(await text(page, `${entry("a1")} .before`), "Before, at desk-2: it may have been drawn");
+  assert.equal(await text(page, `${entry("a1")} .before`), "Earlier, at desk-2: it may have been drawn");
 });
 
 test("what waits is cancelled after a question; why it cannot be is told where it was asked", async () => {
@@ -96,7 +96,7 @@ test("a drawing is submitted with its student, its group and needs that stations
   await page.fill("#submit-student", "Anna");
   await page.fill("#submit-group", "room-2");
   await page.check("#submit-needs [value=a5]");
-  await page.waitForFunction(() => document.querySelector("#submit-arms").textContent === "Can be done by desk-2.");
+  await page.waitForFunction(() => document.querySelector("#submit-arms").textContent === "Suitable arms: desk-2.");
   await page.fill("#submit-down", "-40");
   await page.click("#submit-send");
   await page.waitForSelector("#submit [role=alert]");
@@ -104,7 +104,7 @@ test("a drawing is submitted with its student, its group and needs that stations
   isLost = false;
   await page.click("#submit-send");
   await page.waitForSelector("#submitted");
-  assert.equal(await text(page, "#submitted"), "house.svg is submitted.");
+  assert.equal(await text(page, "#submitted"), "house.svg submitted.");
   await page.waitForSelector(entry("b1"));
   const [first, second] = asked("POST");
   assert.deepEqual(second.body, { drawing: { name: "house.svg", file: Buffer.from("<svg/>").toString("base64"), options: { place: { fit: false, pen_down: -40 } } }, needs: ["a5"], student: "Anna", group: "room-2" });

@@ -23,7 +23,7 @@ const THERE = { x_mm: 220, y_mm: 100, z_mm: 0 };
 test("a keep-out that is put in force refuses a target that was free, and is gone when it is removed", async () => {
   const { page, told } = real;
   await typeTarget(page, THERE);
-  await says(page, "target-told", "The whole way is free");
+  await says(page, "target-told", "The path is free");
   await page.click("#tab-set_up");
   await page.click("[data-new-zone=box]");
   await page.fill("[data-zone=zone_1] label:nth-of-type(6) input", "60");
@@ -34,7 +34,7 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   // Nothing holds before it is put in force.
   assert.deepEqual((await real.ask("api/v1/policy")).keep_out, {});
   await page.click("#policy-keep");
-  await says(page, "policy-told", "This is what holds");
+  await says(page, "policy-told", "This policy is in force");
   const policy = await real.ask("api/v1/policy");
   assert.deepEqual(policy.keep_out.zone_1, { box: { x_mm: [200, 260], y_mm: [80, 140], z_mm: [-103, 60] } });
   await page.click("#tab-move");
@@ -49,7 +49,7 @@ test("a keep-out that is put in force refuses a target that was free, and is gon
   await answered(page, "api/v1/policy", ({ keep_out }) => Object.keys(keep_out).length === 0);
   await page.click("#tab-move");
   await typeTarget(page, THERE);
-  await says(page, "target-told", "The whole way is free");
+  await says(page, "target-told", "The path is free");
   await page.click("#target-clear");
 });
 
@@ -69,7 +69,7 @@ test("the numbers of a keep-out are typed one after the other by keyboard, and s
   await written("z_mm = [-50, 60]");
   await isChecked();
   await page.click("#policy-keep");
-  await says(page, "policy-told", "This is what holds");
+  await says(page, "policy-told", "This policy is in force");
   await field(6).focus();
   for (const key of ["Control+A", "7", "0", "Tab"]) await page.keyboard.press(key);
   await written("z_mm = [-50, 70]");
@@ -91,7 +91,7 @@ test("a text that is no policy is told with its line, cannot be put in force, an
   assert.match(await page.textContent("#policy-told"), /Line \d+/);
   assert.equal(await page.isDisabled("#policy-keep"), true);
   await page.click("#policy-forget");
-  await says(page, "policy-told", "This is what holds");
+  await says(page, "policy-told", "This policy is in force");
   assert.equal(await page.inputValue("#policy-text"), text);
   assert.deepEqual(await real.ask("api/v1/policy"), before);
 });
@@ -116,7 +116,7 @@ test("a token for several people is made as one and shown as one", async () => {
   await page.fill("#token-new [name=name]", "class");
   await page.check("#token-new [name=shared]");
   await page.click("#token-new button");
-  await page.waitForFunction(() => /class\s+to move the arm\s+several people/.test(document.querySelector(".tokens").textContent));
+  await page.waitForFunction(() => /class\s+move the arm\s+shared/.test(document.querySelector(".tokens").textContent));
   const kept = (await real.ask("api/v1/tokens")).find(({ name }) => name === "class");
   assert.deepEqual(kept, { name: "class", role: "control", shared: true });
   assert.equal(await page.isChecked("#token-new [name=shared]"), false, "the next one is one person's again");
@@ -150,7 +150,7 @@ test("a fault that is set happens to the arm, and one that does not exist is tol
   await page.waitForFunction(() => document.querySelector("#stage").classList.contains("is-old"));
   assert.deepEqual(await virtual.ask("api/v1/faults"), ["withhold@0s..2s"]);
   await page.click("#faults-none");
-  await says(page, "faults-now", "nothing goes wrong");
+  await says(page, "faults-now", "none active");
   assert.deepEqual(await virtual.ask("api/v1/faults"), []);
 });
 

@@ -1,7 +1,7 @@
 // The stage alone, with a real pointer: that it shows what it is given, tells what is dragged, and does without WebGL.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { forward } from "../files/stage/links.js";
+import { forward } from "../files/stage/kinematics.js";
 import { CUP } from "../files/stage/sample.test.js";
 import { drawn } from "./browser.mjs";
 import { onScreen, openStage, reported } from "./stage_bench.mjs";

@@ -126,7 +126,7 @@ export async function tell(hand, seen) {
 
   await hand.click("#tab-draw");
   await hand.drop("#panel", "boat.svg", BOAT);
-  await page.waitForFunction(() => document.querySelector("#draw-told")?.textContent.includes("It takes"));
+  await page.waitForFunction(() => document.querySelector("#draw-told")?.textContent.includes("Takes "));
   await hand.look(2);
   await seen("planned");
   await hand.click("#draw-start");

@@ -25,7 +25,7 @@ const field = async (name) => Number(await page.inputValue(`#target-${name}`));
 
 test("a place that is typed is checked, and only Go brings the arm there", async () => {
   await typeTarget(page, { x_mm: 210, y_mm: -60, z_mm: 20 });
-  await says("The whole way is free");
+  await says("The path is free");
   assert.deepEqual(told.targets(from), []);
   await page.click("#target-go");
   await at("y_mm", -60);
@@ -38,7 +38,7 @@ test("a place beyond reach is refused with what is allowed, and the nearest plac
   await says("too far");
   assert.equal(await page.isDisabled("#target-go"), true);
   await page.click("#target-nearest");
-  await says("The whole way is free");
+  await says("The path is free");
   assert.ok((await field("x_mm")) < 330 && (await field("x_mm")) > 220);
   assert.deepEqual(told.targets(from), []);
   await page.click("#target-clear");
@@ -46,9 +46,9 @@ test("a place beyond reach is refused with what is allowed, and the nearest plac
 
 test("a field without a number asks for one, and nothing is sent", async () => {
   await typeTarget(page, { x_mm: 200 });
-  await says("The whole way is free");
+  await says("The path is free");
   await page.fill("#target-x_mm", "");
-  await says("Each field takes a number");
+  await says("Each field needs a number");
   assert.equal(await page.isDisabled("#target-go"), true);
   assert.deepEqual(told.targets(from), []);
   await page.click("#target-clear");
@@ -65,7 +65,7 @@ test("the tip that is dragged on the stage says where to go, and Go brings the a
   await page.mouse.move(box.x + tip.x - 12, box.y + tip.y + 6, { steps: 6 });
   await page.mouse.up();
   await page.waitForFunction(() => document.querySelector("#target-y_mm").value !== "");
-  await says("The whole way is free");
+  await says("The path is free");
   const wanted = [await field("x_mm"), await field("y_mm")];
   assert.deepEqual(told.targets(from), []);
   await page.click("#target-go");
@@ -76,11 +76,11 @@ test("the tip that is dragged on the stage says where to go, and Go brings the a
 
 test("Escape stops an arm that was told to go somewhere", async () => {
   await typeTarget(page, { x_mm: 200, y_mm: 90, z_mm: 20 });
-  await says("The whole way is free");
+  await says("The path is free");
   await page.click("#target-go");
   await page.keyboard.press("Escape");
   await page.waitForSelector("#stopped:visible");
-  await page.waitForFunction(() => document.querySelector("#stopped-by").textContent.includes("It is at rest"));
+  await page.waitForFunction(() => document.querySelector("#stopped-by").textContent.includes("The arm is at rest"));
   await page.click("#reset");
   await page.click("#sure-yes");
 });

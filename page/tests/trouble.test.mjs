@@ -37,7 +37,7 @@ test("on a slow network the arm follows late, and stops after the release", asyn
 
 test("of two pages one has control; the other says who, and gets it when it is given", async () => {
   const other = await bench.visit({ viewport: { width: 1024, height: 768 } });
-  await other.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("Somebody else has control"));
+  await other.waitForFunction(() => document.querySelector("#jog-why").textContent.includes("Another client has control"));
   assert.equal(await other.isDisabled("[data-axis=y_plus]"), true);
   assert.equal(await other.isVisible("#take"), false);
   await other.click("#ask");
@@ -115,7 +115,7 @@ test("a page that hears nothing for 2 s connects anew, while its connection is s
   bench.cut();
   await opened;
   await page.waitForSelector("#link-chip[data-tone=off]");
-  assert.equal(await page.textContent("#link-chip"), "no connection");
+  assert.equal(await page.textContent("#link-chip"), "not connected to station");
   bench.mend();
   await page.waitForSelector("#link-chip[data-tone=good]");
 });

@@ -2,24 +2,24 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { stops } from "../hands/stop_button.js";
+import { stops } from "../input/stop_button.js";
 import { TONES } from "../panels/jobs.js";
-import { shelves } from "../state/jobs.js";
-import { clock, span } from "../words/words.js";
-import { resetQuestion } from "./foot.js";
+import { groupJobs } from "../state/jobs.js";
+import { clock, span } from "../i18n/i18n.js";
+import { resetQuestion } from "./footer.js";
 import { learnerLine } from "./learners.js";
 import { alarms, isThere, lockOf, pageOf, share } from "./members.js";
 import { ofArm } from "./queue_list.js";
 import { slotsOfArm } from "./slot_form.js";
-import { problemText } from "./told.js";
+import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {import("../state/jobs.js").JobView} JobView */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 
-/** So many jobs that are over are told. */
-const OVER = 5;
+/** The most finished jobs that are listed. */
+const MOST_FINISHED = 5;
 
 /** @param {Context} context */
 export function details(context) {
@@ -59,7 +59,7 @@ function endArm({ board, say, act }, { name, about }) {
 function reasons({ say }, { presence, state }) {
   const stop = state?.stop, lock = lockOf(state);
   const texts = [
-    presence.type === "away" ? say("fleet.away.text") : "",
+    presence.type === "away" ? say("fleet.offline.text") : "",
     presence.type === "refused" ? problemText(presence.problem) : "",
     stop ? say(stop.of_fleet ? "stopped.by_fleet" : "stopped.by", { by: stop.by, why: stop.reason ? `: ${stop.reason}` : "", rest: say(!stop.delivered ? "stopped.not_delivered" : stop.at_rest ? "stopped.at_rest" : "stopped.moving") }) : "",
     lock ? `${say("locked.title")} ${say("locked.by", { by: lock.by, why: lock.message ? `: ${lock.message}` : "" })}` : "",
@@ -81,7 +81,7 @@ function numbers({ say }, { about, state }) {
     ["fleet.groups", about?.groups.join(", ") || "–"],
     ["fleet.offers", about?.offers.join(", ") || "–"],
     ["fleet.version", about?.version ?? "–"],
-    ...(about?.given_by == null ? [] : [/** @type {[Word, string]} */ (["fleet.arm.giver", about.given_by])]),
+    ...(about?.given_by == null ? [] : [/** @type {[Word, string]} */ (["fleet.arm.host", about.given_by])]),
   ];
   return html`<dl class="facts">${rows.map(([word, value]) => html`<div><dt>${say(word)}</dt><dd>${value}</dd></div>`)}</dl>`;
 }
@@ -95,11 +95,11 @@ function learners({ say }, { learners = [] }) {
 function jobs(context, { name, state }) {
   const { board, say } = context;
   if (!board.jobs) return html`<p class="quiet">${say("fleet.jobs.reading")}</p>`;
-  const shelf = shelves(board.jobs, /** @type {JobView | null} */ (state?.job ?? null));
-  const over = shelf.over.slice(0, OVER);
+  const groups = groupJobs(board.jobs, /** @type {JobView | null} */ (state?.job ?? null));
+  const finished = groups.finished.slice(0, MOST_FINISHED);
   return html`
-    <h3 id="details-jobs">${say("jobs")} <small>${say("fleet.jobs.waiting", { number: shelf.waiting.length })}</small></h3>
-    ${[shelf.under_way, shelf.waiting, over].map((jobs) => (jobs.length ? html`<ol class="jobs" aria-labelledby="details-jobs">${repeat(jobs, ({ job }) => job, (job) => entry(context, name, job, state?.job?.phase === "running"))}</ol>` : nothing))}`;
+    <h3 id="details-jobs">${say("jobs")} <small>${say("fleet.jobs.waiting", { number: groups.waiting.length })}</small></h3>
+    ${[groups.active, groups.waiting, finished].map((jobs) => (jobs.length ? html`<ol class="jobs" aria-labelledby="details-jobs">${repeat(jobs, ({ job }) => job, (job) => entry(context, name, job, state?.job?.phase === "running"))}</ol>` : nothing))}`;
 }
 
 /** @param {Context} context @param {string} name @param {JobView} job @param {boolean} runs */

@@ -1,32 +1,32 @@
 // The board of a fleet: wires stations, state and views together.
 
-import { listenToDrops } from "../hands/drop.js";
-import { listenToStop } from "../hands/keys.js";
-import { isDarkTheme, readWishes } from "../parts/wishes.js";
-import { hold } from "../state/hold.js";
+import { listenToDrops } from "../input/file_drop.js";
+import { listenToStop } from "../input/keys.js";
+import { isDarkTheme, readWishes } from "../parts/preferences.js";
+import { hold } from "../state/store_core.js";
 import { createHttp, takeToken } from "../station/http.js";
 import { render } from "../vendor/lit-html/lit-html.js";
-import { showQuestion } from "../views/sure.js";
-import { languageOf, speak } from "../words/words.js";
+import { showQuestion } from "../views/confirm.js";
+import { languageOf, speak } from "../i18n/i18n.js";
 import { details } from "./details.js";
-import { followFleet } from "./follow.js";
-import { followLearners } from "./follow_learners.js";
-import { foot } from "./foot.js";
+import { followFleet } from "./fleet_subscription.js";
+import { followLearners } from "./learner_polling.js";
+import { foot } from "./footer.js";
 import { createPictures } from "./pictures.js";
 import { queue } from "./queue_list.js";
 import { createQueueRequests } from "./queue_requests.js";
 import { createRequests } from "./requests.js";
 import { slotsAside } from "./slot_form.js";
 import { begin, reduce } from "./state.js";
-import { banners, head, question, toasts } from "./head.js";
+import { banners, head, question, toasts } from "./header.js";
 import { tiles } from "./tiles.js";
 import { outcomeOf } from "./outcome.js";
-import { listenToWalk } from "./walk.js";
+import { listenToWalk } from "./arrow_keys.js";
 
 /** @typedef {ReturnType<typeof createBoard>} Store */
 /** @typedef {import("./state.js").Board} Board */
 /** @typedef {import("./state.js").Message} Message */
-/** What a view of the board is made of. @typedef {{ board: Board, say: import("../words/words.js").Say, act: ReturnType<typeof createActions> }} Context */
+/** What a view of the board is made of. @typedef {{ board: Board, say: import("../i18n/i18n.js").Say, act: ReturnType<typeof createActions> }} Context */
 
 /** Arms move all the time: their texts follow them so often, their pictures with each picture of the screen. */
 const TEXTS_MS = 150;
@@ -73,8 +73,8 @@ function agreed(question) {
   switch (question.about) {
     case "fleet_reset":
       return requests.reset(question.to);
-    case "fleet_give":
-      return void queueRequests.give(question.work);
+    case "fleet_reassign":
+      return void queueRequests.reassign(question.work);
     case "fleet_end_arm":
       return requests.endArm(question.giver, question.name);
     case "fleet_cancel":

@@ -2,7 +2,7 @@
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Station} Station */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** A student in a lesson. @typedef {Schemas["LearnerView"]} Learner */
 /** A station of the fleet, with what it told last, and the students of whom it was told. @typedef {Omit<Schemas["Member"], "state" | "about"> & { state: Station | null, about: Schemas["MemberAbout"] | null, learners?: readonly Learner[] }} Member */
 /** @typedef {"bad" | "warn" | "good" | "off"} Tone */
@@ -54,7 +54,7 @@ function textOf({ name, about, state, learners = [] }) {
 export function alarms({ presence, state, learners }) {
   /** @type {Alarm[]} */ const all = [];
   if (presence.type === "refused") all.push({ word: "fleet.refused", tone: "bad" });
-  if (presence.type === "away") all.push({ word: "fleet.away", tone: "warn" });
+  if (presence.type === "away") all.push({ word: "fleet.offline", tone: "warn" });
   // What it told before it was away may be otherwise by now.
   if (!state || presence.type !== "present") return all;
   const { stop, link, laser, trust, arm, job } = state;
@@ -63,7 +63,7 @@ export function alarms({ presence, state, learners }) {
   if (link.phase === "lost") all.push({ word: "link.lost", tone: "bad" });
   if (link.phase === "searching" || link.phase === "listening") all.push({ word: "link.searching", tone: "warn" });
   if (!laser.on && laser.armed_for_s > 0) all.push({ word: "fleet.laser_armed", tone: "warn" });
-  if (arm && !trust.trusted) all.push({ word: "fleet.untrusted", tone: "warn" });
+  if (arm && !trust.trusted) all.push({ word: "fleet.not_confirmed", tone: "warn" });
   if (lockOf(state)) all.push({ word: "fleet.locked", tone: "warn" });
   if (job?.phase === "paused") all.push({ word: "job.paused", tone: "warn" });
   if (learners?.some(isStuck)) all.push({ word: "fleet.stuck", tone: "warn" });
@@ -98,18 +98,18 @@ export function toneOf(member) {
 /** How far a job is, from 0 to 1. @param {{ commands: number, completed: number }} job */
 export const share = ({ commands, completed }) => (commands ? completed / commands : 0);
 
-/** What stations are counted by, and shown alone by. @typedef {"working" | "stopped" | "away" | "locked" | "stuck"} Sort */
+/** What stations are counted by, and shown alone by. @typedef {"running" | "stopped" | "offline" | "locked" | "stuck"} Sort */
 /** @type {Record<Sort, (member: Member) => boolean>} */
 const IS = {
-  working: (it) => isThere(it) && it.state?.job?.phase === "running",
+  running: (it) => isThere(it) && it.state?.job?.phase === "running",
   stopped: (it) => isThere(it) && it.state?.stop != null,
-  away: (it) => !isThere(it),
+  offline: (it) => !isThere(it),
   locked: (it) => isThere(it) && lockOf(it.state) !== null,
   stuck: (it) => isThere(it) && (it.learners?.some(isStuck) ?? false),
 };
 
 /** @type {readonly Sort[]} */
-export const SORTS = ["working", "stopped", "away", "locked", "stuck"];
+export const SORTS = ["running", "stopped", "offline", "locked", "stuck"];
 
 /** How many there are of a sort. @param {readonly Member[]} members @param {Sort} sort */
 export const count = (members, sort) => members.filter(IS[sort]).length;

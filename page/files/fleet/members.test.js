@@ -32,7 +32,7 @@ test("a text finds stations by name, group, job and who has control, each word o
 
 test("a sort shows those alone that it counts", () => {
   const all = [member("a", { stop: { at_rest: true } }), member("b", { presence: { type: "away" }, stop: { at_rest: true } }), member("c", { lock: { by: "Ms Lee" } })];
-  for (const [sort, found] of [["stopped", ["a"]], ["away", ["b"]], ["locked", ["c"]], ["working", []]]) {
+  for (const [sort, found] of [["stopped", ["a"]], ["offline", ["b"]], ["locked", ["c"]], ["running", []]]) {
     assert.deepEqual(sections(all, { ...ALL, sort }).flatMap(({ members }) => names(members)), found, sort);
     assert.equal(count(all, sort), found.length, sort);
   }
@@ -41,7 +41,7 @@ test("a sort shows those alone that it counts", () => {
 test("what a person has to know first comes first, and makes the tile as loud as it is", () => {
   const held = { by: "Ms Lee", reason: null, at_rest: false };
   const loud = member("a", { stop: held, laser: { armed_for_s: 60, on: true }, trust: { trusted: false, reason: "reset" } });
-  assert.deepEqual(alarms(loud).map(({ word }) => word), ["laser.burning", "fleet.stopping", "fleet.untrusted"]);
+  assert.deepEqual(alarms(loud).map(({ word }) => word), ["laser.burning", "fleet.stopping", "fleet.not_confirmed"]);
   assert.equal(toneOf(loud), "bad");
   assert.equal(toneOf(member("b", { laser: { armed_for_s: 60, on: false } })), "warn");
   assert.equal(toneOf(member("c", { job: { phase: "running" } })), "good");
@@ -58,8 +58,8 @@ test("a student who is at one step for three minutes is stuck, and the tile says
 
 test("of a station that is away nothing else is told: it may be otherwise by now", () => {
   const away = member("a", { presence: { type: "away" }, laser: { armed_for_s: 0, on: true } });
-  assert.deepEqual(alarms(away).map(({ word }) => word), ["fleet.away"]);
-  assert.equal(count([away], "working"), 0);
+  assert.deepEqual(alarms(away).map(({ word }) => word), ["fleet.offline"]);
+  assert.equal(count([away], "running"), 0);
 });
 
 test("the page of a station is an address of the web, whatever a station says", () => {

@@ -1,8 +1,8 @@
 // A small picture of an arm: seen from ahead and right, so that reach, height and turn show at once. Cheap enough for a hundred
 // of them. What is drawn is calculated by pure functions.
 
-import { links, rad } from "../stage/links.js";
-import { css, lookOf } from "../stage/look.js";
+import { links, rad } from "../stage/kinematics.js";
+import { css, lookOf } from "../stage/colors.js";
 
 /** @typedef {import("../stage/view.js").Joints} Joints */
 /** @typedef {import("../stage/view.js").Point} Point */

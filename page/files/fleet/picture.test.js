@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { forward } from "../stage/links.js";
+import { forward } from "../stage/kinematics.js";
 import { CUP, FACTS } from "../stage/sample.test.js";
 import { armAt, placer, seen } from "./picture.js";
 

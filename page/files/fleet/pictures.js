@@ -1,7 +1,7 @@
 // Draws the pictures of all tiles that are in sight: each when its arm, its size or the theme is another one.
 
 import { Motion } from "../stage/motion.js";
-import { createLimit } from "../stage/pace.js";
+import { createLimit } from "../stage/render_quality.js";
 import { paint } from "./picture.js";
 
 /** @typedef {import("./members.js").Member} Member */

@@ -63,21 +63,21 @@ export function reduceQueue(queue, message) {
 const isDoubtful = ({ doubt }) => doubt != null;
 
 /** Whether it can be cancelled. @param {WorkView} work */
-export const mayCancel = ({ phase }) => phase === "waiting" || phase === "offered" || phase === "taken";
+export const canCancel = ({ phase }) => phase === "waiting" || phase === "offered" || phase === "taken";
 
 /** Whether a person may give it to another arm. @param {WorkView} work */
-export const mayGive = (work) => isDoubtful(work) || work.phase === "failed";
+export const canReassign = (work) => isDoubtful(work) || work.phase === "failed";
 
 /** All of it by what a person asks of it. @param {readonly WorkView[]} all */
-export const shelves = (all) => ({
+export const groupWork = (all) => ({
   doubt: all.filter(isDoubtful),
-  out: all.filter((it) => !isDoubtful(it) && (it.phase === "offered" || it.phase === "taken")),
+  assigned: all.filter((it) => !isDoubtful(it) && (it.phase === "offered" || it.phase === "taken")),
   waiting: all.filter(({ phase }) => phase === "waiting"),
-  over: all.filter((it) => !mayCancel(it)).reverse(),
+  finished: all.filter((it) => !canCancel(it)).reverse(),
 });
 
 /** How much of it is not over, and how much of that is in doubt. @param {readonly WorkView[] | null} all */
-export const counts = (all) => ({ open: all?.filter(mayCancel).length ?? 0, doubt: all?.filter(isDoubtful).length ?? 0 });
+export const counts = (all) => ({ open: all?.filter(canCancel).length ?? 0, doubt: all?.filter(isDoubtful).length ?? 0 });
 
 /** @param {Member} member */
 const takes = (member) => isThere(member) && member.about?.takes_work != null;
@@ -90,11 +90,11 @@ export const offers = (members, chosen) => [...new Set([...members.filter(takes)
 
 /** What of it is at an arm or was offered to it, and what waits that it could take. @param {readonly WorkView[] | null} all @param {Member} member */
 export function ofMember(all, member) {
-  const { out, doubt, waiting } = shelves(all ?? []);
+  const { assigned, doubt, waiting } = groupWork(all ?? []);
   const wasThere = (/** @type {WorkView} */ { before }) => before?.some((it) => it.member.id === member.id);
   return {
-    has: [...doubt, ...out].filter((it) => it.member?.id === member.id),
-    could: waiting.filter((it) => arms([member], it.needs).length && !wasThere(it)),
+    has: [...doubt, ...assigned].filter((it) => it.member?.id === member.id),
+    suitable: waiting.filter((it) => arms([member], it.needs).length && !wasThere(it)),
   };
 }
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { arms, canSubmit, counts, ofMember, offers, optionsOf, shelves } from "./queue.js";
+import { arms, canSubmit, counts, ofMember, offers, optionsOf, groupWork } from "./queue.js";
 import { begin, reduce } from "./state.js";
 import { member } from "./sample.test.js";
 
@@ -18,8 +18,8 @@ const form = (change) => ({ type: "queue_form", form: change });
 
 test("what is in doubt comes first, then what an arm has, then what waits in its order, then what is over, the newest first", () => {
   const all = [work("a", "done"), work("b", "waiting"), work("c", "taken", at("desk-1")), work("d", "offered", { ...at("desk-2"), doubt: "desk-2 cannot be reached" }), work("e", "waiting"), work("f", "failed")];
-  const { doubt, out, waiting, over } = shelves(all);
-  assert.deepEqual([doubt, out, waiting, over].map(ids), [["d"], ["c"], ["b", "e"], ["f", "a"]]);
+  const { doubt, assigned, waiting, finished } = groupWork(all);
+  assert.deepEqual([doubt, assigned, waiting, finished].map(ids), [["d"], ["c"], ["b", "e"], ["f", "a"]]);
   assert.deepEqual(counts(all), { open: 4, doubt: 1 });
 });
 
@@ -38,8 +38,8 @@ test("an arm's share of the queue is what it has or was offered, and what waits 
     work("fits", "waiting", { needs: ["pen"] }), work("needs more", "waiting", { needs: ["pen", "laser"] }), work("was here", "waiting", { before: [{ ...at("desk-1"), drawn: "", is_settled: true }] }),
   ];
   assert.deepEqual(ids(ofMember(all, desk).has), ["has", "asked"]);
-  assert.deepEqual(ids(ofMember(all, desk).could), ["fits"]);
-  assert.deepEqual(ofMember(all, member("desk-1")).could, [], "a station that takes no work could take none");
+  assert.deepEqual(ids(ofMember(all, desk).suitable), ["fits"]);
+  assert.deepEqual(ofMember(all, member("desk-1")).suitable, [], "a station that takes no work could take none");
 });
 
 test("nothing is submitted without a subject, a student and a height that is a number or left out", () => {

@@ -4,16 +4,16 @@ import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { sentence } from "../views/banners.js";
 import { share } from "./members.js";
-import { mayCancel, mayGive, ofMember, shelves } from "./queue.js";
+import { canCancel, canReassign, ofMember, groupWork } from "./queue.js";
 import { submission } from "./submit.js";
-import { problemText } from "./told.js";
+import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./queue.js").WorkView} WorkView */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 
 /** So many that are over, or that one arm could take, are told. */
-const TOLD = 20, COULD = 5;
+const MOST_FINISHED = 20, MOST_SUITABLE = 5;
 const TONES = { waiting: "off", offered: "off", taken: "good", done: "good", failed: "bad", cancelled: "off" };
 
 /** @param {Context} context */
@@ -25,20 +25,20 @@ export function queue(context) {
       <h2 id="queue-title">${say("fleet.queue")}</h2>
       <button id="queue-close" type="button" class="small" @click=${() => act.send({ type: "queue_open", open: false })}>${say("close")}</button>
     </div>
-    ${list(context, ["doubt", "out", "waiting"])}
+    ${list(context, ["doubt", "assigned", "waiting"])}
     ${submission(context)}
-    ${list(context, ["over"])}`;
+    ${list(context, ["finished"])}`;
 }
 
-/** @param {Context} context @param {readonly (keyof ReturnType<typeof shelves>)[]} names */
+/** @param {Context} context @param {readonly (keyof ReturnType<typeof groupWork>)[]} names */
 function list(context, names) {
   const { board: { queue: { all } }, say } = context;
-  const shelf = shelves(all ?? []);
+  const groups = groupWork(all ?? []);
   return html`
-    ${names.includes("waiting") && !shelf.waiting.length ? html`<p id="queue-none" class="quiet">${say(all ? "fleet.queue.none" : "fleet.queue.reading")}</p>` : nothing}
-    ${names.map((name) => (shelf[name].length ? html`
-      <h3 id="queue-${name}">${say(`fleet.queue.${name}`)} <small>${shelf[name].length}</small></h3>
-      <ol class="jobs" aria-labelledby="queue-${name}">${repeat(shelf[name].slice(0, name === "over" ? TOLD : undefined), ({ id }) => id, (it) => entry(context, it))}</ol>` : nothing))}`;
+    ${names.includes("waiting") && !groups.waiting.length ? html`<p id="queue-none" class="quiet">${say(all ? "fleet.queue.none" : "fleet.queue.reading")}</p>` : nothing}
+    ${names.map((name) => (groups[name].length ? html`
+      <h3 id="queue-${name}">${say(`fleet.queue.${name}`)} <small>${groups[name].length}</small></h3>
+      <ol class="jobs" aria-labelledby="queue-${name}">${repeat(groups[name].slice(0, name === "finished" ? MOST_FINISHED : undefined), ({ id }) => id, (it) => entry(context, it))}</ol>` : nothing))}`;
 }
 
 /** @param {Context} context @param {WorkView} work */
@@ -77,24 +77,24 @@ function place({ say }, { member, job, phase, doubt }) {
 /** @param {Context} context @param {WorkView} work */
 function acts(context, work) {
   const { say, act } = context;
-  const asks = (/** @type {"give" | "cancel"} */ what) => {
+  const asks = (/** @type {"reassign" | "cancel"} */ what) => {
     const { id, title, doubt, reason, member } = work;
     const why = doubt ?? reason;
     act.send({ type: "question", question: { about: `fleet_${what}`, work: id, values: { title, name: member?.name ?? "", why: why ? `${sentence(why)}. ` : "" } } });
   };
-  const button = (/** @type {"give" | "cancel"} */ what) => html`<button type="button" class="small" data-act=${what} aria-label=${`${say(`fleet.work.${what}`)}: ${work.title}`} @click=${() => asks(what)}>${say(`fleet.work.${what}`)}</button>`;
-  if (!mayGive(work) && !mayCancel(work)) return nothing;
-  return html`<div class="row">${mayGive(work) ? button("give") : nothing}${mayCancel(work) ? button("cancel") : nothing}</div>`;
+  const button = (/** @type {"reassign" | "cancel"} */ what) => html`<button type="button" class="small" data-act=${what} aria-label=${`${say(`fleet.work.${what}`)}: ${work.title}`} @click=${() => asks(what)}>${say(`fleet.work.${what}`)}</button>`;
+  if (!canReassign(work) && !canCancel(work)) return nothing;
+  return html`<div class="row">${canReassign(work) ? button("reassign") : nothing}${canCancel(work) ? button("cancel") : nothing}</div>`;
 }
 
 /** What of the queue an arm has, was offered, or could take. @param {Context} context @param {import("./members.js").Member} member */
 export function ofArm(context, member) {
   const { board, say } = context;
-  const { has, could } = ofMember(board.queue.all, member);
-  if (!has.length && !could.length) return nothing;
+  const { has, suitable } = ofMember(board.queue.all, member);
+  if (!has.length && !suitable.length) return nothing;
   return html`
-    <h3 id="details-queue">${say("fleet.queue")} <small>${say("fleet.queue.could", { number: could.length })}</small></h3>
-    <ol class="jobs" aria-labelledby="details-queue">${repeat([...has, ...could.slice(0, COULD)], ({ id }) => id, (it) => html`
+    <h3 id="details-queue">${say("fleet.queue")} <small>${say("fleet.queue.suitable", { number: suitable.length })}</small></h3>
+    <ol class="jobs" aria-labelledby="details-queue">${repeat([...has, ...suitable.slice(0, MOST_SUITABLE)], ({ id }) => id, (it) => html`
       <li class="entry" data-work=${it.id}>
         <p class="job"><span class="title">${it.title}</span> <span class="chip" data-tone=${it.doubt == null ? TONES[it.phase] : "warn"}>${say(it.doubt == null ? `fleet.work.${it.phase}` : "fleet.work.doubt")}</span></p>
         <p class="quiet">${whose(context, it)}</p>

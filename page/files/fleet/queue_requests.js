@@ -1,6 +1,6 @@
 // Reads the work for any arm that was submitted to the station of this board, and asks for what is to become of it.
 
-import { readDrawing } from "../station/file.js";
+import { readDrawing } from "../station/drawing_file.js";
 import { optionsOf } from "./queue.js";
 
 /** @typedef {import("./fleet.js").Store} Store */
@@ -66,7 +66,7 @@ export function createQueueRequests(store, http) {
     /** A person does not want it any more. @param {string} work */
     cancel: (work) => decide(work, "DELETE", `${WORK}/${work}`),
     /** A person has looked at the arm, and another one is to do it. @param {string} work */
-    give: (work) => decide(work, "POST", `${WORK}/${work}/give`),
+    reassign: (work) => decide(work, "POST", `${WORK}/${work}/give`),
   };
 }
 

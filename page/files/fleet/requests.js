@@ -1,8 +1,8 @@
 // What a person asks of several stations at once, by the station of this board.
 
-import { saveAs } from "../parts/save.js";
+import { saveAs } from "../parts/download.js";
 import { createStop } from "../station/stop.js";
-import { drawingOf } from "./drawing.js";
+import { drawingOf } from "./drawing_svg.js";
 import { isMeant, recipients } from "./members.js";
 import { problemOf } from "./outcome.js";
 import { listsOf } from "./slots.js";

@@ -1,10 +1,10 @@
 // Time slots of one arm or of several: the form to give them, and the lists of who is at which arm when.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 import { isMeant, isThere, recipients } from "./members.js";
 import { deal, namesOf } from "./slots.js";
-import { toText } from "./told.js";
+import { toText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */
@@ -54,7 +54,7 @@ function form({ board, say, act }, id, to, members) {
       <label>${say("fleet.slots.names")} <textarea name="names" rows="4" required autocomplete="off" spellcheck="false" placeholder=${say("fleet.slots.example")}></textarea></label>
       <p class="row">
         <label>${say("fleet.slots.minutes")} <input name="minutes" type="number" min="1" max=${MOST_MINUTES} step="1" value=${MINUTES} required></label>
-        <button type="submit" class="small strong" ?disabled=${!members.length}>${say("fleet.slots.give")}</button>
+        <button type="submit" class="small strong" ?disabled=${!members.length}>${say("fleet.slots.set")}</button>
         ${members.some(({ state }) => state?.slots) ? html`<button type="button" class="small" data-act="clear" @click=${() => act.clearSlots(to)}>${say("fleet.slots.clear")}</button>` : nothing}
       </p>
       <p class="quiet">${say(members.length > 1 ? "fleet.slots.hint.turn" : "fleet.slots.hint")}</p>

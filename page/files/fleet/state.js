@@ -6,7 +6,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 
 /** @typedef {import("../state/types.js").Schemas} Schemas */
 /** @typedef {import("../state/types.js").Problem} Problem */
-/** @typedef {import("../words/words.js").Language} Language */
+/** @typedef {import("../i18n/i18n.js").Language} Language */
 /** @typedef {import("../state/state.js").Theme} Theme */
 /** @typedef {import("./members.js").Member} Member */
 /** @typedef {Schemas["Recipients"]} Recipients */
@@ -16,7 +16,7 @@ import { NO_QUEUE, reduceQueue } from "./queue.js";
 /** `token`: the station of this board wants one. `alone`: it belongs to no fleet. @typedef {"connecting" | "open" | "closed" | "token" | "alone"} Connection */
 /** What several stations are asked for. @typedef {"stop" | "reset" | "lock" | "release" | "message" | "job" | "drawing" | "slots" | "no_slots" | "give_arm" | "end_arm"} What */
 /** What came of it: the answers of all, or why nobody could be asked; nothing of both while they are waited for. @typedef {{ number: number, what: What, to: Recipients, answers: readonly MemberAnswer[] | null, problem: Problem | null }} Asked */
-/** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_give" | "fleet_cancel", work: string } | { about: "fleet_end_arm", giver: string, name: string }) & { values: Record<string, string | number> }} Question */
+/** What a person is asked before it is done. @typedef {({ about: "fleet_reset", to: Recipients } | { about: "fleet_reassign" | "fleet_cancel", work: string } | { about: "fleet_end_arm", giver: string, name: string }) & { values: Record<string, string | number> }} Question */
 
 /**
  * @typedef {object} Board

@@ -6,7 +6,7 @@ import { accepted } from "../state/draw.js";
 import { arms, canSubmit, isWrongHeight, offers } from "./queue.js";
 import { groups } from "./members.js";
 import { list } from "./outcome.js";
-import { problemText } from "./told.js";
+import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./queue.js").Form} Form */

@@ -2,12 +2,12 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { stops } from "../hands/stop_button.js";
+import { stops } from "../input/stop_button.js";
 import { isSamePerson, timeNow } from "../state/slots.js";
-import { clock, span } from "../words/words.js";
+import { clock, span } from "../i18n/i18n.js";
 import { learnerLine } from "./learners.js";
 import { alarms, isStuck, isThere, pageOf, recipients, sections, share, toneOf } from "./members.js";
-import { problemText } from "./told.js";
+import { problemText } from "./outcome_text.js";
 
 /** @typedef {import("./fleet.js").Context} Context */
 /** @typedef {import("./members.js").Member} Member */
@@ -34,7 +34,7 @@ function section(context, { group, members }, n, first) {
   return html`
     <section class="group" aria-labelledby="group-${n}">
       <div class="group-head">
-        <h2 id="group-${n}">${group ?? say("fleet.group.none")} <small>${say("fleet.there", { there, all: members.length })}</small></h2>
+        <h2 id="group-${n}">${group ?? say("fleet.group.none")} <small>${say("fleet.online", { there, all: members.length })}</small></h2>
         ${group === null ? nothing : html`<button type="button" class="stops small" data-stop-group=${group} @pointerdown=${listener} @click=${listener}>${say("fleet.stop.group", { group })}</button>`}
       </div>
       <ul class="tiles">${repeat(members, ({ id }) => id, (member) => tile(context, member, first))}</ul>
@@ -72,7 +72,7 @@ function work(say, { state, learners = [] }) {
   return html`
     ${job ? html`
       <p class="job"><span class="title">${job.title}</span> <span class="part">${Math.floor(share(job) * 100)} %</span></p>
-      <progress max="1" data-phase=${job.phase} .value=${share(job)} aria-label=${say("job.progress")}></progress>` : html`<p class="job idle quiet">${say(state ? "fleet.idle" : "fleet.untold")}</p>`}
+      <progress max="1" data-phase=${job.phase} .value=${share(job)} aria-label=${say("job.progress")}></progress>` : html`<p class="job idle quiet">${say(state ? "fleet.idle" : "fleet.no_data")}</p>`}
     <p class="quiet who">${whose(say, state)}${lease?.asked_by.length ? html` · <span class="asks">${say("fleet.asks.number", { number: lease.asked_by.length })}</span>` : nothing}</p>
     ${learner ? learnerLine(say, learner, learners.length - 1) : nothing}`;
 }
@@ -89,5 +89,5 @@ function whose(say, state) {
 function gone(say, member) {
   const { presence } = member, page = pageOf(member);
   return html`
-    <p class="why">${presence.type === "refused" ? problemText(presence.problem) : page ? html`<a href=${page} target="_blank" rel="noreferrer">${say("fleet.away.stops")}</a>` : say("fleet.away.stops")}</p>`;
+    <p class="why">${presence.type === "refused" ? problemText(presence.problem) : page ? html`<a href=${page} target="_blank" rel="noreferrer">${say("fleet.offline.stops")}</a>` : say("fleet.offline.stops")}</p>`;
 }

@@ -6,9 +6,9 @@ import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { player } from "../preview/preview.js";
 import { accepted, formatNames, hasSubject, withFieldNames, wrongField } from "../state/draw.js";
 import { paperOf } from "../state/paper.js";
-import { hindrance, isVirtual } from "../state/select.js";
+import { hindrance, isVirtual } from "../state/selectors.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 import { sheet } from "./sheet.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
@@ -52,7 +52,7 @@ function subject({ page, say, act }) {
 
 /** A field for a number. @param {Context} context @param {keyof Settings} name @param {string} unit @param {string} placeholder */
 const field = ({ page, say, act }, name, unit, placeholder) => html`
-  <label><span>${say(/** @type {import("../words/words.js").Word} */ (`draw.${name}`))} <small>${unit}</small></span>
+  <label><span>${say(/** @type {import("../i18n/i18n.js").Word} */ (`draw.${name}`))} <small>${unit}</small></span>
     <input id="draw-${name}" type="text" inputmode="decimal" autocomplete="off" placeholder=${placeholder} aria-invalid=${wrongField(page.draw.set) === name ? "true" : "false"} .value=${live(String(page.draw.set[name]))}
       @input=${(/** @type {Event} */ event) => act.send({ type: "draw_set", set: { [name]: value(event) } })}></label>`;
 
@@ -75,7 +75,7 @@ function place(context) {
       </div>
       <div class="row">${check(context, "fit")}${check(context, "clip")}</div>
       <div class="fields">
-        ${field(context, "down", "mm", page.draw.paper ? say("draw.touched") : String(paperOf(page)))}
+        ${field(context, "down", "mm", page.draw.paper ? say("draw.measured") : String(paperOf(page)))}
         <button id="draw-here" type="button" class="small here" title=${say("draw.here.hint")} ?disabled=${!page.station?.arm} @click=${() => act.send({ type: "draw_set", set: { down: (page.station?.arm?.z_mm ?? 0).toFixed(1) } })}>${say("draw.here")}</button>
       </div>
     </section>`;
@@ -97,7 +97,7 @@ function way(context) {
   const layers = draw.set.layers === "nothing" ? [] : (draw.planned?.plan.timeline.passes ?? []);
   return html`
     <section class="card" aria-labelledby="draw-way">
-      <h2 id="draw-way">${say("draw.way")}</h2>
+      <h2 id="draw-way">${say("draw.settings")}</h2>
       <div class="setting"><span>${say("draw.tool")}</span>${pens(context, "draw-tool", draw.set.tool, say("draw.tool"), (tool) => set({ tool }))}</div>
       ${draw.what === "text" ? html`
         <div class="setting"><span>${say("draw.font")}</span><select id="draw-font" aria-label=${say("draw.font")} .value=${live(draw.set.font)} @change=${(/** @type {Event} */ event) => set({ font: value(event) })}>${FONTS.map((font) => html`<option value=${font}>${font}</option>`)}</select></div>` : html`
@@ -124,14 +124,14 @@ function told({ page, say }) {
     case "planning":
       return [say("draw.planning"), "off"];
     case "failed":
-      return draw.problem ? [[draw.problem.detail, draw.problem.hint].flatMap((it) => (it ? [`${named(say, it)}.`] : [])).join(" "), "bad"] : [say("draw.given_up"), "off"];
+      return draw.problem ? [[draw.problem.detail, draw.problem.hint].flatMap((it) => (it ? [`${named(say, it)}.`] : [])).join(" "), "bad"] : [say("draw.cancelled"), "off"];
     case "planned": {
       const refused = draw.planned?.plan.refused;
       if (refused) return [`${sentence(refused.detail)}.`, "bad"];
       const figures = draw.planned?.plan.timeline;
       const strokes = figures?.passes.reduce((sum, pass) => sum + pass.strokes, 0) ?? 0;
       const ink_mm = figures?.passes.reduce((sum, pass) => sum + pass.ink_mm, 0) ?? 0;
-      return [say("draw.planned", { time: span(say, figures?.duration_s ?? 0), strokes, ink: (ink_mm / 1000).toFixed(2) }), "good"];
+      return [say(draw.planned?.plan.burns ? "draw.planned.burn" : "draw.planned", { time: span(say, figures?.duration_s ?? 0), strokes, ink: (ink_mm / 1000).toFixed(2) }), "good"];
     }
   }
 }
@@ -150,13 +150,13 @@ function plan(context) {
   return html`
     <section class="card" aria-labelledby="draw-plan">
       <h2 id="draw-plan">${say("draw.plan")}</h2>
-      <p id="draw-told" class="told" role="status" data-tone=${tone}>${draw.phase === "planned" && why ? say(`hindrance.${why}`) : text}</p>
+      <p id="draw-told" class="told" role="status" data-tone=${tone}>${draw.phase === "planned" && why ? say(`blocked.${why}`) : text}</p>
       ${warnings.length ? html`<ul id="draw-warnings" class="warnings">${repeat(warnings.slice(0, MOST_TOLD), (it) => it, (it) => html`<li>${named(say, it)}.</li>`)}${warnings.length > MOST_TOLD ? html`<li>${say("draw.more", { count: warnings.length - MOST_TOLD })}</li>` : nothing}</ul>` : nothing}
-      ${needsPen ? html`<p class="told" data-tone="warn">${say("draw.no_pen")} <button id="draw-pen" type="button" class="small" @click=${() => act.givePen()}>${say("draw.give_pen")}</button></p>` : nothing}
+      ${needsPen ? html`<p class="told" data-tone="warn">${say("draw.no_pen")} <button id="draw-pen" type="button" class="small" @click=${() => act.givePen()}>${say("draw.add_pen")}</button></p>` : nothing}
       <div class="row">
         <button id="draw-start" type="button" class="strong" ?disabled=${!ready} @click=${() => act.draw("whole")}>${say("draw.start")}</button>
         <button id="draw-frame" type="button" title=${say("draw.frame.hint")} ?disabled=${!ready} @click=${() => act.draw("frame")}>${say("draw.frame")}</button>
-        ${draw.phase === "planning" ? html`<button id="draw-give-up" type="button" class="end" @click=${() => act.send({ type: "draw_given_up" })}>${say("draw.give_up")}</button>` : nothing}
+        ${draw.phase === "planning" ? html`<button id="draw-cancel" type="button" class="end" @click=${() => act.send({ type: "draw_cancelled" })}>${say("draw.cancel")}</button>` : nothing}
       </div>
     </section>`;
 }

@@ -2,13 +2,13 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { placeFor, shelves } from "../state/jobs.js";
+import { placeFor, groupJobs } from "../state/jobs.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 import { recordings } from "./recordings.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** @typedef {import("../state/jobs.js").JobView} JobView */
 
 export const TONES = { queued: "off", running: "good", paused: "warn", stopped: "off", done: "good", failed: "bad" };
@@ -21,14 +21,14 @@ function list(context) {
   const { page, say } = context;
   const { all } = page.jobs;
   const now = /** @type {JobView | null} */ (page.station?.job ?? null);
-  const shelf = shelves(all ?? [], now);
+  const groups = groupJobs(all ?? [], now);
   return html`
     <section class="card" aria-labelledby="jobs-title">
       <h2 id="jobs-title">${say("jobs")}</h2>
       ${all?.length === 0 ? html`<p id="jobs-none" class="drop quiet">${say("jobs.none")}</p>` : nothing}
-      ${/** @type {const} */ (["under_way", "waiting", "over"]).map((name) => (shelf[name].length ? html`
+      ${/** @type {const} */ (["active", "waiting", "finished"]).map((name) => (groups[name].length ? html`
         <h3 id="jobs-${name}">${say(`jobs.${name}`)}</h3>
-        <ol class="jobs" aria-labelledby="jobs-${name}">${repeat(shelf[name], ({ job }) => job, (job) => entry(context, job, shelf.waiting))}</ol>` : nothing))}
+        <ol class="jobs" aria-labelledby="jobs-${name}">${repeat(groups[name], ({ job }) => job, (job) => entry(context, job, groups.waiting))}</ol>` : nothing))}
     </section>`;
 }
 
@@ -73,6 +73,6 @@ function acts({ page, say, act }, { job, phase, title }, waiting) {
     case "paused":
       return html`${button("start", "job.resume", () => act.jobs.start(job), true, runs)}${end}`;
     default:
-      return html`${button("again", "jobs.again", () => void act.jobs.again(job))}${button("forget", "jobs.forget", () => act.jobs.forget(job))}`;
+      return html`${button("again", "jobs.again", () => void act.jobs.again(job))}${button("forget", "jobs.remove", () => act.jobs.forget(job))}`;
   }
 }

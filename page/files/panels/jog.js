@@ -2,33 +2,33 @@
 
 import { html } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** A button: its axis, its name, its way, and where it lies. @typedef {[axis: string, name: string, way: Word, place: string]} Button */
 
 /** @type {readonly Button[]} */
 const LINEAR = [
-  ["servo_plus", "R+", "way.turn", "nw"],
-  ["x_plus", "X+", "way.forward", "n"],
-  ["servo_minus", "R−", "way.turn", "ne"],
-  ["z_plus", "Z+", "way.up", "u"],
-  ["y_plus", "Y+", "way.left", "w"],
-  ["y_minus", "Y−", "way.right", "e"],
-  ["x_minus", "X−", "way.back", "s"],
-  ["z_minus", "Z−", "way.down", "d"],
+  ["servo_plus", "R+", "direction.turn", "nw"],
+  ["x_plus", "X+", "direction.forward", "n"],
+  ["servo_minus", "R−", "direction.turn", "ne"],
+  ["z_plus", "Z+", "direction.up", "u"],
+  ["y_plus", "Y+", "direction.left", "w"],
+  ["y_minus", "Y−", "direction.right", "e"],
+  ["x_minus", "X−", "direction.back", "s"],
+  ["z_minus", "Z−", "direction.down", "d"],
 ];
 /** @type {readonly Button[]} */
 const JOINT = [
-  ["base_plus", "J1+", "way.left", ""],
-  ["base_minus", "J1−", "way.right", ""],
-  ["rear_plus", "J2+", "way.forward", ""],
-  ["rear_minus", "J2−", "way.back", ""],
-  ["fore_plus", "J3+", "way.down", ""],
-  ["fore_minus", "J3−", "way.up", ""],
-  ["servo_plus", "J4+", "way.turn", ""],
-  ["servo_minus", "J4−", "way.turn", ""],
+  ["base_plus", "J1+", "direction.left", ""],
+  ["base_minus", "J1−", "direction.right", ""],
+  ["rear_plus", "J2+", "direction.forward", ""],
+  ["rear_minus", "J2−", "direction.back", ""],
+  ["fore_plus", "J3+", "direction.down", ""],
+  ["fore_minus", "J3−", "direction.up", ""],
+  ["servo_plus", "J4+", "direction.turn", ""],
+  ["servo_minus", "J4−", "direction.turn", ""],
 ];
 /** @type {readonly Word[]} */
 const JOINTS = ["pose.base", "pose.base", "pose.rear", "pose.rear", "pose.fore", "pose.fore", "pose.servo", "pose.servo"];
@@ -42,8 +42,8 @@ export function jogPanel({ page, say, act, jog }) {
   const { frame, step, speed_percent, held, refused } = page.jog;
   const why = hindrance(page);
   const buttons = frame === "linear" ? LINEAR : JOINT;
-  const hint = step === null ? say("jog.hint.hold") : say("jog.hint.step", { step: frame === "linear" ? `${step} mm (R: ${step}°)` : `${step}°` });
-  const told = why ? say(`hindrance.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
+  const hint = step === null ? say("jog.hint.hold") : say(`jog.hint.step.${frame}`, { step });
+  const told = why ? say(`blocked.${why}`) : refused ? `${nameOf(refused.axis)}: ${refused.detail}.` : hint;
 
   const buttonOf = (/** @type {Event} */ event) => /** @type {HTMLButtonElement | null} */ (/** @type {Element} */ (event.target).closest("button[data-axis]"));
   const press = (/** @type {Event} */ event) => {
@@ -68,7 +68,7 @@ export function jogPanel({ page, say, act, jog }) {
       <h2 id="jog-title">${say("jog")}</h2>
       <div class="choices">
         <fieldset class="segments">
-          <legend>${say("jog.what")}</legend>
+          <legend>${say("jog.mode")}</legend>
           ${(/** @type {const} */ (["linear", "joint"])).map((it) => html`<label><input type="radio" name="frame" value=${it} .checked=${live(it === frame)} @change=${() => act.send({ type: "jog_set", set: { frame: it } })}><span>${say(`jog.${it}`)}</span></label>`)}
         </fieldset>
         <fieldset class="segments">

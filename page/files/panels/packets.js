@@ -3,7 +3,7 @@
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
-import { saveAs } from "../parts/save.js";
+import { saveAs } from "../parts/download.js";
 import { exported, line, wanted } from "../state/packets.js";
 import { sentence } from "../views/banners.js";
 
@@ -38,12 +38,12 @@ function list({ page, say, act }) {
   const newest = found.slice(-SEEN).reverse();
   return html`
     <fieldset class="segments">
-      <legend class="unseen">${say("packets.way")}</legend>
-      ${WAYS.map((it) => html`<label><input type="radio" name="packets-way" value=${it} .checked=${live(it === way)} @change=${() => act.send({ type: "packets_way", way: it })}><span>${say(`packets.way.${it}`)}</span></label>`)}
+      <legend class="unseen">${say("packets.direction")}</legend>
+      ${WAYS.map((it) => html`<label><input type="radio" name="packets-way" value=${it} .checked=${live(it === way)} @change=${() => act.send({ type: "packets_way", way: it })}><span>${say(`packets.direction.${it}`)}</span></label>`)}
     </fieldset>
-    <input id="packets-sought" type="text" placeholder=${say("watch.sought")} aria-label=${say("watch.sought")} .value=${live(sought)} @input=${(/** @type {Event} */ event) => act.send({ type: "packets_sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
+    <input id="packets-sought" type="text" placeholder=${say("watch.filter")} aria-label=${say("watch.filter")} .value=${live(sought)} @input=${(/** @type {Event} */ event) => act.send({ type: "packets_sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
     <div class="row">
-      <button id="packets-pause" type="button" class="small strong" @click=${() => act.send({ type: "packets_frozen", frozen: frozen === null })}>${say(frozen ? "packets.go_on" : "packets.pause")}</button>
+      <button id="packets-pause" type="button" class="small strong" @click=${() => act.send({ type: "packets_frozen", frozen: frozen === null })}>${say(frozen ? "packets.resume" : "packets.pause")}</button>
       <button id="packets-clear" type="button" class="small" @click=${() => act.send({ type: "packets_cleared" })}>${say("packets.clear")}</button>
       <button id="packets-save" type="button" class="small" ?disabled=${!found.length} @click=${() => saveAs(new Blob([exported(found)], { type: "application/jsonl" }), "packets.jsonl")}>${say("packets.save")}</button>
       <span id="packets-count" class="quiet">${say("packets.count", { count: found.length })}</span>

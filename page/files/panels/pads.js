@@ -1,7 +1,7 @@
 // The mouse pad and the hand pad.
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 
@@ -27,7 +27,7 @@ export function pads({ page, say, pads }) {
   const { mouse, hand } = pads;
   const why = hindrance(page);
   const off = why !== null;
-  const told = why ? say(`hindrance.${why}`) : page.pad_refused;
+  const told = why ? say(`blocked.${why}`) : page.pad_refused;
   return html`
     <details class="card" id="pads">
       <summary><h2>${say("pads")}</h2></summary>

@@ -5,7 +5,7 @@ import { live } from "../vendor/lit-html/directives/live.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 import { SPEEDS, extent } from "../state/recordings.js";
 import { sentence } from "../views/banners.js";
-import { clock } from "../words/words.js";
+import { clock } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/recordings.js").RecordingView} RecordingView */

@@ -1,10 +1,10 @@
 // What is set once: the arm, its safety policy, who may come, what surrounds a virtual arm, and this page.
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { isVirtual } from "../state/select.js";
+import { isVirtual } from "../state/selectors.js";
 import { armGuide } from "./set_up/arm.js";
 import { calibrateGuide } from "./set_up/calibrate.js";
-import { looks } from "./set_up/looks.js";
+import { looks } from "./set_up/appearance.js";
 import { policy } from "./set_up/policy.js";
 import { tokens } from "./set_up/tokens.js";
 import { touchPaper } from "./set_up/touch_paper.js";

@@ -1,7 +1,7 @@
 // The paper from above, as a person behind the arm sees it: the drawing lies on it, and is moved, turned and enlarged by hand.
 
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
-import { kept } from "../state/select.js";
+import { kept } from "../state/selectors.js";
 import { liesOf } from "../state/draw.js";
 
 /** @typedef {import("../views/context.js").Context} Context */

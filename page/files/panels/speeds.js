@@ -1,7 +1,7 @@
 // How fast targets and programs go: shares of what the arm was set to (state 10).
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 /** @param {import("../views/context.js").Context} context */
 export function speeds({ page, say, act }) {

@@ -3,7 +3,7 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 import { FIELDS, placeOf } from "../state/target.js";
 import { sentence } from "../views/banners.js";
 
@@ -58,11 +58,11 @@ export function targetPanel(context) {
           <legend>${say("target.path")}</legend>
           ${PATHS.map((path) => html`<label><input type="radio" name="path" value=${path} .checked=${live(path === target.path)} @change=${() => act.send({ type: "target_path", path })}><span>${say(`target.${path}`)}</span></label>`)}
         </fieldset>
-        <p id="target-told" class="told" role="status" data-tone=${tone}>${why && target.check.type === "free" ? say(`hindrance.${why}`) : text}</p>
+        <p id="target-told" class="told" role="status" data-tone=${tone}>${why && target.check.type === "free" ? say(`blocked.${why}`) : text}</p>
         <div class="row">
           <button id="target-go" type="submit" class="strong" ?disabled=${target.check.type !== "free" || why !== null || target.goes}>${say("target.go")}</button>
           ${nearest ? html`<button id="target-nearest" type="button" @click=${() => act.send({ type: "target_placed", place: { x_mm: nearest[0], y_mm: nearest[1], z_mm: nearest[2] } })}>${say("target.nearest")}</button>` : nothing}
-          ${target.typed ? html`<button id="target-clear" type="button" @click=${() => act.send({ type: "target_cleared" })}>${say("target.forget")}</button>` : nothing}
+          ${target.typed ? html`<button id="target-clear" type="button" @click=${() => act.send({ type: "target_cleared" })}>${say("target.clear")}</button>` : nothing}
           <button id="home" type="button" class="end" title=${say("target.home.hint")} ?disabled=${why !== null} @click=${() => act.home()}>${say("target.home")}</button>
         </div>
       </form>

@@ -3,12 +3,12 @@
 import { html, nothing, svg } from "../vendor/lit-html/lit-html.js";
 import { live } from "../vendor/lit-html/directives/live.js";
 import { ref } from "../vendor/lit-html/directives/ref.js";
-import { hindrance, kept, rowsIn } from "../state/select.js";
+import { hindrance, kept, rowsIn } from "../state/selectors.js";
 import { rowAt, stepsIn } from "../state/teach.js";
-import { ROW_PX, carry } from "../hands/carry.js";
-import { saveAs } from "../parts/save.js";
+import { ROW_PX, carry } from "../input/row_drag.js";
+import { saveAs } from "../parts/download.js";
 import { sentence } from "../views/banners.js";
-import { span } from "../words/words.js";
+import { span } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 /** @typedef {import("../state/teach.js").Row} Row */
@@ -31,7 +31,7 @@ export function teach(context) {
   const rows = rowsIn(text);
   const modeChoice = html`
     <fieldset class="segments">
-      <legend class="unseen">${say("teach.shown")}</legend>
+      <legend class="unseen">${say("teach.view")}</legend>
       ${MODES.map((it) => html`<label><input type="radio" name="teach-mode" value=${it} .checked=${live(it === mode)} @change=${() => act.send({ type: "teach_mode", mode: it })}><span>${say(`teach.${it}`)}</span></label>`)}
     </fieldset>`;
   const views = { table: () => table(context, rows), text: () => area(context), time: () => timeline(context) };
@@ -93,14 +93,14 @@ function table({ page, say, act }, rows) {
         ${rows.slice(from, from + SEEN).map(({ says }, n) => {
           const row = from + n;
           return html`<button type="button" role="option" id="step-${row}" class="step ${bad.has(row) ? "is-bad" : ""} ${runs === row ? "is-running" : ""} ${under(row)}" data-row=${row} aria-selected=${row === chosen ? "true" : "false"}
-            @click=${() => act.send({ type: "teach_chosen", row })}><span class="number">${row + 1}</span><span class="says" title=${says}>${steps[row]?.label}</span><span class="time">${steps[row]?.takes_s ? `${steps[row].takes_s.toFixed(1)} s` : ""}</span><span class="grip" title=${say("teach.carry")} aria-hidden="true"></span></button>`;
+            @click=${() => act.send({ type: "teach_chosen", row })}><span class="number">${row + 1}</span><span class="says" title=${says}>${steps[row]?.label}</span><span class="time">${steps[row]?.takes_s ? `${steps[row].takes_s.toFixed(1)} s` : ""}</span><span class="grip" title=${say("teach.drag")} aria-hidden="true"></span></button>`;
         })}
       </div></div>
     </div>
     <p class="unseen" id="teach-moved" role="status">${page.teach.moved ? say("teach.moved", { step: page.teach.moved.to + 1, steps: page.teach.moved.of }) : ""}</p>`;
 }
 
-/** What a row that is carried does. @param {Context["act"]} act @returns {import("../hands/carry.js").Carrying} */
+/** What a row that is carried does. @param {Context["act"]} act @returns {import("../input/row_drag.js").Carrying} */
 const carrying = (act) => ({
   over: (from, to) => act.send({ type: "teach_carried", carried: { from, to } }),
   drop(from, to) {
@@ -180,7 +180,7 @@ function runs({ page, say, act }, rows) {
         ${own && page.station?.job && page.station.job.phase !== "done" ? html`<button id="teach-end" type="button" class="small" @click=${() => act.ask({ type: "cancel_job", job: page.station?.job?.job ?? 0 })}>${say("teach.end")}</button>` : nothing}
       </div>
       ${own && page.station?.job?.program ? html`<p class="quiet" id="teach-cycle">${say("teach.cycles", { cycles: page.station.job.program.cycles_done, step: page.station.job.program.step, steps: page.station.job.program.steps })}</p>` : nothing}
-      ${why && !(own && why === "job_runs") ? html`<p class="quiet">${say(`hindrance.${why}`)}</p>` : nothing}
+      ${why && !(own && why === "job_runs") ? html`<p class="quiet">${say(`blocked.${why}`)}</p>` : nothing}
     </section>`;
 }
 

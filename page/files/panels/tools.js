@@ -1,8 +1,8 @@
 // Pump, gripper and laser. Each is one command to the station, which decides; what is shown is what the arm then reports.
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
-import { hindrance, laser } from "../state/select.js";
-import { clock, span } from "../words/words.js";
+import { hindrance, laser } from "../state/selectors.js";
+import { clock, span } from "../i18n/i18n.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
 

@@ -1,7 +1,7 @@
 // The words of voice mode, as buttons and as a text.
 
 import { html } from "../vendor/lit-html/lit-html.js";
-import { hindrance } from "../state/select.js";
+import { hindrance } from "../state/selectors.js";
 
 /** What the arm is told in English, in every language of the page. */
 const WORDS = /** @type {const} */ ({ forward: "ahead ten", back: "back ten", left: "left ten", right: "right ten", up: "up ten", down: "down ten", catch: "catch", release: "release" });
@@ -23,7 +23,7 @@ export function voice({ page, say, act }) {
       </div>
       <form id="say" class="row" @submit=${tell}>
         <input id="say-text" name="text" type="text" maxlength="40" autocomplete="off" required aria-label=${say("voice.text")}>
-        <button type="submit" ?disabled=${why}>${say("voice.say")}</button>
+        <button type="submit" ?disabled=${why}>${say("voice.send")}</button>
       </form>
     </details>`;
 }

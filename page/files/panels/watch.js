@@ -6,7 +6,7 @@ import { packets } from "./packets.js";
 import { repeat } from "../vendor/lit-html/directives/repeat.js";
 
 /** @typedef {import("../views/context.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 /** @typedef {import("../state/history.js").History} History */
 
 /** @param {Context} context */
@@ -53,7 +53,7 @@ function link({ page, say }) {
     ["watch.statuses", "statuses", say("watch.statuses.value", { rate: link.statuses_per_s.toFixed(1) })],
     ["watch.lost", "lost", say("watch.lost.value", { statuses: link.lost_statuses, bytes: link.damaged_bytes })],
     ["watch.latency", "latency", link.latency_ms === null ? say("watch.not_known") : say("watch.ms", { ms: link.latency_ms.toFixed(0) })],
-    ["watch.waiting", "queue", say("watch.waiting.value", { here: queue.waiting, under_way: queue.under_way, s: queue.ahead_s.toFixed(1) })],
+    ["watch.waiting", "queue", say("watch.waiting.value", { here: queue.waiting, in_flight: queue.under_way, s: queue.ahead_s.toFixed(1) })],
     ["watch.clients", "clients", String(clients)],
   ]);
   return html`
@@ -72,8 +72,8 @@ function happened({ page, say, act }) {
   const time = (/** @type {number} */ at_s) => new Date(page.heard_ms - Math.max(0, now_s - at_s) * 1000).toLocaleTimeString(page.language);
   return html`
     <section class="card" aria-labelledby="notices-title">
-      <h2 id="notices-title">${say("watch.happened")}</h2>
-      <input id="sought" type="text" placeholder=${say("watch.sought")} aria-label=${say("watch.sought")} .value=${page.sought} @input=${(/** @type {Event} */ event) => act.send({ type: "sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
+      <h2 id="notices-title">${say("watch.events")}</h2>
+      <input id="sought" type="text" placeholder=${say("watch.filter")} aria-label=${say("watch.filter")} .value=${page.sought} @input=${(/** @type {Event} */ event) => act.send({ type: "sought", text: /** @type {HTMLInputElement} */ (event.target).value })}>
       <ol id="notices" class="notices" aria-live="polite">
         ${repeat(newest, ({ number }) => number, ({ at_s, text }) => html`<li><time>${time(at_s)}</time> ${text}</li>`)}
       </ol>

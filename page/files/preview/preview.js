@@ -1,13 +1,13 @@
 // @ts-check
 // The player: a person goes to any moment of a drawing before it is made.
 
-import { boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, viewOf } from "./look.js";
+import { boundsOf, clock, errorNames, heightFor, inkOfColumns, lookOfErrors, lookOfPasses, passName, viewOf } from "./appearance.js";
 import { Sketch } from "./sketch.js";
 import { placeAt } from "./timeline.js";
 
 /** @typedef {import("./timeline.js").Timeline} Timeline */
 /** @typedef {import("./timeline.js").Place} Place */
-/** @typedef {import("./look.js").Look} Look */
+/** @typedef {import("./appearance.js").Look} Look */
 
 const MOST_NAMED = 12;
 /** A page that slept does not leap. */
@@ -18,9 +18,9 @@ const root = /** @type {HTMLElement} */ (document.getElementById("preview"));
 root.remove();
 root.hidden = false;
 
-/** The texts and labels of its parts. @type {Record<string, import("../words/words.js").Word>} */
+/** The texts and labels of its parts. @type {Record<string, import("../i18n/i18n.js").Word>} */
 const TEXTS = { title: "play", "colors-title": "play.colors", "by-pass": "play.by_pass", "by-error": "play.by_error", "tolerance-title": "play.tolerance", "speed-title": "play.speed", of: "play.of", "does-title": "play.tool", "pass-title": "play.pass", hint: "play.hint" };
-/** @type {Record<string, import("../words/words.js").Word>} */
+/** @type {Record<string, import("../i18n/i18n.js").Word>} */
 const LABELS = { canvas: "play.canvas", time: "play.time" };
 
 /** @type {Timeline | undefined} */ let timeline;
@@ -29,7 +29,7 @@ const LABELS = { canvas: "play.canvas", time: "play.time" };
 /** @type {Sketch | undefined} */ let sketch;
 /** @type {import("../state/draw.js").Draw["timeline"]} */ let shown = null;
 /** @type {string | null} */ let language = null;
-/** @type {import("../words/words.js").Say} */ let say;
+/** @type {import("../i18n/i18n.js").Say} */ let say;
 let t_s = 0;
 let playing = false;
 let paintedAt = 0;
@@ -212,7 +212,7 @@ function tell(place, { duration_s, passes }) {
 }
 
 /** What a tool does, as a word. @param {string} kind */
-const doing = (kind) => /** @type {import("../words/words.js").Word} */ (`play.does.${kind}`);
+const doing = (kind) => /** @type {import("../i18n/i18n.js").Word} */ (`play.does.${kind}`);
 
 // --- Hands -----------------------------------------------------------------------------
 

@@ -2,15 +2,15 @@
 // Draws a timeline on a canvas: the sheet with all that is to come, the ink so far, the tool. Long drawings are drawn in
 // slices, a few thousand lines at a time, and pictures of the ink at some moments make the way back short.
 
-import { EDGE, roundLength } from "./look.js";
+import { EDGE, roundLength } from "./appearance.js";
 
 /** @typedef {import("./timeline.js").Timeline} Timeline */
 /** @typedef {import("./timeline.js").Place} Place */
-/** @typedef {import("./look.js").Frame} Frame */
+/** @typedef {import("./appearance.js").Frame} Frame */
 /** Colours of the sheet and of what is drawn on it besides the ink. */
 /** @typedef {{sheet: string, travel: string, tool: string, words: string}} Theme */
-/** @typedef {import("./look.js").Look} Look */
-/** @typedef {import("./look.js").View} View */
+/** @typedef {import("./appearance.js").Look} Look */
+/** @typedef {import("./appearance.js").View} View */
 /** @typedef {{canvas: HTMLCanvasElement, context: CanvasRenderingContext2D, row: number}} Layer */
 
 /** So many lines are drawn at once, so many of them in one path, and the ink is kept at so many moments. */

@@ -1,7 +1,7 @@
 // The sketch draws on canvases; here they only write down what they are told.
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
-import { boundsOf, lookOfPasses, viewOf } from "./look.js";
+import { boundsOf, lookOfPasses, viewOf } from "./appearance.js";
 import { sample } from "./sample.test.js";
 import { Sketch } from "./sketch.js";
 import { readTimeline } from "./timeline.js";

@@ -2,7 +2,7 @@
 // Which part is beside which can be read from the Y of its plates.
 
 import { CatmullRomCurve3, Group, TubeGeometry, Vector3 } from "../vendor/three/three.js";
-import { links, rad } from "./links.js";
+import { links, rad } from "./kinematics.js";
 import { block, lay, pin, plate, solid, turned } from "./solid.js";
 import { createTool } from "./tools.js";
 

@@ -2,7 +2,7 @@
 //
 // `around_deg` is counted counter-clockwise from straight ahead of the arm, `up_deg` from the level.
 
-import { rad } from "./links.js";
+import { rad } from "./kinematics.js";
 
 /** @typedef {import("./view.js").Preset} Preset */
 /** @typedef {import("./view.js").Point} Point */

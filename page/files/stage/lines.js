@@ -2,7 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, LineSegments, Vector3 } from "../vendor/three/three.js";
 
-/** @typedef {import("./look.js").Look} Look */
+/** @typedef {import("./colors.js").Look} Look */
 /** @typedef {import("./view.js").Point} Point */
 /** @typedef {import("./view.js").Drawing} Drawing */
 

@@ -5,12 +5,12 @@ import {
   BufferAttribute, BufferGeometry, CustomBlending, DoubleSide, InstancedBufferAttribute, InstancedBufferGeometry, LinearFilter, LinearMipmapLinearFilter, MaxEquation, Mesh, OneFactor, OrthographicCamera, PlaneGeometry, RedFormat, Scene, ShaderMaterial, WebGLRenderTarget,
 } from "../vendor/three/three.js";
 import { rgb } from "./paper.js";
-import { areaOf, fineness } from "./sheet.js";
+import { areaOf, fineness } from "./marks_area.js";
 
-/** @typedef {import("./look.js").Look} Look */
+/** @typedef {import("./colors.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Marks} Marks */
-/** @typedef {import("./sheet.js").Area} Area */
+/** @typedef {import("./marks_area.js").Area} Area */
 
 /** How many lines are drawn at a time, and how thin they are at least, in pixels of the picture. */
 const AT_ONCE = 8192;

@@ -3,7 +3,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, ShaderMaterial, SphereGeometry } from "../vendor/three/three.js";
 import { block } from "./solid.js";
 
-/** @typedef {import("./look.js").Look} Look */
+/** @typedef {import("./colors.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 
 /** How far the table goes, in mm: from, to. */

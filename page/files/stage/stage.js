@@ -1,10 +1,10 @@
 // The stage: shows a `View` (see `view.js`), in three dimensions, or in two where there is no WebGL. It draws only when
 // something changed and it is in sight, and has no state of its own but the camera and what it heard last.
 
-import { createDeep } from "./deep.js";
-import { createFlat } from "./flat.js";
+import { createDeep } from "./scene_3d.js";
+import { createFlat } from "./scene_2d.js";
 import { Motion } from "./motion.js";
-import { createLimit, createPace } from "./pace.js";
+import { createLimit, createPace } from "./render_quality.js";
 
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Preset} Preset */

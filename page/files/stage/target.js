@@ -4,9 +4,9 @@ import {
   BufferGeometry, ConeGeometry, DoubleSide, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Raycaster, RingGeometry, SphereGeometry, TorusGeometry, Vector2, Vector3,
 } from "../vendor/three/three.js";
 import { createArm } from "./arm.js";
-import { deg, inverse, rad } from "./links.js";
+import { deg, inverse, rad } from "./kinematics.js";
 
-/** @typedef {import("./look.js").Look} Look */
+/** @typedef {import("./colors.js").Look} Look */
 /** @typedef {import("./view.js").View} View */
 /** @typedef {import("./view.js").Pose} Pose */
 /** @typedef {import("./view.js").ArmShape} ArmShape */

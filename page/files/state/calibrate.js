@@ -1,6 +1,6 @@
 // How the arm differs from the drawing of it, and the procedure that finds it: one point of the sheet after the other.
 
-import { rests, silence_ms } from "./select.js";
+import { rests, silence_ms } from "./selectors.js";
 
 /** @typedef {import("./types.js").Problem} Problem */
 /** @typedef {import("./types.js").Schemas} Schemas */

@@ -36,7 +36,7 @@ export const accepted = (formats) => formats.flatMap(({ extensions }) => extensi
 export const formatNames = (formats) => formats.map(({ name }) => name).join(", ");
 /** How large a file may be; in Base64 it is a third larger. */
 export const MOST_BYTES = 24_000_000;
-/** What the page calls the options of a drawing that it has fields for. @type {Readonly<Record<string, import("../words/words.js").Word>>} */
+/** What the page calls the options of a drawing that it has fields for. @type {Readonly<Record<string, import("../i18n/i18n.js").Word>>} */
 const FIELD_NAMES = {
   "what.hatch": "draw.hatch", "what.height": "draw.height", "what.layers": "draw.layers",
   "place.scale": "draw.scale", "place.rotate": "draw.rotate", "place.pen_down": "draw.down", "place.fit": "draw.fit", "place.clip": "draw.clip",
@@ -70,14 +70,14 @@ export const NO_DRAW = {
  * | { type: "draw_planned", asked: number, title: string, plan: Plan, timeline: import("../preview/timeline.js").Timeline, set: Settings }
  * | { type: "draw_timeline", timeline: import("../preview/timeline.js").Timeline }
  * | { type: "draw_failed", asked: number, problem: Problem }
- * | { type: "draw_given_up" }
+ * | { type: "draw_cancelled" }
  * | { type: "materials", materials: Draw["materials"] }
  * | { type: "formats", formats: Formats }} DrawMessage */
 
 /** @param {string} text */
 const numberOf = (text) => (text.trim() === "" ? null : Number(text));
 
-/** A text of the station with the names that the page has for the options in it. @param {import("../words/words.js").Say} say @param {string} text */
+/** A text of the station with the names that the page has for the options in it. @param {import("../i18n/i18n.js").Say} say @param {string} text */
 export const withFieldNames = (say, text) => text.replace(/(?<![\w./])`?\b((?:what|place|tool|way)\.\w+)`?/g, (all, /** @type {string} */ field) => (FIELD_NAMES[field] ? `“${say(FIELD_NAMES[field])}”` : all));
 
 /** Whether there is something to draw. @param {Draw} draw */
@@ -149,7 +149,7 @@ export function reduceDraw(draw, message) {
       return { ...draw, asked: draw.asked + 1, phase: "nothing", file: null, drawing: null, problem: null, planned: null, what: "file", timeline: { timeline: message.timeline } };
     case "draw_failed":
       return message.asked === draw.asked ? { ...draw, phase: "failed", drawing: null, problem: message.problem } : draw;
-    case "draw_given_up":
+    case "draw_cancelled":
       return { ...draw, asked: draw.asked + 1, phase: "failed", problem: null, drawing: null };
     case "hello":
       // A station that began anew knows no drawing.

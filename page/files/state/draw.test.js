@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { speak } from "../words/words.js";
+import { speak } from "../i18n/i18n.js";
 import { accepted, formatNames, NO_DRAW, reduceDraw, withFieldNames } from "./draw.js";
 
 const FORMATS = /** @type {import("./draw.js").Formats} */ ([
@@ -17,6 +17,6 @@ test("files are chosen and named by the formats that the station tells", () => {
 test("an error names the field of the page, and an option that the page does not have as it is", () => {
   const say = speak("en");
   assert.equal(withFieldNames(say, "tool.speed is 2000 mm/s; it takes 0 to 1000 mm/s"), "“Speed” is 2000 mm/s; it takes 0 to 1000 mm/s");
-  assert.equal(withFieldNames(say, "`place.fit`, instead of `place.scale`, is smaller"), "“as large as fits”, instead of “Size”, is smaller");
+  assert.equal(withFieldNames(say, "`place.fit`, instead of `place.scale`, is smaller"), "“scale to fit”, instead of “Scale”, is smaller");
   assert.equal(withFieldNames(say, "tool.kerf is 7 mm"), "tool.kerf is 7 mm");
 });

@@ -38,12 +38,12 @@ const isOver = ({ phase }) => phase === "done" || phase === "stopped" || phase =
  * what is over, the newest first.
  * @param {readonly JobView[]} all @param {JobView | null} now
  */
-export function shelves(all, now) {
+export function groupJobs(all, now) {
   const jobs = all.map((job) => (job.job === now?.job ? now : job));
   return {
-    under_way: jobs.filter(({ phase }) => phase === "running" || phase === "paused"),
+    active: jobs.filter(({ phase }) => phase === "running" || phase === "paused"),
     waiting: jobs.filter(({ phase }) => phase === "queued"),
-    over: jobs.filter(isOver).sort((a, b) => b.job - a.job),
+    finished: jobs.filter(isOver).sort((a, b) => b.job - a.job),
   };
 }
 

@@ -1,17 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { NO_JOBS, placeFor, reduceJobs, shelves } from "./jobs.js";
+import { NO_JOBS, placeFor, reduceJobs, groupJobs } from "./jobs.js";
 
 const job = (number, phase, more = {}) => ({ job: number, phase, ...more });
 const numbers = (jobs) => jobs.map((it) => it.job);
 
 test("jobs stand by what a person asks of them: what waits in its order, what is over with the newest first", () => {
   const all = [job(1, "done"), job(5, "queued"), job(2, "failed"), job(3, "running", { completed: 1 }), job(4, "queued")];
-  const { under_way, waiting, over } = shelves(all, job(3, "paused", { completed: 7 }));
-  assert.deepEqual(under_way, [job(3, "paused", { completed: 7 })], "as the state tells it, which is newer");
+  const { active, waiting, finished } = groupJobs(all, job(3, "paused", { completed: 7 }));
+  assert.deepEqual(active, [job(3, "paused", { completed: 7 })], "as the state tells it, which is newer");
   assert.deepEqual(numbers(waiting), [5, 4]);
-  assert.deepEqual(numbers(over), [2, 1]);
+  assert.deepEqual(numbers(finished), [2, 1]);
 });
 
 test("a queued job goes one place up or down, and not out of the queue", () => {

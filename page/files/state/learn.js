@@ -1,7 +1,7 @@
 // A lesson: steps, each with what has to happen before the next one. Pure; what lessons say is in `lessons/`.
 
 /** @typedef {import("./state.js").Page} Page */
-/** @typedef {import("../words/words.js").Language} Language */
+/** @typedef {import("../i18n/i18n.js").Language} Language */
 
 /** What a step waits for; nothing for a button.
  * @typedef {{ moved_mm?: number, near?: { x: number, y: number, z: number, within: number }, steps?: number, cycles?: number, notice?: string, drawing?: boolean, idle?: boolean, refused?: boolean, answer?: { is: number, within: number } }} Until

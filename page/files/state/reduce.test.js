@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { FACTS } from "../stage/sample.test.js";
 import { reduce } from "./reduce.js";
-import { createViewOf, hindrance, shownPolicy, silence_ms } from "./select.js";
+import { createViewOf, hindrance, shownPolicy, silence_ms } from "./selectors.js";
 import { begin } from "./state.js";
 import { placeOf } from "./target.js";
 

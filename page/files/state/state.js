@@ -21,12 +21,12 @@ import { NO_TOUCH_PAPER } from "./touch_paper.js";
 /** @typedef {import("./types.js").Near} Near */
 /** @typedef {import("./types.js").Role} Role */
 /** @typedef {import("../stage/view.js").View} View */
-/** @typedef {import("../words/words.js").Language} Language */
+/** @typedef {import("../i18n/i18n.js").Language} Language */
 
 /** @typedef {"connecting" | "open" | "closed" | "token"} Connection `token`: the station wants one. */
 /** @typedef {"move" | "draw" | "teach" | "jobs" | "watch" | "set_up"} Tab */
 /** @typedef {"auto" | "light" | "dark"} Theme */
-/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "forget_calibration" | "tell_angles" | "remove_token", values?: Record<string, string | number> }} Question */
+/** What a person is asked before it is done. @typedef {{ about: "confirm_pose" | "reset_stop" | "arm_laser" | "detect" | "clear_calibration" | "send_angles" | "remove_token", values?: Record<string, string | number> }} Question */
 /** What a virtual arm has around it. @typedef {Pick<View, "tool" | "table_z_mm" | "paper" | "things" | "marks">} Around */
 
 /**

@@ -1,6 +1,6 @@
 // Holds the state, and tells who listens that it is another one.
 
-import { hold } from "./hold.js";
+import { hold } from "./store_core.js";
 import { reduce } from "./reduce.js";
 
 /** @typedef {import("./state.js").Page} Page */

@@ -1,6 +1,6 @@
 // Asks the station what is known of the arm, what touches tell, and has it keep what a person was shown.
 
-import { saveFrom } from "../parts/save.js";
+import { saveFrom } from "../parts/download.js";
 import { LEAST_TOUCHES, pointHindrance, questionOf, toldDegrees, touchHindrance, touchesOf } from "../state/calibrate.js";
 import { PLACES } from "../state/touch_paper.js";
 

@@ -2,7 +2,7 @@
 
 import { timelineOf } from "../preview/timeline.js";
 import { hasSubject, optionsOf, wrongField } from "../state/draw.js";
-import { readDrawing } from "./file.js";
+import { readDrawing } from "./drawing_file.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */
@@ -78,7 +78,7 @@ export function followDrawing(store, http) {
     if (draw.asked === seen) return;
     seen = draw.asked;
     clearTimeout(timer);
-    if (type === "draw_given_up") forgetAll(null);
+    if (type === "draw_cancelled") forgetAll(null);
     else timer = setTimeout(() => void plan(), PLAN_MS);
   });
 }

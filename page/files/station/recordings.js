@@ -1,7 +1,7 @@
 // Reads recordings, hands them to a person as files, and lets time pass while one is played.
 
 import { isCoarse } from "../state/recordings.js";
-import { saveFrom } from "../parts/save.js";
+import { saveFrom } from "../parts/download.js";
 
 /** @typedef {import("../state/store.js").Store} Store */
 /** @typedef {import("../state/types.js").Schemas} Schemas */

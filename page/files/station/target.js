@@ -4,7 +4,7 @@
 /** @typedef {import("../state/types.js").Command} Command */
 /** @typedef {import("../state/state.js").Page} Page */
 
-import { ghostPlace } from "../state/select.js";
+import { ghostPlace } from "../state/selectors.js";
 import { placeOf } from "../state/target.js";
 
 /** For so long nothing is typed or dragged before the way is checked. */

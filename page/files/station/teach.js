@@ -1,7 +1,7 @@
 // Has the station check a program a moment after it was changed, change its steps, and make jobs of it.
 
 import { base64 } from "../parts/base64.js";
-import { rowsIn } from "../state/select.js";
+import { rowsIn } from "../state/selectors.js";
 import { stepOf, titled } from "../state/teach.js";
 
 /** @typedef {import("../state/store.js").Store} Store */

@@ -2,10 +2,10 @@
 
 import { html, nothing } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";
-import { isVeryOld, othersTime, silence_ms } from "../state/select.js";
+import { isVeryOld, othersTime, silence_ms } from "../state/selectors.js";
 import { isSamePerson, timeNext, timeNow } from "../state/slots.js";
-import { span } from "../words/words.js";
-import { sure } from "./sure.js";
+import { span } from "../i18n/i18n.js";
+import { sure } from "./confirm.js";
 import { tokenForm } from "./token.js";
 
 /** @typedef {import("./context.js").Context} Context */
@@ -82,7 +82,7 @@ function untrusted({ page, say, act }) {
   if (!page.station?.arm || page.station.trust.trusted) return nothing;
   return html`
     <section id="untrusted" class="banner" data-tone="warn" role="status">
-      <p><strong>${say("pose.not_trusted")}</strong> <span id="untrusted-why">${page.station.trust.reason ?? ""}</span></p>
+      <p><strong>${say("pose.not_confirmed")}</strong> <span id="untrusted-why">${page.station.trust.reason ? `${sentence(page.station.trust.reason)}.` : ""}</span></p>
       <button id="confirm-pose" type="button" @click=${() => act.question({ about: "confirm_pose" })}>${say("pose.confirm")}</button>
     </section>`;
 }
@@ -111,7 +111,7 @@ function problem({ page, say, act }) {
 }
 
 /** @param {Context} context */
-const token = ({ page, say, act, connect }) => (page.connection === "token" ? tokenForm(say, say("token.wanted"), (secret) => act.useToken(secret, connect)) : nothing);
+const token = ({ page, say, act, connect }) => (page.connection === "token" ? tokenForm(say, say("token.required"), (secret) => act.useToken(secret, connect)) : nothing);
 
 /** What a person is asked before something is done. @param {Context} context */
 export const question = ({ page, say, act }) => (page.question ? sure(say, page.question, act.answer) : nothing);

@@ -3,10 +3,10 @@
 /**
  * @typedef {object} Context
  * @property {import("../state/state.js").Page} page
- * @property {import("../words/words.js").Say} say
+ * @property {import("../i18n/i18n.js").Say} say
  * @property {import("../actions.js").Actions} act
- * @property {import("../hands/jog.js").JogHands} jog
- * @property {import("../hands/pads.js").Pads} pads
+ * @property {import("../input/jog.js").JogHands} jog
+ * @property {import("../input/pads.js").Pads} pads
  * @property {() => void} connect
  * @property {(preset: import("../stage/view.js").Preset) => void} look
  */

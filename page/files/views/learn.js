@@ -38,11 +38,11 @@ function student({ page, say, act }) {
     const field = /** @type {HTMLInputElement} */ (/** @type {HTMLFormElement} */ (event.currentTarget).elements.namedItem("student"));
     act.lessons.tellStudent(field.value.trim());
   };
-  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.untold ? `${sentence(page.learn.untold.detail)}.` : say("learn.student.told", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.tellStudent("")}>${say("learn.student.other")}</button></p>`;
+  if (page.learn.student) return html`<p class="row"><span id="lesson-student" class="quiet">${page.learn.untold ? `${sentence(page.learn.untold.detail)}.` : say("learn.student.shown", { name: page.learn.student })}</span> <button id="lesson-not-me" type="button" class="small" @click=${() => act.lessons.tellStudent("")}>${say("learn.student.other")}</button></p>`;
   return html`
     <form id="lesson-who" class="row" @submit=${tell}>
       <input name="student" type="text" maxlength="60" required autocomplete="off" aria-label=${say("learn.student")} placeholder=${say("learn.student")}>
-      <button type="submit" class="small">${say("learn.student.tell")}</button>
+      <button type="submit" class="small">${say("learn.student.send")}</button>
     </form>`;
 }
 

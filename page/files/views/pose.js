@@ -4,7 +4,7 @@ import { html } from "../vendor/lit-html/lit-html.js";
 import { recorded } from "../state/recordings.js";
 
 /** @typedef {import("./context.js").Context} Context */
-/** @typedef {import("../words/words.js").Word} Word */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
 
 /** @type {readonly import("../stage/view.js").Preset[]} */
 const PRESETS = ["iso", "top", "side", "tool"];

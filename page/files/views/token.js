@@ -2,7 +2,7 @@
 
 import { html } from "../vendor/lit-html/lit-html.js";
 
-/** @param {import("../words/words.js").Say} say @param {unknown} why @param {(secret: string) => void} use */
+/** @param {import("../i18n/i18n.js").Say} say @param {unknown} why @param {(secret: string) => void} use */
 export function tokenForm(say, why, use) {
   const submit = (/** @type {SubmitEvent} */ event) => {
     event.preventDefault();

@@ -1,7 +1,7 @@
 // From a plugged-in arm to one that can be trusted: is it there, what does it understand, is it where it says.
 
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
-import { hindrance } from "../../state/select.js";
+import { hindrance } from "../../state/selectors.js";
 import { sentence } from "../../views/banners.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */

@@ -3,7 +3,7 @@
 import { html, nothing, svg } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
 import { HIGHEST_BLOCK_MM, LEAST_TOUCHES, nextPoint, numbersOf, pointHindrance, touchesOf } from "../../state/calibrate.js";
-import { hindrance } from "../../state/select.js";
+import { hindrance } from "../../state/selectors.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";
 
@@ -56,14 +56,14 @@ const numbers = ({ say }, rows) => html`
 /** @param {Context} context @param {Schemas["Calibrations"]} known */
 function whatIsKnown(context, { calibration }) {
   const { page, say } = context;
-  if (!calibration || isAsDrawn(calibration)) return html`<p id="calibrate-known">${say("calibrate.as_drawn")}</p>`;
+  if (!calibration || isAsDrawn(calibration)) return html`<p id="calibrate-known">${say("calibrate.nominal")}</p>`;
   const { touched } = calibration;
   return html`
     <div id="calibrate-known">
       <p>${say("calibrate.known")}${calibration.name ? ` ${say("calibrate.name", { name: calibration.name })}` : ""}</p>
       ${numbers(context, numbersOf(calibration).filter(({ name }) => MAIN.has(name)))}
       ${touched ? html`<p class="quiet">${say("calibrate.agreed", { points: touched.points, typical: number(touched.typical_mm), largest: number(touched.largest_mm) })}</p>` : nothing}
-      ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${say("calibrate.angles_told")}</p>` : nothing}
+      ${page.station?.calibrated?.zeros_told ? html`<p class="quiet">${say("calibrate.angles_sent")}</p>` : nothing}
     </div>`;
 }
 
@@ -77,9 +77,9 @@ function choices({ page, say, act }) {
     <p class="quiet">${say(mayKeep ? "calibrate.hint" : "policy.admin")}</p>
     <div class="row">
       <button id="calibrate-begin" type="button" class="small strong" @click=${begin}>${say("calibrate.begin")}</button>
-      <button id="calibrate-before" type="button" class="small" ?disabled=${!known?.before || !mayKeep} @click=${() => act.calibrate.bringBack()}>${say("calibrate.before")}</button>
-      <button id="calibrate-forget" type="button" class="small" ?disabled=${!known?.calibration || !mayKeep} @click=${() => act.question({ about: "forget_calibration" })}>${say("calibrate.forget")}</button>
-      ${mayTell ? html`<button id="calibrate-angles" type="button" class="small" ?disabled=${hindrance(page) !== null} @click=${() => act.question({ about: "tell_angles" })}>${say("calibrate.angles")}</button>` : nothing}
+      <button id="calibrate-before" type="button" class="small" ?disabled=${!known?.before || !mayKeep} @click=${() => act.calibrate.bringBack()}>${say("calibrate.restore")}</button>
+      <button id="calibrate-forget" type="button" class="small" ?disabled=${!known?.calibration || !mayKeep} @click=${() => act.question({ about: "clear_calibration" })}>${say("calibrate.clear")}</button>
+      ${mayTell ? html`<button id="calibrate-angles" type="button" class="small" ?disabled=${hindrance(page) !== null} @click=${() => act.question({ about: "send_angles" })}>${say("calibrate.angles")}</button>` : nothing}
     </div>`;
 }
 
@@ -144,14 +144,14 @@ function touching(context) {
     <div class="row">
       <button id="calibrate-touch" type="button" class="small strong" ?disabled=${why !== null} aria-describedby="calibrate-why" @click=${() => act.calibrate.touch()}>${say("calibrate.touch")}</button>
       <button id="calibrate-skip" type="button" class="small" @click=${() => act.send({ type: "calibrate_visited", told_deg: null })}>${say("calibrate.skip")}</button>
-      <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${say("calibrate.back")}</button>
+      <button id="calibrate-back" type="button" class="small" ?disabled=${visits.length === 0} @click=${() => act.send({ type: "calibrate_back" })}>${say("calibrate.undo")}</button>
       ${leave(context)}
     </div>
     <div class="row">
       <label for="calibrate-block">${say("calibrate.block")}</label>
       <input id="calibrate-block" class="length" type="number" min="0" max=${HIGHEST_BLOCK_MM} step="any" placeholder="0" aria-describedby="calibrate-why" .value=${live(block)} @input=${(/** @type {Event} */ event) => act.send({ type: "calibrate_block_typed", text: /** @type {HTMLInputElement} */ (event.target).value })}> mm
     </div>
-    <p id="calibrate-why" class="quiet">${why ? say(`hindrance.${why}`) : ""}</p>
+    <p id="calibrate-why" class="quiet">${why ? say(`blocked.${why}`) : ""}</p>
     ${lost ? html`<p id="calibrate-lost" class="told" data-tone="warn" role="alert">${say("calibrate.lost", { lost })}</p>` : nothing}
     ${told(problem)}
     ${touches(context)}
@@ -185,12 +185,12 @@ function result(context, fit) {
     <div id="calibrate-result" role="status">
       <p><b id="calibrate-trust" class="chip" data-tone=${TONES[trust]}>${say(`calibrate.trust.${trust}`)}</b> ${say("calibrate.expected", { mm: number(expected_mm) })}</p>
       <p class="quiet">${say(`calibrate.trust.${trust}.text`)}</p>
-      ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${say("calibrate.unsure", { what, by: number(by), unit })}</p>`)}
+      ${unsure.map(({ what, by, unit }) => html`<p class="quiet">${say("calibrate.uncertain", { what, by: number(by), unit })}</p>`)}
       ${typeof best === "number" && best >= 0 ? html`<p class="quiet">${say(advice?.height_mm ? "calibrate.advice.block" : "calibrate.advice", { point: best + 1, height: advice?.height_mm ?? 0 })}</p>` : nothing}
     </div>
     ${numbers(context, numbersOf(calibration, before).filter(({ name }) => MAIN.has(name)))}
     ${before ? html`<p class="quiet">${say("calibrate.since")}</p>` : nothing}
-    <div class="row"><button id="calibrate-show" type="button" class="small" @click=${show}>${say("calibrate.show")}</button></div>`;
+    <div class="row"><button id="calibrate-show" type="button" class="small" @click=${show}>${say("calibrate.review")}</button></div>`;
 }
 
 /** The last step: all that is kept. @param {Context} context @param {Schemas["CalibrationFile"]} shown */
@@ -200,9 +200,9 @@ function review(context, shown) {
   const mayKeep = page.role === "admin";
   return html`
     <section id="calibrate-shown" class="made" aria-labelledby="calibrate-shown-title">
-      <h3 id="calibrate-shown-title">${say("calibrate.shown")}</h3>
+      <h3 id="calibrate-shown-title">${say("calibrate.new")}</h3>
       ${numbers(context, numbersOf(shown))}
-      <p class="quiet">${say(mayKeep ? "calibrate.shown.hint" : "policy.admin")}</p>
-      <div class="row"><button id="calibrate-keep" type="button" class="strong" ?disabled=${!mayKeep} @click=${keep}>${say("calibrate.keep")}</button></div>
+      <p class="quiet">${say(mayKeep ? "calibrate.new.hint" : "policy.admin")}</p>
+      <div class="row"><button id="calibrate-keep" type="button" class="strong" ?disabled=${!mayKeep} @click=${keep}>${say("calibrate.save")}</button></div>
     </section>`;
 }

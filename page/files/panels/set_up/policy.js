@@ -3,7 +3,7 @@
 import { html, nothing } from "../../vendor/lit-html/lit-html.js";
 import { live } from "../../vendor/lit-html/directives/live.js";
 import { unlessFocused } from "../../parts/unless_focused.js";
-import { shownPolicy } from "../../state/select.js";
+import { shownPolicy } from "../../state/selectors.js";
 import { isChanged } from "../../state/set_up.js";
 import { sentence } from "../../views/banners.js";
 import { refusal } from "./arm.js";
@@ -46,7 +46,7 @@ export function policy(context) {
   const shown = shownPolicy(page), zones = shown?.keep_out ?? {};
   const write = (/** @type {string} */ text) => act.send({ type: "policy_typed", text });
   const changed = isChanged(page.set_up);
-  const told = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? say(mayKeep ? "policy.not_kept" : "policy.admin") : say("policy.holds");
+  const told = check.type === "bad" ? `${sentence(check.problem.detail)}.` : changed ? say(mayKeep ? "policy.changed" : "policy.admin") : say("policy.in_force");
   const tone = check.type === "bad" ? "bad" : changed ? "warn" : "off";
   return html`
     <section class="card" aria-labelledby="policy-title">
@@ -64,10 +64,10 @@ export function policy(context) {
           @input=${(/** @type {Event} */ event) => write(/** @type {HTMLTextAreaElement} */ (event.target).value)}></textarea>
       </details>
       <p id="policy-told" class="told" role="status" data-tone=${tone}>${told}</p>
-      ${overtaken ? html`<p class="told" data-tone="warn">${say("policy.overtaken")}</p>` : nothing}
+      ${overtaken ? html`<p class="told" data-tone="warn">${say("policy.conflict")}</p>` : nothing}
       <div class="row">
-        <button id="policy-keep" type="button" class="strong" ?disabled=${!changed || check.type !== "good" || !mayKeep} @click=${() => act.setUp.keepPolicy()}>${say("policy.keep")}</button>
-        <button id="policy-forget" type="button" ?disabled=${!changed} @click=${() => act.send({ type: "policy_forgotten" })}>${say("policy.forget")}</button>
+        <button id="policy-keep" type="button" class="strong" ?disabled=${!changed || check.type !== "good" || !mayKeep} @click=${() => act.setUp.keepPolicy()}>${say("policy.apply")}</button>
+        <button id="policy-forget" type="button" ?disabled=${!changed} @click=${() => act.send({ type: "policy_forgotten" })}>${say("policy.discard")}</button>
       </div>
       ${refusal(context, "policy")}
     </section>`;

@@ -43,7 +43,7 @@ export function tokens(context) {
         <input name="name" type="text" required maxlength="60" autocomplete="off" placeholder=${say("tokens.name")} aria-label=${say("tokens.name")}>
         <select name="role" aria-label=${say("tokens.role")}>${ROLES.map((role) => html`<option value=${role} ?selected=${role === "control"}>${say(`role.${role}`)}</option>`)}</select>
         <label class="check"><input name="shared" type="checkbox"> ${say("tokens.shared")}</label>
-        <button type="submit" class="small">${say("tokens.make")}</button>
+        <button type="submit" class="small">${say("tokens.create")}</button>
       </form>
       ${made ? html`
         <div id="token-made" class="made" role="status">

@@ -38,7 +38,7 @@ function choices({ page, say, act }, isKnown) {
     <p class="quiet">${say(mayKeep ? "paper.hint" : "policy.admin")}</p>
     <div class="row">
       <button id="paper-begin" type="button" class="small strong" @click=${begin}>${say("paper.begin")}</button>
-      <button id="paper-forget" type="button" class="small" ?disabled=${!isKnown || !mayKeep} @click=${() => act.calibrate.keepPaper(null)}>${say("paper.forget")}</button>
+      <button id="paper-forget" type="button" class="small" ?disabled=${!isKnown || !mayKeep} @click=${() => act.calibrate.keepPaper(null)}>${say("paper.clear")}</button>
     </div>`;
 }
 
@@ -61,14 +61,14 @@ function touching(context, places) {
     <dl id="paper-touches" class="list">${places.map(([x, y, z], n) => html`<div><dt>${say("paper.place", { place: n + 1, x: x.toFixed(0), y: y.toFixed(0) })}</dt><dd>${number(z)} mm</dd></div>`)}</dl>
     <div class="row">
       <button id="paper-touch" type="button" class="small strong" ?disabled=${why !== null} aria-describedby="paper-why" @click=${() => act.calibrate.touchPaper()}>${say("paper.touch")}</button>
-      <button id="paper-back" type="button" class="small" ?disabled=${places.length === 0} @click=${() => act.send({ type: "paper_back" })}>${say("calibrate.back")}</button>
+      <button id="paper-back" type="button" class="small" ?disabled=${places.length === 0} @click=${() => act.send({ type: "paper_back" })}>${say("calibrate.undo")}</button>
       <button id="paper-leave" type="button" class="small end" @click=${end}>${say("calibrate.leave")}</button>
     </div>
-    <p id="paper-why" class="quiet">${why ? say(`hindrance.${why}`) : missing > 0 ? say("paper.missing", { missing }) : ""}</p>
+    <p id="paper-why" class="quiet">${why ? say(`blocked.${why}`) : missing > 0 ? say("paper.missing", { missing }) : ""}</p>
     ${problem ? html`<p id="paper-problem" class="told" data-tone="bad" role="alert">${problem.detail}</p>` : nothing}
     ${found && plane ? html`
       <div class="made" role="status" id="paper-found">
         <p>${say("paper.found", { z: number(plane.z_mm), slope: number(steep_deg(plane)) })} ${say(places.length > PLACES ? "paper.bent" : "paper.flat", { mm: number(bent_mm(found)) })}</p>
-        <div class="row"><button id="paper-keep" type="button" class="strong" ?disabled=${page.role !== "admin"} @click=${keep}>${say("paper.keep")}</button></div>
+        <div class="row"><button id="paper-keep" type="button" class="strong" ?disabled=${page.role !== "admin"} @click=${keep}>${say("paper.save")}</button></div>
       </div>` : nothing}`;
 }

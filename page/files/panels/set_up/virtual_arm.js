@@ -4,7 +4,7 @@ import { html } from "../../vendor/lit-html/lit-html.js";
 import { refusal } from "./arm.js";
 
 /** @typedef {import("../../views/context.js").Context} Context */
-/** @typedef {import("../../words/words.js").Word} Word */
+/** @typedef {import("../../i18n/i18n.js").Word} Word */
 
 /** What often goes wrong, by name. @type {readonly [Word, string][]} */
 const FAULTS = [
@@ -38,9 +38,9 @@ export function virtualArm(context) {
       <div class="row">${FAULTS.map(([word, fault]) => html`<button type="button" class="small" data-fault=${fault} @click=${() => add(fault)}>${say(word)}</button>`)}</div>
       <textarea id="faults-text" rows="4" spellcheck="false" aria-label=${say("faults")} .value=${(page.set_up.faults ?? []).join("\n")}></textarea>
       <div class="row">
-        <button id="faults-set" type="button" class="small strong" @click=${() => act.setUp.setFaults(lines(area("faults-text").value))}>${say("faults.set")}</button>
-        <button id="faults-none" type="button" class="small" @click=${() => { area("faults-text").value = ""; void act.setUp.setFaults([]); }}>${say("faults.none")}</button>
-        <span id="faults-now" class="quiet" role="status">${page.set_up.faults?.length ? say("faults.now", { count: page.set_up.faults.length }) : say("faults.nothing")}</span>
+        <button id="faults-set" type="button" class="small strong" @click=${() => act.setUp.setFaults(lines(area("faults-text").value))}>${say("faults.apply")}</button>
+        <button id="faults-none" type="button" class="small" @click=${() => { area("faults-text").value = ""; void act.setUp.setFaults([]); }}>${say("faults.clear")}</button>
+        <span id="faults-now" class="quiet" role="status">${page.set_up.faults?.length ? say("faults.active", { count: page.set_up.faults.length }) : say("faults.none")}</span>
       </div>
       ${refusal(context, "faults")}
     </section>
@@ -49,7 +49,7 @@ export function virtualArm(context) {
       <p class="quiet">${say("world.hint")}</p>
       <div class="row">${WORLDS.map(([word, scene]) => html`<button type="button" class="small" data-world=${word} @click=${() => { area("world-text").value = scene; }}>${say(word)}</button>`)}</div>
       <textarea id="world-text" rows="10" spellcheck="false" aria-label=${say("world")}></textarea>
-      <div class="row"><button id="world-set" type="button" class="small strong" @click=${() => act.setUp.setWorld(area("world-text").value)}>${say("world.set")}</button></div>
+      <div class="row"><button id="world-set" type="button" class="small strong" @click=${() => act.setUp.setWorld(area("world-text").value)}>${say("world.apply")}</button></div>
       ${refusal(context, "world")}
     </section>`;
 }

@@ -344,9 +344,9 @@ mod tests {
         let target = [3.0, 0.0, 200.0, -50.0, 20.0, 15.0, 0.0, 1.0, 0.0, 0.0];
         let swapped = [jog, target]
             .map(|floats| floats.map(|float: f32| f32::from_bits(float.to_bits().swap_bytes())));
-        assert_eq!(kinds(&joined(&swapped), From::Auto), "rr");
+        assert_eq!(kinds(&joined(&swapped), SenderOption::Auto), "rr");
         let Content::Command(readings) =
-            &pieces(&joined(&swapped), From::Auto, None, false)[1].content
+            &pieces(&joined(&swapped), SenderOption::Auto, None, false)[1].content
         else {
             panic!("a command");
         };

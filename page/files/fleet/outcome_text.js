@@ -1,0 +1,56 @@
+// What came of what several stations were asked for, in words.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { sentence } from "../views/banners.js";
+import { pageIn, pageOf } from "./members.js";
+import { list, outcomeOf, problemOf } from "./outcome.js";
+
+/** @typedef {import("./fleet.js").Context} Context */
+/** @typedef {import("./state.js").Asked} Asked */
+/** @typedef {import("../state/types.js").Problem} Problem */
+/** @typedef {import("../i18n/i18n.js").Word} Word */
+
+/** A problem as a person reads it. @param {Problem} problem */
+export const problemText = ({ detail, hint }) => `${sentence(detail)}.${hint ? ` ${sentence(hint)}.` : ""}`;
+
+/** Whom it was for. @param {Context["say"]} say @param {import("./state.js").Recipients} to @param {string} language */
+export function toText(say, to, language) {
+  if (to === "all") return say("fleet.to.all");
+  return "group" in to ? to.group : list(language, to.members);
+}
+
+/** @param {Context} context @param {Asked} asked @returns {"good" | "warn" | "bad"} */
+export function toneOfTold(context, { answers, problem }) {
+  if (problem) return "bad";
+  if (!answers) return "warn";
+  const { silent, refused } = outcomeOf(answers);
+  return silent.length + refused.length ? "bad" : "good";
+}
+
+/** @param {Context} context @param {Asked} asked */
+export function told(context, asked) {
+  const { board: { language }, say } = context;
+  const { what, to, answers, problem } = asked;
+  if (problem) return html`<strong>${say(`fleet.failed.${what}`)}</strong> ${problemText(problem)} ${what === "stop" ? pages(context, context.board.members.map(({ name }) => name)) : nothing}`;
+  if (!answers) return html`${say(`fleet.pending.${what}`, { to: toText(say, to, language) })}`;
+  const { done, silent, refused } = outcomeOf(answers);
+  const all = answers.length;
+  return html`
+    ${what === "give_arm" ? given(context, answers) : html`<strong>${say(`fleet.done.${what}`, { done: done.length, all })}</strong>`}
+    ${silent.length ? html`<span class="silent">${say(what === "stop" ? "fleet.silent.stop" : "fleet.silent", { names: list(language, silent) })} ${what === "stop" ? pages(context, silent) : nothing}</span>` : nothing}
+    ${refused.map((it) => html`<span class="refused">${list(language, it.members)}: ${problemText(it.problem)}</span>`)}`;
+}
+
+/** The virtual arm that was given, with the way to its page. @param {Context} context @param {readonly import("./state.js").MemberAnswer[]} answers */
+function given({ say }, answers) {
+  const arms = answers.filter(({ answer }) => !problemOf(answer)).map(({ answer }) => /** @type {import("../state/types.js").Schemas["GivenArm"]} */ (answer.body));
+  if (!arms.length) return html`<strong>${say("fleet.failed.give_arm")}</strong>`;
+  return arms.map(({ name, page }) => html`<strong>${say("fleet.arm.ready", { name })}</strong> <a id="arm-page" href=${pageIn(page) ?? ""} target="_blank" rel="noreferrer">${say("fleet.page.of", { name })}</a>`);
+}
+
+/** The own pages of these stations, as far as they have told them. @param {Context} context @param {readonly string[]} names */
+function pages({ board, say }, names) {
+  const known = board.members.filter((it) => names.includes(it.name) && !it.here && pageOf(it));
+  if (!known.length) return nothing;
+  return html`<span class="pages">${known.map((it) => html`<a href=${pageOf(it)} target="_blank" rel="noreferrer">${say("fleet.page.of", { name: it.name })}</a> `)}</span>`;
+}

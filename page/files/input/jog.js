@@ -1,0 +1,85 @@
+// Jogging: nothing moves unless something is held. What holds is a button, a key or a stick; there is one at a time, and a
+// new one lets go of the one before.
+
+/** @typedef {import("../state/store.js").Store} Store */
+/** @typedef {import("../state/jog.js").Axis} Axis */
+/** @typedef {import("../state/jog.js").Frame} Frame */
+/** @typedef {import("../state/types.js").Schemas} Schemas */
+/** @typedef {ReturnType<typeof createJog>} JogHands */
+
+import { hindrance } from "../state/selectors.js";
+
+const JOG_MS = 50;
+
+/**
+ * @param {Store} store
+ * @param {import("../station/socket.js").Socket} socket
+ * @param {() => void} takeIfFree takes control where nobody has it
+ */
+export function createJog(store, socket, takeIfFree) {
+  /** @type {{ by: unknown, axis: Axis, timer: number, speed_percent: () => number } | undefined} */ let held;
+
+  /** @param {unknown} by what holds @param {Axis} axis @param {() => number} speed_percent of each press */
+  function hold(by, axis, speed_percent = () => store.page.jog.speed_percent) {
+    if (held && held.by === by && held.axis === axis) return;
+    letGo();
+    if (hindrance(store.page)) return;
+    takeIfFree();
+    const { frame } = store.page.jog;
+    const mine = { by, axis, speed_percent, timer: setInterval(press, JOG_MS) };
+    held = mine;
+    store.send({ type: "jog_held", axis });
+    void press();
+
+    async function press() {
+      const jog = /** @type {Schemas["Jog"]} */ ({ frame, axis, speed_percent: mine.speed_percent() });
+      const { problem } = await socket.ask({ type: "jog", jog });
+      // A refusal ends the press: it is told beside the button, and a new press is needed.
+      if (!problem || held !== mine) return;
+      letGo();
+      store.send({ type: "jog_refused", axis, detail: problem.detail });
+    }
+  }
+
+  /** What does not hold any more lets go of nothing else. @param {unknown} by */
+  function letGoOf(by) {
+    if (held?.by === by) letGo();
+  }
+
+  function letGo() {
+    if (!held) return;
+    clearInterval(held.timer);
+    held = undefined;
+    store.send({ type: "jog_held", axis: null });
+    if (socket.isOpen()) void socket.ask({ type: "release" });
+  }
+
+  /** Moves by one step, from where the arm is when the steps before it are over. @param {Axis} axis @param {number} by millimetres or degrees */
+  async function stepBy(axis, by) {
+    const { page } = store;
+    if (!page.station?.arm || hindrance(page)) return;
+    takeIfFree();
+    const button = /** @type {Schemas["Button"]} */ ({ frame: page.jog.frame, axis });
+    store.send({ type: "jog_held", axis });
+    store.send({ type: "jog_held", axis: null });
+    const { problem } = await socket.ask({ type: "step", button, by });
+    if (problem) store.send({ type: "jog_refused", axis, detail: problem.detail });
+  }
+
+  store.listen((page, message) => {
+    if (message.type === "closed" || message.type === "stop_pressed" || (held && hindrance(page) !== null)) letGo();
+    if (message.type === "jog_set" && message.set.frame) letGo();
+  });
+
+  return {
+    hold,
+    letGoOf,
+    letGo,
+    /** Begins what a press of a button means: to hold it, or a step. @param {unknown} by @param {Axis} axis */
+    press(by, axis) {
+      const { step: distance } = store.page.jog;
+      if (distance === null) hold(by, axis);
+      else void stepBy(axis, distance);
+    },
+  };
+}

@@ -1,0 +1,82 @@
+// The mouse pad (state 1) and the hand pad (state 8): what a pointer that is held on them sends.
+
+import { createStream, gesturePacket, mousePacket } from "./pad_packets.js";
+
+/** @typedef {ReturnType<typeof createPads>} Pads */
+
+const MM = { zero_mm: 0, units_per_mm: 1 };
+/** While nobody knows the dialect the station refuses the packet, and says why. */
+const UNDECIDED = { x: MM, y: MM, z: MM };
+
+/**
+ * @param {import("../state/store.js").Store} store
+ * @param {import("../station/socket.js").Socket} socket
+ * @param {() => void} takeIfFree
+ */
+export function createPads(store, socket, takeIfFree) {
+  /** The facts of the dialect that holds; nothing for the moment until they are read. */
+  function facts() {
+    const { facts, station } = store.page;
+    return (facts?.dialect?.name ?? null) === (station?.dialect ?? null) ? facts : null;
+  }
+  const refused = (/** @type {string} */ detail) => store.send({ type: "pad_refused", detail });
+
+  /** How far the pointer went since the last packet, in pixels, and the lift in units. */
+  let way = /** @type {[number, number]} */ ([0, 0]), lift = 0;
+  const mouse = createStream({ store, socket, takeIfFree, refused, next() {
+    const arm = store.page.station?.arm, known = facts();
+    if (!arm || !known || (Math.hypot(...way) < 1 && lift === 0)) return null;
+    const { command, used } = mousePacket(way, arm, known.dialect?.mouse_swings ?? false, lift);
+    way = [way[0] - used[0], way[1] - used[1]];
+    lift = 0;
+    return command;
+  } });
+
+  let hand = { far: 0, left: 0 }, z_mm = 40, grab = false, repeats = 0;
+  const gesture = createStream({ store, socket, takeIfFree, refused, next() {
+    const known = facts(), mounted = store.page.around?.tool.kind ?? "suction_cup";
+    // It is averaged with those before it, and one that moves nothing may never end.
+    if (!known || repeats >= (known.dialect?.gesture_samples ?? 1)) return null;
+    repeats += 1;
+    return gesturePacket({ ...hand, z_mm, grab }, known.tools.find(({ kind }) => kind === mounted)?.gesture ?? UNDECIDED);
+  } });
+
+  return {
+    mouse: {
+      begin() {
+        [way, lift] = [[0, 0], 0];
+        store.send({ type: "pad_refused", detail: null });
+        mouse.begin();
+      },
+      /** @param {number} right @param {number} down in pixels */
+      move(right, down) {
+        way = [way[0] + right, way[1] + down];
+        mouse.more();
+      },
+      /** @param {number} units up */
+      lift(units) {
+        lift = units;
+        mouse.more();
+      },
+      end: mouse.end,
+    },
+    hand: {
+      /** @param {number} far from -1 (near) to 1 @param {number} left from -1 (right) to 1 */
+      begin(far, left) {
+        [hand, repeats] = [{ far, left }, 0];
+        store.send({ type: "pad_refused", detail: null });
+        gesture.begin();
+      },
+      /** @param {number} far @param {number} left */
+      move(far, left) {
+        [hand, repeats] = [{ far, left }, 0];
+        gesture.more();
+      },
+      end: gesture.end,
+      /** @param {number} mm */
+      height: (mm) => (z_mm = mm),
+      /** @param {boolean} closed */
+      grab: (closed) => (grab = closed),
+    },
+  };
+}

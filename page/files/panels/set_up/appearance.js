@@ -1,0 +1,28 @@
+// How this page looks, and what it speaks.
+
+import { html } from "../../vendor/lit-html/lit-html.js";
+import { live } from "../../vendor/lit-html/directives/live.js";
+import { LANGUAGES } from "../../i18n/i18n.js";
+
+/** @typedef {import("../../i18n/i18n.js").Language} Language */
+
+/** @type {readonly import("../../state/state.js").Theme[]} */
+const THEMES = ["auto", "light", "dark"];
+
+/** @param {import("../../views/context.js").Context} context */
+export function looks({ page, say, act }) {
+  return html`
+    <section class="card" aria-labelledby="looks-title">
+      <h2 id="looks-title">${say("set.looks")}</h2>
+      <fieldset class="segments">
+        <legend>${say("set.language")}</legend>
+        ${Object.entries(LANGUAGES).map(([it, name]) => html`<label lang=${it}><input type="radio" name="language" value=${it} .checked=${live(it === page.language)} @change=${() => act.send({ type: "language", language: /** @type {Language} */ (it) })}><span>${name}</span></label>`)}
+      </fieldset>
+      <fieldset class="segments">
+        <legend>${say("set.theme")}</legend>
+        ${THEMES.map((it) => html`<label><input type="radio" name="theme" value=${it} .checked=${live(it === page.theme)} @change=${() => act.send({ type: "theme", theme: it })}><span>${say(`set.${it}`)}</span></label>`)}
+      </fieldset>
+      <p><button id="lessons-open" type="button" class="small" @click=${() => act.send({ type: "lesson_choose", open: true })}>${say("learn.open")}</button></p>
+      <p class="quiet">${say("set.version", { version: page.version })}</p>
+    </section>`;
+}

@@ -1,0 +1,243 @@
+// The stage in three dimensions.
+
+import {
+  Color, Group, MeshStandardMaterial, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer,
+} from "../vendor/three/three.js";
+import { createArm } from "./arm.js";
+import { LENS_DEG, orbit, pan, place, preset, towards, zoom } from "./camera.js";
+import { createKeepOuts, createLimits } from "./keep_outs.js";
+import { createHands } from "./pointer_input.js";
+import { createLight, createMirrored } from "./light.js";
+import { createDrawing, createPlanned, createTrail } from "./lines.js";
+import { forward, inverse, rad } from "./kinematics.js";
+import { lookOf } from "./colors.js";
+import { createMarks } from "./marks.js";
+import { createPaper, createPlane, createTable } from "./paper.js";
+import { createTarget } from "./target.js";
+import { createBeam } from "./tools.js";
+import { createWorld } from "./objects.js";
+
+/** @typedef {import("./view.js").View} View */
+/** @typedef {import("./view.js").Joints} Joints */
+/** @typedef {import("./view.js").Preset} Preset */
+/** @typedef {import("./view.js").Point} Point */
+
+const SWING_S = 0.45;
+/** How fine shadows are, with a graphics card and without one. */
+const FINE_SHADOW_PX = 2048, COARSE_SHADOW_PX = 512;
+const NAMES = /** @type {const} */ (["base_deg", "rear_deg", "fore_deg", "servo_deg"]);
+const METAL = { metal: 0.72, dark: 0.25, accent: 0.35, pin: 0.9, rubber: 0 };
+
+/**
+ * @param {HTMLElement} element
+ * @param {{ changed(): void, target(pose: import("./view.js").Target): void, still: boolean }} outside
+ * @param {boolean} card whether a graphics card draws it
+ */
+export function createDeep(element, outside, card) {
+  const canvas = document.createElement("canvas");
+  const renderer = new WebGLRenderer({ canvas, antialias: card, powerPreference: "high-performance" });
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
+  // Only what moves changes its shadow: a camera that turns does not.
+  renderer.shadowMap.autoUpdate = false;
+  renderer.toneMapping = NeutralToneMapping;
+  element.prepend(canvas);
+
+  const scene = new Scene();
+  const lens = new PerspectiveCamera(LENS_DEG, 1, 20, 6000);
+  lens.up.set(0, 0, 1);
+  const light = createLight(card ? FINE_SHADOW_PX : COARSE_SHADOW_PX);
+  const materials = {
+    metal: new MeshStandardMaterial({ roughness: 0.34 }),
+    dark: new MeshStandardMaterial({ roughness: 0.52 }),
+    accent: new MeshStandardMaterial({ roughness: 0.36 }),
+    pin: new MeshStandardMaterial({ roughness: 0.26 }),
+    rubber: new MeshStandardMaterial({ roughness: 0.8 }),
+  };
+  // Not the scene's: table and paper do without, which is much less to calculate.
+  const mirrored = createMirrored(renderer);
+  const arm = createArm(materials, { foot: true });
+  const [table, paper, marks, world] = [createTable(), createPaper(), createMarks(renderer), createWorld()];
+  const [keepOuts, limits, trail, planned, drawing, target] = [createKeepOuts(), createLimits(), createTrail(), createPlanned(), createDrawing(), createTarget()];
+  const plane = createPlane();
+  const beam = createBeam(0xff3b30);
+  const onTable = new Group().add(table.group, paper.group, marks.group, world.group);
+  scene.add(light.group, arm.group, onTable, keepOuts.group, limits.group, trail.group, plane.group, planned.group, drawing.group, target.group, beam.group);
+
+  /** @type {View | null} */ let view = null;
+  /** @type {Joints | null} */ let drawn = null;
+  /** Whose shadow was drawn. @type {Joints | null} */ let shaded = null;
+  let aspect = 1;
+  let camera = preset("iso", aspect, [200, 0, 0]);
+  /** @type {Preset | null} */ let kept = "iso";
+  /** @type {{ from: typeof camera, to: typeof camera, since_s: number } | null} */ let swing = null;
+
+  /** @param {typeof camera} next */
+  function look(next) {
+    camera = next;
+    swing = kept = null;
+    outside.changed();
+  }
+  const perPixel = () => (2 * camera.away_mm * Math.tan(rad(LENS_DEG / 2))) / Math.max(1, canvas.clientHeight);
+  const pointer = (/** @type {{ x: number, y: number }} */ { x, y }) => new Vector2(x, y);
+  const dropped = { phase: /** @type {const} */ ("drop") };
+  /** @type {import("./view.js").Pose | null} */ let last = null;
+  const leave = createHands(canvas, {
+    orbit: (dx, dy) => look(orbit(camera, -dx * 0.35, dy * 0.35)),
+    pan: (dx, dy) => look(pan(camera, -dx * perPixel(), dy * perPixel())),
+    zoom: (times) => look(zoom(camera, times)),
+  }, {
+    hover(at) {
+      const handle = at && target.under(lens, pointer(at));
+      target.light(handle);
+      outside.changed();
+      return handle !== null;
+    },
+    grab(at) {
+      const handle = target.under(lens, pointer(at));
+      target.light(handle);
+      last = null;
+      return handle !== null && target.grab(handle, lens, pointer(at));
+    },
+    drag(at) {
+      last = target.drag(lens, pointer(at)) ?? last;
+      if (last) outside.target({ ...last, phase: "drag" });
+    },
+    drop() {
+      target.release();
+      if (last) outside.target({ ...last, ...dropped });
+    },
+  });
+
+  function paint(/** @type {View} */ { dark, ghost, laser, tool }) {
+    const colors = lookOf(dark);
+    scene.background = new Color(colors.background);
+    light.sun.intensity = colors.sun;
+    light.sky.intensity = colors.sky;
+    for (const it of Object.values(materials)) it.envMapIntensity = colors.room;
+    materials.metal.color.set(colors.metal);
+    materials.dark.color.set(colors.dark);
+    materials.accent.color.set(colors.accent);
+    materials.pin.color.set(colors.pin);
+    materials.rubber.color.set(colors.dark);
+    for (const it of [table, paper, plane, keepOuts, limits, trail, planned]) it.paint(colors);
+    marks.paint(colors, tool.kind === "laser");
+    target.paint(colors, ghost?.refused ?? false);
+    beam.paint(colors.beam);
+  }
+
+  /** Takes a view: only what differs from the one before is done. @param {View} next */
+  function show(next) {
+    const before = view;
+    view = next;
+    const differs = (/** @type {(keyof View)[]} */ ...names) => !before || names.some((name) => before[name] !== next[name]);
+    if (next.shape && (!before || before.shape !== next.shape || before.tool.kind !== next.tool.kind || before.tool.length_mm !== next.tool.length_mm)) {
+      arm.mount(next.shape, next.tool);
+      target.mount(next.shape, next.tool);
+    }
+    onTable.position.z = next.table_z_mm;
+    renderer.shadowMap.needsUpdate = true;
+    if (differs("paper")) paper.show(next.paper);
+    if (differs("plane", "tool")) plane.show(next.plane, next.tool.length_mm);
+    if (differs("things")) world.show(next.things);
+    if (differs("keepOuts")) keepOuts.show(next.keepOuts);
+    if (differs("planned", "tool")) planned.show(next.planned, next.tool.length_mm);
+    if (differs("drawing", "tool", "dark")) drawing.show(next.drawing, next.tool.length_mm, lookOf(next.dark));
+    marks.show(next.marks, next.paper);
+    arm.group.visible = trail.group.visible = next.arm !== null;
+    if (differs("dark", "ghost", "tool", "keepOuts")) paint(next);
+    if (drawn) pose(drawn);
+    outside.changed();
+  }
+
+  /** @param {Joints} joints */
+  function pose(joints) {
+    if (!view?.shape) return;
+    const { shape, tool, arm: reported, laser, table_z_mm, ghost, near } = view;
+    arm.pose({ ...joints, gripper_deg: reported?.gripper_deg ?? 0 });
+    const own = forward(joints, shape);
+    const tip = new Vector3(own.x_mm, own.y_mm, own.z_mm - tool.length_mm);
+    trail.follow(tip);
+    beam.group.visible = laser === "burning" && reported !== null;
+    beam.group.position.copy(tip);
+    beam.reach(tip.z - table_z_mm);
+    target.show(view, reported && own);
+    const aimed = ghost && inverse(ghost, shape);
+    limits.warn(aimed ?? (reported && joints), shape, near.limits);
+    keepOuts.warn(near.keep_outs);
+  }
+
+  /**
+   * Draws. @param {Joints | null} joints
+   * @param {number} now_s
+   * @returns {boolean} whether the camera is still on its way
+   */
+  function frame(joints, now_s) {
+    if (joints) drawn = joints;
+    else if (view) target.show(view, null);
+    if (joints) pose(joints);
+    if (joints && NAMES.some((name) => joints[name] !== shaded?.[name])) renderer.shadowMap.needsUpdate = true;
+    shaded = joints;
+    if (swing) {
+      const share = outside.still ? 1 : Math.min(1, (now_s - swing.since_s) / SWING_S);
+      camera = towards(swing.from, swing.to, share);
+      if (share >= 1) swing = null;
+    }
+    lens.position.set(...place(camera));
+    lens.lookAt(...camera.at_mm);
+    target.size(lens);
+    lens.updateMatrixWorld();
+    renderer.render(scene, lens);
+    return swing !== null;
+  }
+
+  return {
+    kind: /** @type {const} */ ("3d"),
+    canvas,
+    show,
+    frame,
+    /** @param {number} width @param {number} height @param {number} density */
+    resize(width, height, density) {
+      renderer.setPixelRatio(density);
+      renderer.setSize(width, height, false);
+      aspect = width / Math.max(1, height);
+      lens.aspect = aspect;
+      lens.updateProjectionMatrix();
+      if (kept) camera = preset(kept, aspect, tipOf());
+    },
+    /** @param {Preset} name @param {number} now_s */
+    look(name, now_s) {
+      swing = { from: camera, to: preset(name, aspect, tipOf()), since_s: now_s };
+      kept = name;
+      outside.changed();
+    },
+    /** By the keyboard: degrees, pixels, times. */
+    turn: (/** @type {number} */ around, /** @type {number} */ up) => look(orbit(camera, around, up)),
+    shift: (/** @type {number} */ right, /** @type {number} */ up) => look(pan(camera, right * perPixel(), up * perPixel())),
+    near: (/** @type {number} */ times) => look(zoom(camera, times)),
+    /** Mirrors cost the most, then shadows. @param {import("./render_quality.js").Quality} quality */
+    refine({ mirrors, shadows }) {
+      light.sun.castShadow = shadows;
+      renderer.shadowMap.needsUpdate = true;
+      for (const [name, it] of Object.entries(materials)) {
+        it.envMap = mirrors ? mirrored : null;
+        // Metal with nothing to mirror is black.
+        it.metalness = mirrors ? METAL[/** @type {keyof typeof METAL} */ (name)] : 0;
+        it.needsUpdate = true;
+      }
+    },
+    end() {
+      leave();
+      marks.end();
+      renderer.dispose();
+      canvas.remove();
+    },
+  };
+
+  /** @returns {Point} */
+  function tipOf() {
+    if (!drawn || !view?.shape) return [200, 0, -60];
+    const { x_mm, y_mm, z_mm } = forward(drawn, view.shape);
+    return [x_mm, y_mm, z_mm - view.tool.length_mm / 2];
+  }
+}

@@ -1,0 +1,53 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { reduce } from "./reduce.js";
+import { looksSame } from "./equality.js";
+import { begin } from "./state.js";
+
+const STATION = {
+  at_s: 1,
+  link: { address: "virtual:", phase: "up", problem: null, bluetooth: false, statuses_per_s: 12.5, lost_statuses: 0, damaged_bytes: 0, latency_ms: 1 },
+  arm: { x_mm: 200, y_mm: 0, z_mm: 50, rotation_deg: 10, base_deg: 0, rear_deg: 45, fore_deg: 45, servo_deg: 10, suction: false, gripper_deg: 0, moving: false },
+  dialect: "firmware-1.1", trust: { trusted: true, reason: null }, queue: { waiting: 0, under_way: 0, ahead_s: 0 },
+  lease: null, stop: null, laser: { armed_for_s: 0, on: false }, job: null, clients: 1, slots: null,
+};
+const after = (messages, page) => messages.reduce(reduce, page);
+const BEGUN = begin({ language: "en", theme: "auto", greeted: false, program: "" });
+const OPEN = after([{ type: "hello", client: 7, role: "control", version: "1", now_ms: 1000 }, { type: "state", station: STATION, now_ms: 1000 }], BEGUN);
+const told = (change, page = OPEN) => reduce(page, { type: "state", station: { ...STATION, at_s: 1.08, ...structuredClone(change) }, now_ms: 1080 });
+
+test("an arm that rests looks the same, however often it says so", () => {
+  assert.ok(looksSame(OPEN, told({})));
+  assert.ok(looksSame(OPEN, told({ at_s: 3, link: { ...STATION.link, statuses_per_s: 12.52, latency_ms: 7 } })));
+});
+
+test("whatever is read of a station is news", () => {
+  const changes = {
+    arm: { ...STATION.arm, x_mm: 200.1 }, link: { ...STATION.link, phase: "lost" }, trust: { trusted: false, reason: "reset" }, clients: 2,
+    lease: { client: 7, name: "desk", is_program: false, since_s: 0, asked_by: [] }, laser: { armed_for_s: 2, on: false }, job: { job: 3, completed: 1 },
+  };
+  for (const [name, value] of Object.entries(changes)) assert.ok(!looksSame(OPEN, told({ [name]: value })), name);
+  assert.ok(!looksSame(BEGUN, OPEN));
+});
+
+test("whatever else the page knows is news, and so is a report after a silence", () => {
+  assert.ok(!looksSame(OPEN, reduce(OPEN, { type: "tab", tab: "watch" })));
+  const silent = reduce(OPEN, { type: "tick", now_ms: 3000 });
+  assert.ok(!looksSame(OPEN, silent));
+  assert.ok(!looksSame(silent, told({}, silent)));
+});
+
+test("Watch shows the link and each sample of the charts", () => {
+  const watched = reduce(OPEN, { type: "tab", tab: "watch" });
+  assert.ok(looksSame(watched, told({}, watched)));
+  assert.ok(!looksSame(watched, told({ link: { ...STATION.link, latency_ms: 7 } }, watched)));
+  assert.ok(!looksSame(watched, told({ at_s: 1.6 }, watched)));
+});
+
+test("a time slot is counted down", () => {
+  const slots = { now: { student: "Anna", starts_s: 0, ends_s: 250 }, next: null, free_s: 250 };
+  const timed = told({ slots });
+  assert.ok(looksSame(timed, told({ slots, at_s: 1.1 }, timed)));
+  assert.ok(!looksSame(timed, told({ slots, at_s: 1.6 }, timed)));
+});

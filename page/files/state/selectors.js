@@ -1,0 +1,167 @@
+// What is read from the state in more than one place.
+
+import { linesOf } from "../preview/appearance.js";
+import { EMPTY } from "../stage/view.js";
+import { recorded } from "./recordings.js";
+import { isSamePerson, timeNow } from "./slots.js";
+import { placeOf } from "./target.js";
+import { placeOfStep, rowAt, rowsOf } from "./teach.js";
+
+/** @typedef {import("./state.js").Page} Page */
+/** @typedef {import("../stage/view.js").View} View */
+/** @typedef {import("./types.js").Near} Near */
+
+/** From when on the stage is grey: six statuses are missing. */
+const OLD_MS = 500;
+/** From when on it is told above everything else. */
+const VERY_OLD_MS = 2000;
+
+/** Why the arm cannot be moved by hand now: a key of the words. @typedef {"no_connection" | "no_arm" | "locked" | "others_time" | "stopped" | "not_confirmed" | "job_runs" | "others_control" | "watching_only" | "queueing_only"} Hindrance */
+
+/** @param {Page} page @returns {Hindrance | null} */
+export function hindrance(page) {
+  const { connection, station, me, role } = page;
+  if (connection !== "open" || !station) return "no_connection";
+  if (station.link.phase !== "up") return "no_arm";
+  if (role === "watch") return "watching_only";
+  if (role === "queue") return "queueing_only";
+  if (station.lock && role !== "admin") return "locked";
+  if (othersTime(page)) return "others_time";
+  if (station.stop) return "stopped";
+  if (!station.trust.trusted) return "not_confirmed";
+  if (station.job?.phase === "running") return "job_runs";
+  // Where nobody has control, the first action takes it.
+  if (station.lease && station.lease.client !== me) return "others_control";
+  return null;
+}
+
+/** Whose time it is, where it is not that of this page; an administrator has the arm in everybody's time. @param {Page} page */
+export function othersTime({ station, role, person }) {
+  const now = role === "admin" ? null : timeNow(station);
+  return now && !isSamePerson(now.student, person) ? now : null;
+}
+
+/** Whether this page has control. @param {Page} page */
+export const hasControl = ({ station, me }) => station?.lease != null && station.lease.client === me;
+
+/** Whether the arm rests, and nothing waits for it. @param {import("./types.js").Station} station */
+export const rests = ({ arm, queue }) => arm !== null && !arm.moving && queue.waiting + queue.under_way === 0;
+
+/** Whether the arm is one of the station's own, without hardware. @param {Page} page */
+export const isVirtual = ({ station }) => station?.link.address === "virtual:";
+
+/** For how long nothing came, in ms, where something should; else 0. @param {Page} page */
+export function silence_ms({ station, connection, heard_ms, now_ms }) {
+  const expected = station !== null && (connection !== "open" || station.link.phase === "up");
+  const quiet = now_ms - heard_ms;
+  return expected && quiet > OLD_MS ? quiet : 0;
+}
+
+/** Whether it is told above everything else. @param {Page} page */
+export const isVeryOld = (page) => silence_ms(page) > VERY_OLD_MS;
+
+/** @param {Page} page @returns {View["laser"]} */
+export function laser({ station }) {
+  if (station?.laser.on) return "burning";
+  return (station?.laser.armed_for_s ?? 0) > 0 ? "armed" : "off";
+}
+
+/** What of a view a policy tells. @param {Page["policy"]} policy @returns {Partial<View>} */
+function ruled(policy) {
+  if (!policy) return {};
+  return {
+    limits: { joints: policy.joints, workspace: policy.workspace },
+    tool: { kind: "suction_cup", length_mm: policy.tool_length.suction_cup_mm },
+    table_z_mm: policy.table.z_mm,
+    keepOuts: /** @type {View["keepOuts"]} */ (policy.keep_out),
+  };
+}
+
+/** What of a view the station serves of the arm, with this tool. @param {Page["facts"]} facts @param {View["tool"]["kind"]} kind @returns {Partial<View>} */
+function built(facts, kind) {
+  const tool = facts?.tools.find((it) => it.kind === kind);
+  if (!facts || !tool) return {};
+  return { shape: { ...facts.dimensions, reach_mm: tool.reach_mm }, status_s: facts.status_period_s };
+}
+
+/**
+ * What the picture brings out: the limits of the ghost where there is one, and what arm and ghost are near to.
+ * @param {string} text what the arm is near to: states repeat it, and the same text is the same object @param {Near | null} ghost @returns {View["near"]}
+ */
+function nearBoth(text, ghost) {
+  const arm = /** @type {Near} */ (JSON.parse(text));
+  /** @type {Record<string, number>} */ const keep_outs = { ...arm.keep_outs };
+  for (const [name, closeness] of Object.entries(ghost?.keep_outs ?? {})) keep_outs[name] = Math.max(closeness, keep_outs[name] ?? 0);
+  return { limits: (ghost ?? arm)?.limits ?? [], keep_outs };
+}
+
+/**
+ * Keeps the result of a function for as long as its arguments are the same objects: what is the same costs the stage nothing.
+ * @template {unknown[]} A @template R @param {(...of: A) => R} make @returns {(...of: A) => R}
+ */
+export function kept(make) {
+  /** @type {{ of: A, made: R } | null} */ let last = null;
+  return (...of) => {
+    if (!last || last.of.some((it, n) => it !== of[n])) last = { of, made: make(...of) };
+    return last.made;
+  };
+}
+
+/** @type {readonly import("../stage/view.js").Point[]} */
+const NONE = [];
+
+/** The rows of a program: those of a large one take a moment. */
+export const rowsIn = kept(rowsOf);
+const taughtAt = kept((/** @type {string} */ text, /** @type {number | null} */ chosen) => placeOfStep(text, chosen === null ? undefined : rowsIn(text)[chosen]));
+
+/** The place of the step that is chosen in the program, while somebody teaches. @param {Page} page */
+export const taughtPlace = ({ tab, teach }) => (tab === "teach" ? taughtAt(teach.text, teach.chosen) : null);
+
+/** Whether the station finds something wrong with the chosen step. @param {Page["teach"]} teach */
+const isChosenBad = ({ text, chosen, report }) => (report?.problems.length ?? 0) > 0 && report?.problems.some(({ line }) => rowAt(rowsIn(text), line) === chosen);
+
+/** Where the ghost is: the chosen step of a program, or the target. @param {Page} page */
+export const ghostPlace = (page) => taughtPlace(page) ?? placeOf(page.target);
+
+/** The policy that is shown: that of a draft while somebody makes one. @param {Page} page */
+export const shownPolicy = ({ tab, set_up, policy }) => (tab === "set_up" && set_up.drafted) || policy;
+
+/** Makes views for the stage; the same object for what did not change. */
+export function createViewOf() {
+  const rules = kept(ruled);
+  const facts = kept(built);
+  const near = kept(nearBoth);
+  const reported = kept((/** @type {Page["station"]} */ station) => (station?.arm ? { ...station.arm, at_s: station.at_s } : null));
+  const then = kept(recorded);
+  const ghostOf = kept((/** @type {Page["target"]} */ target) => {
+    const place = placeOf(target);
+    return place && { ...place, refused: target.refused };
+  });
+  const taughtOf = kept((/** @type {import("../stage/view.js").Pose} */ place, /** @type {boolean} */ refused) => ({ ...place, refused }));
+  const planeOf = kept((/** @type {Page["draw"]["paper"]} */ plane, /** @type {readonly import("../stage/view.js").Point[]} */ touches) => (plane || touches.length ? { z_mm: plane?.z_mm ?? NaN, slope_x: plane?.slope_x ?? 0, slope_y: plane?.slope_y ?? 0, touches } : null));
+  const drawingOf = kept((/** @type {NonNullable<Page["draw"]["timeline"]>} */ { timeline }) => linesOf(timeline));
+  /** @param {Page} page @param {{ dark: boolean, note: string, label: string }} words @returns {View} */
+  return (page, { dark, note, label }) => {
+    const around = { ...EMPTY, ...rules(shownPolicy(page)), ...page.around };
+    const common = { ...around, ...facts(page.facts, around.tool.kind), dark, note, label };
+    const arm = then(page.recordings);
+    // Where the arm was is grey, and nothing that holds now stands beside it.
+    if (arm) return { ...common, arm: common.shape && arm, old: true };
+    const taught = taughtPlace(page);
+    const { places, found } = page.touch_paper;
+    const plane = found?.paper ?? null;
+    return {
+      ...common,
+      plane: page.tab === "set_up" && places ? planeOf(plane, places) : page.tab === "set_up" || page.tab === "draw" ? planeOf(page.draw.paper, NONE) : null,
+      planned: page.planned,
+      drawing: page.tab === "draw" && page.draw.timeline ? drawingOf(page.draw.timeline) : null,
+      arm: common.shape && reported(page.station),
+      near: near(JSON.stringify(page.station?.arm?.near ?? {}), page.ghost_near),
+      laser: laser(page),
+      ghost: taught ? taughtOf(taught, isChosenBad(page.teach) ?? false) : ghostOf(page.target),
+      // Who changes a program moves nothing.
+      draggable: taught !== null || hindrance(page) === null,
+      old: silence_ms(page) > 0,
+    };
+  };
+}

@@ -1,0 +1,23 @@
+// What a person without an arm sees first: that this one is virtual, and what can be done with it.
+
+import { html, nothing } from "../vendor/lit-html/lit-html.js";
+import { isVirtual } from "../state/selectors.js";
+
+/** @param {import("./context.js").Context} context */
+export function first({ page, say, act }) {
+  if (page.greeted || !isVirtual(page)) return nothing;
+  const choose = (/** @type {import("../state/state.js").Tab} */ tab) => {
+    act.send({ type: "greeted" });
+    act.send({ type: "tab", tab });
+  };
+  return html`
+    <section class="first" aria-labelledby="first-title">
+      <p><strong id="first-title">${say("first.title")}</strong> ${say("first.text")}</p>
+      <div class="row">
+        <button id="first-jog" type="button" class="small strong" @click=${() => choose("move")}>${say("first.jog")}</button>
+        <button id="first-tour" type="button" class="small" @click=${() => { act.send({ type: "greeted" }); void act.lessons.open("tour"); }}>${say("learn.tour")}</button>
+        <button id="first-real" type="button" class="small" @click=${() => choose("set_up")}>${say("first.real")}</button>
+        <button id="first-close" type="button" class="small" @click=${() => act.send({ type: "greeted" })}>${say("close")}</button>
+      </div>
+    </section>`;
+}
